@@ -1,8 +1,8 @@
-/** Time as the editor sees it: injected, so that tests can hold it. */
+/** The clock of the editor. Injected, so that tests can control time. */
 export interface EditorClock {
-  /** Calls once after `ms`; the returned function calls it off. */
+  /** Calls `run` once after `ms`. The returned function cancels it. */
   after(ms: number, run: () => void): () => void;
-  /** Before the next paint. */
+  /** Calls `run` before the next paint. The returned function cancels it. */
   nextFrame(run: () => void): () => void;
 }
 
@@ -17,20 +17,20 @@ export const pageClock: EditorClock = {
   },
 };
 
-/** For measuring. */
+/** Clock of the compiler worker, for measurements. */
 export const workerClock = { nowMs: () => performance.now() };
 
 export interface Debounced {
-  /** Starts the wait anew. */
+  /** Restarts the wait. */
   trigger(): void;
-  /** Runs at once what is waiting. */
+  /** Runs a pending call at once. */
   flush(): void;
   cancel(): void;
 }
 
 /**
- * Runs `run` once after a rest of `ms`, which a function may decide at each trigger. `atMostMs` limits the whole wait from the first
- * trigger on, however often more follow; without it there is no limit.
+ * Calls `run` once after a pause of `ms` without further triggers; a function computes the pause at each trigger. @param atMostMs
+ * Longest wait after the first trigger. Without it, further triggers extend the wait without limit.
  */
 export function debounce(clock: Pick<EditorClock, 'after'>, ms: number | (() => number), run: () => void, atMostMs?: number): Debounced {
   let stop: (() => void) | null = null;

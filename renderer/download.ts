@@ -1,9 +1,9 @@
 import type { EditorClock } from './clock.ts';
 
-/** Long enough for any browser to have begun. */
+/** Time after which the browser has surely started the download. */
 const PATIENCE_MS = 60_000;
 
-/** Puts a file where the person's downloads go. */
+/** Saves a file to the downloads of the browser. Replaces characters that file names cannot contain. */
 export function downloadFile(clock: Pick<EditorClock, 'after'>, file: Blob, name: string): void {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(file);

@@ -1,5 +1,5 @@
-// Vite takes styles that a component imports into the page's sheet.
+// Vite adds imported styles to the style sheet of the page.
 declare module '*.css' {}
 
-// Parts of Monaco that are there for what importing them does.
+// Monaco modules that are imported for their side effects.
 declare module 'monaco-editor/editor/contrib/*' {}

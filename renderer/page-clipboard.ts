@@ -1,6 +1,6 @@
 import type { Clipboard } from './state/editor/editor.ts';
 
-/** The system's clipboard; where the browser forbids it, what this window copied itself. */
+/** The clipboard of the system. If the browser denies access, the text that this window copied last. */
 export function createPageClipboard(system: globalThis.Clipboard | undefined): Clipboard {
   let own = '';
   return {

@@ -3,10 +3,13 @@ import { guardPreview } from './state/preview/stopped-preview.ts';
 
 const LOCK = 'scrim-project ';
 
-/** Watches over the preview with what a page has: its storage, its end, its keys, and locks by which windows know of each other. */
+/**
+ * Connects `guardPreview` to the page: its storage, the `pagehide` event, the Shift key, and a Web Lock per open project that other
+ * windows can query.
+ */
 export function guardPreviewInPage(editor: Editor): void {
   let shift = false;
-  // A project is opened by a click, or by Enter.
+  // Projects are opened by a click or Enter.
   const onClick = (event: MouseEvent) => {
     shift = event.shiftKey;
   };
@@ -20,7 +23,7 @@ export function guardPreviewInPage(editor: Editor): void {
   holdLocks(editor);
 }
 
-/** Holds a lock of the open project's, which goes with the window however that ends. */
+/** Holds a shared lock for the open project. The browser releases it when the window closes or crashes. */
 function holdLocks({ document }: Pick<Editor, 'document'>): void {
   let release = () => {};
   document.subscribe(({ open }, before) => {
@@ -34,7 +37,7 @@ function holdLocks({ document }: Pick<Editor, 'document'>): void {
   });
 }
 
-/** Asked before this window holds the lock itself. */
+/** Whether another window holds the lock. Called before this window requests it. */
 async function isOpenElsewhere(path: string): Promise<boolean> {
   const { held = [] } = await navigator.locks.query();
   return held.some(({ name }) => name === LOCK + path);

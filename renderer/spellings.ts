@@ -1,4 +1,4 @@
-/** British stems and the American ones that Scrim writes. Searches accept both. */
+/** British word stems and their American spelling, which Scrim uses. Searches accept both. */
 const AMERICAN: readonly (readonly [british: string, american: string])[] = [
   ['colour', 'color'],
   ['grey', 'gray'],
@@ -12,7 +12,7 @@ const AMERICAN: readonly (readonly [british: string, american: string])[] = [
   ['optimis', 'optimiz'],
 ];
 
-/** Text as searches compare it: in lower case and American spelling. */
+/** Normalizes text for searches: lower case and American spelling. */
 export function searchable(text: string): string {
   return AMERICAN.reduce((result, [british, american]) => result.replaceAll(british, american), text.toLowerCase());
 }

@@ -2,18 +2,18 @@ import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { Installation } from '../services/installation.ts';
 import type { Paint } from './terminal-colors.ts';
 
-/** One subcommand, as data for the parser and for `--help`. */
+/** A subcommand, as data for the parser and `--help`. */
 export interface Command {
   readonly name: string;
-  /** What follows the name: `PROJECT --out DIR`. */
+  /** Arguments after the name: `PROJECT --out DIR`. */
   readonly usage: string;
   /** One line for the list of commands. */
   readonly summary: string;
-  /** What it does, in a few sentences. */
+  /** Description in a few sentences. */
   readonly doc: string;
-  /** Whether what it works on must be named, or may be. */
+  /** Whether the project or operand is required. */
   readonly project: 'required' | 'optional';
-  /** What that is, where it is no project. */
+  /** The operand of commands that take something other than a project. */
   readonly operand?: { readonly word: string; readonly doc: string; readonly many?: boolean };
   readonly options: Readonly<Record<string, Option>>;
   readonly examples: readonly Example[];
@@ -22,11 +22,11 @@ export interface Command {
 
 export interface Option {
   readonly type: 'string' | 'boolean';
-  /** One letter that stands for it. */
+  /** One-letter alias. */
   readonly short?: string;
-  /** How its value is called in `--help`: `DIR`. */
+  /** Placeholder of the value in `--help`: `DIR`. */
   readonly value?: string;
-  /** What an argument after it has to look like to be its value; with it, the value may be left out and is then empty. */
+  /** Pattern of an optional value. The argument after the option is its value only if it matches; otherwise the value is empty. */
   readonly optionalValue?: RegExp;
   readonly doc: string;
 }
@@ -36,11 +36,11 @@ export interface Example {
   readonly says: string;
 }
 
-/** The command line, taken apart. */
+/** A parsed command line. */
 export interface Call {
-  /** As given; empty where none was named and none is required. */
+  /** The first operand, as typed; empty if there is none. */
   readonly project: string;
-  /** All that were named, for a command that takes several. */
+  /** All operands, for commands that take several. */
   readonly operands: readonly string[];
   text(option: string): string | null;
   flag(option: string): boolean;
@@ -48,36 +48,36 @@ export interface Call {
 
 export interface Context {
   readonly installation: Installation;
-  /** Shows a progress text until the next one, in an interactive terminal only. */
+  /** Shows a progress text until the next one. Interactive terminals only. */
   say(text: string): void;
-  /** Aborts on Ctrl-C. An unfinished command leaves nothing behind. */
+  /** Aborts on Ctrl-C. An interrupted command must leave nothing behind. */
   readonly interrupted: AbortSignal;
-  /** For diagnostics that are the answer, on standard output. */
+  /** Colors for diagnostics on standard output. */
   readonly paint: Paint;
-  /** On standard output at once, for a command that goes on. */
+  /** Prints to standard output at once, for commands that keep running. */
   print(text: string): void;
 }
 
 export interface Outcome {
-  /** As `EXIT` names it. */
+  /** One of `EXIT`. */
   readonly status: 0 | 1;
-  /** The one value on standard output with `--json`; undefined where the command has printed it already. */
+  /** The JSON value on standard output with `--json`; undefined if the command has printed it already. */
   readonly json: unknown;
-  /** Without `--json`. */
+  /** Text on standard output without `--json`. */
   readonly text: string;
-  /** Without `--json`, on standard error. */
+  /** Diagnostics on standard error without `--json`. */
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** The exit status, for scripts. What a signal ends has 128 and the signal's number, as in every shell. */
+/** Exit statuses. A process that a signal ends has 128 plus the number of the signal, as in shells. */
 export const EXIT = { done: 0, problems: 1, notUnderstood: 2, ownFault: 70, interrupted: 130, terminated: 143 } as const;
 
-/** The command line is not understood: status 2. */
+/** The command line is invalid. Exit status 2. */
 export class UsageError extends Error {
   override readonly name = 'UsageError';
 }
 
-/** The outcome of a command that could not do its work. */
+/** Outcome of a command that failed with diagnostics. */
 export function failed(diagnostics: readonly Diagnostic[]): Outcome {
   return { status: 1, json: { ok: false, diagnostics }, text: '', diagnostics };
 }

@@ -4,17 +4,17 @@ import { mkdir, readFile, rm, stat, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import process from 'node:process';
 
-/** Electron's program on this machine, or in words why there is none. */
+/** Path of Electron’s program, or why there is none. */
 export type FoundElectron = { readonly path: string } | { readonly missing: string };
 
-/** A download of some 110 MB on a slow line; where nothing answers at all, `PROBE_MS` decides. */
+/** Time limit of a download of about 110 MB on a slow connection. Without a connection, `PROBE_MS` applies. */
 const FETCH_MS = 300_000;
 const PROBE_MS = 3_000;
 const RETRY_MS = 24 * 3600 * 1000;
 
 /**
- * `ELECTRON_OVERRIDE_DIST_PATH`, else what the npm package has fetched, else what it can fetch now. npm's `electron` has no
- * install script and fetches when first used. That is tried once a day.
+ * Finds Electron: `ELECTRON_OVERRIDE_DIST_PATH`, else the download of the npm package. The package has no install script, so the
+ * download is started here if it is missing, at most once a day.
  */
 export async function findElectron(root: string, say: (text: string) => void): Promise<FoundElectron> {
   if (!hasDisplay()) return { missing: 'there is no display' };
@@ -45,7 +45,7 @@ async function fetchOnce(folder: string, version: string, cache: string, say: (t
   const failed = await stat(note).catch(() => null);
   const missing = { missing: 'its program could not be fetched' };
   if (failed && Date.now() - failed.mtimeMs < RETRY_MS) return missing;
-  // A machine without a network has to be told from a slow one, and soon.
+  // Distinguishes a missing network from a slow one within `PROBE_MS`.
   if (await answers(version)) {
     say(`Fetching Electron ${version}, about 110 MB, once…`);
     await run(process.execPath, [join(folder, 'install.js')]);
@@ -58,7 +58,7 @@ async function fetchOnce(folder: string, version: string, cache: string, say: (t
   return missing;
 }
 
-/** Whether the place that the package fetches from can be reached. */
+/** Whether the download server of the package responds. */
 async function answers(version: string): Promise<boolean> {
   const mirror = process.env.ELECTRON_MIRROR ?? process.env.npm_config_electron_mirror;
   const url = mirror ?? `https://github.com/electron/electron/releases/download/v${version}/SHASUMS256.txt`;

@@ -3,7 +3,7 @@ import { type Command, EXIT, type Option } from './command.ts';
 const JSON_OPTION: Option = { type: 'boolean', doc: 'Print one JSON value on standard output, and nothing else there.' };
 const HELP_OPTION: Option = { type: 'boolean', short: 'h', doc: 'Show this.' };
 
-/** What every command takes beside its own. */
+/** Options of all commands. */
 export const COMMON_OPTIONS: Readonly<Record<string, Option>> = { json: JSON_OPTION, help: HELP_OPTION };
 
 const WIDTH = 96;

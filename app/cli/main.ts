@@ -5,7 +5,7 @@ import { EXIT } from './command.ts';
 import { runCli } from './run-cli.ts';
 import { createTerminal } from './terminal.ts';
 
-/** The command line of the Scrim at `root`; bundled to dist/cli/main.mjs and called by bin/scrim.mjs. */
+/** Runs the command line of the Scrim at `root`. Bundled to dist/cli/main.mjs and called by bin/scrim.mjs. */
 export async function main(args: readonly string[], root: string): Promise<number> {
   const terminal = createTerminal(process.stdout, process.stderr, process.env);
   leaveWithReader();
@@ -13,7 +13,7 @@ export async function main(args: readonly string[], root: string): Promise<numbe
   let ended: number | null = null;
   for (const [signal, status] of SIGNALS) {
     process.on(signal, () => {
-      // Asked a second time, it goes at once.
+      // A second signal ends the process at once.
       if (ended !== null) process.exit(status);
       ended = status;
       interruption.abort();
@@ -21,7 +21,7 @@ export async function main(args: readonly string[], root: string): Promise<numbe
   }
   try {
     const status = await runCli(args, installationAt(root, manifest.version), terminal, interruption.signal);
-    // Ctrl-C is how the served editor is meant to end.
+    // Ctrl-C is the normal way to end the served editor.
     return ended === null || args[0] === 'open' ? status : ended;
   } catch (error) {
     terminal.err(`Scrim has an internal error: ${error instanceof Error ? (error.stack ?? error.message) : String(error)}`);

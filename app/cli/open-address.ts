@@ -2,7 +2,7 @@ import { spawn } from 'node:child_process';
 import process from 'node:process';
 import { hasDisplay } from './find-electron.ts';
 
-/** Shows an address in the person's browser where that is possible, and is silent where it is not. */
+/** Opens an address in the default browser. Fails silently. */
 export function openAddress(url: string): void {
   if (!hasDisplay()) return;
   const [command, ...args] = OPENERS[process.platform] ?? ['xdg-open'];
@@ -11,7 +11,7 @@ export function openAddress(url: string): void {
   child.unref();
 }
 
-/** `start` is a word of the shell; its first argument is a title. */
+/** Command per platform. `start` is built into the Windows shell; its first argument is a window title. */
 const OPENERS: Readonly<Partial<Record<NodeJS.Platform, readonly string[]>>> = {
   darwin: ['open'],
   win32: ['cmd', '/c', 'start', ''],

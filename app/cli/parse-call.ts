@@ -5,7 +5,7 @@ import { didYouMean } from './suggest.ts';
 
 const PROJECT: NonNullable<Command['operand']> = { word: 'PROJECT', doc: 'a folder, or the project.scrim.json in it' };
 
-/** Throws `UsageError`, in words. */
+/** Parses arguments. @throws UsageError */
 export function parseCall(command: Command, args: readonly string[]): Call {
   const { values, positionals } = parse(command, args);
   const { word, doc, many = false } = command.operand ?? PROJECT;
@@ -23,7 +23,10 @@ export function parseCall(command: Command, args: readonly string[]): Call {
   };
 }
 
-/** Node knows no options whose value may be missing: `--depth` becomes `--depth=`, and `--depth a-b.c` becomes `--depth=a-b.c`. */
+/**
+ * Supports optional values, which `parseArgs` of Node lacks: rewrites `--depth` to `--depth=`, and `--depth a-b.c` to
+ * `--depth=a-b.c`.
+ */
 function settleOptionalValues({ options }: Command, args: readonly string[]): string[] {
   const settled: string[] = [];
   for (let i = 0; i < args.length; i++) {

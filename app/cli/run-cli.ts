@@ -26,19 +26,19 @@ export const COMMANDS: readonly Command[] = [
   shaderImportCommand,
 ];
 
-/** Where the words go. */
+/** Output streams of the command line. */
 export interface CliStreams {
   out(text: string): void;
   err(text: string): void;
-  /** Whether a person reads `err`: progress is for people. */
+  /** Whether a person reads `err`. Progress is shown only then. */
   readonly interactive: boolean;
-  /** Shows how far the work has come, in place of what it showed before; null takes it away. Lines on `err` unless given. */
+  /** Replaces the progress text; null removes it. Default: lines on `err`. */
   progress?(text: string | null): void;
-  /** Not at all unless given. */
+  /** Whether the streams are colored; by default they are not. */
   readonly colored?: { readonly out: boolean; readonly err: boolean };
 }
 
-/** Runs one command line and answers with the exit status, as `EXIT` names it. */
+/** Runs a command line. Returns the exit status, one of `EXIT`. */
 export async function runCli(
   args: readonly string[],
   installation: Installation,
@@ -67,7 +67,7 @@ export async function runCli(
   return runCommand(command, call, installation, streams, interrupted);
 }
 
-/** Some have names of two words. */
+/** Finds the command. Some names have two words. */
 function findCommand(args: readonly string[]): Command | undefined {
   return COMMANDS.find((command) => args.slice(0, wordsOf(command)).join(' ') === command.name);
 }

@@ -1,10 +1,10 @@
-/** `exprot` → `, did you mean "export"?`; nothing where no word is near enough to be meant. */
+/** Suggests the nearest known word: `exprot` → `, did you mean "export"?`. Empty if none is near enough. */
 export function didYouMean(given: string, known: readonly string[]): string {
   const near = nearest(given, known);
   return near === null ? '' : ` Did you mean ${JSON.stringify(near)}?`;
 }
 
-/** One slip in short words, two in longer ones. */
+/** Allows one typo in short words, two in longer ones. */
 export function nearest(given: string, known: readonly string[]): string | null {
   const ranked = known.map((word) => ({ word, slips: slipsBetween(given.toLowerCase(), word.toLowerCase()) }));
   ranked.sort((a, b) => a.slips - b.slips);
@@ -12,7 +12,7 @@ export function nearest(given: string, known: readonly string[]): string | null 
   return best && best.slips <= (best.word.length < 5 ? 1 : 2) ? best.word : null;
 }
 
-/** How many letters were added, left out, changed or swapped (optimal string alignment). */
+/** Number of added, missing, changed or swapped letters (optimal string alignment). */
 function slipsBetween(a: string, b: string): number {
   const rows = Array.from({ length: a.length + 1 }, (_, i) => [i, ...Array.from({ length: b.length }, () => 0)]);
   const at = (i: number, j: number): number => (i === 0 ? j : (rows[i]?.[j] ?? 0));

@@ -1,11 +1,11 @@
 import { type Diagnostic, formatDiagnostic } from '../../nodes/kit/diagnostics.ts';
 
-/** Puts color on words, or leaves them as they are. */
+/** Functions that color text, or return it unchanged. */
 export interface Paint {
   diagnostic(diagnostic: Diagnostic): string;
 }
 
-/** ECMA-48: bold red, bold yellow, bold blue. */
+/** ECMA-48 codes: bold red, bold yellow, bold blue. */
 const COLORS = { error: '1;31', warning: '1;33', info: '1;34' } as const;
 
 export function createPaint(colored: boolean): Paint {
@@ -19,7 +19,7 @@ export function createPaint(colored: boolean): Paint {
   };
 }
 
-/** Whether a stream is to be colored: a terminal that can, and a person who has not said no (no-color.org). */
+/** Whether a stream is colored: a terminal that supports it, unless the environment forbids it (no-color.org). */
 export function wantsColor(isTerminal: boolean, env: Readonly<Record<string, string | undefined>>): boolean {
   if (env.NO_COLOR) return false;
   if (env.FORCE_COLOR) return env.FORCE_COLOR !== '0';

@@ -1,7 +1,7 @@
 import type { CliStreams } from './run-cli.ts';
 import { wantsColor } from './terminal-colors.ts';
 
-/** As much of a stream of Node's as is written to. */
+/** The used part of a writable stream of Node. */
 export interface TextStream {
   readonly isTTY?: boolean;
   readonly columns?: number;
@@ -11,8 +11,8 @@ export interface TextStream {
 const CLEAR_LINE = '\r\x1b[2K';
 
 /**
- * The words of a command line on two streams. Progress is one line that is written over again, for people alone: where `err` is
- * no terminal there is none of it.
+ * Writes the output of a command to two streams. Progress overwrites a single line on `err`, and is omitted if `err` is not a
+ * terminal.
  */
 export function createTerminal(out: TextStream, err: TextStream, env: Readonly<Record<string, string | undefined>>): CliStreams {
   const interactive = err.isTTY === true;
@@ -35,7 +35,7 @@ export function createTerminal(out: TextStream, err: TextStream, env: Readonly<R
     progress: (text) => {
       if (!interactive) return;
       if (text === null) return clear();
-      // A line that wraps could not be taken back.
+      // A wrapped line could not be erased.
       const room = (err.columns ?? 80) - 1;
       err.write(`${CLEAR_LINE}${text.length > room ? `${text.slice(0, room - 1)}…` : text}`);
       shown = true;

@@ -1,21 +1,20 @@
 import type { Host } from './contract.ts';
 import { CODE_HEADER, createHttpHost, SESSION_PATH, TOKEN_HEADER } from './http-client.ts';
 import { createIpcHost, HOST_BRIDGE_NAME, type HostBridge } from './ipc-client.ts';
-import { askOtherTabs, tellOtherTabs } from './other-tabs.ts';
+import { requestToken, shareToken } from './other-tabs.ts';
 
-/** Where the loopback shell's token is kept for reloads of the page; the storage belongs to this origin, port included. */
+/** Session storage key of the token, for reloads of the page. Storage belongs to the origin, port included. */
 const TOKEN_KEY = 'scrim-token';
 
-/** `why` goes to the person: what to do to get in. */
+/** `why`: text for the user if there is no connection. */
 export type Connection = { readonly host: Host } | { readonly why: string };
 
 const NO_CODE = 'Open the address that Scrim printed when it started. Its code works once.';
 
 /**
- * The host of the page the editor runs in: Electron's bridge where there is one, else the loopback server that served the page.
- * The server's address carries a code behind `#`, which browsers send to nobody. It is taken out of the address bar at once, so
- * that it stays out of the history and of shared links, and exchanged for the launch's token. Another tab of the same browser needs
- * no code: it gets the token from a tab that has it.
+ * Connects the page to its host: Electron’s bridge if it exists, else the loopback server. The address of the server contains a
+ * one-time code in its fragment, which browsers do not send. The page removes it from the address bar, to keep it out of the history
+ * and shared links, and exchanges it for the token of the session. Other tabs of the same browser get the token from an open tab.
  */
 export async function connectHost(page: Window & typeof globalThis): Promise<Connection> {
   const bridge = (page as unknown as Partial<Record<typeof HOST_BRIDGE_NAME, HostBridge>>)[HOST_BRIDGE_NAME];
@@ -24,12 +23,12 @@ export async function connectHost(page: Window & typeof globalThis): Promise<Con
   if ('why' in found) return found;
   const { token } = found;
   page.sessionStorage.setItem(TOKEN_KEY, token);
-  tellOtherTabs(page, token);
+  shareToken(page, token);
   return {
     host: createHttpHost({
       origin: page.location.origin,
       token,
-      // Anew at each load: a page that was reloaded is another one, and what the first left unsaved is offered to it.
+      // A new id per load: unsaved changes of the page before a reload are offered for recovery.
       client: page.crypto.randomUUID().replaceAll('-', ''),
       fetch: page.fetch.bind(page),
       waitMs: (ms) => new Promise((resolve) => page.setTimeout(resolve, ms)),
@@ -45,7 +44,7 @@ async function findToken(page: Window & typeof globalThis): Promise<{ readonly t
   }
   const kept = page.sessionStorage.getItem(TOKEN_KEY);
   if (kept !== null && (await isGood(page, kept))) return { token: kept };
-  const told = await askOtherTabs(page, (token) => isGood(page, token));
+  const told = await requestToken(page, (token) => isGood(page, token));
   return told === null ? { why: NO_CODE } : { token: told };
 }
 

@@ -1,11 +1,11 @@
 import { z } from 'zod';
 
 /**
- * Everything the editor may ask of its host, and all that crosses: name → input and output. The Electron preload, the loopback
- * server, the editor's client and the tests' fake are made from this table. All calls are asynchronous; a refusal rejects with
- * a `HostError` whose diagnostic says why.
+ * The contract between editor and host: inputs and outputs of all calls, and the events. The preload script of Electron, the loopback
+ * server, the editor’s client and the fake of the tests derive from this table. All calls are asynchronous; a rejected call throws a
+ * `HostError` whose diagnostic says why.
  *
- * The host reads and writes files; it does not understand documents. Texts cross as they stand on disk.
+ * The host reads and writes files; it does not interpret documents. Texts are passed unchanged.
  */
 
 const diagnostic = z.object({
@@ -20,76 +20,76 @@ const diagnostic = z.object({
   fix: z.string().optional(),
 });
 
-/** Id of an open project, valid while it is open. Never a path. */
+/** Id of an open project. Valid while it is open. Never a path. */
 const handle = z.string().regex(/^[a-z0-9]{16,64}$/);
 
-/** Relative to the project folder, `/` between parts; the host refuses what leaves the folder. */
+/** Path relative to the project folder, with `/`. The host rejects paths that leave the folder. */
 const projectPath = z.string().min(1).max(512);
 
-/** Larger than any model a phone can hold, small enough to be held in memory. */
+/** Larger than any model a phone can load, small enough for memory. */
 export const MAX_ASSET_BYTES = 512 * 2 ** 20;
 
-/** Of an asset that is copied with its nodes: clipboards take some hundred megabytes of text. */
+/** Limit for an asset that is copied with its nodes. Clipboards take some hundred megabytes of text. */
 export const MAX_COPIED_BYTES = 32 * 2 ** 20;
 
 const MAX_POSTER_BYTES = 8 * 2 ** 20;
 
-function isBearable(bytes: Uint8Array): boolean {
+function isWithinLimit(bytes: Uint8Array): boolean {
   return bytes.length <= MAX_ASSET_BYTES;
 }
 
 const projectFiles = z.object({
   /** Text of `project.scrim.json`. */
   project: z.string().max(64 * 2 ** 20),
-  /** Text of `project.layout.json`; null where there is none. */
+  /** Text of `project.layout.json`; null if there is none. */
   layout: z
     .string()
     .max(64 * 2 ** 20)
     .nullable(),
-  /** Texts below `shaders/`, by file name. */
+  /** Texts of the files in `shaders/`, by file name. */
   sources: z.record(z.string(), z.string().max(4 * 2 ** 20)),
 });
 
 const openProject = z.object({
   handle,
-  /** For the title bar; never sent back. */
+  /** Path for the title bar. Never sent back. */
   displayPath: z.string(),
   files: projectFiles,
-  /** Hash over the files as read; a save names the one it started from. */
+  /** Hash of the files. A save names the revision that it is based on. */
   revision: z.string(),
-  /** Ends in `/`, on the preview's origin: a path of the project's after it reads that file. */
+  /** URL on the origin of the preview, ending in `/`. Followed by a project path, it reads that file. */
   assetBaseUrl: z.string(),
-  /** Files below `assets/`, with their sizes. */
+  /** Files in `assets/` with their sizes. */
   assetFiles: z.array(z.object({ path: projectPath, bytes: z.number() })),
-  /** Unsaved work found after a crash, other than the files. From now on it counts as this window's own. */
+  /** Unsaved changes found after a crash; null if there are none. This window owns them from now on. */
   recovery: projectFiles.nullable(),
-  /** Whether another window or tab shows the project already. */
+  /** Whether another window or tab shows the project. */
   openElsewhere: z.boolean(),
 });
 
 /**
- * `url` is on the preview's origin: for a recording its folder, ending in `/`, with `session.json` in it; for a room the JSON of
- * its capture, or null where the emulator makes the room itself. The id of a room is `room/NAME`.
+ * A preview source. `url` is on the origin of the preview: for a recording the URL of its folder with `session.json`, ending in `/`;
+ * for a room that of its capture, or null for the emulator’s built-in room. The id of a room is `room/NAME`.
  */
 const sessionSource = z.object({ id: z.string(), title: z.string(), kind: z.enum(['recorded', 'room']), url: z.string().nullable() });
 
-/** Of a rendered picture, pixels: WebGL 2 has at least 2,048. */
+/** Side of a rendered image in pixels. */
 const side = z.number().int().min(1).max(8192);
 
 const pictureUrl = z.string().startsWith('data:image/jpeg;base64,').optional();
 
-/** A picture of what the page shows, as JPEG of `POSTER_SIZE`; null or left out where the editor has none. */
-const poster = z.instanceof(Uint8Array).refine(isPosterJpeg, 'no JPEG of a bearable size');
+/** The poster as JPEG of `POSTER_SIZE`; null or absent if the preview shows nothing. */
+const poster = z.instanceof(Uint8Array).refine(isPosterJpeg, 'not a JPEG, or too large');
 
-/** ISO 10918-1 B.1.1.3: what every JPEG begins with. */
+/** Checks the first bytes of every JPEG (ISO 10918-1, B.1.1.3). */
 function isPosterJpeg(bytes: Uint8Array): boolean {
   return bytes.length <= MAX_POSTER_BYTES && bytes[0] === 0xff && bytes[1] === 0xd8 && bytes[2] === 0xff;
 }
 
-/** A command of the editor's, by which its menu asks for it. */
+/** Id of an editor command in the native menus. */
 const menuCommand = z.string().regex(/^[a-z]+\.[a-z-]+$/);
 
-/** What the editor's own menus offer, for the window's. */
+/** A menu of the editor, for the native menu bar. */
 const platformMenu = z.object({
   label: z.string().max(64),
   entries: z
@@ -99,7 +99,7 @@ const platformMenu = z.object({
         z.object({
           command: menuCommand,
           label: z.string().max(128),
-          /** As `renderer/keybinding.ts` writes them; null where there is none. */
+          /** As `renderer/keybinding.ts` writes it; null if there is none. */
           keybinding: z.string().max(64).nullable(),
           enabled: z.boolean(),
         }),
@@ -114,87 +114,87 @@ export const HOST_CONTRACT = {
     output: z.object({
       shell: z.enum(['electron', 'server']),
       version: z.string(),
-      /** Address of the preview page, on an origin of its own. */
+      /** URL of the preview page, on its own origin. */
       previewUrl: z.string(),
-      /** What to open at start. */
+      /** Project to open at start. */
       startPath: z.string().nullable(),
-      /** `types`: the node types that they use. `picture`: what they show, as a `data:` address; left out where there is none. */
+      /** `types`: the node types in the example. `picture`: its image as a `data:` URL, if it has one. */
       examples: z.array(z.object({ title: z.string(), path: z.string(), types: z.array(z.string()), picture: pictureUrl })),
-      /** What a new project can begin with, the default first. */
+      /** Templates for new projects; the default is first. */
       templates: z.array(z.object({ name: z.string(), title: z.string(), description: z.string(), picture: pictureUrl })),
       canPickFolders: z.boolean(),
     }),
   },
-  /** Closes the window without asking again: the answer to `close-requested`. Does nothing where the shell has no window. */
+  /** Closes the window without asking again, in answer to `close-requested`. Does nothing if the host has no window. */
   'app.close': { input: z.object({}), output: z.object({}) },
-  /** What the window's own menu has, from now on. Does nothing where the shell has no window. */
+  /** Sets the native menus. Does nothing if the host has none. */
   'menu.show': { input: z.object({ menus: z.array(platformMenu).max(16) }), output: z.object({}) },
-  /** Asks the person for a folder; null when they cancel or the shell has no dialog. */
+  /** Asks for a folder with the native dialog; null if the user cancels or the host has no dialog. */
   'folder.pick': {
     input: z.object({ purpose: z.enum(['new', 'open', 'save-as', 'export', 'render']) }),
     output: z.object({ path: z.string().nullable() }),
   },
   'project.open': { input: z.object({ path: z.string().min(1).max(4096) }), output: openProject },
-  /** A project made from a template, in an empty or new folder whose name becomes its title; it is open then. */
+  /** Creates a project from a template in a new or empty folder and opens it. The name of the folder becomes the title. */
   'project.create': { input: z.object({ path: z.string().min(1).max(4096), template: z.string().min(1).max(64) }), output: openProject },
   /**
-   * Atomic: all files or none. Rejects with SCR063 when the files changed since `revision`, unless `overwrite`: then `kept` is the
-   * project path of the folder with what was written over, null where nothing was. Shaders that were never loaded here stay.
-   * Rejects with SCR066 while another process holds the project's lock, and with SCR067 when the folder is gone.
+   * Saves all files or none. Rejects with SCR063 if the files changed since `revision`, unless `overwrite` is set: then `kept` is the
+   * project path of a folder with the replaced files, or null if nothing was replaced. Shaders that this window never loaded stay.
+   * Rejects with SCR066 while another process holds the lock of the project, and with SCR067 if the folder is missing.
    */
   'project.save': {
     input: z.object({ handle, files: projectFiles, revision: z.string(), overwrite: z.boolean() }),
     output: z.object({ revision: z.string(), kept: projectPath.nullable() }),
   },
-  /** Takes away the lock of another process, which finds out before it writes. For a person who knows that nobody saves. */
+  /** Removes the lock of another process, at the user’s request. That process notices it before it writes. */
   'project.break-lock': { input: z.object({ handle }), output: z.object({}) },
-  /** A copy, assets included, in an empty or new folder; it becomes an open project of its own. */
+  /** Saves a copy with all assets in a new or empty folder, and opens it. */
   'project.save-as': { input: z.object({ handle, path: z.string().min(1).max(4096), files: projectFiles }), output: openProject },
-  /** Keeps unsaved work for recovery; null forgets it. */
+  /** Stores unsaved changes for recovery; null deletes them. */
   'project.autosave': { input: z.object({ handle, files: projectFiles.nullable() }), output: z.object({}) },
   'project.close': { input: z.object({ handle }), output: z.object({}) },
-  /** Copies bytes into `assets/` under a free name made from `name`. */
+  /** Writes a file into `assets/`, under a free name derived from `name`. */
   'asset.import': {
-    input: z.object({ handle, name: z.string().min(1).max(255), bytes: z.instanceof(Uint8Array).refine(isBearable, 'too large') }),
+    input: z.object({ handle, name: z.string().min(1).max(255), bytes: z.instanceof(Uint8Array).refine(isWithinLimit, 'too large') }),
     output: z.object({ path: projectPath }),
   },
-  /** What an asset has in its file, for copying it to another project. Rejects with SCR005 above `MAX_COPIED_BYTES`. */
+  /** Reads an asset file, to copy it to another project. Rejects with SCR005 above `MAX_COPIED_BYTES`. */
   'asset.read': { input: z.object({ handle, path: projectPath }), output: z.object({ base64: z.string() }) },
-  /** Recorded sessions and emulated rooms that the preview can play. */
+  /** Lists recorded sessions and emulated rooms. */
   'session.list': { input: z.object({ handle }), output: z.array(sessionSource) },
   /**
-   * Exports the files as given, saved or not. `out` is absolute. Its progress comes as events; it is over when this answers, also
-   * where it was cancelled: nothing was written then, and `ok` is false without an error among the diagnostics.
+   * Exports these files, saved or not. `out` is an absolute path. Progress is reported as events. If the export is canceled, nothing
+   * is written, and `ok` is false without an error in the diagnostics.
    */
   'export.run': {
     input: z.object({ handle, files: projectFiles, out: z.string().min(1).max(4096), poster: poster.nullable().optional() }),
     output: z.object({ ok: z.boolean(), out: z.string(), diagnostics: z.array(diagnostic), bytes: z.number() }),
   },
   /**
-   * Begins to write pictures of frames into a new folder beside `out`, which takes its place at the end. `out` is absolute, and may
-   * be missing, empty, or hold what was rendered earlier: anything else is SCR061. One at a time for each project.
+   * Begins a frame render into a temporary folder that replaces `out` at the end. `out` is absolute. SCR061 unless it is missing,
+   * empty, or contains an earlier render. One at a time per project.
    */
   'frames.begin': {
     input: z.object({ handle, out: z.string().min(1).max(4096), widthPx: side, heightPx: side }),
     output: z.object({}),
   },
-  /** Premultiplied RGBA, rows from the top; written as `000012.png`. Where it cannot be, nothing stays of those before. */
+  /** Adds a frame: premultiplied RGBA, rows from the top. Written as `000012.png`. After an error all frames are deleted. */
   'frames.add': {
     input: z.object({
       handle,
       number: z.number().int().min(0).max(999_999),
-      rgba: z.instanceof(Uint8Array).refine(isBearable, 'too large'),
+      rgba: z.instanceof(Uint8Array).refine(isWithinLimit, 'too large'),
     }),
     output: z.object({}),
   },
-  /** Puts the folder in its place, with a `sequence.json` that says what it holds. */
+  /** Moves the folder to `out`, with a `sequence.json` that lists its contents. */
   'frames.finish': {
     input: z.object({ handle, title: z.string().max(1000), frameRateHz: z.number().positive() }),
     output: z.object({ out: z.string(), pictures: z.number() }),
   },
-  /** Nothing is left of them then. */
+  /** Cancels a frame render and deletes its frames. */
   'frames.cancel': { input: z.object({ handle }), output: z.object({}) },
-  /** Ends the export of a project, if there is one. */
+  /** Cancels the export of a project, if there is one. */
   'export.cancel': { input: z.object({ handle }), output: z.object({}) },
 } as const;
 
@@ -202,12 +202,12 @@ export type HostMethod = keyof typeof HOST_CONTRACT;
 export type HostInput<M extends HostMethod> = z.infer<(typeof HOST_CONTRACT)[M]['input']>;
 export type HostOutput<M extends HostMethod> = z.infer<(typeof HOST_CONTRACT)[M]['output']>;
 
-/** What the host tells the editor unasked. */
+/** Events that the host sends to the editor. */
 export const hostEvent = z.discriminatedUnion('kind', [
   z.object({ kind: z.literal('project-changed-outside'), handle, revision: z.string() }),
-  /** What an export is at, for people. */
+  /** Progress of an export, as text for the user. */
   z.object({ kind: z.literal('export-progress'), handle, text: z.string() }),
-  /** The same where only shaders changed, with their texts; null for one that is not there. `from` is the revision before. */
+  /** Only shaders changed on disk. `text` is null if a shader was deleted; `from` is the revision before the change. */
   z.object({
     kind: z.literal('shaders-changed-outside'),
     handle,
@@ -216,14 +216,14 @@ export const hostEvent = z.discriminatedUnion('kind', [
     shaders: z.array(z.object({ file: z.string(), before: z.string().nullable(), text: z.string().nullable() })),
   }),
   z.object({ kind: z.literal('menu'), command: menuCommand }),
-  /** The window wants to close: answer with `app.close`, or ask about unsaved work first. */
+  /** The window is about to close. The editor answers with `app.close`, or asks about unsaved changes first. */
   z.object({ kind: z.literal('close-requested') }),
 ]);
 export type HostEvent = z.infer<typeof hostEvent>;
 
 export interface Host {
   call<M extends HostMethod>(method: M, input: HostInput<M>): Promise<HostOutput<M>>;
-  /** Returns the function that stops listening. */
+  /** Returns a function that unsubscribes. */
   subscribe(listener: (event: HostEvent) => void): () => void;
 }
 

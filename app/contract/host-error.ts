@@ -1,6 +1,6 @@
 import type { HostDiagnostic } from './contract.ts';
 
-/** A refusal: the user, the path or the page asked for something that the host does not do. */
+/** The host rejected a call. The diagnostic says why. */
 export class HostError extends Error {
   override readonly name = 'HostError';
   readonly diagnostic: HostDiagnostic;
@@ -11,7 +11,7 @@ export class HostError extends Error {
   }
 }
 
-/** An answer as it crosses a process border, where errors lose their class. */
+/** A result that can cross a process boundary, where errors lose their class. */
 export type Answer<T> = { readonly output: T } | { readonly diagnostic: HostDiagnostic };
 
 export function outputOf<T>(answer: Answer<T>): T {

@@ -3,22 +3,22 @@ import { type Answer, HostError, outputOf } from './host-error.ts';
 import { encodeMessage, MESSAGE_TYPE } from './message.ts';
 
 export const TOKEN_HEADER = 'x-scrim-token';
-/** Carries the code of an address that opens once. */
+/** Header with the one-time code of an address. */
 export const CODE_HEADER = 'x-scrim-code';
-/** `POST` exchanges a code for the token; `GET` says whether a token is still good. */
+/** `POST` exchanges a code for the token; `GET` tells whether a token is valid. */
 export const SESSION_PATH = '/api/session';
-/** Tells the tabs of one browser apart. */
+/** Header that distinguishes the tabs of one browser. */
 export const CLIENT_HEADER = 'x-scrim-client';
 
 export interface HttpHostOptions {
-  /** `http://127.0.0.1:PORT`. */
+  /** Origin such as `http://127.0.0.1:PORT`. */
   readonly origin: string;
-  /** The launch's secret. It travels in a header of our own: a cookie would reach every server on this address, whatever its port. */
+  /** Secret of this launch. Sent in a custom header, because a cookie would reach all servers of this host, whatever their port. */
   readonly token: string;
-  /** Letters and digits that no other tab has. */
+  /** Unique id of this tab: letters and digits. */
   readonly client: string;
   readonly fetch: typeof fetch;
-  /** How long to wait before asking again for events when the connection broke. */
+  /** Waits before the event stream is requested again after a lost connection. */
   readonly waitMs: (ms: number) => Promise<void>;
 }
 
@@ -58,7 +58,7 @@ function credentials({ token, client }: HttpHostOptions): Record<string, string>
   return { [TOKEN_HEADER]: token, [CLIENT_HEADER]: client };
 }
 
-/** One JSON value a line, until `signal`; asks again after a break. */
+/** Reads events, one JSON value per line, until `signal` aborts. Reconnects when the connection is lost. */
 async function listen(options: HttpHostOptions, listener: (event: HostEvent) => void, signal: AbortSignal): Promise<void> {
   while (!signal.aborted) {
     try {
@@ -66,7 +66,7 @@ async function listen(options: HttpHostOptions, listener: (event: HostEvent) => 
       if (response.status === 403) return;
       if (response.ok && response.body) await readLines(response.body, (line) => listener(JSON.parse(line) as HostEvent));
     } catch {
-      // Broken off: the loop asks again, or ends where that was wanted.
+      // Connection lost: the loop reconnects, or ends if it was aborted.
     }
     if (!signal.aborted) await options.waitMs(RECONNECT_MS);
   }
@@ -80,7 +80,7 @@ async function readLines(body: ReadableStream<Uint8Array>, onLine: (line: string
     if (done) return;
     const lines = (rest + value).split('\n');
     rest = lines.pop() ?? '';
-    // Empty lines are the server's sign of life.
+    // The server sends empty lines to keep the connection alive.
     for (const line of lines) if (line !== '') onLine(line);
   }
 }

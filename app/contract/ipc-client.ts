@@ -1,7 +1,7 @@
 import type { Host, HostEvent, HostInput, HostMethod, HostOutput } from './contract.ts';
 import { type Answer, outputOf } from './host-error.ts';
 
-/** What Electron's preload puts on the window, under `HOST_BRIDGE_NAME`: forwards, and knows nothing. */
+/** The interface that the preload script of Electron adds to the window as `HOST_BRIDGE_NAME`. It only forwards messages. */
 export interface HostBridge {
   call(method: string, input: unknown): Promise<Answer<unknown>>;
   subscribe(listener: (event: HostEvent) => void): () => void;
@@ -9,7 +9,7 @@ export interface HostBridge {
 
 export const HOST_BRIDGE_NAME = 'scrimHost';
 
-/** The host behind Electron's preload. */
+/** The host behind the preload script of Electron. */
 export function createIpcHost(bridge: HostBridge): Host {
   return {
     call: async <M extends HostMethod>(method: M, input: HostInput<M>) =>

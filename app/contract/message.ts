@@ -1,6 +1,6 @@
 /**
- * Calls as bytes, for the loopback server: JSON, with the top-level `Uint8Array` fields behind it as they are, because a model
- * of 100 MB in base64 costs a third more and several copies.
+ * Binary encoding of calls for the loopback server: JSON, followed by the raw bytes of top-level `Uint8Array` fields. Base64 would
+ * add a third and several copies to a model of 100 MB.
  *
  * Layout: length of the JSON in bytes (32 bits, little endian), the JSON `{ value, blobs: [[field, length], …] }`, the blobs.
  */
@@ -26,7 +26,7 @@ export function encodeMessage(fields: Readonly<Record<string, unknown>>): Uint8A
   return message;
 }
 
-/** Throws where the bytes are no message. The blobs are views into `message`. */
+/** Decodes a message. The blobs are views into `message`. @throws If the bytes are not a message. */
 export function decodeMessage(message: Uint8Array): Record<string, unknown> {
   if (message.length < 4) throw new Error('The message is too short.');
   const jsonLength = new DataView(message.buffer, message.byteOffset).getUint32(0, true);

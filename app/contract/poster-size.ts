@@ -1,2 +1,2 @@
-/** Of the picture that an export takes along: what those who show links expect, and what `export/bundle` draws. */
+/** Size of the poster of an exported page, as link previews expect it. */
 export const POSTER_SIZE = { widthPx: 1200, heightPx: 630 } as const;

@@ -1,4 +1,4 @@
-/** Keys that Electron has other names for, or that it has at all besides single characters (its documentation, “Accelerator”). */
+/** Names of keys in Electron accelerators, besides single characters. */
 const NAMED: Readonly<Record<string, string>> = {
   ArrowUp: 'Up',
   ArrowDown: 'Down',
@@ -10,9 +10,9 @@ const NAMED: Readonly<Record<string, string>> = {
   ),
 };
 
-/** `Mod+Shift+Z` of the editor as Electron writes it; null where it has no name for it, or macOS would take text for it. */
+/** Converts a keybinding to an Electron accelerator. Null if Electron has no name for the key, or macOS would treat it as text. */
 export function acceleratorOf(keybinding: string, platform: NodeJS.Platform): string | null {
-  // The last key may itself be a plus.
+  // The last key may be a plus sign.
   const cut = keybinding.slice(0, -1).lastIndexOf('+');
   const modifiers = cut < 0 ? [] : keybinding.slice(0, cut).split('+');
   const key = keybinding.slice(cut + 1);

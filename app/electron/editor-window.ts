@@ -7,11 +7,14 @@ import { ORIGINS } from './scheme.ts';
 
 export interface EditorWindow {
   readonly window: BrowserWindow;
-  /** Closes without asking. */
+  /** Closes the window without asking. */
   closeNow(): void;
 }
 
-/** The one window. Its close button asks the editor, which may have unsaved work; an editor that cannot answer is not waited for. */
+/**
+ * Opens the window. Its close button asks the editor, which may have unsaved changes. If the editor does not respond, the user may
+ * close anyway.
+ */
 export function openEditorWindow(host: HostService): EditorWindow {
   const window = new BrowserWindow({
     width: 1440,
@@ -21,7 +24,7 @@ export function openEditorWindow(host: HostService): EditorWindow {
     show: false,
     title: 'Scrim',
     backgroundColor: '#1b1d21',
-    // Elsewhere the program itself has it.
+    // On other systems, the program file contains the icon.
     ...(process.platform === 'linux' ? { icon: join(__dirname, 'scrim.png') } : {}),
     webPreferences: {
       preload: join(__dirname, 'preload.cjs'),
@@ -71,7 +74,10 @@ export function openEditorWindow(host: HostService): EditorWindow {
   return { window, closeNow };
 }
 
-/** The question goes away by itself, as if answered with "Wait", when `reacts` is aborted: the editor reacts again. */
+/**
+ * Asks whether to wait for the editor. If `reacts` aborts because the editor responds again, the dialog closes as if “Wait” was
+ * chosen.
+ */
 async function askWhetherToWait(window: BrowserWindow, reacts: AbortSignal, closeNow: () => void): Promise<void> {
   const { response } = await dialog.showMessageBox(window, {
     signal: reacts,

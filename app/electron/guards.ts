@@ -1,10 +1,10 @@
 import type { App, Session } from 'electron';
 import { ORIGINS } from './scheme.ts';
 
-/** What the editor may ask the browser for: to copy text, and to fill the screen. */
+/** Permissions of the editor: to write text to the clipboard, and full screen. */
 const ALLOWED_PERMISSIONS: ReadonlySet<string> = new Set(['clipboard-sanitized-write', 'fullscreen']);
 
-/** Pages stay where they are: no navigation but a reload of the editor, no new windows, no guests. */
+/** Prevents navigation other than a reload of the editor, new windows, and webviews. */
 export function guardContents(app: App): void {
   app.on('web-contents-created', (_event, contents) => {
     contents.setWindowOpenHandler(() => ({ action: 'deny' }));
@@ -16,7 +16,10 @@ export function guardContents(app: App): void {
   });
 }
 
-/** No device, no sensor, no address but our own; the preview may listen, where a project does, and see, where the user chose the webcam. */
+/**
+ * Denies devices, sensors and foreign URLs. The preview may use the microphone if the project does, and the camera if the user chose
+ * the webcam.
+ */
 export function guardSession(session: Session): void {
   session.setPermissionRequestHandler((_contents, permission, callback, details) =>
     callback(
@@ -31,7 +34,7 @@ export function guardSession(session: Session): void {
   session.webRequest.onBeforeRequest({ urls: elsewhere }, (_details, callback) => callback({ cancel: true }));
 }
 
-/** An origin comes without a slash at its end. */
+/** Whether the URL is on the origin of the editor. Origins have no trailing slash. */
 function isEditor(url: string): boolean {
   return url === ORIGINS.editor || url.startsWith(`${ORIGINS.editor}/`);
 }

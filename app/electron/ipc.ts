@@ -5,11 +5,11 @@ import { CALL_CHANNEL, EVENT_CHANNEL, LISTENING_CHANNEL } from './channels.ts';
 import { ORIGINS } from './scheme.ts';
 
 /**
- * Connects the editor's page with the host, and nobody else: a call counts only from the main frame of the window's own page,
- * while it shows the editor's origin. Returns the function that disconnects.
+ * Connects the editor’s page to the host. Accepts calls only from the main frame of the window while it shows the editor’s origin.
+ * Returns a function that disconnects.
  */
 export function connectEditor(ipc: IpcMain, page: WebContents, host: HostService, onListening: () => void): () => void {
-  // A page that was reloaded is another one: what the first left unsaved is offered to it, as after a crash.
+  // Each load of the page is a new client, so that unsaved changes before a reload are offered for recovery, as after a crash.
   let loads = 0;
   const client = () => `window-${loads}`;
   const call = async (event: IpcMainInvokeEvent, method: unknown, input: unknown): Promise<Answer<unknown>> => {

@@ -4,8 +4,8 @@ import manifest from '../../package.json';
 import { installationAt } from '../services/installation.ts';
 import { startApp } from './start-app.ts';
 
-// The entry of Electron's main process, bundled to dist/electron/main.cjs. Packaged, it lies in an archive; what esbuild, a
-// program of its own, has to read lies beside that (tools/package/staging-folder.ts).
+// Entry of Electron’s main process, bundled to dist/electron/main.cjs. In a packaged app it lies in an archive. The files that
+// esbuild reads lie beside the archive, because it is another process (tools/package/staging-folder.ts).
 const home = resolve(__dirname, '..', '..');
 const root = app.isPackaged ? join(home.replace(/\.asar$/, '.asar.unpacked'), 'sources') : home;
 startApp(app, installationAt(root, manifest.version, home));

@@ -8,7 +8,7 @@ export interface MenuOptions {
   readonly send: (command: string) => void;
 }
 
-/** What the system does by itself: into text fields as well, and to the editor as the page's own copy and paste events. */
+/** Commands that have a role in Electron. Roles also work in text fields, and trigger the copy and paste events of the page. */
 const ROLES: Readonly<Record<string, MenuItemConstructorOptions['role']>> = {
   'edit.cut': 'cut',
   'edit.copy': 'copy',
@@ -18,9 +18,9 @@ const ROLES: Readonly<Record<string, MenuItemConstructorOptions['role']>> = {
 const SEPARATOR: MenuItemConstructorOptions = { type: 'separator' };
 
 /**
- * The window's menu: the editor's own, with what windows have beside. Commands go to its page. Their keys are only shown here: the
- * page handles them itself, knowing what has the focus, and nothing is done twice. macOS takes keys of menus in any case, after the
- * page; so there, keys without Cmd, which type text, are not shown.
+ * Template of the native menu: the menus of the editor and the usual items of the system. Commands are sent to the page. Their keys
+ * are only displayed, because the page handles them depending on the focus. macOS always triggers the keys of menu items, so keys
+ * without Cmd, which type text, are left out there.
  */
 export function menuTemplate(menus: readonly PlatformMenu[], { platform, packaged, send }: MenuOptions): MenuItemConstructorOptions[] {
   const itemOf = (entry: PlatformMenuEntry): MenuItemConstructorOptions => {
@@ -58,7 +58,7 @@ export function menuTemplate(menus: readonly PlatformMenu[], { platform, package
   ];
 }
 
-/** What a menu is built from; what can be done now is left out, which a built menu takes without being built anew. */
+/** The structure of the menus without their enabled states, which can change without a rebuild. */
 export function shapeOfMenus(menus: readonly PlatformMenu[]): string {
   return JSON.stringify(menus, (key, value) => (key === 'enabled' ? undefined : value));
 }

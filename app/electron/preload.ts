@@ -3,7 +3,7 @@ import type { HostEvent } from '../contract/contract.ts';
 import { HOST_BRIDGE_NAME, type HostBridge } from '../contract/ipc-client.ts';
 import { CALL_CHANNEL, EVENT_CHANNEL, LISTENING_CHANNEL } from './channels.ts';
 
-// The entry of the sandboxed preload. It forwards, on one channel each way, and gives the page no handle on Electron itself.
+// Entry of the sandboxed preload script. It forwards messages and gives the page no access to Electron itself.
 const bridge: HostBridge = {
   call: (method, input) => ipcRenderer.invoke(CALL_CHANNEL, method, input),
   subscribe: (listener) => {

@@ -5,7 +5,10 @@ import type { Origins } from '../services/content-policy.ts';
 
 const SCHEME = 'scrim';
 
-/** Both are standard, secure origins: storage, workers and WebXR work in them as on a web server. */
+/**
+ * Origins of editor and preview. The scheme is registered as standard and secure, so that storage, workers and WebXR work as on a web
+ * server.
+ */
 export const ORIGINS: Origins = { editor: `${SCHEME}://editor`, preview: `${SCHEME}://preview` };
 
 /** Must run before the app is ready. */
@@ -14,7 +17,7 @@ export function registerScheme(protocol: Protocol): void {
   protocol.registerSchemesAsPrivileged([{ scheme: SCHEME, privileges }]);
 }
 
-/** Answers the scheme's addresses. `protocol.handle` came with Electron 25; the earlier way is gone from later ones. */
+/** Serves the scheme. Needs `protocol.handle` of Electron 25 or later. */
 export function serveScheme(protocol: Protocol, content: Content): void {
   if (typeof protocol.handle === 'function') {
     protocol.handle(SCHEME, async ({ method, url }) => {
@@ -28,7 +31,7 @@ export function serveScheme(protocol: Protocol, content: Content): void {
   });
 }
 
-/** `scrim://HOST/PATH`: two hosts have pages, and an address of any other names nothing. */
+/** Answers `scrim://HOST/PATH` for the hosts `editor` and `preview`; others are not found. */
 export function answer(content: Content, method: string, url: string): Promise<ContentAnswer> {
   const [, origin = '', path = ''] = /^([^:]+:\/\/[^/?#]*)([^?#]*)/.exec(url) ?? [];
   const name = (['editor', 'preview'] as const).find((key) => ORIGINS[key] === origin);

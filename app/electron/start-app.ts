@@ -7,7 +7,7 @@ import { guardContents, guardSession } from './guards.ts';
 import { menuTemplate, shapeOfMenus } from './menu.ts';
 import { ORIGINS, registerScheme, serveScheme } from './scheme.ts';
 
-/** What `scrim open` adds to the command line. */
+/** Command line switch that `scrim open` adds. */
 const OPEN_SWITCH = '--open=';
 
 const PICK_TITLES = {
@@ -18,13 +18,13 @@ const PICK_TITLES = {
   render: 'Folder for the Rendered Frames',
 } as const;
 
-/** Runs the editor in a window until that is closed. */
+/** Runs the editor in a window until it is closed. */
 export function startApp(app: App, installation: Installation): void {
   registerScheme(protocol);
   guardContents(app);
   app.on('window-all-closed', () => app.quit());
   let startPath = pathInArguments(process.argv, app.isPackaged);
-  // macOS sends a document that was opened as an event, before it is ready.
+  // macOS sends a project that the user opened as an event, possibly before the app is ready.
   app.on('open-file', (event, path) => {
     event.preventDefault();
     startPath = path;
@@ -46,14 +46,17 @@ export function startApp(app: App, installation: Installation): void {
       log: (message) => console.error(message),
     });
     serveScheme(protocol, host.content);
-    // What the editor's page offers follows when it is there.
+    // The editor’s page sends its menus later.
     showMenus([]);
     editor = openEditorWindow(host);
     app.on('quit', () => host.dispose());
   });
 }
 
-/** Builds the window's menu where it has become another one; else only says what can be chosen in it, so that an open one stays open. */
+/**
+ * Rebuilds the native menu only if its structure changes. Changes of enabled states are applied to the existing menu, so that an open
+ * menu stays open.
+ */
 function menuShower(app: App, send: (command: string) => void): (menus: readonly PlatformMenu[]) => void {
   let shape: string | null = null;
   return (menus) => {
@@ -71,7 +74,7 @@ function menuShower(app: App, send: (command: string) => void): (menus: readonly
   };
 }
 
-/** `--open=PATH`; a packaged app also takes the plain path that desktops call it with. */
+/** The path to open: that of `--open=PATH`, or in a packaged app also a plain argument, as desktops pass it. */
 function pathInArguments(argv: readonly string[], packaged: boolean): string | null {
   const named = argv.find((argument) => argument.startsWith(OPEN_SWITCH));
   if (named !== undefined) return named.slice(OPEN_SWITCH.length);

@@ -1,16 +1,21 @@
 import { createHash, randomBytes } from 'node:crypto';
 
-/** Who may use the API of one launch. */
+/** Access control of the API for one launch. */
 export interface Session {
-  /** A new code that is exchanged for the token, once. Addresses carry it, and other people on this machine may read addresses. */
+  /**
+   * Creates a one-time code, which is exchanged for the token. Addresses contain codes, because other users of this machine may see
+   * addresses.
+   */
   invite(): string;
-  /** The token, where the code is one of ours and new. A code that was used ends the session: one of the two who had it is a stranger. */
+  /**
+   * Exchanges an unused code for the token. A second use of a code ends the session, because one of the two users is unauthorized.
+   */
   redeem(code: string): { readonly token: string } | { readonly refusal: string };
-  /** Why the holder of this token may not go on; null where it may. */
+  /** Why a request with this token is rejected; null if it is accepted. */
   refusalOf(token: string): string | null;
-  /** For those who are no page: tests, and programs in the same process. */
+  /** The token, for tests and code in the same process. */
   readonly token: string;
-  /** Aborts when a code is used again. */
+  /** Aborts when a code is used twice. */
   readonly ended: AbortSignal;
 }
 
@@ -23,7 +28,7 @@ export function createSession(): Session {
   const token = randomBytes(32).toString('hex');
   const tokenHash = hash(token);
   const end = new AbortController();
-  /** Hash of a code → whether it was used. Looking a hash up takes a time that tells nothing about the code. */
+  /** Whether a code was used, by its hash. The duration of a lookup by hash reveals nothing about the code. */
   const codes = new Map<string, boolean>();
   return {
     token,
@@ -45,7 +50,7 @@ export function createSession(): Session {
     },
     refusalOf: (given) => {
       if (end.signal.aborted) return SESSION_ENDED;
-      // Hashes have one length and no relation to the secret, so that comparing them tells nothing about it.
+      // Compares hashes: the duration of the comparison reveals nothing about the secret.
       return hash(given) === tokenHash ? null : WRONG_TOKEN;
     },
   };

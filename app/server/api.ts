@@ -4,29 +4,28 @@ import { CLIENT_HEADER, CODE_HEADER, SESSION_PATH, TOKEN_HEADER } from '../contr
 import { decodeMessage, MESSAGE_TYPE } from '../contract/message.ts';
 import type { HostService } from '../services/host.ts';
 import type { Session } from './access-session.ts';
-import { readBody } from './read-body.ts';
 import { originRefusal, singleHeader } from './request-checks.ts';
 
 export interface Api {
   answer(request: IncomingMessage, response: ServerResponse): Promise<void>;
-  /** Ends the event streams. */
+  /** Closes the event streams. */
   dispose(): void;
 }
 
 export interface ApiOptions {
   readonly host: HostService;
   readonly session: Session;
-  /** The editor's, the only one that may call. */
+  /** Origin of the editor, the only one that may call the API. */
   readonly origin: string;
   readonly maxMessageBytes: number;
 }
 
-/** Proxies and browsers give up on streams that say nothing. */
+/** Interval of empty lines in event streams. Proxies and browsers close silent connections. */
 const SIGN_OF_LIFE_MS = 15_000;
 
 const CALL = '/api/call/';
 
-/** `POST /api/call/METHOD`, `GET /api/events` and `/api/session`, as `app/contract/http-client.ts` asks. */
+/** Handles `POST /api/call/METHOD`, `GET /api/events` and `/api/session`; see `app/contract/http-client.ts`. */
 export function createApi({ host, session, origin, maxMessageBytes }: ApiOptions): Api {
   const streams = new Set<ServerResponse>();
 
@@ -34,7 +33,7 @@ export function createApi({ host, session, origin, maxMessageBytes }: ApiOptions
     if (request.headers['content-type'] !== MESSAGE_TYPE) return refuse(response, 415, 'The message is of the wrong type.');
     const body = await readBody(request, maxMessageBytes);
     if (body === null) {
-      // Browsers look at the answer only once their message is gone: the rest is read, and kept nowhere.
+      // Discards the rest of the body, because browsers read the response only after they have sent it.
       request.resume();
       return refuse(response, 413, `The message is larger than ${Math.floor(maxMessageBytes / 2 ** 20)} MB.`, 'SCR005');
     }
@@ -89,7 +88,7 @@ export function createApi({ host, session, origin, maxMessageBytes }: ApiOptions
   };
 }
 
-/** A name and no credential: the token has been checked. */
+/** The id of the client. It identifies but does not authorize; the token has been checked. */
 function clientOf(request: IncomingMessage): string {
   const given = request.headers[CLIENT_HEADER];
   return typeof given === 'string' ? given.slice(0, 64) : '';
@@ -108,4 +107,18 @@ function send(response: ServerResponse, status: number, value: unknown): void {
     'cross-origin-resource-policy': 'same-origin',
   });
   response.end(JSON.stringify(value));
+}
+
+/** Reads the body of a request; null if it is larger than `maxBytes`, by its header or in fact. */
+async function readBody(request: IncomingMessage, maxBytes: number): Promise<Uint8Array | null> {
+  if (Number(request.headers['content-length'] ?? 0) > maxBytes) return null;
+  const chunks: Buffer[] = [];
+  let length = 0;
+  // Destroying the stream would close the socket of the response.
+  for await (const chunk of request.iterator({ destroyOnReturn: false }) as AsyncIterable<Buffer>) {
+    length += chunk.length;
+    if (length > maxBytes) return null;
+    chunks.push(chunk);
+  }
+  return Buffer.concat(chunks, length);
 }

@@ -1,8 +1,8 @@
 import type { IncomingMessage, RequestListener } from 'node:http';
 
 /**
- * Answers only requests that were meant for `origin`: a page whose domain was rebound to this address sends its own name. Node
- * takes the first of several `Host` headers where a proxy may take the last, so there must be exactly one. Before HTTP/1.1 there was none.
+ * Rejects requests whose `Host` header is not that of `origin`, against DNS rebinding. The header must occur exactly once: of
+ * several, Node uses the first, but a proxy may use the last. Rejects versions before HTTP/1.1, which lack it.
  */
 export function hostCheck(origin: string, listener: RequestListener): RequestListener {
   const { host } = new URL(origin);
@@ -11,22 +11,22 @@ export function hostCheck(origin: string, listener: RequestListener): RequestLis
     if (given.length === 1 && given[0] === host && request.httpVersion === '1.1' && request.url?.startsWith('/'))
       listener(request, response);
     else {
-      // What is left of the request is not waited for.
+      // Closes the connection without reading the rest of the request.
       response.writeHead(403, { 'content-type': 'text/plain; charset=utf-8', connection: 'close' });
       response.end(`This server answers only requests to ${host}.\n`);
     }
   };
 }
 
-/** Why the request does not come from the editor's own page, or null where it does. */
+/** Why a request does not come from the editor’s page; null if it does. */
 export function originRefusal(request: IncomingMessage, origin: string): string | null {
   const given = headersNamed(request, 'origin');
-  // Browsers leave it out of same-origin GETs, and out of nothing else that can carry our headers.
+  // Browsers omit the header only in same-origin GET requests. Other requests without it cannot contain our custom headers.
   const isOurs = given.length === 0 ? request.method === 'GET' : given.length === 1 && given[0] === origin;
   return isOurs ? null : 'The request comes from another origin.';
 }
 
-/** The value of a header that is there once; empty where it is missing or there are several. */
+/** The value of a header that occurs exactly once; else an empty string. */
 export function singleHeader(request: IncomingMessage, name: string): string {
   const given = headersNamed(request, name);
   return given.length === 1 ? (given[0] ?? '') : '';

@@ -1,19 +1,21 @@
-import { createServer, type RequestListener, type Server } from 'node:http';
+import { createServer, type IncomingMessage, type RequestListener, type Server, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
+import { pipeline } from 'node:stream/promises';
 import { MAX_ASSET_BYTES } from '../contract/contract.ts';
+import type { Content } from '../services/content.ts';
+import type { Origins } from '../services/content-policy.ts';
 import { createHost, type HostService } from '../services/host.ts';
 import type { Installation } from '../services/installation.ts';
 import { createSession } from './access-session.ts';
-import { answerContent } from './answer-content.ts';
 import { createApi } from './api.ts';
 import { hostCheck } from './request-checks.ts';
 
 export interface ServerOptions {
   readonly installation: Installation;
   readonly startPath: string | null;
-  /** 0 takes a free one. */
+  /** 0 or absent: any free port. */
   readonly port?: number;
-  /** The preview's; 0 takes a free one, and so does none. */
+  /** Port of the preview. 0 or absent: any free port. */
   readonly previewPort?: number;
   readonly maxMessageBytes?: number;
   readonly log: (message: string) => void;
@@ -21,11 +23,11 @@ export interface ServerOptions {
 
 export interface EditorServer {
   /**
-   * A new address to open, once: its code is behind `#`, which browsers keep to themselves, and is exchanged for the token. Opened
-   * again it ends the session, because the list of processes shows other people which addresses browsers are started with.
+   * Creates an address that can be opened once. It contains a code in its fragment, which browsers do not send and the page exchanges
+   * for the token. A second use ends the session, because other users can see the arguments with which browsers are started.
    */
   invite(): string;
-  /** Aborts when an address was opened again: the token is worth nothing any more. */
+  /** Aborts when an address was opened twice. The token is invalid from then on. */
   readonly ended: AbortSignal;
   readonly editorOrigin: string;
   readonly previewOrigin: string;
@@ -34,15 +36,14 @@ export interface EditorServer {
   close(): Promise<void>;
 }
 
-/** The largest asset, and room for what stands around it. */
+/** The largest asset plus the rest of its message. */
 const MAX_MESSAGE_BYTES = MAX_ASSET_BYTES + 2 ** 20;
 
 const LOOPBACK = '127.0.0.1';
 
 /**
- * Serves the editor on loopback, on two ports: the preview has an origin of its own, so that it cannot reach the host. A request to
- * the API needs the token of this launch and comes from the editor's origin. Both ports answer only to their own `Host`, which a
- * page that rebinds its domain to this address cannot fake.
+ * Serves the editor on two loopback ports: the preview has its own origin, so that it cannot access the host. API requests need the
+ * token of this launch and the editor’s origin. Both ports check the `Host` header, against DNS rebinding.
  */
 export async function startServer(options: ServerOptions): Promise<EditorServer> {
   const session = createSession();
@@ -81,7 +82,7 @@ export async function startServer(options: ServerOptions): Promise<EditorServer>
   };
 }
 
-/** Listens before there is anything to answer with, because the answers depend on both ports. */
+/** Listens first and sets the handler later, because the handlers depend on both ports. */
 async function listen(port: number): Promise<{ server: Server; answerWith: (listener: RequestListener) => void }> {
   const server = createServer();
   await new Promise<void>((resolve, reject) => {
@@ -100,4 +101,11 @@ function shut(server: Server): Promise<void> {
     server.close(() => resolve());
     server.closeAllConnections();
   });
+}
+
+async function answerContent(content: Content, origin: keyof Origins, request: IncomingMessage, response: ServerResponse): Promise<void> {
+  const { status, headers, body } = await content.answer(origin, request.method ?? 'GET', request.url ?? '/');
+  response.writeHead(status, headers);
+  // A client that disconnects early is not an error.
+  await pipeline(body, response).catch(() => {});
 }

@@ -9,10 +9,10 @@ import { ensureScrimFolder, SCRIM_FOLDER } from './scrim-folder.ts';
 
 const CACHE_FOLDER = `${SCRIM_FOLDER}/cache`;
 
-/** What no export has used for this long is thrown away. */
+/** Entries that no export has used for this time are deleted. */
 const UNUSED_MS = 30 * 24 * 3600 * 1000;
 
-/** A cache in the project's own Scrim folder, which version control leaves out. It can be deleted at any time. */
+/** Cache of compressed assets in the `.scrim` folder of the project, which version control ignores. It can be deleted at any time. */
 export function createAssetCache(root: string, files: FileLayer): AssetCache {
   const pathOf = (name: string) => resolveInside(root, `${CACHE_FOLDER}/${name}`);
   return {

@@ -1,7 +1,7 @@
 import { join } from 'node:path';
 import { build } from 'esbuild';
 
-/** Bundles a page's script from Scrim's sources; its exports stand under `globalName`. */
+/** Bundles a page script from Scrim’s sources. Its exports become properties of `globalName`. */
 export async function bundleScript(root: string, entry: string, globalName: string): Promise<string> {
   const { outputFiles } = await build({
     entryPoints: [join(root, entry)],
@@ -11,7 +11,8 @@ export async function bundleScript(root: string, entry: string, globalName: stri
     format: 'iife',
     globalName,
     target: 'es2022',
-    // three's decoders name files beside their own module, which they are never asked for; a classic script has no such address.
+    // The decoders of three.js refer to files beside their module. These URLs are unused, and `import.meta` is invalid in classic
+    // scripts.
     define: { 'import.meta.url': 'document.baseURI' },
     loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
     logLevel: 'silent',
@@ -21,7 +22,7 @@ export async function bundleScript(root: string, entry: string, globalName: stri
   return file.text;
 }
 
-/** Bundles a thread's script for Node from Scrim's sources. */
+/** Bundles a worker script for Node from Scrim’s sources. */
 export async function bundleWorker(root: string, entry: string): Promise<string> {
   const { outputFiles } = await build({
     entryPoints: [join(root, entry)],
@@ -31,7 +32,7 @@ export async function bundleWorker(root: string, entry: string): Promise<string>
     platform: 'node',
     format: 'cjs',
     target: 'node20',
-    // CommonJS entries find their parts in ways that bundlers cannot follow.
+    // The CommonJS entries of some packages use imports that bundlers cannot resolve.
     mainFields: ['module', 'main'],
     loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
     logLevel: 'silent',

@@ -10,9 +10,9 @@ import { errorCode } from './file-errors.ts';
 import { NotAFileError, openFile } from './read-file.ts';
 
 /**
- * What can be said of a project's asset files without decoding them: missing (SCR030), outside (SCR031), cut off, of no size or one
- * that no device shows, or not what they claim to be (SCR032). What `used` names is an error, everything else a warning, because nothing on screen needs it. Videos and
- * panoramas that visitors would wait long for are warned of (SCR034); what is large about a model is told when it is read.
+ * Checks asset files without decoding them: missing (SCR030), outside the project (SCR031), truncated, of invalid size, or of another
+ * format (SCR032). Files in `used` give errors, others warnings. Warns about slow downloads of videos and panoramas (SCR034); models
+ * are checked when they are read.
  */
 export async function checkAssets(
   root: string,
@@ -30,7 +30,7 @@ export async function checkAssets(
 
 type Problem = Pick<Diagnostic, 'code' | 'message' | 'fix'> & { readonly severity?: 'warning' };
 
-/** Enough for every signature below. */
+/** Enough for all signatures below. */
 const HEAD_BYTES = 16;
 
 async function problemOf(root: string, { path, kind }: Asset): Promise<Problem | null> {
@@ -58,7 +58,7 @@ async function problemOf(root: string, { path, kind }: Asset): Promise<Problem |
   }
 }
 
-/** What is found behind the head, which is right; a model is judged when its program is known (`check-models.ts`). */
+/** Checks the content after a valid header. Models are checked later (`check-models.ts`). */
 async function contentFault(file: FileHandle, kind: AssetKind, head: Buffer, size: number): Promise<string | null> {
   switch (kind) {
     case 'image':
@@ -74,7 +74,10 @@ async function contentFault(file: FileHandle, kind: AssetKind, head: Buffer, siz
   }
 }
 
-/** glTF 2.0 §4.4: magic, version, and the length of the whole file. JSON begins with a brace and is judged when it is loaded. */
+/**
+ * Checks the header of a .glb file (glTF 2.0, §4.4): magic, version, length. JSON starts with a brace and is checked when it is
+ * loaded.
+ */
 function wrongModel(head: Buffer, size: number): string | null {
   if (head.toString('latin1', 0, 4) !== 'glTF') return /^\s*\{/.test(head.toString('latin1')) ? null : 'is not a glTF model.';
   if (size < 20) return 'is incomplete: it contains only a header.';
@@ -84,7 +87,7 @@ function wrongModel(head: Buffer, size: number): string | null {
   return size >= length ? null : `is incomplete: it has ${size} of ${length} bytes.`;
 }
 
-/** What visitors load before they see it, bytes; a video is loaded whole, so that it can be sought and needs no network later. */
+/** Limits in bytes of what visitors download. Videos are loaded completely, so that they can seek and play offline. */
 const LARGE: Readonly<Record<AssetKind, { readonly bytes: number; readonly fix: string } | null>> = {
   image: null,
   model: null,
@@ -101,17 +104,17 @@ function tooLarge(path: string, kind: AssetKind, size: number): Problem | null {
   return { code: 'SCR034', severity: 'warning', message, fix };
 }
 
-/** ISO 14496-12 §4.3 and RFC 8794 §11.2. */
+/** Checks the header of a video (ISO 14496-12, §4.3; RFC 8794, §11.2). */
 function wrongVideo(head: Buffer, size: number): string | null {
   if (size === 0) return 'is empty.';
   if (head.toString('latin1', 4, 8) === 'ftyp') {
-    // What QuickTime alone understands is found when it is played; that it is no video at all is found here.
+    // Formats that only QuickTime plays are found during playback. Images in the same container are found here.
     return /^(avif|avis|mif1|heic|heix)$/.test(head.toString('latin1', 8, 12)) ? 'is an image, not a video.' : null;
   }
   return isEbml(head) ? null : 'is not a video that browsers can play. Use MP4 or WebM.';
 }
 
-/** WAVE, MPEG audio with or without a tag, Ogg, FLAC, MP4 and WebM: what browsers decode by their first bytes. */
+/** Checks the signature of a sound: WAVE, MPEG audio with or without a tag, Ogg, FLAC, MP4 or WebM. */
 function wrongSound(head: Buffer, size: number): string | null {
   if (size === 0) return 'is empty.';
   const text = head.toString('latin1');

@@ -1,21 +1,21 @@
 import type { FileHandle } from 'node:fs/promises';
 import { imageFault, sizeFault } from '../../export/gltf/image-faults.ts';
 
-/** Above, an image is judged by its head alone: whatever it is, nobody waits for it. */
+/** Larger images are checked by their header only. */
 const MAX_IMAGE_BYTES = 256 * 2 ** 20;
-/** Both formats of panoramas say in their head how large they are. */
+/** Both panorama formats store their size in the header. */
 const PANORAMA_HEAD_BYTES = 64 * 2 ** 10;
 
 const NO_SIZE = 'is broken: it does not say how large it is.';
 
-/** What is wrong with an image that begins as one, going on after its name. */
+/** Checks an image after its signature. Returns the predicate of a message; null if the file is valid. */
 export async function imageFileFault(file: FileHandle, size: number): Promise<string | null> {
   return size > MAX_IMAGE_BYTES
     ? `is a file of ${Math.round(size / 2 ** 20)} MB, which no browser decodes.`
     : imageFault(await readHead(file, size));
 }
 
-/** Of a Radiance file: the line of its resolution ends its header ("-Y 1024 +X 2048"). */
+/** Checks a Radiance file: the line with the resolution ends its header ("-Y 1024 +X 2048"). */
 export async function radianceFault(file: FileHandle, size: number): Promise<string | null> {
   const head = (await readHead(file, Math.min(size, PANORAMA_HEAD_BYTES))).toString('latin1');
   const [line, y, x] = /\n[+-]Y (\d+) [+-]X (\d+)\n/.exec(head) ?? [];
@@ -23,7 +23,7 @@ export async function radianceFault(file: FileHandle, size: number): Promise<str
   return sizeFault([Number(x), Number(y)]) ?? (head.indexOf(line) + line.length >= size ? 'is incomplete: it has no pixels.' : null);
 }
 
-/** Of an OpenEXR file: the attribute `dataWindow`, a box of four numbers (OpenEXR file layout, "Header"). */
+/** Checks an OpenEXR file: the attribute `dataWindow` is a box of four numbers (OpenEXR file layout, "Header"). */
 export async function exrFault(file: FileHandle, size: number): Promise<string | null> {
   const head = await readHead(file, Math.min(size, PANORAMA_HEAD_BYTES));
   const name = 'dataWindow\0box2i\0';

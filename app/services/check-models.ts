@@ -7,8 +7,8 @@ import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { readAssetFile } from './read-asset.ts';
 
 /**
- * What is wrong inside a program's models (SCR032), and what to know of those that are fine: too large for phones (SCR034), or standing
- * for a real thing with holes in it (SCR035). Models that `except` names are left out: something is known of them already.
+ * Checks the models of a program: invalid (SCR032), too large for phones (SCR034), or phantoms with open edges (SCR035). Skips the
+ * models in `except`, which have diagnostics already.
  */
 export async function checkModels(root: string, program: Program, except: ReadonlySet<string>): Promise<readonly Diagnostic[]> {
   const phantoms = phantomNodes(program);

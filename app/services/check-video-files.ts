@@ -1,11 +1,11 @@
 import type { FileHandle } from 'node:fs/promises';
 
-/** Of a movie's tables; those of an hour take a few megabytes. */
+/** Limit for the tables of a movie. Those of an hour take a few megabytes. */
 const MAX_TABLE_BYTES = 64 * 2 ** 20;
-/** A file of honest boxes has few at its top: a fragmented hour has two per second. */
+/** Limit for the number of top-level boxes. A fragmented hour has two per second. */
 const MAX_BOXES = 20_000;
 
-/** What is wrong with an MP4 that begins as one, going on after its name (ISO 14496-12, §4.2 and §8). */
+/** Checks an MP4 after its signature (ISO 14496-12, §4.2 and §8). Returns the predicate of a message; null if the file is valid. */
 export async function mp4Fault(file: FileHandle, size: number): Promise<string | null> {
   const found = new Set<string>();
   let at = 0;
@@ -15,14 +15,14 @@ export async function mp4Fault(file: FileHandle, size: number): Promise<string |
     const type = head.toString('latin1', 4, 8);
     const short = head.readUInt32BE(0);
     if (short === 1 && head.length < 16) return CUT_OFF;
-    // 0: to the end of the file; 1: the length follows, in 64 bits.
+    // 0: the box extends to the end of the file. 1: a 64-bit length follows.
     const length = short === 0 ? size - at : short === 1 ? Number(head.readBigUInt64BE(8)) : short;
     if (length < 8 || !/^[\x20-\x7e\xa9]{4}$/.test(type)) return BROKEN;
     if (at + length > size) return CUT_OFF;
     found.add(type);
     if (type === 'moov') {
       if (length > MAX_TABLE_BYTES) return BROKEN;
-      // The handler of a track of images (§8.4.3).
+      // The handler of a video track (§8.4.3).
       if (!(await readAt(file, at, length)).includes('vide')) return NO_IMAGES;
     }
     at += length;
@@ -36,7 +36,10 @@ const SEGMENT = 0x18538067;
 const TRACKS = 0x1654ae6b;
 const CLUSTER = 0x1f43b675;
 
-/** What is wrong with a WebM that begins as one (RFC 8794, §4 to §6; RFC 9559, §5.1). */
+/**
+ * Checks a WebM after its signature (RFC 8794, §4 to §6; RFC 9559, §5.1). Returns the predicate of a message; null if the file is
+ * valid.
+ */
 export async function webmFault(file: FileHandle, size: number): Promise<string | null> {
   let at = 0;
   let isInSegment = false;
@@ -48,12 +51,12 @@ export async function webmFault(file: FileHandle, size: number): Promise<string 
     if (end > size) return CUT_OFF;
     if (id === TRACKS) {
       if (end - at > MAX_TABLE_BYTES) return BROKEN;
-      // Codecs of video begin so (RFC 9559, §27.4).
+      // Ids of video codecs start with `V_` (RFC 9559, §27.4).
       return (await readAt(file, at, end - at)).includes('V_') ? null : NO_IMAGES;
     }
     if (id === CLUSTER) return NO_IMAGES;
     if (!isInSegment && id !== EBML && id !== SEGMENT) return BROKEN;
-    // Its children come next.
+    // The children of the segment follow.
     isInSegment ||= id === SEGMENT;
     at = id === SEGMENT ? at + headBytes : end;
   }
@@ -65,7 +68,7 @@ const CUT_OFF = 'is incomplete: a chunk is longer than the file.';
 const BROKEN = 'is broken: its content is not a video.';
 const NO_IMAGES = 'has no images in it.';
 
-/** An id of 1 to 4 bytes and a length of 1 to 8; a length of ones is unknown, which is null here. */
+/** Reads the id (1 to 4 bytes) and length (1 to 8 bytes) of an element. A length of all ones is unknown and becomes null. */
 function readElement(head: Buffer): { readonly id: number; readonly headBytes: number; readonly length: number | null } | null {
   const idBytes = Math.clz32(head[0] ?? 0) - 23;
   const lengthBytes = Math.clz32(head[idBytes] ?? 0) - 23;
@@ -82,7 +85,7 @@ function readElement(head: Buffer): { readonly id: number; readonly headBytes: n
   return { id, headBytes: idBytes + lengthBytes, length: isUnknown ? null : length };
 }
 
-/** Fewer where the file ends. */
+/** Reads bytes; fewer at the end of the file. */
 async function readAt(file: FileHandle, at: number, length: number): Promise<Buffer> {
   const bytes = Buffer.alloc(length);
   const { bytesRead } = await file.read(bytes, 0, length, at);

@@ -8,18 +8,18 @@ import { promisify } from 'node:util';
 
 const run = promisify(execFile);
 
-/** A browser to render with, and how to start it headless with WebGL 2 on the CPU. */
+/** A browser for rendering, with its switches for headless mode and WebGL 2 on the CPU. */
 export interface Chromium {
   readonly executablePath: string;
   readonly args: readonly string[];
   readonly env: Readonly<Record<string, string>>;
-  /** The one whose pixels the golden pictures hold. */
+  /** Whether it is the pinned browser, whose pixels the goldens contain. */
   readonly pinned: boolean;
 }
 
 /**
- * `--disable-gpu` with `--enable-unsafe-swiftshader` keeps page compositing off SwiftShader: only WebGL runs on it (dragging
- * 1,000 nodes: 17 ms a frame instead of 50 ms with `--use-angle=swiftshader`).
+ * `--disable-gpu` with `--enable-unsafe-swiftshader` restricts SwiftShader to WebGL; the page is composited without it. Dragging
+ * 1,000 nodes takes 17 ms per frame instead of 50 ms with `--use-angle=swiftshader`.
  */
 const ARGS = [
   '--no-sandbox',
@@ -45,8 +45,8 @@ const SYSTEM_BROWSERS = [
 ];
 
 /**
- * Finds a browser: `SCRIM_CHROMIUM`, else the pinned one that comes with the npm package (Linux x64), else one of the system.
- * With `pinnedOnly`, the npm package's or nothing.
+ * Finds a browser: `SCRIM_CHROMIUM`, else the pinned one of the npm package (Linux x64), else one of the system. With `pinnedOnly`,
+ * only that of the package.
  */
 export async function findChromium(options: { pinnedOnly?: boolean } = {}): Promise<Chromium | null> {
   const chosen = process.env.SCRIM_CHROMIUM;
@@ -58,8 +58,8 @@ export async function findChromium(options: { pinnedOnly?: boolean } = {}): Prom
 }
 
 /**
- * Unpacks the npm package's browser once, into a cache folder named after its version. The package itself unpacks into the
- * temporary folder and reuses whatever `chromium` it finds there, of any version, hence the private one.
+ * Unpacks the browser of the npm package once, into a cache folder named after its version. The package itself unpacks into the
+ * temporary folder and reuses any `chromium` there, whatever its version.
  */
 async function unpackPinned(): Promise<Chromium | null> {
   if (process.platform !== 'linux' || process.arch !== 'x64') return null;
@@ -71,15 +71,15 @@ async function unpackPinned(): Promise<Chromium | null> {
   return {
     executablePath: join(dir, 'chromium'),
     args: ARGS,
-    // NSS and expat for systems that lack them. Its own font and no other, so that text looks alike everywhere.
+    // NSS and expat for systems that lack them. A single font, so that text looks the same everywhere.
     env: { LD_LIBRARY_PATH: join(dir, 'al2023', 'lib'), FONTCONFIG_FILE: await writeFontList(dir) },
     pinned: true,
   };
 }
 
 /**
- * The package's list of fonts names folders of a cloud function. Without any font, Chromium ends itself at the first text field
- * (Skia, `SkFontMgr_FontConfigInterface`: "Not implemented").
+ * Writes a font configuration. That of the package refers to folders of a cloud function, and without fonts Chromium crashes at the
+ * first text field (Skia, `SkFontMgr_FontConfigInterface`: "Not implemented").
  */
 async function writeFontList(dir: string): Promise<string> {
   const path = join(dir, 'scrim-fonts.conf');
@@ -91,7 +91,10 @@ async function writeFontList(dir: string): Promise<string> {
   return path;
 }
 
-/** A process of its own, because the package asks `os.tmpdir()`; a rename at the end, because two may unpack at once. */
+/**
+ * Unpacks in a separate process, because the package reads `os.tmpdir()`, and renames at the end, because two processes may unpack at
+ * once.
+ */
 async function unpack(packageDir: string, dir: string): Promise<void> {
   await mkdir(dirname(dir), { recursive: true });
   const temporary = await mkdtemp(`${dir}.`);

@@ -12,30 +12,30 @@ import { checkAssets } from './check-assets.ts';
 import { checkModels } from './check-models.ts';
 
 export interface CompiledProject {
-  /** Null where the files could not be read as a project. */
+  /** Null if the files could not be read as a project. */
   readonly project: Project | null;
-  /** Null where something is wrong that no page can be made of. */
+  /** Null after an error. */
   readonly program: Program | null;
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** Where large projects are compiled beside the program that asks, which goes on meanwhile. */
+/** Options to compile large projects in a worker. */
 export interface Apart {
-  /** Absolute folder with Scrim's sources. */
+  /** Absolute path of the folder with Scrim’s sources. */
   readonly root: string;
   readonly interrupted?: AbortSignal | undefined;
 }
 
-/** Fewer nodes than this compile in less time than a thread takes to start. */
+/** Smaller projects compile in less time than a worker takes to start. */
 const LARGE = 1000;
 
-/** By what is written down; subgraphs may make any number of nodes of it. */
+/** Whether a project is large, by its number of stored nodes. Subgraphs may multiply it. */
 function isLarge({ graphs }: Project): boolean {
   const count = Object.values(graphs).reduce((sum, { nodes }) => sum + Object.keys(nodes).length, 0);
   return count > LARGE || Object.keys(graphs).length > 1;
 }
 
-/** A project's files as a program, or what is wrong with them: documents, graph, shaders, and the asset files in `root`. */
+/** Compiles the files of a project. Checks documents, graph, shaders, and the asset files in `root`. */
 export async function compileProject(
   root: string,
   files: ProjectFiles,
@@ -52,9 +52,9 @@ export async function compileProject(
       : compile({ project, library: LIBRARY, options });
   const played = compiled.output?.assets ?? [];
   const used = new Set(compiled.output ? played.map(({ id }) => id) : Object.keys(project.assets));
-  // Pictures that shaders import stand in no table of the project's.
+  // Images that shaders import are not in the asset table of the project.
   const all = { ...project.assets, ...Object.fromEntries(played.filter(isImported).map((asset) => [asset.id, asset])) };
-  // A path that the compiler refused already is not told of twice.
+  // Skips paths that the compiler has reported already.
   const assets = (await checkAssets(root, all, used)).filter(({ code }) => code !== 'SCR031' || !hasErrors(compiled.diagnostics));
   const known = new Set(assets.flatMap(({ file }) => file ?? []));
   const models = compiled.output === null ? [] : await checkModels(root, compiled.output, known);
@@ -62,5 +62,5 @@ export async function compileProject(
   return { project, program: hasErrors(diagnostics) ? null : compiled.output, diagnostics };
 }
 
-/** The node types of this Scrim; a project's own shaders are put before them by the compiler. */
+/** The node types of Scrim. The compiler adds the shaders of the project. */
 export const LIBRARY: NodeLibrary = libraryOf(DEFINITIONS, SHADERS);

@@ -2,7 +2,7 @@ import { lstat, realpath } from 'node:fs/promises';
 import { join } from 'node:path';
 import { errorCode, readRefusal, refusal } from './file-errors.ts';
 
-/** The folder itself, behind whatever links lead to it: what `resolveInside` measures against. */
+/** Resolves all links of a folder’s path. The result is the `root` of `resolveInside`. */
 export async function realFolder(path: string): Promise<string> {
   try {
     const real = await realpath(path);
@@ -14,9 +14,9 @@ export async function realFolder(path: string): Promise<string> {
 }
 
 /**
- * Absolute path of `path` inside `root`, which `realFolder` gave; what it names need not exist. Throws SCR031 for everything
- * that could lead out: `..`, absolute paths, backslashes, drive letters, NUL, percent-encoded separators, and any link on the
- * way, wherever it points.
+ * Resolves a project path inside `root`. The file need not exist. @param root Result of `realFolder`. @throws SCR031 for paths that
+ * could lead outside: `..`, absolute paths, backslashes, drive letters, NUL, percent-encoded separators, and links anywhere in the
+ * path
  */
 export async function resolveInside(root: string, path: string): Promise<string> {
   const parts = path.split('/');
@@ -35,8 +35,8 @@ export async function resolveInside(root: string, path: string): Promise<string>
 }
 
 /**
- * Whether `resolveInside` takes it as a part of a path. `:` would name a drive or a stream on Windows; a percent-encoded dot or
- * slash has no honest use in a file name.
+ * Whether `resolveInside` accepts a part of a path. `:` would name a drive or stream on Windows; percent-encoded dots and slashes do
+ * not occur in valid names.
  */
 export function isPlainName(part: string): boolean {
   return part !== '' && part !== '.' && part !== '..' && !/[\\:\0]|%(2e|2f|5c|00)/i.test(part);

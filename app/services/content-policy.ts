@@ -1,17 +1,15 @@
-/** The two origins of a running editor; the preview's has no host API. */
+/** The two origins of a running editor. That of the preview has no host API. */
 export interface Origins {
   readonly editor: string;
   readonly preview: string;
 }
 
-/** Where the built pages have their scripts; projects and recordings are never mounted there. */
+/** Folder of scripts in the built pages. Projects and recordings are never mounted there. */
 export const SCRIPTS_FOLDER = 'assets';
 
 /**
- * Headers of everything that the content server answers.
- *
- * The editor: Monaco and React set styles at run time, hence `'unsafe-inline'` for styles alone; its workers are files of its
- * own. Neither page may speak to any other address.
+ * Headers of all responses for the editor. Styles allow `'unsafe-inline'`, because Monaco and React set styles at run time; workers
+ * are files. Neither page may connect to other addresses.
  */
 export function editorHeaders(origins: Origins): Record<string, string> {
   const ownScripts = `${origins.editor}/${SCRIPTS_FOLDER}/`;
@@ -31,15 +29,15 @@ export function editorHeaders(origins: Origins): Record<string, string> {
 }
 
 export function previewHeaders(origins: Origins): Record<string, string> {
-  // The path as well: projects and recordings are on this origin, and nothing of them is a script, whatever its name and type.
+  // Includes the path, because files of projects and recordings on this origin must never run as scripts.
   const ownScripts = `${origins.preview}/${SCRIPTS_FOLDER}/`;
   return headers([
     "default-src 'none'",
-    // Decoders of models are WebAssembly; scripts from texts stay forbidden.
+    // Decoders of models use WebAssembly. `eval` stays forbidden.
     `script-src ${ownScripts} 'wasm-unsafe-eval'`,
     "style-src 'self' 'unsafe-inline'",
     "img-src 'self' blob: data:",
-    // Videos are played from memory.
+    // Videos play from memory.
     'media-src blob:',
     "connect-src 'self'",
     `worker-src ${ownScripts} blob:`,
@@ -49,7 +47,7 @@ export function previewHeaders(origins: Origins): Record<string, string> {
   ]);
 }
 
-/** For files of projects and recordings, which are data: opened by themselves they can do nothing. */
+/** Headers for files of projects and recordings. Opened as a page, they can run nothing. */
 export function dataHeaders(): Record<string, string> {
   return { ...headers(["default-src 'none'", 'sandbox', "frame-ancestors 'none'"]), 'cache-control': 'no-store' };
 }

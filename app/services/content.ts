@@ -11,17 +11,17 @@ export interface ContentAnswer {
   readonly body: Readable;
 }
 
-/** Files of the two origins, by address; the shells bring the addresses and carry the answers. */
+/** Content of the two origins, by path. The hosts (Electron, loopback server) map addresses to it. */
 export interface Content {
-  /** `path` as it stands in the request, still percent-encoded; a query is ignored. */
+  /** @param path Path of the request, percent-encoded. A query is ignored. */
   answer(origin: keyof Origins, method: string, path: string): Promise<ContentAnswer>;
-  /** Shows a folder on the preview's origin, below `/NAME/`; returns the function that ends it. */
+  /** Mounts a folder on the origin of the preview as `/NAME/`. Returns a function that unmounts it. */
   show(name: string, folder: string): () => void;
 }
 
 export interface ContentOptions {
   readonly origins: Origins;
-  /** The built pages: `index.html` and `assets/`, for each origin. */
+  /** Folders of the built pages with `index.html` and `assets/`, by origin. */
   readonly pages: Readonly<Record<keyof Origins, string>>;
 }
 
@@ -32,7 +32,7 @@ interface Found {
   readonly headers: Record<string, string>;
 }
 
-/** Names in `assets/` hold a hash of what is in them. */
+/** File names in `assets/` contain a content hash. */
 const FOR_EVER = 'public, max-age=31536000, immutable';
 
 export function createContent({ origins, pages }: ContentOptions): Content {
@@ -68,7 +68,7 @@ export function createContent({ origins, pages }: ContentOptions): Content {
   };
 }
 
-/** `/a/b%20c?d` → `['a', 'b c']`; null where the encoding is broken. Nothing is normalized: `..` stays and is refused later. */
+/** Decodes `/a/b%20c?d` to `['a', 'b c']`; null if the encoding is invalid. Does not normalize: `..` is rejected later. */
 function decodeParts(path: string): string[] | null {
   const bare = path.replace(/[?#].*$/s, '');
   try {
@@ -78,7 +78,7 @@ function decodeParts(path: string): string[] | null {
   }
 }
 
-/** Mounts have names of two parts: `projects/KEY`, `sessions/NAME`. */
+/** The mounted folder of a path. Mounts have two parts: `projects/KEY`, `sessions/NAME`. */
 function mountOf(shown: ReadonlyMap<string, string>, parts: readonly string[]): { folder: string; rest: readonly string[] } | null {
   const folder = shown.get(parts.slice(0, 2).join('/'));
   return folder === undefined ? null : { folder, rest: parts.slice(2) };
@@ -101,7 +101,7 @@ async function readFound({ root, path, type, headers }: Found, headOnly: boolean
   }
 }
 
-/** Refusals say as little as possible, and can do nothing. */
+/** An error response without details or scripts. */
 export function plain(status: number, text: string): ContentAnswer {
   const bytes = new TextEncoder().encode(`${text}\n`);
   return {

@@ -4,7 +4,7 @@ import type { FileLayer } from './file-layer.ts';
 import { listAssets } from './project-files.ts';
 import { readAssetFile } from './read-asset.ts';
 
-/** Copies `assets/` of one project into another that has none. */
+/** Copies `assets/` of a project into one without assets. */
 export async function copyAssets(from: string, to: string, files: FileLayer): Promise<void> {
   for (const { path } of await listAssets(from)) {
     const target = await resolveInside(to, path);

@@ -2,10 +2,10 @@ import { HOST_CONTRACT, type HostInput, type HostMethod, type HostOutput } from 
 import { type Answer, HostError } from '../contract/host-error.ts';
 import { refusal } from './file-errors.ts';
 
-/** `client` is the window or tab that asks. */
+/** `client` is the window or tab that calls. */
 export type Handlers = { readonly [M in HostMethod]: (input: HostInput<M>, client: string) => Promise<HostOutput<M>> };
 
-/** Checks the method and its input against the contract, and calls. Never rejects: what went wrong is the answer. */
+/** Validates a call against the contract and runs it. Never rejects; errors are returned. */
 export async function dispatch(
   handlers: Handlers,
   method: string,

@@ -6,15 +6,15 @@ import type { FileLayer } from './file-layer.ts';
 import { makeFolders } from './make-folders.ts';
 
 /**
- * Fills the folder at `path`, made where it is missing, and answers with where it really lies. Where `fill` fails, the folder is
- * empty again. Throws SCR061 where it holds something, and SCR060 and SCR062.
+ * Creates or uses an empty folder and fills it. Returns its real path. If `fill` fails, the folder is emptied again. @throws SCR060,
+ * SCR061 if it is not empty, SCR062
  */
 export async function fillEmptyFolder(path: string, files: FileLayer, fill: (root: string) => Promise<void>): Promise<string> {
   const root = await emptyFolder(path);
   try {
     await fill(root);
   } catch (error) {
-    // The folder was empty: whatever is in it is ours.
+    // The folder was empty, so all files in it were created here.
     for (const name of await readdir(root)) await files.remove(join(root, name));
     throw writeRefusal(error, path);
   }

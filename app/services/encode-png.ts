@@ -1,20 +1,20 @@
 import { encode } from 'fast-png';
 
-/** A layer as the runtime reads it back: premultiplied RGBA, rows from the top. */
+/** Pixels of a layer: premultiplied RGBA, rows from the top. */
 export interface LayerPixels {
   readonly widthPx: number;
   readonly heightPx: number;
   readonly pixels: Uint8Array;
 }
 
-/** Depth as the runtime reads it back: meters, 0 where there is nothing, rows from the top. */
+/** Depth: meters, 0 for nothing, rows from the top. */
 export interface DepthPixels {
   readonly widthPx: number;
   readonly heightPx: number;
   readonly meters: Float32Array;
 }
 
-/** RGBA PNG with straight alpha, as PNG has it. Where nothing is, color is 0. */
+/** Encodes an RGBA PNG with straight alpha. Transparent pixels become black. */
 export function encodeLayer({ widthPx, heightPx, pixels }: LayerPixels): Uint8Array {
   const straight = new Uint8Array(pixels);
   for (let i = 0; i < straight.length; i += 4) {
@@ -29,7 +29,7 @@ export function encodeLayer({ widthPx, heightPx, pixels }: LayerPixels): Uint8Ar
 
 const MAX_MM = 65_535;
 
-/** 16-bit gray PNG in millimeters: 0 is nothing, 65535 is 65.535 m or more; half a millimeter is rounded up. */
+/** Encodes a 16-bit gray PNG in millimeters, rounded. 0 is nothing; 65535 is 65.535 m or more. */
 export function encodeDepth({ widthPx, heightPx, meters }: DepthPixels): Uint8Array {
   const millimeters = Uint16Array.from(meters, (m) => (m > 0 ? Math.min(MAX_MM, Math.max(1, Math.round(m * 1000))) : 0));
   return encode({ width: widthPx, height: heightPx, data: millimeters, channels: 1, depth: 16 });

@@ -3,7 +3,10 @@ import type { Socket } from 'node:net';
 import process from 'node:process';
 import type { Browser } from 'playwright-core';
 
-/** Ends the browser's process group when its input is closed, which the system does however the writer ends, or when process $2 is gone. */
+/**
+ * Shell script that ends the browser’s process group when its standard input closes, which the system does however the writer ends,
+ * or when process $2 has ended.
+ */
 const GUARD = `
 end() { kill -9 -- "-$1" 2>/dev/null || kill -9 "$1" 2>/dev/null; }
 if [ -n "$2" ]; then (while kill -0 "$2" 2>/dev/null; do sleep 1; done; end "$1") & fi
@@ -11,8 +14,8 @@ read -r line
 end "$1"`;
 
 /**
- * Makes a browser end with this process. Chromium ignores SIGTERM, and Playwright ends it only where it hears that its own process
- * ends: not of SIGKILL, and inside Jest of no signal at all. With `SCRIM_ENDS_WITH`, the id of a process, it ends with that, too.
+ * Ends a browser together with this process. Chromium ignores SIGTERM, and Playwright ends it only on signals that it can handle: not
+ * SIGKILL, and none inside Jest. With `SCRIM_ENDS_WITH` set to a process id, also ends it with that process.
  */
 export async function endWithProcess(browser: Browser): Promise<void> {
   if (process.platform === 'win32') return;
@@ -25,7 +28,7 @@ export async function endWithProcess(browser: Browser): Promise<void> {
     detached: true,
     stdio: ['pipe', 'ignore', 'ignore'],
   });
-  // Without a shell, or once it has ended, there is no guard, and nothing to do about it.
+  // Without a shell there is no guard.
   guard.on('error', () => {});
   guard.stdin.on('error', () => {});
   guard.unref();
@@ -36,7 +39,7 @@ export async function endWithProcess(browser: Browser): Promise<void> {
     try {
       process.kill(-pid, 'SIGKILL');
     } catch {
-      // It has ended by itself.
+      // The browser has ended already.
     }
   });
 }

@@ -1,11 +1,11 @@
 import type { HostOutput } from '../contract/contract.ts';
 import { type ExportJob, exportProject } from './export-project.ts';
 
-/** The exports under way, one for each open project. */
+/** Exports in progress, one per open project. */
 export interface ExportJobs {
-  /** Cancels an earlier export of the same project, whose window was reloaded. */
+  /** Starts an export. Cancels an earlier one of the same project, whose window was reloaded. */
   run(projectId: string, job: Omit<ExportJob, 'interrupted'>): Promise<HostOutput<'export.run'>>;
-  /** Removes what was written; `run` then resolves. */
+  /** Cancels an export and removes its files; `run` then resolves. */
   cancel(projectId: string): void;
   dispose(): void;
 }

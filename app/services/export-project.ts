@@ -14,41 +14,43 @@ import { readAssetFile } from './read-asset.ts';
 import { watchedFiles } from './watched-files.ts';
 
 export interface ExportJob {
-  /** The project's real folder, where its assets are. */
+  /** Real path of the project folder. */
   readonly root: string;
   readonly projectFiles: ProjectFiles;
-  /** Folder for the page. */
+  /** Folder of the page. */
   readonly out: string;
   readonly installation: Installation;
   readonly files?: FileLayer;
-  /** False leaves models as they are; true unless given. */
+  /** Whether to compress models. Default: true. */
   readonly compress?: boolean;
-  /** Cancels the export: removes what was written and rejects with the signal's reason. */
+  /** Cancels the export: removes its files and rejects with the reason of the signal. */
   readonly interrupted?: AbortSignal;
-  /** Receives progress texts. */
+  /** Called with progress texts. */
   readonly say?: (text: string) => void;
-  /** Everything in one file, which opens from a disk. */
+  /** Whether to write a single HTML file that opens from a disk. */
   readonly singleFile?: boolean;
-  /** Where the page will be published, ending in `/`. */
+  /** Address of the published page, ending in `/`. */
   readonly address?: string | null;
   /**
-   * Renders the poster. If it returns null, the page gets a neutral poster and a warning
-   * (SCR065). SCR042 ends the export: no page draws what does not compile.
+   * Renders the poster. If it returns null, the page gets a neutral poster and a warning (SCR065). If it throws SCR042, the export
+   * ends, because no page can draw the shader.
    */
   readonly drawPoster?: (program: Program) => Promise<PosterPicture | null>;
 }
 
 export interface ExportOutcome {
-  /** Null where nothing was written. */
+  /** Null if nothing was written. */
   readonly report: ExportReport | null;
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** Compiles, bundles, and puts the page into `out` in one step. User mistakes are diagnostics; rejects only if interrupted. */
+/**
+ * Compiles and bundles a page, and writes it to `out` in one step. Mistakes of the user are diagnostics. Rejects only if interrupted.
+ */
 export async function exportProject(job: ExportJob): Promise<ExportOutcome> {
   const { root, projectFiles, out, installation, compress = true, interrupted } = job;
   const say = (text: string) => {
-    // What takes its time can be left there.
+    // The next steps take long, so check for an interrupt.
     interrupted?.throwIfAborted();
     job.say?.(text);
   };
@@ -74,7 +76,7 @@ export async function exportProject(job: ExportJob): Promise<ExportOutcome> {
         readAsset: (path) => readAssetFile(root, path),
         sink,
         compress,
-        // Not through `files`: what a cache cannot keep is no reason to stop.
+        // Bypasses `files`, because failures of the cache must not stop the export.
         cache: createAssetCache(root, NODE_FILES),
         say,
         singleFile,

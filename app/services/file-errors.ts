@@ -1,7 +1,7 @@
 import { HostError } from '../contract/host-error.ts';
 import { NotAFileError, TooLargeError } from './read-file.ts';
 
-/** The refusal for an error of the file system while `path` was read. */
+/** Converts a file system error of reading `path` to a `HostError`. */
 export function readRefusal(error: unknown, path: string): HostError {
   if (error instanceof NotAFileError) {
     return refusal('SCR004', `${path} is ${error.what}, not a file.`, 'Replace it with a file.');
@@ -15,7 +15,7 @@ export function readRefusal(error: unknown, path: string): HostError {
 
 const UNWRITABLE: ReadonlySet<string> = new Set(['EACCES', 'EPERM', 'EROFS', 'ENOTDIR', 'ENOENT', 'EEXIST']);
 
-/** The refusal for an error of the file system while something was written below `path`. */
+/** Converts a file system error of writing below `path` to a `HostError`. */
 export function writeRefusal(error: unknown, path: string): HostError {
   if (error instanceof HostError) return error;
   const code = errorCode(error);
@@ -32,7 +32,7 @@ export function refusal(code: string, message: string, fix?: string): HostError 
   return new HostError({ code, severity: 'error', message, ...(fix === undefined ? {} : { fix }) });
 }
 
-/** The system's name for what went wrong: `ENOENT`. */
+/** Code of a system error, such as `ENOENT`. */
 export function errorCode(error: unknown): string | undefined {
   return typeof error === 'object' && error !== null && 'code' in error && typeof error.code === 'string' ? error.code : undefined;
 }

@@ -4,18 +4,18 @@ import { resolve } from 'node:path';
 import process from 'node:process';
 import { makeFolders } from './make-folders.ts';
 
-/** The file operations that a save is made of; handed in, so that a test can break any one of them. */
+/** File operations of a save. Injected, so that tests can make each of them fail. */
 export interface FileLayer {
-  /** Makes a file that was not there, and returns when its bytes are on the disk. */
+  /** Creates a file that must not exist, and resolves when its bytes are on the disk. */
   writeNew(path: string, bytes: Uint8Array): Promise<void>;
-  /** Replaces what is there, in one step. */
+  /** Replaces the target atomically. */
   rename(from: string, to: string): Promise<void>;
-  /** A second name for the same bytes; fails where the name is taken. */
+  /** Creates a hard link. Fails if the name exists. */
   link(from: string, to: string): Promise<void>;
-  /** A missing file is fine. */
+  /** Deletes a file or folder, if it exists. */
   remove(path: string): Promise<void>;
   makeFolder(path: string): Promise<void>;
-  /** Returns when the folder's own entries are on the disk. */
+  /** Resolves when the entries of the folder are on the disk. */
   syncFolder(path: string): Promise<void>;
 }
 
@@ -36,7 +36,7 @@ export const NODE_FILES: FileLayer = {
     await makeFolders(resolve(path));
   },
   syncFolder: async (path) => {
-    // Windows cannot open a folder; there, NTFS journals the rename.
+    // Windows cannot open folders; NTFS journals the rename.
     if (process.platform === 'win32') return;
     const folder = await open(path, constants.O_RDONLY);
     try {

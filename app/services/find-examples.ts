@@ -6,17 +6,17 @@ import { readBytes, readText } from './read-file.ts';
 export interface Example {
   readonly title: string;
   readonly path: string;
-  /** The node types that it uses. */
+  /** Node types in the example. */
   readonly types: string[];
-  /** As a `data:` address. */
+  /** Image as a `data:` URL. */
   readonly picture?: string;
 }
 
-/** Beside the examples: what each shows, as `NAME.jpg`, and what a template does, as `template-NAME.jpg`. */
+/** Folder of images beside the examples: `NAME.jpg` for examples, `template-NAME.jpg` for templates. */
 const PICTURES = 'pictures';
 const MAX_PICTURE_BYTES = 4 * 2 ** 20;
 
-/** The projects directly below a folder, by name. */
+/** The projects directly in a folder, by name. */
 export async function findExamples(examplesDir: string): Promise<Example[]> {
   const entries = await readdir(examplesDir, { withFileTypes: true }).catch(() => []);
   const folders = entries.filter((entry) => entry.isDirectory()).map((entry) => join(examplesDir, entry.name));
@@ -26,7 +26,7 @@ export async function findExamples(examplesDir: string): Promise<Example[]> {
   );
 }
 
-/** Pictures are small, and crossing with the list saves a way of their own to the editor's origin. */
+/** Adds the image as a `data:` URL. Images are small, so they need no URL of their own. */
 export async function withPicture<T extends object>(item: T, examplesDir: string, name: string): Promise<T & { picture?: string }> {
   const bytes = await readBytes(pictureOf(examplesDir, name), MAX_PICTURE_BYTES).catch(() => null);
   return bytes === null ? item : { ...item, picture: `data:image/jpeg;base64,${Buffer.from(bytes).toString('base64')}` };
@@ -47,7 +47,7 @@ async function readExample(path: string): Promise<Example | null> {
   }
 }
 
-/** Examples are ours, and still a file that anybody can change: what is no node is passed over. */
+/** The node types in the graphs of a project. Users may edit example files, so invalid nodes are skipped. */
 function typesIn(graphs: unknown): string[] {
   const nodes = values(graphs).flatMap((graph) => values((graph as { nodes?: unknown } | null)?.nodes));
   const types = nodes.map((node) => (node as { type?: unknown } | null)?.type).filter((type) => typeof type === 'string');

@@ -5,33 +5,33 @@ import { errorCode, refusal, writeRefusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
 import { type FolderMark, writePageFolder } from './page-folder.ts';
 
-/** Frame renders in progress, one folder for each open project. */
+/** Frame renders in progress, one per open project. */
 export interface FrameJobs {
-  /** Cancels an earlier render of the same project. Throws SCR060 and SCR061 if `out` is invalid. */
-  begin(projectId: string, client: string, wish: FramesWish): Promise<void>;
-  /** Throws SCR060 and SCR062 where it cannot be written: nothing is left then. */
+  /** Begins a frame render. Cancels an earlier one of the same project. @throws SCR060, SCR061 if `out` is invalid */
+  begin(projectId: string, client: string, options: FrameRenderOptions): Promise<void>;
+  /** Adds a frame. @throws SCR060, SCR062 if it cannot be written; all frames are deleted then */
   add(projectId: string, number: number, rgba: Uint8Array): Promise<void>;
   finish(projectId: string, about: { readonly title: string; readonly frameRateHz: number }): Promise<HostOutput<'frames.finish'>>;
-  /** Resolves when nothing is left of it. */
+  /** Resolves when all files have been deleted. */
   cancel(projectId: string): Promise<void>;
-  /** A window or tab is gone, and what it rendered with it. */
+  /** Cancels the frame renders of a closed window or tab. */
   left(client: string): void;
   dispose(): void;
 }
 
-export interface FramesWish {
+export interface FrameRenderOptions {
   readonly out: string;
   readonly widthPx: number;
   readonly heightPx: number;
 }
 
-interface Job extends FramesWish {
+interface Job extends FrameRenderOptions {
   readonly client: string;
   readonly sink: FileSink;
   readonly names: string[];
-  /** True: it is whole; false: it is given up. */
-  readonly over: (whole: boolean) => void;
-  /** When the folder stands in its place, or nothing is left of it. */
+  /** Ends the job: true completes it, false discards it. */
+  readonly end: (whole: boolean) => void;
+  /** Resolves when the folder is in place or has been deleted. */
   readonly done: Promise<unknown>;
 }
 
@@ -48,19 +48,19 @@ export function createFrameJobs(files: FileLayer): FrameJobs {
   const cancel = async (projectId: string): Promise<void> => {
     const job = jobs.get(projectId);
     jobs.delete(projectId);
-    job?.over(false);
+    job?.end(false);
     await job?.done.catch(() => {});
   };
   return {
-    begin: async (projectId, client, wish) => {
+    begin: async (projectId, client, options) => {
       await cancel(projectId);
       await new Promise<void>((resolve, reject) => {
         const done: Promise<unknown> = writePageFolder(
-          wish.out,
+          options.out,
           files,
           (sink) =>
             new Promise<true | null>((settle) => {
-              jobs.set(projectId, { ...wish, client, sink, names: [], done, over: (whole) => settle(whole || null) });
+              jobs.set(projectId, { ...options, client, sink, names: [], done, end: (whole) => settle(whole || null) });
               resolve();
             }),
           MARK,
@@ -92,7 +92,7 @@ export function createFrameJobs(files: FileLayer): FrameJobs {
         throw errorCode(error) === undefined ? error : writeRefusal(error, out);
       }
       jobs.delete(projectId);
-      job.over(true);
+      job.end(true);
       await job.done;
       return { out, pictures: names.length };
     },

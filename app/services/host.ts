@@ -18,32 +18,32 @@ import { findSessions } from './session-list.ts';
 import { createProject, findTemplates } from './templates.ts';
 import { wholePath } from './whole-path.ts';
 
-/** What a shell (window or loopback server) puts around the host. */
+/** What a shell (Electron or the loopback server) provides to the host. */
 export interface Shell {
   readonly kind: 'electron' | 'server';
   readonly origins: Origins;
-  /** Asks the person for a folder; null where the shell has no dialog. */
+  /** Asks for a folder with the native dialog; null if the shell has none. */
   readonly pickFolder: ((purpose: HostInput<'folder.pick'>['purpose']) => Promise<string | null>) | null;
   readonly closeWindow: () => void;
-  /** Null where the shell has no menu of its own. */
+  /** Sets the native menus; null if the shell has none. */
   readonly showMenus: ((menus: readonly PlatformMenu[]) => void) | null;
 }
 
 export interface HostOptions {
   readonly shell: Shell;
   readonly installation: Installation;
-  /** What to open at start. */
+  /** Project to open at start. */
   readonly startPath: string | null;
   readonly files?: FileLayer;
-  /** Told of faults of our own, which the editor sees as SCR074. */
+  /** Logs internal errors, which the editor sees as SCR074. */
   readonly log: (message: string) => void;
 }
 
 export interface HostService {
   readonly content: Content;
-  /** Checks the input against the contract, calls, and never rejects. `client` names the window or tab that asks. */
+  /** Validates a call against the contract and runs it. Never rejects. `client` is the window or tab that calls. */
   dispatch(method: string, input: unknown, client?: string): Promise<Answer<unknown>>;
-  /** A window or tab is there, until the function is called that this returns. */
+  /** Registers a window or tab. Returns a function that unregisters it. */
   attend(client: string): () => void;
   subscribe(listener: (event: HostEvent) => void): () => void;
   emit(event: HostEvent): void;
@@ -52,7 +52,7 @@ export interface HostService {
 
 const ROOMS_MOUNT = 'rooms/captures';
 
-/** The host of both shells: the contract's methods over the files of this machine. */
+/** Creates the host: implements the contract on the files of this machine. */
 export function createHost({ shell, installation, startPath, files = NODE_FILES, log }: HostOptions): HostService {
   const content = createContent({ origins: shell.origins, pages: installation.pages });
   content.show(ROOMS_MOUNT, installation.roomsDir);
@@ -192,7 +192,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
   };
 }
 
-/** Who is there, by the streams of events that are open: a page has two for a moment when it connects anew. */
+/** Tracks clients by their open event streams. A page that reconnects has two for a moment. */
 function createClients() {
   const streams = new Map<string, number>();
   return {

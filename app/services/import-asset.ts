@@ -8,12 +8,12 @@ import { ensureScrimFolder, temporaryIn } from './scrim-folder.ts';
 
 const MAX_STEM = 80;
 
-/** Names that Windows keeps for devices, with any extension. */
+/** Reserved device names of Windows, with any extension. */
 const DEVICE_NAME = /^(con|prn|aux|nul|com\d|lpt\d)$/i;
 
 /**
- * Copies bytes into `assets/` and returns the project path. A taken name gets a number, unless the file there holds the same
- * bytes: then it is used as it is.
+ * Writes bytes into `assets/` and returns the project path. If the name exists, a number is added, unless the existing file has the
+ * same content and is reused.
  */
 export async function importAsset(root: string, name: string, bytes: Uint8Array, files: FileLayer): Promise<string> {
   const { stem, extension } = plainName(name);
@@ -35,12 +35,12 @@ export async function importAsset(root: string, name: string, bytes: Uint8Array,
   }
 }
 
-/** False where the name is taken by other bytes. */
+/** Puts the file in place. Returns false if another file has the name. */
 async function place(temporary: string, target: string, bytes: Uint8Array, files: FileLayer): Promise<boolean> {
   try {
     await files.link(temporary, target).catch(async (error: unknown) => {
       if (errorCode(error) === 'EEXIST') throw error;
-      // FAT has no links.
+      // FAT does not support links.
       await files.writeNew(target, bytes);
     });
     return true;
@@ -50,7 +50,7 @@ async function place(temporary: string, target: string, bytes: Uint8Array, files
   }
 }
 
-/** A file name that every system and every URL carries unchanged. */
+/** Makes a file name that is valid on all systems and in URLs. */
 function plainName(name: string): { stem: string; extension: string } {
   const base = name.split(/[\\/]/).pop() ?? '';
   const extension = extname(base).replace(/[^A-Za-z0-9.]/g, '');

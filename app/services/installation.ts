@@ -1,14 +1,14 @@
 import { join } from 'node:path';
 
-/** Where this Scrim lies. */
+/** Folders of this installation of Scrim. */
 export interface Installation {
   readonly version: string;
-  /** Holds the sources and `node_modules` that exported pages are bundled from. */
+  /** Folder with the sources and `node_modules`, from which exported pages are bundled. */
   readonly root: string;
-  /** The built pages of the editor and of its preview. */
+  /** Built pages of the editor and the preview. */
   readonly pages: { readonly editor: string; readonly preview: string };
   readonly examplesDir: string;
-  /** Projects to begin with. */
+  /** Template projects. */
   readonly templatesDir: string;
   /** Recorded sessions that come with Scrim. */
   readonly sessionsDir: string;
@@ -16,7 +16,7 @@ export interface Installation {
   readonly roomsDir: string;
 }
 
-/** `home` holds what is built, where that is not in `root`: in a packaged app, the archive. */
+/** @param home Folder with the built files, if it is not `root`: the archive of a packaged app. */
 export function installationAt(root: string, version: string, home = root): Installation {
   const examplesDir = join(root, 'examples');
   return {

@@ -29,7 +29,7 @@ const MEDIA_TYPES: Readonly<Record<string, string>> = {
   '.wasm': 'application/wasm',
 };
 
-/** Types that a browser would run or draw as a page; a project's files never get one of them. */
+/** Types that browsers would run as code or pages. Files of projects never get one of them. */
 const ACTIVE = new Set(['.html', '.js', '.css', '.svg', '.wasm']);
 
 const UNKNOWN = 'application/octet-stream';
@@ -38,7 +38,7 @@ export function mediaTypeOf(path: string): string {
   return MEDIA_TYPES[extname(path).toLowerCase()] ?? UNKNOWN;
 }
 
-/** For files that come with a project. */
+/** Media type of a project file. */
 export function passiveMediaTypeOf(path: string): string {
   return ACTIVE.has(extname(path).toLowerCase()) ? UNKNOWN : mediaTypeOf(path);
 }

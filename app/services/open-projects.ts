@@ -6,7 +6,7 @@ import { fillEmptyFolder } from './empty-folder.ts';
 import { refusal, writeRefusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
 import { outsideChange } from './outside-change.ts';
-import { isShownByOthers, leaveSign, takeSignAway } from './presence.ts';
+import { isShownByOthers, leaveSign, removeSign } from './presence.ts';
 import { changesBetween, findProject, listAssets, readProjectFiles, revisionOf } from './project-files.ts';
 import { breakLock } from './project-lock.ts';
 import { readConsistentFiles } from './recover-folder.ts';
@@ -15,20 +15,20 @@ import { saveOver } from './save-over.ts';
 import { writeAll } from './transaction.ts';
 import { watchProject } from './watch-project.ts';
 
-/** The projects that the editor has open, by project id. `client` is the window or tab that asks. */
+/** Open projects by project id. `client` is the window or tab that calls. */
 export interface OpenProjects {
   open(path: string, client: string): Promise<OpenProject>;
   save(projectId: string, files: ProjectFiles, revision: string, overwrite: boolean): Promise<{ revision: string; kept: string | null }>;
-  /** Takes away the lock that another process holds on the project, or has left. */
+  /** Removes the lock of another process. */
   breakLock(projectId: string): Promise<void>;
   saveAs(projectId: string, path: string, files: ProjectFiles, client: string): Promise<OpenProject>;
   autosave(projectId: string, files: ProjectFiles | null): Promise<void>;
   close(projectId: string): void;
-  /** The window or tab is gone, and has closed nothing. */
+  /** Closes the projects of a closed window or tab. */
   left(client: string): void;
-  /** The real folder of an open project. Throws SCR073. */
+  /** Real path of an open project. @throws SCR073 */
   rootOf(projectId: string): string;
-  /** Where the preview reads the project's files; ends in `/`. */
+  /** URL of the project’s files for the preview, ending in `/`. */
   baseUrlOf(projectId: string): string;
   dispose(): void;
 }
@@ -38,28 +38,28 @@ export interface OpenProjectsOptions {
   readonly previewOrigin: string;
   readonly files: FileLayer;
   readonly emit: (event: HostEvent) => void;
-  /** Whether the window or tab is still there: a page that was reloaded, or died, never closes what it had open. */
+  /** Whether a client still exists. Reloaded or crashed pages never close their projects. */
   readonly isThere: (client: string) => boolean;
 }
 
-/** Nobody works on this many at once: the oldest are what reloaded pages left open. */
+/** Maximum number of open projects. The oldest ones belong to reloaded pages. */
 const MAX_OPEN = 32;
 
 interface Entry {
   readonly root: string;
   readonly baseUrl: string;
   readonly client: string;
-  /** What the editor knows to be on the disk, and its revision. */
+  /** The files and revision that the window last read or wrote. */
   files: ProjectFiles;
   known: string;
-  /** Shaders that the window has loaded or written: what it may remove. Names below `shaders/`. */
+  /** File names of shaders that the window has loaded or written, and therefore may delete. */
   readonly loaded: Set<string>;
   readonly close: () => void;
 }
 
 export function createOpenProjects({ content, previewOrigin, files, emit, isThere }: OpenProjectsOptions): OpenProjects {
   const entries = new Map<string, Entry>();
-  /** Folder → what is being written there at this moment; changes seen meanwhile are our own. */
+  /** Current writes by folder. Changes that are noticed meanwhile are our own. */
   const writing = new Map<string, Promise<unknown>>();
 
   const entryOf = (projectId: string): Entry => {
@@ -68,8 +68,8 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
     return entry;
   };
 
-  /** One at a time and in order: writes to one folder never overlap, though two tabs may have it open. */
-  const inTurn = <T>({ root }: Entry, task: () => Promise<T>): Promise<T> => {
+  /** Runs tasks on a folder one after another, because two tabs may have it open. */
+  const enqueue = <T>({ root }: Entry, task: () => Promise<T>): Promise<T> => {
     const result = Promise.resolve(writing.get(root)).then(task);
     const done = result
       .catch(() => {})
@@ -87,7 +87,7 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
 
   const openAt = async (root: string, displayPath: string, client: string): Promise<OpenProject> => {
     const projectId = randomBytes(16).toString('hex');
-    // Watched before it is read: what changes in between is noticed.
+    // Watches before reading, so that no change is missed in between.
     const watcher = watchProject(root, files, (revision) => void noticed(projectId, revision));
     const projectFiles = await readConsistentFiles(root, files).catch((error: unknown) => {
       watcher.dispose();
@@ -101,18 +101,18 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
     const release = () => {
       watcher.dispose();
       hide();
-      takeSignAway(root, projectId);
+      removeSign(root, projectId);
     };
     const loaded = new Set(Object.keys(projectFiles.sources));
     entries.set(projectId, { root, baseUrl, client, files: projectFiles, known: revision, loaded, close: release });
     try {
       await leaveSign(root, projectId, files);
-      const recovery = await takeOverUnsaved(root, projectId, projectFiles, isMinded, files);
+      const recovery = await takeOverUnsaved(root, projectId, projectFiles, isOwned, files);
       const assetFiles = await listAssets(root);
       const openElsewhere = isShownBeside(root, client) || (await isShownByOthers(root));
       return { handle: projectId, displayPath, files: projectFiles, revision, assetBaseUrl: baseUrl, assetFiles, recovery, openElsewhere };
     } catch (error) {
-      // Nobody hears of the projectId, so nobody would close it.
+      // The editor never learns this id, so it could not close the project.
       close(projectId);
       throw error;
     }
@@ -126,7 +126,7 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
     if (closed !== undefined) close(closed);
   };
 
-  const isMinded = (projectId: string): boolean => {
+  const isOwned = (projectId: string): boolean => {
     const entry = entries.get(projectId);
     return entry !== undefined && isThere(entry.client);
   };
@@ -134,7 +134,7 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
   const isShownBeside = (root: string, client: string): boolean =>
     [...entries.values()].some((entry) => entry.root === root && entry.client !== client && isThere(entry.client));
 
-  /** Tells of a change once per revision; a save that is under way ends first, so that it is not taken for someone else's. */
+  /** Reports a change once per revision. Waits for a save in progress, so that it is not mistaken for an external change. */
   const noticed = async (projectId: string, revision: string) => {
     const entry = entries.get(projectId);
     if (!entry) return;
@@ -145,7 +145,7 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
     const event = outsideChange(projectId, entry.files, now);
     entry.known = revision;
     entry.files = now;
-    // The window takes these over; of any other change it asks first, or opens the project anew.
+    // The window loads these shaders. Before other changes it asks, or reopens the project.
     if (event.kind === 'shaders-changed-outside') for (const { file } of event.shaders) entry.loaded.add(file);
     emit(event);
   };
@@ -154,7 +154,7 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
     open: async (path, client) => openAt(await findProject(path), path, client),
     save: (projectId, next, revision, overwrite) => {
       const entry = entryOf(projectId);
-      return inTurn(entry, async () => {
+      return enqueue(entry, async () => {
         const { saved, kept } = await saveOver({
           root: entry.root,
           next,
@@ -165,7 +165,7 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
         entry.known = revisionOf(saved);
         entry.files = saved;
         for (const name of Object.keys(next.sources)) entry.loaded.add(name);
-        // It is saved: what could not be forgotten is found to be no news at the next opening.
+        // The project has been saved. Outdated recovery files are detected at the next start.
         await keepUnsaved(entry.root, projectId, null, files).catch(() => {});
         return { revision: entry.known, kept };
       });
@@ -186,7 +186,7 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
     },
     autosave: (projectId, work) => {
       const entry = entryOf(projectId);
-      return inTurn(entry, () =>
+      return enqueue(entry, () =>
         keepUnsaved(entry.root, projectId, work, files).catch((error: unknown) => {
           throw writeRefusal(error, entry.root);
         }),
@@ -194,7 +194,7 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
     },
     close,
     left: (client) => {
-      for (const [projectId, entry] of entries) if (entry.client === client) takeSignAway(entry.root, projectId);
+      for (const [projectId, entry] of entries) if (entry.client === client) removeSign(entry.root, projectId);
     },
     rootOf: (projectId) => entryOf(projectId).root,
     baseUrlOf: (projectId) => entryOf(projectId).baseUrl,

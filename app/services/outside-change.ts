@@ -2,8 +2,8 @@ import type { HostEvent, ProjectFiles } from '../contract/contract.ts';
 import { revisionOf } from './project-files.ts';
 
 /**
- * What to tell a window of a folder that somebody else has written: which shaders, with their texts, where nothing else has
- * changed, so that they are seen at once; else only that it changed.
+ * The event for an external change of a folder: the shaders with their texts if nothing else changed, so that the editor applies them
+ * at once; else only that the project changed.
  */
 export function outsideChange(projectId: string, before: ProjectFiles, now: ProjectFiles): HostEvent {
   const revision = revisionOf(now);

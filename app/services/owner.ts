@@ -5,28 +5,28 @@ import { hostname } from 'node:os';
 import { performance } from 'node:perf_hooks';
 import process from 'node:process';
 
-/** Matches an owner within a file's name: machine, process, when that process began. */
+/** Matches an owner in a file name: machine, process id, start time of the process. */
 export const OWNER_PATTERN = '[0-9a-f]{8}-[0-9]+-[0-9]+';
 
-/** This process, as it signs its files in a project. When it began tells it from another that had the same number. */
+/** Identifies this process in file names. The start time distinguishes it from an earlier process with the same id. */
 export const OWNER = ownerOf(process.pid);
 
-/** Nothing can be asked about a process of another machine: after a day, what it left counts as left. */
+/** Processes of other machines cannot be checked. Their files count as abandoned after a day. */
 const ELSEWHERE_MS = 24 * 3600 * 1000;
 
-/** A process of this machine that runs, as it signs its files. */
+/** Owner string of a running process of this machine. */
 export function ownerOf(pid: number): string {
   return `${machineTag()}-${pid}-${startOf(pid) ?? Math.round(performance.timeOrigin)}`;
 }
 
-/** Whether the process that signed a file has ended. `touchedMs`: when the file was last written. */
+/** Whether the owner of a file has ended. `touchedMs`: modification time of the file. */
 export function isGone(owner: string, touchedMs: number): boolean {
   if (owner === OWNER) return false;
-  // A date in the future says as little as one of long ago.
+  // A date in the future is as unreliable as an old one.
   return isOfThisMachine(owner) ? hasEnded(owner) : Math.abs(Date.now() - touchedMs) > ELSEWHERE_MS;
 }
 
-/** Whether the process that signed is known to have ended: false for every other machine's. */
+/** Whether the owner is known to have ended. False for other machines. */
 export function hasEnded(owner: string): boolean {
   if (owner === OWNER || !isOfThisMachine(owner)) return false;
   const [, pid, start] = owner.split('-');
@@ -41,7 +41,7 @@ function isOfThisMachine(owner: string): boolean {
 
 function isRunning(pid: number): boolean {
   try {
-    // Signal 0 is never sent: the system only says whether it could be.
+    // Signal 0 is not sent; it only checks whether the process exists.
     process.kill(pid, 0);
     return true;
   } catch (error) {
@@ -50,8 +50,8 @@ function isRunning(pid: number): boolean {
 }
 
 /**
- * When a process began, as a number that no other process of that number has; null where the system does not say, as Windows does
- * to nobody who is in a hurry. Not a time of day: that changes under a process when the clock is set.
+ * Start time of a process, in an arbitrary unit; null if the system does not provide it quickly, as on Windows. Not the time of day,
+ * which changes when the clock is set.
  */
 function startOf(pid: number): string | null {
   if (process.platform === 'win32') return null;
@@ -59,11 +59,11 @@ function startOf(pid: number): string | null {
   return said === null ? null : String(createHash('sha256').update(said).digest().readUIntBE(0, 6));
 }
 
-/** proc(5): field 22 of `stat`, counted in ticks since the system began, and which beginning that was. */
+/** proc(5): field 22 of `stat` in clock ticks since boot, combined with the boot id. */
 function startOnLinux(pid: number): string | null {
   try {
     const stat = readFileSync(`/proc/${pid}/stat`, 'utf8');
-    // The name of the program, in brackets, may hold anything.
+    // The program name in parentheses may contain any character.
     const ticks = stat.slice(stat.lastIndexOf(')') + 2).split(' ')[19];
     return `${readFileSync('/proc/sys/kernel/random/boot_id', 'utf8')} ${ticks}`;
   } catch {

@@ -8,20 +8,20 @@ import type { FileLayer } from './file-layer.ts';
 import { makeFolders } from './make-folders.ts';
 import { readText } from './read-file.ts';
 
-/** What is known to be ours: a list of files in a folder's own description. */
+/** Identifies folders that Scrim wrote, by a file in them that lists the others. */
 export interface FolderMark {
   readonly file: string;
   readonly format: string;
-  /** What such a folder is called. */
+  /** Name of such a folder in messages. */
   readonly words: string;
 }
 
 const PAGE_MARK: FolderMark = { file: REPORT_FILE, format: 'scrim-export', words: 'an earlier export' };
 
 /**
- * Writes a page, or what `mark` is about, into the folder `out` in one step: into a new folder beside it, which then takes its place. `out` may be
- * missing, empty, or hold what an earlier export wrote, by its `report.json`, or that of the mark; anything else there is SCR061. When `write`
- * answers null or throws, or the disk does, `out` is as it was. Throws SCR060, SCR061 and SCR062.
+ * Writes a page, or the content that `mark` describes, to the folder `out` in one step: to a new folder beside it that then replaces
+ * it. `out` may be missing, empty, or the result of an earlier export (by its `report.json`, or the file of the mark); otherwise
+ * SCR061. If `write` returns null or throws, or the disk fails, `out` is unchanged. @throws SCR060, SCR061, SCR062
  */
 export async function writePageFolder<T>(
   out: string,
@@ -44,7 +44,7 @@ export async function writePageFolder<T>(
       return null;
     }
     await files.syncFolder(fresh);
-    await takePlace(fresh, target, old, files);
+    await swapInto(fresh, target, old, files);
     return result;
   } catch (error) {
     await discard(fresh, firstMade);
@@ -52,7 +52,7 @@ export async function writePageFolder<T>(
   }
 }
 
-/** Behind a link stands the folder that is meant; a missing one is where it was asked for. */
+/** Resolves links of an existing folder; a missing one stays as given. */
 async function realTarget(out: string): Promise<string> {
   const absolute = resolve(out);
   return realpath(absolute).catch(() => absolute);
@@ -91,7 +91,7 @@ async function listAll(folder: string): Promise<string[]> {
 
 const MAX_REPORT_BYTES = 64 * 2 ** 20;
 
-/** What an earlier export says that it wrote. */
+/** The files that an earlier export lists. */
 async function filesOfReport(target: string, { file, format }: FolderMark): Promise<ReadonlySet<string>> {
   try {
     const report = JSON.parse(await readText(join(target, file), MAX_REPORT_BYTES)) as { format?: unknown; files?: { path: string }[] };
@@ -112,8 +112,8 @@ function createFolderSink(folder: string, files: FileLayer): FileSink {
   };
 }
 
-/** Two renames; when the second fails, the first is taken back. */
-async function takePlace(fresh: string, target: string, old: string, files: FileLayer): Promise<void> {
+/** Renames twice. If the second rename fails, the first is undone. */
+async function swapInto(fresh: string, target: string, old: string, files: FileLayer): Promise<void> {
   const replaces = (await lstat(target).catch(() => null)) !== null;
   if (replaces) await files.rename(target, old);
   try {
@@ -126,7 +126,7 @@ async function takePlace(fresh: string, target: string, old: string, files: File
   if (replaces) await files.remove(old).catch(() => {});
 }
 
-/** What cannot be tidied away must not hide why there was something to tidy. */
+/** Failures to clean up must not hide the original error. */
 async function discard(fresh: string, firstMade: string | undefined): Promise<void> {
   for (const path of [fresh, ...(firstMade === undefined ? [] : [firstMade])]) {
     await rm(path, { recursive: true, force: true }).catch(() => {});

@@ -6,8 +6,8 @@ import { isGone, OWNER, OWNER_PATTERN } from './owner.ts';
 import { ensureScrimFolder, listScrimFolder, SCRIM_FOLDER } from './scrim-folder.ts';
 
 /*
- * A window leaves a sign in the projects that it shows, so that one of another process can tell its person of it. Signs are a
- * courtesy: where none can be written, projects open all the same.
+ * Each window writes a sign file to the projects that it shows, so that other processes can warn about it. If it cannot be written,
+ * the project opens anyway.
  */
 
 const SIGN = new RegExp(`^window-(${OWNER_PATTERN})-[0-9a-f]+$`);
@@ -17,20 +17,20 @@ export async function leaveSign(root: string, projectId: string, files: FileLaye
     await ensureScrimFolder(root, files);
     await files.writeNew(signOf(root, projectId), new Uint8Array());
   } catch {
-    // Read-only, full, or gone.
+    // The folder is read-only, full or missing.
   }
 }
 
-/** At once, because a process that ends waits for nothing. */
-export function takeSignAway(root: string, projectId: string): void {
+/** Deletes the sign synchronously, because a process that exits does not wait. */
+export function removeSign(root: string, projectId: string): void {
   try {
     rmSync(signOf(root, projectId), { force: true });
   } catch {
-    // It is swept up when its process is gone.
+    // The sign is removed when its process has ended.
   }
 }
 
-/** Whether another process that is alive shows the project. */
+/** Whether another running process shows the project. */
 export async function isShownByOthers(root: string): Promise<boolean> {
   for (const name of await listScrimFolder(root)) {
     const owner = SIGN.exec(name)?.[1];

@@ -10,21 +10,21 @@ import { readText } from './read-file.ts';
 export const PROJECT_FILE = 'project.scrim.json';
 export const LAYOUT_FILE = 'project.layout.json';
 export const SHADERS_FOLDER = 'shaders';
-/** Pieces that techniques include. */
+/** Folder of chunks, which techniques include. */
 export const CHUNKS_FOLDER = `${SHADERS_FOLDER}/chunks`;
 export const ASSETS_FOLDER = 'assets';
 
-/** What the contract lets cross. */
+/** Limit of the contract. */
 export const MAX_DOCUMENT_BYTES = 64 * 2 ** 20;
 export const MAX_SHADER_BYTES = 4 * 2 ** 20;
 
-/** Of all shaders together. They cross as one message and are held in memory, several times over. */
+/** Limit for all shaders together. They are sent as one message and held in memory several times. */
 const MAX_SHADERS_BYTES = 64 * 2 ** 20;
 
-/** What the contract lets cross as a project path: also what ends the walk through folders that nest without end. */
+/** Limit of the contract for project paths. It also ends the walk through endlessly nested folders. */
 const MAX_PATH_LENGTH = 512;
 
-/** The folder that `path` means, which may name the folder or the project file in it. Throws SCR004. */
+/** Finds a project folder by its path or that of its project file. @throws SCR004 */
 export async function findProject(path: string): Promise<string> {
   const absolute = resolve(path);
   const found = await lstat(absolute).catch((error: unknown) => {
@@ -36,7 +36,7 @@ export async function findProject(path: string): Promise<string> {
   throw refusal('SCR004', `${path} is not a Scrim project: it has no ${PROJECT_FILE}.`, 'Choose the folder that holds it.');
 }
 
-/** Texts as they stand. Throws SCR004 and SCR005. */
+/** Reads the files of a project. @throws SCR004, SCR005 */
 export async function readProjectFiles(root: string): Promise<ProjectFiles> {
   const project = await readProjectText(root, PROJECT_FILE, MAX_DOCUMENT_BYTES);
   if (project === null) throw refusal('SCR004', `${PROJECT_FILE} is missing from ${root}.`);
@@ -44,7 +44,7 @@ export async function readProjectFiles(root: string): Promise<ProjectFiles> {
   return { project, layout: await readProjectText(root, LAYOUT_FILE, MAX_DOCUMENT_BYTES), sources };
 }
 
-/** Few enough that their sum is known before memory runs out, enough to keep the disk busy. */
+/** Number of shaders read at once: few enough to check their sum before memory runs out, enough to use the disk well. */
 const SHADERS_AT_ONCE = 16;
 
 async function readShaders(root: string): Promise<Record<string, string>> {
@@ -70,7 +70,7 @@ async function readShaders(root: string): Promise<Record<string, string>> {
   return sources;
 }
 
-/** Equal exactly when all texts are equal. */
+/** Hash of all texts. */
 export function revisionOf({ project, layout, sources }: ProjectFiles): string {
   const shaders = Object.entries(sources).sort(([a], [b]) => (a < b ? -1 : 1));
   return createHash('sha256')
@@ -78,7 +78,7 @@ export function revisionOf({ project, layout, sources }: ProjectFiles): string {
     .digest('hex');
 }
 
-/** What has to be written, project path → bytes, or null to remove it, so that the folder holds `next` where it held `current`. */
+/** The files to write (bytes) or delete (null), by project path, to change a folder from `current` to `next`. */
 export function changesBetween(current: ProjectFiles | null, next: ProjectFiles): Map<string, Uint8Array | null> {
   const before = current ? texts(current) : new Map<string, string>();
   const after = texts(next);
@@ -98,11 +98,11 @@ function texts({ project, layout, sources }: ProjectFiles): Map<string, string> 
   return all;
 }
 
-/** Files below `assets/`, sorted; links, hidden files, and names that `resolveInside` refuses are left out. */
+/** Files in `assets/`, sorted. Omits links, hidden files, and names that `resolveInside` rejects. */
 export async function listAssets(root: string): Promise<OpenProject['assetFiles']> {
   const found: OpenProject['assetFiles'] = [];
   const walk = async (folder: string) => {
-    // What cannot be read, or goes while the others are read, is missing: whatever names it is told so.
+    // Folders that cannot be read, or disappear meanwhile, count as missing. Nodes that use their files report it.
     for (const entry of await readdir(await resolveInside(root, folder), { withFileTypes: true }).catch(() => [])) {
       if (entry.name.startsWith('.') || !isPlainName(entry.name)) continue;
       const path = `${folder}/${entry.name}`;
@@ -114,20 +114,20 @@ export async function listAssets(root: string): Promise<OpenProject['assetFiles'
       }
     }
   };
-  // A folder that is missing, or a link, has no assets; the project opens, and whatever names them is told so.
+  // A missing folder or a link has no assets. The project opens, and nodes that use them report it.
   if (await isRealFolder(join(root, ASSETS_FOLDER))) await walk(ASSETS_FOLDER);
   return found.sort((a, b) => (a.path < b.path ? -1 : 1));
 }
 
-/** `shaders/chunks` and the folders in it, without links; empty where there is none. */
+/** `shaders/chunks` and its subfolders, without links. */
 export async function listChunkFolders(root: string): Promise<string[]> {
   const folders: string[] = [];
   if (await isRealFolder(join(root, CHUNKS_FOLDER))) folders.push(CHUNKS_FOLDER);
-  // The list grows while it is walked.
+  // The loop also visits elements that are appended during it.
   for (const folder of folders) {
     const entries = await readdir(await resolveInside(root, folder), { withFileTypes: true }).catch(() => []);
     const inside = entries.filter((entry) => entry.isDirectory()).map(({ name }) => `${folder}/${name}`);
-    // What can hold no chunk is passed over: with it, folders that nest without end.
+    // Skips folders that cannot contain chunks, such as endlessly nested ones.
     folders.push(...inside.filter((path) => isChunkFile(`${path.slice(SHADERS_FOLDER.length + 1)}/a.glsl`)));
   }
   return folders;
@@ -150,7 +150,7 @@ async function listNames(root: string, folder: string): Promise<string[]> {
   }
 }
 
-/** Null where there is no such file. */
+/** Null if the file does not exist. */
 async function readProjectText(root: string, path: string, maxBytes: number): Promise<string | null> {
   const absolute = await resolveInside(root, path);
   return readText(absolute, maxBytes).catch((error: unknown) => {

@@ -10,28 +10,28 @@ import { readText } from './read-file.ts';
 import { ensureScrimFolder, SCRIM_FOLDER, temporaryIn } from './scrim-folder.ts';
 
 /**
- * The process that creates this file may write the project. The file holds the owner's signature and a random number, because one
- * process may lock many times.
+ * The process that creates this file may write the project. It contains the owner and a random number, because a process may lock
+ * repeatedly.
  */
 export const LOCK_NAME = 'lock';
 
 const POLL_MS = 20;
-/** A save takes milliseconds; a disk that has to wake up takes seconds. */
+/** A save waits this long for a lock. Saves take milliseconds; a disk that wakes up takes seconds. */
 const SAVE_PATIENCE_MS = 15_000;
-/** A project is opened all the same. */
+/** Opening waits this long, and then continues without the lock. */
 export const OPEN_PATIENCE_MS = 3_000;
 
-/** How often the holder says that it is still there. */
+/** Interval at which the holder touches the lock. */
 const TOUCH_MS = 5_000;
-/** A lock that was not touched for this long is abandoned: its machine went to sleep, or its process cannot be checked from here. */
+/** A lock that was not touched for this time is abandoned: its machine sleeps, or its process cannot be checked. */
 const LEFT_MS = 60_000;
 
-/** More than any signature; what is longer is none. */
+/** Longer than any signature. Longer files are not locks. */
 const MAX_SIGNATURE_BYTES = 1024;
 
-/** A lock that is held, for as long as the task runs. */
+/** A lock that is held while the task runs. */
 export interface HeldLock {
-  /** Rejects with SCR066 where somebody has broken it: then nothing more may be written. */
+  /** Rejects with SCR066 if the lock was broken. Nothing more may be written then. */
   stillMine(): Promise<void>;
 }
 
@@ -39,7 +39,7 @@ export interface LockOptions {
   readonly patienceMs?: number;
 }
 
-/** Runs `task` while no other process writes the project. Breaks an abandoned lock. Throws SCR060, SCR066 and SCR067. */
+/** Runs `task` while holding the lock. Breaks an abandoned lock. @throws SCR060, SCR066, SCR067 */
 export async function withLock<T>(
   root: string,
   files: FileLayer,
@@ -64,13 +64,13 @@ export async function withLock<T>(
   }
 }
 
-/** Whether somebody writes the project at this moment, as far as can be told. */
+/** Whether another process is writing the project. */
 export async function isLocked(root: string, files: FileLayer): Promise<boolean> {
   const held = await readLock(root);
   return held !== null && !(await isLeft(root, held, files));
 }
 
-/** Removes the lock of any holder, at a person's request. The holder notices before it writes. */
+/** Removes any lock, at the user’s request. The holder notices it before it writes. */
 export async function breakLock(root: string, files: FileLayer): Promise<void> {
   await files.remove(lockOf(root));
 }
@@ -92,7 +92,9 @@ function locked(): HostError {
   );
 }
 
-/** By a link, so that the lock is never seen without its owner; FAT has no links. */
+/**
+ * Creates the lock by a hard link, so that it never exists without its owner. Falls back to a plain file on FAT, which has no links.
+ */
 async function tryToTake(root: string, files: FileLayer, signature: string): Promise<boolean> {
   const bytes = new TextEncoder().encode(signature);
   const temporary = temporaryIn(root);
@@ -111,7 +113,9 @@ async function tryToTake(root: string, files: FileLayer, signature: string): Pro
   }
 }
 
-/** Writes the signature again, so that the disk's own clock dates the lock, as it dates the probe of `isLeft`. Leaves others' locks alone. */
+/**
+ * Rewrites the signature, so that the clock of the disk dates the lock, as it dates the probe of `isLeft`. Leaves other locks alone.
+ */
 async function touch(root: string, signature: string): Promise<void> {
   const file = await open(lockOf(root), constants.O_RDWR | (constants.O_NOFOLLOW ?? 0) | (constants.O_NONBLOCK ?? 0));
   try {
@@ -135,22 +139,22 @@ async function breakIfLeft(root: string, files: FileLayer): Promise<boolean> {
     if (errorCode(error) === 'ENOENT') return true;
     throw error;
   }
-  // Somebody else may have broken it, and locked, between the look and the rename: then it is theirs, and goes back.
+  // Another process may have broken and taken the lock before the rename. Then its lock is restored.
   if ((await readLock(root, aside))?.text !== held.text) await files.link(aside, lockOf(root)).catch(() => {});
   await files.remove(aside);
   return true;
 }
 
 interface SeenLock {
-  /** Null for what is no lock of ours: a pipe, a link, a folder, a text of any length. */
+  /** Null if the file is not a lock: a pipe, a link, a folder, or too long. */
   readonly text: string | null;
   readonly touchedMs: number;
 }
 
 /**
- * What is no lock was put there by no save. Else: the process is known to have ended, or its last touch is long ago by the clock
- * of the disk, which a file tells that is written now; a date that lies ahead is as good as none. Where no file can be written,
- * nobody's save is under way that this one could meet.
+ * Whether a lock is abandoned: its process has ended, or its last touch is too old by the clock of the disk, which a probe file
+ * shows. Dates in the future count as old. Files that are not locks are abandoned. If no probe can be written, no save can be in
+ * progress.
  */
 async function isLeft(root: string, { text, touchedMs }: SeenLock, files: FileLayer): Promise<boolean> {
   if (text === null || hasEnded(text.split(' ')[0] ?? '')) return true;
@@ -165,7 +169,7 @@ async function isLeft(root: string, { text, touchedMs }: SeenLock, files: FileLa
   }
 }
 
-/** Null where there is none. */
+/** Null if there is no lock. */
 async function readLock(root: string, path = lockOf(root)): Promise<SeenLock | null> {
   const found = await lstat(path).catch(() => null);
   if (found === null) return null;

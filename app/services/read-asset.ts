@@ -5,9 +5,7 @@ import { errorCode, readRefusal, refusal } from './file-errors.ts';
 import { ASSETS_FOLDER } from './project-files.ts';
 import { NotAFileError, readBytes, TooLargeError } from './read-file.ts';
 
-/**
- * The bytes of a file that a program uses. Rejects with an `Error` in plain words, which name no folder of this machine.
- */
+/** Reads a file that a program uses. Rejects with an `Error` whose text contains no path of this machine. */
 export async function readAssetFile(root: string, path: string): Promise<Uint8Array<ArrayBuffer>> {
   try {
     return await readBytes(await resolveInside(root, path), MAX_ASSET_BYTES);
@@ -19,7 +17,7 @@ export async function readAssetFile(root: string, path: string): Promise<Uint8Ar
   }
 }
 
-/** The bytes of a file below `assets/`. Throws SCR031 for anything else and SCR005 for what is too large to be copied as text. */
+/** Reads a file in `assets/`. @throws SCR031 for other paths, SCR005 if it is too large to copy as text */
 export async function readAsset(root: string, path: string): Promise<Uint8Array> {
   if (!path.startsWith(`${ASSETS_FOLDER}/`)) throw refusal('SCR031', `${path} is not an asset of the project.`);
   const file = await resolveInside(root, path);

@@ -2,14 +2,14 @@ import { constants, type Stats } from 'node:fs';
 import { type FileHandle, lstat, open } from 'node:fs/promises';
 
 /*
- * All files of a project are opened here. A project may come from a stranger: opening a named pipe blocks one of the few threads
- * for file access forever, and opening a device can do anything.
+ * All files of a project are opened here. Projects may come from strangers: opening a named pipe blocks a thread of the file system
+ * pool forever, and opening a device can have any effect.
  */
 
-/** The path names something other than a regular file. `code` is read as the system's own codes are. */
+/** The path is not a regular file. `code` has the form of system error codes. */
 export class NotAFileError extends Error {
   readonly code = 'ENOTFILE';
-  /** With its article: “a named pipe”. */
+  /** Kind of the file, with its article: “a named pipe”. */
   readonly what: string;
   constructor(path: string, what: string) {
     super(`${path} is ${what}, not a file.`);
@@ -29,18 +29,18 @@ export class TooLargeError extends Error {
   }
 }
 
-/** Windows has neither: there, pipes and devices have no names in folders. */
+/** Windows has neither flag, and no pipes or devices in folders. */
 const FLAGS = constants.O_RDONLY | (constants.O_NOFOLLOW ?? 0) | (constants.O_NONBLOCK ?? 0);
 
 /**
- * Opens a plain file for reading; the caller closes it. Rejects with `NotAFileError` for links, pipes, devices, sockets and
- * folders, without opening them, and with the system's error.
+ * Opens a regular file for reading. The caller closes it. Rejects with `NotAFileError` for links, pipes, devices, sockets and
+ * folders, without opening them, and with system errors.
  */
 export async function openFile(path: string): Promise<FileHandle> {
   refuseOthers(path, await lstat(path));
   const file = await open(path, FLAGS);
   try {
-    // It may have been replaced in between: then it is open, and nobody waits for it.
+    // The file may have been replaced in between; `O_NONBLOCK` keeps the open from blocking.
     refuseOthers(path, await file.stat());
     return file;
   } catch (error) {
@@ -49,12 +49,12 @@ export async function openFile(path: string): Promise<FileHandle> {
   }
 }
 
-/** The bytes of a plain file. Rejects as `openFile` does, and with `TooLargeError` before a byte is read. */
+/** Reads a regular file. Rejects like `openFile`, and with `TooLargeError` before reading. */
 export function readBytes(path: string, maxBytes: number): Promise<Uint8Array<ArrayBuffer>> {
   return readOpened(path, maxBytes, async (file) => new Uint8Array(await file.readFile()));
 }
 
-/** The text of a plain file. Rejects as `readBytes` does. */
+/** Reads the text of a regular file. Rejects like `readBytes`. */
 export function readText(path: string, maxBytes: number): Promise<string> {
   return readOpened(path, maxBytes, (file) => file.readFile('utf8'));
 }

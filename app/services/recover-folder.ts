@@ -33,21 +33,21 @@ export async function recoverFolder(root: string, files: FileLayer): Promise<boo
       { patienceMs: OPEN_PATIENCE_MS },
     );
   } catch (error) {
-    // Reading needs no lock, so the project opens. A save reports the lock.
+    // Reading needs no lock, so the project opens. The next save reports the lock.
     if (error instanceof HostError && error.diagnostic.code === 'SCR066') return false;
-    // Rubbish that cannot be swept up is no reason to refuse a project that is whole.
+    // Failures to clean up do not prevent opening a valid project.
     if (!names.includes(JOURNAL_NAME) && errorCode(error) !== undefined) return true;
     throw writeRefusal(error, root);
   }
   return true;
 }
 
-/** More than any two saves in a row leave room between; a folder that never rests is read as it comes. */
+/** Maximum number of attempts. A folder that changes continuously is then used as read. */
 const MAX_READS = 50;
 
 /**
- * Reads the texts of a project, all of one version, also while another process saves. Reading takes no lock, because a folder may be
- * read-only: a read counts when no save was under way after it, and a second one finds the same.
+ * Reads all texts of a project in the same version, also while another process saves. Reading takes no lock, because the folder may
+ * be read-only. A read is valid if no save was in progress after it and a second read is equal.
  */
 export async function readConsistentFiles(root: string, files: FileLayer): Promise<ProjectFiles> {
   for (let reads = 1; ; reads++) {
@@ -59,7 +59,7 @@ export async function readConsistentFiles(root: string, files: FileLayer): Promi
   }
 }
 
-/** Only the holder of the lock has a staging folder. The next holder may remove any that it finds. */
+/** Staging folders of earlier saves. Only the holder of the lock has one, so the next holder may delete all others. */
 async function leftBehind(root: string, names: readonly string[]): Promise<readonly string[]> {
   const left: string[] = [];
   for (const name of names) {

@@ -8,13 +8,13 @@ import { revisionOf } from './project-files.ts';
 import { readText } from './read-file.ts';
 import { ensureScrimFolder, listScrimFolder, SCRIM_FOLDER, temporaryIn } from './scrim-folder.ts';
 
-/** Each window keeps its own, so that two on one project never take each other's away. */
+/** Matches recovery files. Each window has its own, so that two windows of one project do not overwrite each other’s. */
 const UNSAVED = new RegExp(`^unsaved-(${OWNER_PATTERN})-([0-9a-f]+)\\.json$`);
 
-/** What a message can hold at most. */
+/** Limit of a message. */
 const MAX_UNSAVED_BYTES = 512 * 2 ** 20;
 
-/** Keeps unsaved work beside the project, where it survives a crash; null forgets it. */
+/** Stores unsaved changes beside the project; null deletes them. */
 export async function keepUnsaved(root: string, projectId: string, work: ProjectFiles | null, files: FileLayer): Promise<void> {
   const target = await resolveInside(root, pathOf(projectId));
   if (work === null) {
@@ -33,17 +33,18 @@ export async function keepUnsaved(root: string, projectId: string, work: Project
 }
 
 /**
- * The newest unsaved work that no living window minds and that differs from what is saved, or null. It is taken over: from now
- * on it is what the window `projectId` has unsaved. `isMinded` tells of windows of this process. Older work stays for the next time.
+ * Takes over the newest unsaved changes that no running window owns and that differ from the saved files; null if there are none.
+ * They belong to the window `projectId` from then on. `isOwned` tells whether a window of this process owns a file. Older ones are
+ * offered next time.
  */
 export async function takeOverUnsaved(
   root: string,
   projectId: string,
   saved: ProjectFiles,
-  isMinded: (projectId: string) => boolean,
+  isOwned: (projectId: string) => boolean,
   files: FileLayer,
 ): Promise<ProjectFiles | null> {
-  for (const name of await abandoned(root, isMinded)) {
+  for (const name of await abandoned(root, isOwned)) {
     const path = join(root, SCRIM_FOLDER, name);
     const work = parse(await readText(await resolveInside(root, `${SCRIM_FOLDER}/${name}`), MAX_UNSAVED_BYTES).catch(() => ''));
     if (work === null) continue;
@@ -57,15 +58,15 @@ export async function takeOverUnsaved(
   return null;
 }
 
-/** Names of files that no living window minds, newest first. */
-async function abandoned(root: string, isMinded: (projectId: string) => boolean): Promise<readonly string[]> {
+/** File names of unsaved changes that no running window owns, newest first. */
+async function abandoned(root: string, isOwned: (projectId: string) => boolean): Promise<readonly string[]> {
   const found: { readonly name: string; readonly touchedMs: number }[] = [];
   for (const name of await listScrimFolder(root)) {
     const [, owner, projectId] = UNSAVED.exec(name) ?? [];
     if (owner === undefined || projectId === undefined) continue;
     const entry = await lstat(join(root, SCRIM_FOLDER, name)).catch(() => null);
     if (!entry?.isFile()) continue;
-    const minded = owner === OWNER ? isMinded(projectId) : !isGone(owner, entry.mtimeMs);
+    const minded = owner === OWNER ? isOwned(projectId) : !isGone(owner, entry.mtimeMs);
     if (!minded) found.push({ name, touchedMs: entry.mtimeMs });
   }
   return found.sort((a, b) => b.touchedMs - a.touchedMs).map(({ name }) => name);
@@ -75,7 +76,7 @@ function pathOf(projectId: string): string {
   return `${SCRIM_FOLDER}/unsaved-${OWNER}-${projectId}.json`;
 }
 
-/** The file is written whole or not at all, but people's tools may have touched it. */
+/** Parses a recovery file. Files are written atomically, but other programs may have changed them. */
 function parse(text: string): ProjectFiles | null {
   try {
     const work = JSON.parse(text) as ProjectFiles;

@@ -1,4 +1,4 @@
-/** An emulated room; `capture` is its file in `@iwer/sem/captures`, null where `export/emulator` makes the room itself. */
+/** An emulated room. `capture` is its file in `@iwer/sem/captures`; null for the emulator’s built-in room. */
 export interface EmulatedRoom {
   readonly name: string;
   readonly title: string;

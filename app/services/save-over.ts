@@ -13,23 +13,23 @@ import { type Changes, finishInterrupted, keepOld, writeAll } from './transactio
 export interface SaveJob {
   readonly root: string;
   readonly next: ProjectFiles;
-  /** Shaders that the window has loaded. A save removes no other ones. */
+  /** Shaders that the window has loaded. A save deletes no others. */
   readonly loaded: ReadonlySet<string>;
-  /** What the folder has to hold; null writes over whatever is there, and keeps that. */
+  /** The expected revision of the folder. Null overwrites any version and keeps a copy of it. */
   readonly revision: string | null;
   readonly files: FileLayer;
 }
 
 export interface SaveOutcome {
-  /** What the folder holds now: what was saved, and what others have added. */
+  /** The files of the folder after the save, including those that others added. */
   readonly saved: ProjectFiles;
-  /** Project path of the folder with what was written over; null where nothing was. */
+  /** Project path of the folder with the replaced files; null if nothing was replaced. */
   readonly kept: string | null;
 }
 
 /**
- * Writes a project's texts. The look and the write are one step for every other window and process. Throws SCR004, SCR060, SCR062,
- * SCR063, SCR066 and SCR067.
+ * Saves the texts of a project. Holds the lock, so that no other process can write between check and write. @throws SCR004, SCR060,
+ * SCR062, SCR063, SCR066, SCR067
  */
 export async function saveOver({ root, next, loaded, revision, files }: SaveJob): Promise<SaveOutcome> {
   try {
@@ -58,7 +58,7 @@ export async function saveOver({ root, next, loaded, revision, files }: SaveJob)
   }
 }
 
-/** Null where there is no project file, or where what is there is to be written over and cannot be read. */
+/** Reads the current files. Null if there is no project, or if it cannot be read and will be overwritten. */
 async function readCurrent(root: string, mustRead: boolean): Promise<ProjectFiles | null> {
   try {
     return await readProjectFiles(root);
@@ -80,7 +80,7 @@ function changedOutside(): HostError {
   );
 }
 
-/** Gives what is about to be replaced or removed a second name in a folder of its own; null where nothing is. */
+/** Links files that will be replaced or deleted into a folder of their own. Null if there are none. */
 async function keepReplaced(root: string, folder: string, changes: Changes, files: FileLayer): Promise<string | null> {
   let count = 0;
   for (const path of changes.keys()) {

@@ -6,10 +6,13 @@ import { errorCode, refusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
 import { OWNER } from './owner.ts';
 
-/** Scrim's own folder in a project: saves in progress and unsaved work. It keeps itself out of version control. */
+/** Folder of Scrim in a project: saves in progress and recovery files. Contains its own ignore file for version control. */
 export const SCRIM_FOLDER = '.scrim';
 
-/** Throws SCR067 where the project's own folder is gone. It is not created again: it may have been moved, or be on a removed drive. */
+/**
+ * Creates the folder if it is missing. @throws SCR067 if the project folder is missing; it is not created, because it may have been
+ * moved or its drive removed
+ */
 export async function ensureScrimFolder(root: string, files: FileLayer): Promise<void> {
   await requireFolder(root);
   await files.makeFolder(await resolveInside(root, SCRIM_FOLDER));
@@ -20,7 +23,7 @@ export async function ensureScrimFolder(root: string, files: FileLayer): Promise
   }
 }
 
-/** Throws SCR067. */
+/** @throws SCR067 if the folder is missing */
 export async function requireFolder(root: string): Promise<void> {
   const found = await lstat(root).catch((error: unknown) => {
     if (errorCode(error) === 'ENOENT' || errorCode(error) === 'ENOTDIR') return null;
@@ -34,12 +37,12 @@ export async function requireFolder(root: string): Promise<void> {
   );
 }
 
-/** What is in Scrim's folder; nothing where there is none. Throws SCR031 where that is a link. */
+/** Names in the folder; empty if it is missing. @throws SCR031 if it is a link */
 export async function listScrimFolder(root: string): Promise<readonly string[]> {
   return readdir(await resolveInside(root, SCRIM_FOLDER)).catch(() => []);
 }
 
-/** A path in Scrim's folder that nobody has, signed, so that it is swept up if the process dies. */
+/** A unique path in the folder. It contains the owner, so that it can be removed after a crash. */
 export function temporaryIn(root: string): string {
   return join(root, SCRIM_FOLDER, `temp-${OWNER}-${randomBytes(6).toString('hex')}`);
 }

@@ -3,18 +3,21 @@ import { join } from 'node:path';
 import { resolveInside } from './confine.ts';
 import { readText } from './read-file.ts';
 
-/** Sessions that are recorded have some hundred kilobytes of poses for each minute. */
+/** Limit of `session.json`. Recordings have some hundred kilobytes of poses per minute. */
 export const MAX_SESSION_BYTES = 64 * 2 ** 20;
 
 /** A recorded session: a folder with `session.json`. */
 export interface RecordedSession {
-  /** The folder's name. */
+  /** Name of the folder. */
   readonly name: string;
   readonly title: string;
   readonly folder: string;
 }
 
-/** The recorded sessions in the folders of `parent`, by name. A missing `parent` has none; broken ones are listed too, so that playing them says what is wrong. */
+/**
+ * The recorded sessions in the folders of `parent`, by name. Empty if `parent` is missing. Includes invalid ones, which report their
+ * problem when played.
+ */
 export async function findSessions(parent: string): Promise<RecordedSession[]> {
   const entries = await readdir(parent, { withFileTypes: true }).catch(() => []);
   const names = entries.filter((entry) => entry.isDirectory() && !entry.name.startsWith('.')).map((entry) => entry.name);

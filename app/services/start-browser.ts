@@ -12,12 +12,12 @@ export const NO_BROWSER: Diagnostic = {
   fix: 'Install Chromium or Chrome, or set SCRIM_CHROMIUM to the path of a browser.',
 };
 
-/** Chromium has been seen to end while it started, for a reason that is not known: it is started once more. */
+/** Number of attempts. Chromium sometimes exits while it starts, for an unknown reason. */
 const STARTS = 2;
 
-/** A headless browser. `more`: switches of Chromium beside those that it needs. Throws SCR071 where it does not start. */
+/** Starts a headless browser. @param more Additional switches. @throws SCR071 if it does not start */
 export async function startBrowser(found: Chromium, more: readonly string[] = []): Promise<Browser> {
-  // Loaded here, because whatever needs no browser starts faster without it.
+  // Imported here, so that other commands start faster.
   const { chromium } = await import('playwright-core');
   for (let start = 1; ; start++) {
     try {

@@ -10,18 +10,18 @@ import type { FileLayer } from './file-layer.ts';
 import { changesBetween, readProjectFiles } from './project-files.ts';
 import { writeAll } from './transaction.ts';
 
-/** A project to begin with: a folder in `examples/templates`. */
+/** A template: a folder in `examples/templates`. */
 export interface Template {
-  /** The folder's name. */
+  /** Name of the folder. */
   readonly name: string;
   readonly title: string;
   readonly description: string;
 }
 
-/** The one that is meant where none is named. */
+/** The default template. */
 export const DEFAULT_TEMPLATE = 'empty';
 
-/** The templates that come with Scrim, the default one first. */
+/** The templates of Scrim; the default is first. */
 export async function findTemplates(templatesDir: string): Promise<Template[]> {
   const entries = await readdir(templatesDir, { withFileTypes: true }).catch(() => []);
   const names = entries.filter((entry) => entry.isDirectory()).map((entry) => entry.name);
@@ -38,12 +38,12 @@ export async function findTemplates(templatesDir: string): Promise<Template[]> {
 export interface NewProjectJob {
   readonly templatesDir: string;
   readonly template: string;
-  /** A new or an empty folder; its name becomes the title. */
+  /** A new or empty folder. Its name becomes the title. */
   readonly path: string;
   readonly files: FileLayer;
 }
 
-/** Makes a project folder from a template, and answers with where it really lies. Throws SCR060, SCR061, SCR062 and SCR073. */
+/** Creates a project from a template. Returns its real path. @throws SCR060, SCR061, SCR062, SCR073 */
 export async function createProject({ templatesDir, template, path, files }: NewProjectJob): Promise<string> {
   const known = await findTemplates(templatesDir);
   if (!known.some(({ name }) => name === template)) {
@@ -62,7 +62,7 @@ async function readTemplate(templatesDir: string, name: string): Promise<Project
   return output;
 }
 
-/** `my-first_effect` → `My first effect`. */
+/** Makes a title from a folder name: `my-first_effect` → `My first effect`. */
 function titleFor(path: string): string {
   const words = basename(resolve(path))
     .split(/[-_\s]+/)

@@ -8,10 +8,10 @@ import type { FileLayer } from './file-layer.ts';
 import { readBytes, readText } from './read-file.ts';
 import { ensureScrimFolder, SCRIM_FOLDER } from './scrim-folder.ts';
 
-/** Project path → its new bytes, or null to remove it. */
+/** New bytes by project path; null deletes the file. */
 export type Changes = ReadonlyMap<string, Uint8Array | null>;
 
-/** What a save was about to do, or to take back. Every step of it may be done twice. */
+/** Journal of a save, forward or backward. Each step is idempotent. */
 interface Journal {
   readonly direction: 'forward' | 'back';
   readonly staging: string;
@@ -21,24 +21,24 @@ interface Journal {
 interface Change {
   readonly path: string;
   readonly action: 'write' | 'remove';
-  /** Whether there was a file before. */
+  /** Whether the file existed before. */
   readonly had: boolean;
 }
 
 export const JOURNAL_NAME = 'save.json';
 const JOURNAL = `${SCRIM_FOLDER}/${JOURNAL_NAME}`;
 
-/** It names some hundred files. */
+/** Limit of the journal, which names some hundred files. */
 const MAX_JOURNAL_BYTES = 16 * 2 ** 20;
 
 /**
- * Writes several files of a project as one: all of them or none, whether an operation fails or the process dies. The caller
- * holds the project's lock, or has just made its folder. `stillMine` rejects where that lock has been broken: nothing is written then.
+ * Writes several files of a project atomically: all or none, even if an operation fails or the process dies. The caller holds the
+ * lock of the project or has just created its folder. `stillMine` rejects if the lock has been broken; nothing is written then.
  *
- * 1. New bytes go to a staging folder inside `.scrim` and onto the disk; the old files get a second name there.
- * 2. The journal is renamed into place. Before that moment nothing has happened; after it the save will be finished, by
- *    `finishInterrupted` at the next opening if need be.
- * 3. Each new file is renamed over the old one. An error here turns the journal round, and puts the old ones back.
+ * 1. New files are written to a staging folder in `.scrim` and flushed to the disk. Old files are linked there.
+ * 2. The journal is renamed into place. From then on the save will be completed, if necessary by `finishInterrupted` when the project
+ * is next opened.
+ * 3. Each new file is renamed over the old one. After an error the journal is reversed and the old files are restored.
  */
 export async function writeAll(root: string, changes: Changes, files: FileLayer, stillMine = async () => {}): Promise<void> {
   if (changes.size === 0) return;
@@ -55,28 +55,28 @@ export async function writeAll(root: string, changes: Changes, files: FileLayer,
     await finish(root, journal, files);
   } catch (error) {
     if (journal) {
-      await takeBack(root, journal, files);
-      await forget(root, staging, files);
+      await rollBack(root, journal, files);
+      await cleanUp(root, staging, files);
     }
-    // A journal that is there now is somebody else's.
+    // An existing journal belongs to another process.
     else await files.remove(join(root, staging));
     throw error;
   }
-  // All is written: what cannot be tidied away now is no failed save.
-  await forget(root, staging, files).catch(() => {});
+  // All files are written. Failures to clean up are not failures of the save.
+  await cleanUp(root, staging, files).catch(() => {});
 }
 
-/** Where even this fails, the journal stays and the next opening goes on. */
-async function takeBack(root: string, journal: Journal, files: FileLayer): Promise<void> {
+/** Restores the old files. If that fails, the journal stays and the next opening continues. */
+async function rollBack(root: string, journal: Journal, files: FileLayer): Promise<void> {
   const back: Journal = { ...journal, direction: 'back' };
   await placeJournal(root, await draftJournal(root, back, files), files);
   await finish(root, back, files);
 }
 
-/** Ends a save that the process did not live to end. The caller holds the project's lock. */
+/** Completes a save whose process died. The caller holds the lock of the project. */
 export async function finishInterrupted(root: string, files: FileLayer): Promise<void> {
   const text = await readText(await resolveInside(root, JOURNAL), MAX_JOURNAL_BYTES).catch((error: unknown) =>
-    // What is no file was put there by no save: it is taken away like a journal that says nothing.
+    // Anything but a file is not from a save. It is removed like an empty journal.
     errorCode(error) === 'ENOENT' ? null : '',
   );
   if (text === null) return;
@@ -86,7 +86,7 @@ export async function finishInterrupted(root: string, files: FileLayer): Promise
     for (const { path } of journal.changes) await resolveInside(root, path);
     await finish(root, journal, files);
   }
-  await forget(root, journal?.staging ?? null, files);
+  await cleanUp(root, journal?.staging ?? null, files);
 }
 
 async function stage(root: string, staging: string, changes: Changes, files: FileLayer): Promise<Change[]> {
@@ -106,7 +106,7 @@ async function stage(root: string, staging: string, changes: Changes, files: Fil
   return staged;
 }
 
-/** A second name where the file system has links (FAT has none), else a copy. */
+/** Keeps the old file by a hard link, or by a copy on file systems without links (FAT). */
 export async function keepOld(target: string, kept: string, files: FileLayer): Promise<void> {
   try {
     await files.link(target, kept);
@@ -117,7 +117,7 @@ export async function keepOld(target: string, kept: string, files: FileLayer): P
 
 let journalCount = 0;
 
-/** Answers with where it lies until it is in force. */
+/** Writes the journal to a temporary file. Returns its path. */
 async function draftJournal(root: string, journal: Journal, files: FileLayer): Promise<string> {
   const draft = join(root, journal.staging, `journal-${journalCount++}`);
   await files.writeNew(draft, new TextEncoder().encode(JSON.stringify(journal)));
@@ -140,13 +140,13 @@ async function finish(root: string, { direction, staging, changes }: Journal, fi
   for (const folder of new Set(changes.map(({ path }) => dirname(join(root, path))))) await files.syncFolder(folder);
 }
 
-/** The journal first: without it, what is left of the staging folder means nothing. */
-async function forget(root: string, staging: string | null, files: FileLayer): Promise<void> {
+/** Deletes the journal first: without it, the staging folder has no effect. */
+async function cleanUp(root: string, staging: string | null, files: FileLayer): Promise<void> {
   await files.remove(join(root, JOURNAL));
   if (staging !== null) await files.remove(join(root, staging));
 }
 
-/** Flat, so that staging is one folder; `!` separates nothing on any system. */
+/** File name in the staging folder. `!` replaces path separators; it is valid on all systems. */
 function newName(staging: string, path: string): string {
   return `${staging}/new-${path.replaceAll('/', '!')}`;
 }

@@ -13,13 +13,13 @@ import {
 } from './project-files.ts';
 import { isLocked } from './project-lock.ts';
 
-/** An editor that saves touches several files; they are read once all is quiet for this long. */
+/** Saves touch several files. They are read after a pause of this length. */
 const QUIET_MS = 150;
 
-/** A shader is seen as soon as it is saved; an editor writes one file in a few steps that come right after each other. */
+/** Pause after changes of shaders. Shorter, because an editor writes a single file in quick steps. */
 const SHADER_QUIET_MS = 20;
 
-/** Programs empty a file before they write it anew: one that is found empty is looked at so often again until it is taken for that. */
+/** Many programs truncate a file before they write it. An empty file is read this many times before it counts as empty. */
 const LOOKS_AT_EMPTY = 20;
 
 export interface ProjectWatch {
@@ -27,17 +27,16 @@ export interface ProjectWatch {
 }
 
 /**
- * Calls `onRevision` with the folder's revision after something in it changed. It says nothing of who changed it: the caller
- * compares with the revision it wrote itself. A folder in the middle of a change (a file gone for a moment, or empty) is left
- * for the next event.
+ * Calls `onRevision` with the revision of the folder after each change, including our own saves; the caller compares revisions.
+ * Incomplete states (a file missing for a moment, or empty) are skipped until the next event.
  */
 export function watchProject(root: string, files: FileLayer, onRevision: (revision: string) => void): ProjectWatch {
   let timer: NodeJS.Timeout | undefined;
   let disposed = false;
-  /** Files that were empty when the folder was last told of. */
+  /** Files that were empty at the last report. */
   let empty: readonly string[] = [];
   let looks = 0;
-  /** Not every system watches what is below a folder: each has a watcher of its own. */
+  /** One watcher per folder, because not all systems watch subfolders. */
   const watchers = new Map<string, FSWatcher>();
 
   const follow = (path: string, onChange: () => void) => {
@@ -55,7 +54,7 @@ export function watchProject(root: string, files: FileLayer, onRevision: (revisi
   };
 
   const read = async () => {
-    // Another process is in the middle of a save: half of it would be taken for a change of its own.
+    // Another process is saving; an incomplete save must not be reported.
     if (await isLocked(root, files)) {
       if (!disposed) touch();
       return;
@@ -95,7 +94,7 @@ function emptyFiles({ project, layout, sources }: ProjectFiles): string[] {
   return texts.filter(([, text]) => text === '').map(([path]) => path);
 }
 
-/** Null where the folder is missing or the system has no watchers left: the project opens all the same. */
+/** Null if the folder is missing or the system has no watchers left. The project opens anyway. */
 function watchFolder(path: string, onChange: () => void): FSWatcher | null {
   try {
     const watcher = watch(path, { persistent: false }, onChange);

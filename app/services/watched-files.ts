@@ -1,8 +1,8 @@
 import type { FileLayer } from './file-layer.ts';
 
 /**
- * Files that tell how many were written, and refuse to write more once the person has had enough: what is half done is then taken
- * back as on a full disk. Renames go on, because half of two is worse than both.
+ * Wraps a file layer: counts written files, and throws when interrupted, so that an unfinished folder is removed as after a full
+ * disk. Renames are not interrupted, because both must happen.
  */
 export function watchedFiles(files: FileLayer, interrupted: AbortSignal | undefined, onWrite: (count: number) => void): FileLayer {
   let count = 0;

@@ -2,8 +2,7 @@ import { useStore } from 'zustand';
 import { useEditor } from '../state/editor/editor-context.ts';
 import type { DialogRequest } from '../state/editor/ui.ts';
 import { breakLockAndSave, reload, save, showProject } from '../state/files/files.ts';
-import { Button } from '../ui/button.tsx';
-import { Dialog } from '../ui/dialog.tsx';
+import { ChoiceDialog } from '../ui/choice-dialog.tsx';
 import { CommandsDialog } from './commands-dialog.tsx';
 import { FindDialog } from './find-dialog.tsx';
 import { FolderDialog } from './folder-dialog.tsx';
@@ -56,40 +55,25 @@ export function Dialogs() {
 function UnsavedDialog({ proceed, onClose }: { readonly proceed: () => void; readonly onClose: () => void }) {
   const editor = useEditor();
   const title = useStore(editor.document, (state) => state.project.title);
+  const closeAndProceed = () => {
+    onClose();
+    proceed();
+  };
+  const saveAndProceed = async () => {
+    if (await save(editor)) closeAndProceed();
+  };
   return (
-    <Dialog
+    <ChoiceDialog
       title={`Save the changes to “${title}”?`}
       onClose={onClose}
-      actions={
-        <>
-          <Button look="quiet" onPress={onClose}>
-            Cancel
-          </Button>
-          <Button
-            look="danger"
-            onPress={() => {
-              onClose();
-              proceed();
-            }}
-          >
-            Do not save
-          </Button>
-          <Button
-            look="primary"
-            autoFocus
-            onPress={async () => {
-              if (!(await save(editor))) return;
-              onClose();
-              proceed();
-            }}
-          >
-            Save
-          </Button>
-        </>
-      }
+      choices={[
+        { label: 'Cancel', look: 'quiet', run: onClose },
+        { label: 'Do not save', look: 'danger', run: closeAndProceed },
+        { label: 'Save', look: 'primary', run: () => void saveAndProceed() },
+      ]}
     >
       Unsaved changes are lost.
-    </Dialog>
+    </ChoiceDialog>
   );
 }
 
@@ -101,112 +85,69 @@ interface RecoveryDialogProps {
 function RecoveryDialog({ request, onClose }: RecoveryDialogProps) {
   const editor = useEditor();
   const { open } = editor.document.getState();
-  const forget = async () => {
+  const discard = async () => {
     onClose();
     if (open) await editor.host.call('project.autosave', { handle: open.handle, files: null });
   };
+  const restore = () => {
+    onClose();
+    if (open) showProject(editor, { ...open, files: request.files, recovery: null, openElsewhere: false }, request.files, false);
+  };
   return (
-    <Dialog
+    <ChoiceDialog
       title="Unsaved changes found"
       // Escape must not close it: working on without a decision would overwrite the recovered changes.
       onClose={() => {}}
-      actions={
-        <>
-          <Button look="quiet" onPress={() => void forget()}>
-            Discard
-          </Button>
-          <Button
-            look="primary"
-            autoFocus
-            onPress={() => {
-              onClose();
-              if (open) showProject(editor, { ...open, files: request.files, recovery: null, openElsewhere: false }, request.files, false);
-            }}
-          >
-            Restore
-          </Button>
-        </>
-      }
+      choices={[
+        { label: 'Discard', look: 'quiet', run: () => void discard() },
+        { label: 'Restore', look: 'primary', run: restore },
+      ]}
     >
       Scrim ended before this project was saved. Restore the changes to continue; files stay as they are until you save.
-    </Dialog>
+    </ChoiceDialog>
   );
 }
 
 function ChangedOutsideDialog({ onClose }: { readonly onClose: () => void }) {
   const editor = useEditor();
+  const closeAnd = (run: () => Promise<unknown>) => () => {
+    onClose();
+    void run();
+  };
   return (
-    <Dialog
+    <ChoiceDialog
       title="Project changed on disk"
       onClose={onClose}
-      actions={
-        <>
-          <Button look="quiet" onPress={onClose}>
-            Not now
-          </Button>
-          <Button
-            look="danger"
-            onPress={() => {
-              onClose();
-              void reload(editor);
-            }}
-          >
-            Load from disk
-          </Button>
-          <Button
-            look="primary"
-            autoFocus
-            onPress={() => {
-              onClose();
-              void save(editor, true);
-            }}
-          >
-            Overwrite
-          </Button>
-        </>
-      }
+      choices={[
+        { label: 'Not now', look: 'quiet', run: onClose },
+        { label: 'Load from disk', look: 'danger', run: closeAnd(() => reload(editor)) },
+        { label: 'Overwrite', look: 'primary', run: closeAnd(() => save(editor, true)) },
+      ]}
     >
       Another program or window changed this project after you opened it. Nothing is lost yet. Load the version on disk, or overwrite it
       with yours.
-    </Dialog>
+    </ChoiceDialog>
   );
 }
 
 function LockedDialog({ overwrite, onClose }: { readonly overwrite: boolean; readonly onClose: () => void }) {
   const editor = useEditor();
+  const closeAnd = (run: () => Promise<unknown>) => () => {
+    onClose();
+    void run();
+  };
   return (
-    <Dialog
+    <ChoiceDialog
       title="Project is locked"
       onClose={onClose}
-      actions={
-        <>
-          <Button look="quiet" onPress={onClose}>
-            Not now
-          </Button>
-          <Button
-            look="danger"
-            onPress={() => {
-              onClose();
-              void breakLockAndSave(editor, overwrite);
-            }}
-          >
-            Break lock
-          </Button>
-          <Button
-            look="primary"
-            autoFocus
-            onPress={() => {
-              onClose();
-              void save(editor, overwrite);
-            }}
-          >
-            Try again
-          </Button>
-        </>
-      }
+      choices={[
+        { label: 'Not now', look: 'quiet', run: onClose },
+        { label: 'Break lock', look: 'danger', run: closeAnd(() => breakLockAndSave(editor, overwrite)) },
+        { label: 'Try again', look: 'primary', run: closeAnd(() => save(editor, overwrite)) },
+      ]}
     >
       Another window or machine is saving this project, or ended during a save. Nothing was saved. Try again in a minute, when the lock
       expires. Break the lock only if nobody else is saving.
-    </Dialog>
+    </ChoiceDialog>
   );
 }

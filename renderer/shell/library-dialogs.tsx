@@ -3,8 +3,7 @@ import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { titleOfName } from '../state/editor/library.ts';
 import { removeFromLibrary, saveToLibrary, titleProblem, usesInWords } from '../state/graph/subgraph-library.ts';
 import { renameSubgraph } from '../state/graph/subgraphs.ts';
-import { Button } from '../ui/button.tsx';
-import { Dialog } from '../ui/dialog.tsx';
+import { ChoiceDialog } from '../ui/choice-dialog.tsx';
 import { FormDialog } from '../ui/form-dialog.tsx';
 
 interface LibraryNameDialogProps {
@@ -58,29 +57,20 @@ export function LibraryNameDialog({ name, rename, onClose }: LibraryNameDialogPr
 export function LibraryRemoveDialog({ name, onClose }: { readonly name: string; readonly onClose: () => void }) {
   const editor = useEditor();
   const uses = useDocument(({ project }) => usesInWords(project, name));
+  const remove = () => {
+    onClose();
+    removeFromLibrary(editor, name);
+  };
   return (
-    <Dialog
+    <ChoiceDialog
       title={`Remove “${titleOfName(name)}” from the library?`}
       onClose={onClose}
-      actions={
-        <>
-          <Button look="quiet" onPress={onClose}>
-            Cancel
-          </Button>
-          <Button
-            look="danger"
-            autoFocus
-            onPress={() => {
-              onClose();
-              removeFromLibrary(editor, name);
-            }}
-          >
-            Ungroup and remove
-          </Button>
-        </>
-      }
+      choices={[
+        { label: 'Cancel', look: 'quiet', run: onClose },
+        { label: 'Ungroup and remove', look: 'danger', run: remove },
+      ]}
     >
       {uses === null ? 'Not used.' : `Used by ${uses}. Each is replaced by its contents, so the output does not change.`}
-    </Dialog>
+    </ChoiceDialog>
   );
 }

@@ -2,11 +2,13 @@ import type { ReactNode } from 'react';
 import './button.css';
 import { Icon, type IconName } from './icon.tsx';
 
+export type ButtonLook = 'plain' | 'primary' | 'quiet' | 'danger';
+
 interface ButtonProps {
   readonly children: ReactNode;
   readonly onPress: () => void;
   readonly icon?: IconName;
-  readonly look?: 'plain' | 'primary' | 'quiet' | 'danger';
+  readonly look?: ButtonLook;
   readonly disabled?: boolean;
   /** State of a toggle button. */
   readonly pressed?: boolean;

@@ -89,7 +89,7 @@ test('pictures are those of the command line from frame 0 and of the preview, by
   expect(await dialog().getByRole('status').textContent()).toContain('3 frames, 0.30 s.');
   if (process.env.SHOT) await page.screenshot({ path: '/tmp/hd-render-dialog.png' });
   await page.keyboard.press('Enter');
-  await page.getByText('Rendered 3 pictures to').waitFor();
+  await page.getByText('Rendered 3 frames to').waitFor();
   expect((await readdir(out)).sort()).toEqual(['000011.png', '000012.png', '000013.png', 'sequence.json']);
 
   const session = resolve(import.meta.dirname, '../../examples/sessions/studio');

@@ -64,7 +64,7 @@ describeElectron('rendering frames in Electron', await findElectron(), (launch) 
       await dialog(page).getByRole('button', { name: 'Choose…' }).click();
       await eventually(async () => expect(await dialog(page).getByRole('textbox', { name: 'Folder' }).inputValue()).toBe(frames));
       await dialog(page).getByRole('button', { name: 'Render', exact: true }).click();
-      await page.getByText('Rendered 2 pictures to').waitFor();
+      await page.getByText('Rendered 2 frames to').waitFor();
       expect((await readdir(frames)).sort()).toEqual(['000003.png', '000004.png', 'sequence.json']);
       const { width, height, data } = decodePicture(await readFile(join(frames, '000003.png')));
       expect([width, height]).toEqual([160, 120]);

@@ -3,7 +3,7 @@ import type { Command } from '../command.ts';
 import { compileFolder } from '../compile-folder.ts';
 import { askDriver, type DriverAnswer, NO_DRIVER_OPTION } from '../shader/ask-driver.ts';
 
-/** What does not compile by itself is no question for a driver. */
+/** A project that does not compile is not checked by the graphics driver. */
 const UNASKED: DriverAnswer = { driver: 'not-needed', diagnostics: [] };
 
 export const checkCommand: Command = {

@@ -66,7 +66,7 @@ export const exportCommand: Command = {
         : {
             drawPoster: async (program) => {
               say('Drawing the poster…');
-              // Unlike the page, the poster has source maps: where a driver refuses a shader, the error names its file and line.
+              // The poster is compiled with source maps, so that driver errors name file and line.
               const mapped = await compileProject(root, projectFiles, () => ({ sourceMaps: true }));
               return drawPoster({ program: mapped.program ?? program, projectRoot: root, installation });
             },

@@ -9,10 +9,10 @@ import { type Command, type Context, type Outcome, UsageError } from '../command
 import { findElectron } from '../find-electron.ts';
 import { openAddress } from '../open-address.ts';
 
-/** Browsers keep what a person chose (theme, keys, recent projects) by address, so it is the same at every start, where it is free. */
+/** Default port. It is fixed, because browsers store preferences by origin. */
 const USUAL_PORT = 17_246;
 
-/** An Electron that ends by itself this soon did not start: a library is missing, say. */
+/** If Electron exits within this time, it has failed to start, for example because a library is missing. */
 const STARTED_MS = 5_000;
 
 export const openCommand: Command = {
@@ -51,7 +51,7 @@ export const openCommand: Command = {
   },
 };
 
-/** Null where none was asked for. */
+/** Parses a port; null if the option is absent. */
 function readPort(option: string, text: string | null): number | null {
   if (text === null) return null;
   const port = Number(text);
@@ -59,11 +59,11 @@ function readPort(option: string, text: string | null): number | null {
   throw new UsageError(`${option} ${text} is not a port. Enter a number from 1 to 65535.`);
 }
 
-/** Resolves when the window is closed; false where Electron could not start. */
+/** Resolves when the window is closed; to false if Electron could not start. */
 function runElectron(path: string, { installation }: Context, project: string | null): Promise<boolean> {
   const { NODE_OPTIONS: _, ELECTRON_RUN_AS_NODE: __, ...env } = process.env;
   const args = [
-    // Chromium refuses its sandbox to root, as in a container.
+    // As root, such as in a container, Chromium does not start with its sandbox.
     ...(process.getuid?.() === 0 ? ['--no-sandbox'] : []),
     join(installation.root, 'dist', 'electron', 'main.cjs'),
     ...(project === null ? [] : [`--open=${project}`]),
@@ -71,7 +71,7 @@ function runElectron(path: string, { installation }: Context, project: string | 
   const startMs = performance.now();
   return new Promise((resolve) => {
     const child = spawn(path, args, { stdio: ['ignore', 'ignore', 'inherit'], env });
-    // SIGTERM ends this process only, so it is passed on to the window. Ctrl-C in a terminal reaches both.
+    // SIGTERM reaches only this process, so it is passed on to the window. Ctrl-C in a terminal reaches both.
     const end = () => child.kill();
     process.once('SIGTERM', end);
     child.on('error', () => resolve(false));
@@ -91,14 +91,14 @@ async function serve(context: Context, project: string | null, ports: Ports, why
   else {
     if (why !== null) print(`Electron cannot run here (${why}). The editor opens in the browser instead.`);
     print(`${url}\nThis address opens once. Ctrl-C stops Scrim.`);
-    // Another one than is printed: everybody on this machine can see what a browser is started with.
+    // Opens another address than the printed one, because all users of this machine can see the arguments of a process.
     openAddress(server.invite());
   }
   await untilAborted(AbortSignal.any([context.interrupted, server.ended]));
   await server.close();
   const done: Outcome = { status: 0, json: undefined, text: '', diagnostics: [] };
   if (!server.ended.aborted) return done;
-  // The one JSON value is out; a person still reads the terminal.
+  // With `--json` the JSON value has been printed, but a person may read the terminal.
   if (json) log(formatDiagnostic(OPENED_TWICE));
   return { ...done, status: 1, diagnostics: [OPENED_TWICE] };
 }
@@ -111,14 +111,14 @@ const OPENED_TWICE: Diagnostic = {
 };
 
 interface Ports {
-  /** Null where none was given. */
+  /** Null if the option is absent. */
   readonly port: number | null;
   readonly previewPort: number | null;
 }
 
 /**
- * Both at fixed ports, so that both can be forwarded: the preview's is the one after the editor's. Where no port was given and
- * one of the usual ones is taken, both are free ones.
+ * Listens on fixed ports for editor and preview, so that both can be forwarded. Without options, falls back to free ports if a
+ * default port is taken.
  */
 async function listen(
   { port, previewPort }: Ports,

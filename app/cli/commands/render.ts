@@ -7,7 +7,7 @@ import { renderFrames } from '../render/render-frames.ts';
 import { readRange, readSize, subjectOf, tapsFor } from '../render/render-options.ts';
 import { findRenderSession } from '../render/render-session.ts';
 
-/** `scene-k7q2.layer`, also inside subgraphs; a file name is none. */
+/** Matches `scene-k7q2.layer`, also inside subgraphs, but no file name. */
 const NODE_PORT = /^(?!.*\.(?:png|json)$)[a-z][a-z0-9/-]*-[a-z0-9]+\.[A-Za-z_]\w*$/;
 
 export const renderCommand: Command = {

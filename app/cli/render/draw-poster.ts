@@ -11,14 +11,14 @@ import { findRenderSession } from './render-session.ts';
 
 export interface PosterJob {
   readonly program: Program;
-  /** The project's real folder. */
+  /** Real path of the project folder. */
   readonly projectRoot: string;
   readonly installation: Installation;
 }
 
 /**
- * What a page shows, in the room that `scrim render` plays by default: its first frame, as JPEG. Null where there is no browser to
- * draw with, or the project cannot be drawn in it: a page does without. Throws a shader's SCR042: no page draws what does not compile.
+ * Renders the poster of a page as JPEG: the first frame in the default room of `scrim render`. Null if there is no browser or the
+ * frame cannot be rendered; the page is then exported without one. @throws SCR042 if the driver rejects a shader
  */
 export async function drawPoster({ program, projectRoot, installation }: PosterJob): Promise<PosterPicture | null> {
   const found = await findChromium();
@@ -51,10 +51,10 @@ export async function drawPoster({ program, projectRoot, installation }: PosterJ
 
 const VIEWPORT = { width: POSTER_SIZE.widthPx, height: POSTER_SIZE.heightPx };
 
-/** An eighth of what the same picture takes as PNG, and nobody sees it. */
+/** JPEG quality. The file is an eighth of the PNG, without visible loss. */
 const QUALITY = 82;
 
-/** The browser is the only encoder at hand. Where the picture is transparent, the page's own ground shows. */
+/** Encodes with the browser, the only JPEG encoder at hand. The background is that of exported pages. */
 async function toJpeg(page: Page, png: Uint8Array): Promise<Uint8Array> {
   const source = `data:image/png;base64,${Buffer.from(png).toString('base64')}`;
   await page.evaluate(async (src) => {

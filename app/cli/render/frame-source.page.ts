@@ -7,23 +7,23 @@ import { requestWebXrSession } from '../../../export/runtime/sessions/webxr/requ
 import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
 import type { Session, SessionEvent, SessionFrame } from '../../../nodes/kit/session.ts';
 
-/** Where the viewer stands in a room: where the editor's preview begins its walk. Meters; 0.15 rad down, as a quaternion. */
+/** Pose of the head in a room: the start pose of the walk in the editor’s preview. Meters; the quaternion is a pitch of -0.15 rad. */
 const ROOM_POSE: HeadPose = { position: [0, 1.5, 1], quaternion: [-Math.sin(0.075), 0, 0, Math.cos(0.075)] };
 
-/** Where frames come from; addresses are relative to the page. */
+/** Source of the frames. URLs are relative to the page. */
 export type RenderSession =
   | { readonly kind: 'recorded'; readonly url: string }
-  /** `captureUrl` null: the room that the emulator makes itself. */
+  /** `captureUrl` is null for the emulator’s built-in room. */
   | { readonly kind: 'room'; readonly captureUrl: string | null; readonly sizePx: readonly [number, number] };
 
-/** A session whose frames come when asked for. */
+/** A session that produces frames on request. */
 export interface FrameSource {
   readonly session: Session;
-  /** Null: there is no end. */
+  /** Null if the session has no end. */
   readonly frameCount: number | null;
-  /** Frames go on from one to the next where `frameCount` is null. False where the frame could not be had. */
+  /** Plays the frame; if `frameCount` is null, the next one. Returns false if there is no such frame. */
   step(index: number): Promise<boolean>;
-  /** What a visitor saw in the last frame, where that is more than what the program drew. */
+  /** Reads the composited image of a room; null if the canvas of the program shows all. */
   readonly seen: Emulator['readComposite'] | null;
 }
 
@@ -76,7 +76,7 @@ async function openRoom(
   return { output: { session: output, frameCount: null, step, seen: emulator.readComposite }, diagnostics: asWarnings(diagnostics) };
 }
 
-/** The device is one of ours: what it lacks is told, and stops nothing. */
+/** Missing features of the emulated device are warnings and do not stop the render. */
 function asWarnings(diagnostics: readonly Diagnostic[]): Diagnostic[] {
   return diagnostics.map((diagnostic) => ({ ...diagnostic, severity: 'warning' }));
 }

@@ -7,16 +7,16 @@ import { writeRefusal } from '../../services/file-errors.ts';
 import { makeFolders } from '../../services/make-folders.ts';
 import type { PictureHead } from './render.page.ts';
 
-/** Keeps pictures aside until all are there, so that a render that fails leaves nothing. */
+/** Collects images in a temporary folder until all are complete, so that a failed render leaves nothing. */
 export interface FrameWriter {
-  /** `bytes`: premultiplied RGBA, or 32-bit floats in meters. */
+  /** @param bytes Premultiplied RGBA, or depth in meters as 32-bit floats. */
   add(index: number, head: PictureHead, bytes: Uint8Array): Promise<void>;
-  /** Puts them where they belong, and answers with their paths. */
+  /** Moves the images to their destination. Returns their paths. */
   finish(): Promise<readonly string[]>;
   dispose(): Promise<void>;
 }
 
-/** Throws SCR060 where `out` cannot be written, before anything is rendered. */
+/** @throws SCR060 if `out` cannot be written, before anything is rendered */
 export async function createFrameWriter(out: string, isFile: boolean, isDepth: boolean): Promise<FrameWriter> {
   const folder = isFile ? dirname(resolve(out)) : resolve(out);
   const refuse = (error: unknown): never => {
@@ -26,7 +26,7 @@ export async function createFrameWriter(out: string, isFile: boolean, isDepth: b
   const aside = await mkdtemp(join(folder, '.scrim-render-')).catch(refuse);
   const names: string[] = [];
   let finished = false;
-  // The browser's driver ends the process by itself when it is interrupted.
+  // On an interrupt the browser driver ends the process, without running `finally` blocks.
   const sweep = () => {
     rmSync(aside, { recursive: true, force: true });
     if (!finished && firstMade !== undefined) rmSync(firstMade, { recursive: true, force: true });

@@ -10,17 +10,17 @@ import type * as RenderPage from './render.page.ts';
 import { type RenderServer, startRenderServer } from './render-server.ts';
 
 export interface RenderOptions {
-  /** Holds Scrim's sources. */
+  /** Folder with the sources of Scrim. */
   readonly root: string;
-  /** The project's real folder. */
+  /** Real path of the project folder. */
   readonly projectRoot: string;
   readonly job: Omit<RenderPage.RenderJob, 'assetBaseUrl' | 'decodersBaseUrl'>;
-  /** Real folders that the session is in, by the first part of its address. */
+  /** Real paths of the session’s folders, by the first part of its URL. */
   readonly sessionFolders: Readonly<Record<string, string>>;
   readonly first: number;
   /** Included. */
   readonly last: number;
-  /** Text of a shader by its file's name, to find the column of what a driver quotes. */
+  /** Text of a shader by its file name, to find the column that a driver message quotes. */
   readonly sourceOf: (file: string) => string | undefined;
   readonly onPicture: (index: number, head: RenderPage.PictureHead, bytes: Uint8Array) => Promise<void>;
   readonly say: (text: string) => void;
@@ -31,8 +31,8 @@ type PageApi = typeof RenderPage;
 const PAGE_ENTRY = 'app/cli/render/render.page.ts';
 
 /**
- * Plays frames in a headless browser and hands over their pictures, in order. Time, date and chance are fixed, so that the same
- * project gives the same pixels. Answers with what went wrong; with an error among it, fewer pictures came, or none.
+ * Plays frames in a headless browser and passes on their images in order. Time, date and random seed are fixed, so that the same
+ * project renders the same pixels. Returns the diagnostics; after an error, images are missing.
  */
 export async function renderFrames(options: RenderOptions): Promise<readonly Diagnostic[]> {
   const found = await findChromium();
@@ -70,7 +70,7 @@ async function inBrowser(found: Chromium, server: RenderServer, options: RenderO
       if (hasErrors(now)) return [...early, ...now];
       if (!keep) continue;
       if (head === null) throw new Error(`Frame ${index} has no picture, and nothing says why.`);
-      await options.onPicture(index, head, server.takePicture());
+      await options.onPicture(index, head, server.takeImage());
       if (options.last > options.first) options.say(`Frame ${index} of ${options.first}..${options.last}`);
     }
     return [...early, ...(await call('diagnostics'))];
@@ -79,7 +79,9 @@ async function inBrowser(found: Chromium, server: RenderServer, options: RenderO
   }
 }
 
-/** What depends on earlier frames needs them all; all else only the one before, which tells how much time has passed. */
+/**
+ * The first frame to play. History-dependent programs need all frames; others only the previous one, which determines the time step.
+ */
 function firstPlayed({ first, job: { program, session } }: RenderOptions): number {
   return session.kind === 'room' || isHistoryDependent(program) ? 0 : Math.max(0, first - 1);
 }

@@ -16,11 +16,11 @@ export interface SizePx {
   readonly heightPx: number;
 }
 
-/** WebGL 2 has at least 2,048; browsers draw larger canvases smaller without a word. */
+/** WebGL 2 guarantees only 2,048. Browsers silently reduce larger canvases. */
 const MAX_SIDE_PX = 8192;
 const MAX_FRAMES = 100_000;
 
-/** `A..B` or `A`. Throws `UsageError`. */
+/** Parses `A..B` or `A`. @throws UsageError */
 export function readRange(text: string | null): FrameRange {
   if (text === null) return { first: 0, last: 0 };
   const [, a, b] = /^(\d{1,9})(?:\.\.(\d{1,9}))?$/.exec(text) ?? [];
@@ -32,7 +32,7 @@ export function readRange(text: string | null): FrameRange {
   return { first, last };
 }
 
-/** `WxH`. Throws `UsageError`. */
+/** Parses `WxH`. @throws UsageError */
 export function readSize(text: string | null): SizePx | null {
   if (text === null) return null;
   const [, width, height] = /^(\d{1,5})[x×](\d{1,5})$/i.exec(text) ?? [];
@@ -42,13 +42,13 @@ export function readSize(text: string | null): SizePx | null {
   throw new UsageError(`--size ${text} is not a size. Write 1280x720, each side from 1 to ${MAX_SIDE_PX}.`);
 }
 
-/** Layers that the compiler has to keep for what is asked. */
+/** Layers that the compiler must keep for these options. */
 export function tapsFor(call: Call, project: Project): readonly string[] {
   const tap = tapOf(call, project);
   return tap === null ? [] : [tap];
 }
 
-/** What is to be written; SCR012 where there is no such layer. */
+/** What to write. SCR012 if the layer does not exist. */
 export function subjectOf(call: Call, project: Project, program: Program): Result<Subject> {
   const tap = tapOf(call, project);
   if (tap === null) return { output: { kind: 'screen' }, diagnostics: [] };
@@ -70,7 +70,7 @@ function tapOf(call: Call, project: Project): string | null {
   return screenLayer(project);
 }
 
-/** What the screen shows. */
+/** The layer that is connected to the Output. */
 function screenLayer({ graphs }: Project): string | null {
   const { nodes = {}, wires = [] } = graphs[MAIN_GRAPH] ?? {};
   const wire = wires.find(({ to }) => LIBRARY.definition(nodes[to.node]?.type ?? '')?.lowering.kind === 'present');

@@ -7,22 +7,22 @@ import { passiveMediaTypeOf } from '../../services/media-types.ts';
 import { readBytes } from '../../services/read-file.ts';
 
 export interface RenderServer {
-  /** The page; ends in `/`, and cannot be guessed. */
+  /** URL of the page. Ends in `/` and contains a random part. */
   readonly url: string;
-  /** The picture that the page has sent last. */
-  takePicture(): Uint8Array;
+  /** Returns the image that the page has sent last. */
+  takeImage(): Uint8Array;
   close(): Promise<void>;
 }
 
 export interface RenderServerOptions {
   readonly script: string;
-  /** Real folders, by the name they have below the page's address. */
+  /** Real paths of folders, by their name in the URL. */
   readonly folders: Readonly<Record<string, string>>;
 }
 
 const PAGE = '<!doctype html><meta charset="utf-8"><title>Scrim</title><script src="render.js"></script>';
 
-/** What the headless browser loads, on loopback: the page, a project's assets, a session. */
+/** Serves the headless browser on loopback: the render page, the assets of the project, and the session. */
 export async function startRenderServer({ script, folders }: RenderServerOptions): Promise<RenderServer> {
   const prefix = `/${randomBytes(16).toString('hex')}/`;
   let picture: Uint8Array | null = null;
@@ -53,7 +53,7 @@ export async function startRenderServer({ script, folders }: RenderServerOptions
   });
   return {
     url: `http://127.0.0.1:${(server.address() as AddressInfo).port}${prefix}`,
-    takePicture: () => {
+    takeImage: () => {
       if (picture === null) throw new Error('The page has sent no picture.');
       return picture;
     },

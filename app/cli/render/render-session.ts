@@ -11,16 +11,16 @@ import type { SizePx } from './render-options.ts';
 export interface FoundSession {
   readonly session: RenderSession;
   readonly sizePx: SizePx;
-  /** Real folders, by the first part of the session's address. */
+  /** Real paths of the session’s folders, by the first part of its URL. */
   readonly sessionFolders: Readonly<Record<string, string>>;
 }
 
-/** Where nothing says how large a room is to be seen. */
+/** Default size in a room. */
 const ROOM_SIZE: SizePx = { widthPx: 1280, heightPx: 720 };
 
 const ROOM_PREFIX = 'room:';
 
-/** What `--session` names, or what is played without it. SCR054 where there is no such thing. */
+/** Finds the session of `--session`, or the default one. SCR054 if it does not exist. */
 export async function findRenderSession(
   named: string | null,
   projectRoot: string,
@@ -66,14 +66,14 @@ function findRoom(name: string, { roomsDir }: Installation, size: SizePx | null)
   };
 }
 
-/** What is wrong with the file is for the session itself to say, when it is opened. */
+/** Size of the session’s frames. Invalid files are reported when the session is opened. */
 function sizeOf(text: string): SizePx {
   try {
     const { color } = JSON.parse(text) as { color?: Partial<SizePx> };
     const { widthPx, heightPx } = color ?? {};
     if (Number.isInteger(widthPx) && Number.isInteger(heightPx)) return { widthPx: widthPx as number, heightPx: heightPx as number };
   } catch {
-    // Said when it is opened.
+    // Reported when the session is opened.
   }
   return ROOM_SIZE;
 }

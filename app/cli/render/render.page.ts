@@ -12,7 +12,7 @@ import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { SessionFrame } from '../../../nodes/kit/session.ts';
 import { type FrameSource, openFrameSource, type RenderSession } from './frame-source.page.ts';
 
-/** What is rendered, as Node tells the page. Addresses are relative to the page. */
+/** A render, as Node passes it to the page. URLs are relative to the page. */
 export interface RenderJob {
   readonly program: Program;
   readonly assetBaseUrl: string;
@@ -23,20 +23,23 @@ export interface RenderJob {
   readonly subject: Subject;
 }
 
-/** `tap` is `node.port`. */
+/** `tap` is the layer as `node.port`. */
 export type Subject =
   | { readonly kind: 'screen' }
   | { readonly kind: 'layer'; readonly tap: string }
   | { readonly kind: 'depth'; readonly tap: string };
 
 export interface OpenedJob {
-  /** Null: there is no end. */
+  /** Null if the session has no end. */
   readonly frameCount: number | null;
   readonly shaderErrors: readonly ShaderError[];
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** Premultiplied RGBA bytes, or meters as 32-bit floats, rows from the top; the numbers themselves are sent to `picture`. */
+/**
+ * Description of an image: premultiplied RGBA bytes, or meters as 32-bit floats, rows from the top. The page sends the bytes to the
+ * URL `picture`.
+ */
 export interface PictureHead {
   readonly widthPx: number;
   readonly heightPx: number;
@@ -58,12 +61,12 @@ interface Picture extends PictureHead {
 let opened: OpenRender | null = null;
 let taken: Picture | null = null;
 let take = false;
-/** Ends when the frame under way is drawn, and what it asked for is there. */
+/** Resolves when the current frame is completely drawn. */
 let drawing: Promise<void> = Promise.resolve();
 let problems: readonly Diagnostic[] = [];
 const events: Diagnostic[] = [];
 
-/** Sets everything up; nothing is drawn before the assets are there or have failed. */
+/** Opens a render. Resolves when the assets have loaded or failed. */
 export async function open(job: RenderJob): Promise<OpenedJob> {
   const canvas = document.createElement('canvas');
   canvas.width = job.widthPx;
@@ -107,7 +110,7 @@ export async function open(job: RenderJob): Promise<OpenedJob> {
   return { frameCount: output?.frameCount ?? null, shaderErrors, diagnostics };
 }
 
-/** Plays one frame. With `keep`, its picture is sent; null where there is none to send. */
+/** Plays one frame. With `keep`, sends its image. Returns null if there is none to send. */
 export async function play(index: number, keep: boolean): Promise<PictureHead | null> {
   if (!opened) throw new Error('Nothing is open.');
   take = keep;
@@ -122,20 +125,23 @@ export async function play(index: number, keep: boolean): Promise<PictureHead | 
   return { widthPx: picture.widthPx, heightPx: picture.heightPx };
 }
 
-/** A recorded frame lasts: it is drawn when all that it shows is there. */
+/** A recorded frame stays valid, so it is drawn when all of its assets have loaded. */
 async function drawRecorded(player: Player, frame: SessionFrame): Promise<void> {
   await player.drawSettled(frame);
   if (take && opened) taken = readSubject(opened);
 }
 
-/** Draws at once, because textures of a device are valid only during the frame. Videos show the image that the previous frame requested. */
+/**
+ * WebXR textures are valid only during their frame, so the frame is drawn without waiting. Videos therefore show the frame that was
+ * requested one frame earlier.
+ */
 function drawRoom(player: Player, frame: SessionFrame): Promise<void> {
   player.draw(frame);
   if (take && opened) taken = readSubject(opened);
   return player.settle();
 }
 
-/** Everything wrong by now. */
+/** All diagnostics so far. */
 export function diagnostics(): readonly Diagnostic[] {
   return [...problems, ...events];
 }

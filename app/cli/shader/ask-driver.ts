@@ -11,8 +11,8 @@ import type { ShaderJob, ShaderVerdict } from './driver.page.ts';
 import { verdictDiagnostics, withDriver } from './with-driver.ts';
 
 /**
- * Whether a graphics driver has compiled the project's shaders: not where all of them are Scrim's own, which its tests compile,
- * nor where nobody wanted it to, nor where there is no browser to reach one.
+ * Whether a graphics driver compiled the shaders of the project. `not-needed`: the project has no shaders of its own, and those of
+ * Scrim are compiled by its tests. `not-wanted`: an option skipped it. `no-browser`: there is no browser with a driver.
  */
 export type DriverAsked = 'yes' | 'not-needed' | 'not-wanted' | 'no-browser';
 
@@ -27,16 +27,13 @@ export const NO_DRIVER_OPTION: Option = {
 };
 
 export interface DriverQuestion extends Pick<Context, 'installation' | 'say' | 'interrupted'> {
-  /** The project's real folder. */
+  /** Real path of the project folder. */
   readonly root: string;
   readonly files: ProjectFiles;
   readonly wanted: boolean;
 }
 
-/**
- * Has a driver compile what the project draws, as it is drawn, and run its loops. For projects that compile: of others there is
- * nothing to ask.
- */
+/** Compiles the shaders of a compiled program with a graphics driver, and runs their loops. */
 export async function askDriver({ root, files, wanted, installation, say, interrupted }: DriverQuestion): Promise<DriverAnswer> {
   if (!wanted) return { driver: 'not-wanted', diagnostics: [] };
   if (Object.keys(files.sources).length === 0) return { driver: 'not-needed', diagnostics: [] };
@@ -66,7 +63,7 @@ function noDriver(why: string): DriverAnswer {
   return { driver: 'no-browser', diagnostics: [{ ...NO_BROWSER, severity: 'warning', message }] };
 }
 
-/** With the values that the first pass begins with that draws it; a technique, which is tried apart, needs none. */
+/** The shader with the initial values of the first pass that draws it. A technique is compiled alone and needs none. */
 function jobOf({ shaders, operations, slots }: Program, index: number): ShaderJob {
   const shader = shaders[index];
   if (!shader) throw new Error(`The program has no shader ${index}.`);

@@ -12,7 +12,7 @@ import { chunkBeside, type LinkedFile } from './link-file.ts';
 import { type DriverOptions, type Judge, verdictDiagnostics, withDriver } from './with-driver.ts';
 
 export interface CheckedFile {
-  /** As the command line names it. */
+  /** The path as typed. */
   readonly path: string;
   readonly ok: boolean;
   readonly diagnostics: readonly Diagnostic[];
@@ -20,16 +20,16 @@ export interface CheckedFile {
 
 export interface CheckOptions extends DriverOptions {
   readonly interrupted: AbortSignal;
-  /** How long one file may take to be linked, and to be compiled. */
+  /** Time limit in seconds for linking one file, and for compiling it. */
   readonly limitS?: number;
 }
 
-/** Shaders that the driver is given at once: enough for all its threads, few enough that progress shows. */
+/** Number of shaders per batch: enough for all threads of the driver, few enough to show progress. */
 const BATCH = 32;
 
 /**
- * Compiles shader files in the real driver, and runs their loops. Answers in the order of `paths`. Each file is judged alone: one that
- * takes too long, or that Scrim fails at, is told as that and leaves the others as they are.
+ * Compiles shader files with a graphics driver and runs their loops. Returns results in the order of `paths`. Each file is judged
+ * alone: one that exceeds the time limit or crashes the linker does not affect the others.
  */
 export async function checkShaders(paths: readonly string[], options: CheckOptions): Promise<readonly CheckedFile[]> {
   const { root, say, interrupted, limitS = LIMIT_S } = options;
@@ -47,7 +47,7 @@ export async function checkShaders(paths: readonly string[], options: CheckOptio
         interrupted.throwIfAborted();
         if (paths.length > BATCH) say(`Compiling ${start + 1} of ${paths.length} shaders…`);
         const judged = judgeFiles(judge, await next, limitS);
-        // The driver has its own processes: meanwhile the next are read and linked.
+        // The driver runs in its own processes, so the next batch is read and linked meanwhile.
         next = read(start + BATCH);
         checked.push(...(await judged));
       }
@@ -69,12 +69,12 @@ async function readShader(path: string, linker: Linker): Promise<ReadFile> {
   return { file: path, source: '', vertex: '', passes: [], diagnostics: [unreadable], before: null };
 }
 
-/** The file beside it that nobody has named: it may be a pipe that is never written to. */
+/** Reads the vertex shader of an ISF file. It may be a named pipe, which must not be opened. */
 async function readBeside(path: string): Promise<string> {
   return readText(await realpath(path), MAX_SHADER_BYTES);
 }
 
-/** All at once; where that takes too long, one by one. */
+/** Compiles a batch at once; if that exceeds the time limit, one file after the other. */
 async function judgeFiles(judge: Judge, files: readonly ReadFile[], limitS: number): Promise<CheckedFile[]> {
   const verdicts = await judge(
     files.flatMap(({ passes }) => passes.map(({ job }) => job)),
@@ -115,10 +115,10 @@ function checkedFile(
   const said = passes.flatMap(({ shader }, i) => {
     const verdict = verdicts[i] ?? SILENT;
     if (before === null) return verdictDiagnostics(shader, verdict, sourceOf);
-    // The loops of a text that was cut may lack what ends them.
+    // The loops of a truncated text may lack the lines that end them.
     return verdictDiagnostics(shader, { ...verdict, endlessLine: null }, sourceOf).filter((diagnostic) => countsAbove(diagnostic, before));
   });
-  // There is no node: the file alone says where.
+  // There is no node, so only the file identifies the place.
   const all = uniqueDiagnostics(
     [...diagnostics, ...said].map(({ nodeId: _, file: at = file, ...diagnostic }) => ({
       ...diagnostic,

@@ -5,10 +5,10 @@ import { bundleWorker } from '../../services/bundle-script.ts';
 import type { LinkedFile } from './link-file.ts';
 import type { LinkQuestion } from './link-worker.ts';
 
-/** Of reading and linking one file, and of compiling it. */
+/** Time limit in seconds for linking one file, and for compiling it. */
 export const LIMIT_S = 10;
 
-/** Links files one after the other, in a thread that can be ended. */
+/** Links files one after another in a worker that can be terminated. */
 export interface Linker {
   link(question: LinkQuestion): Promise<LinkedFile>;
   close(): Promise<void>;
@@ -16,7 +16,10 @@ export interface Linker {
 
 const WORKER_ENTRY = 'app/cli/shader/link-worker.ts';
 
-/** `root` holds Scrim's sources. A file that takes longer than `limitS`, or that the linker fails at, is told as that. */
+/**
+ * @param root Folder with the sources of Scrim. @param limitS Time limit per file. A file that exceeds it or crashes the linker gets
+ * a diagnostic.
+ */
 export async function createLinker(root: string, limitS = LIMIT_S): Promise<Linker> {
   const code = await bundleWorker(root, WORKER_ENTRY);
   let worker: Worker | null = null;
@@ -39,7 +42,7 @@ export async function createLinker(root: string, limitS = LIMIT_S): Promise<Link
   };
 }
 
-/** What a busy machine takes to start it is not the file's fault: it says when it is there. */
+/** Starts the worker, and waits until it is ready. The time to start does not count toward the limit of a file. */
 async function startWorker(code: string): Promise<Worker> {
   const worker = new Worker(code, { eval: true });
   await once(worker, 'message');

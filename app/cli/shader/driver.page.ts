@@ -7,7 +7,7 @@ import { createPassDrawer, type PassDrawer } from '../../../export/runtime/gl/pa
 import { createProgramCache, type GlProgram, type ShaderError } from '../../../export/runtime/gl/program-cache.ts';
 import { createTestImage } from './test-image.page.ts';
 
-/** A linked shader and what it is drawn with. */
+/** A linked shader and its inputs. */
 export interface ShaderJob {
   readonly shader: LinkedShader;
   readonly passIndex: number;
@@ -16,14 +16,14 @@ export interface ShaderJob {
     readonly type: PassUniform['type'];
     readonly value: readonly number[] | BuiltinUniform;
   }[];
-  /** `number`: depth, sound or a curve, in the red channel. */
+  /** Samplers by content. `number` is depth, sound or a curve, in the red channel. */
   readonly samplers: readonly { readonly name: string; readonly holds: 'color' | 'number' | 'cube' }[];
 }
 
 export interface ShaderVerdict {
-  /** What the driver said against it. */
+  /** Errors of the driver. */
   readonly logs: readonly Pick<ShaderError, 'stage' | 'log'>[];
-  /** The author's line of a loop that does not end in time. */
+  /** Source line of a loop that does not end in time; null if all loops end. */
   readonly endlessLine: number | null;
 }
 
@@ -38,7 +38,7 @@ interface Bench {
 
 let bench: Bench | null = null;
 
-/** Compiles all of them at once, in as many threads as the driver takes, and draws those with loops. */
+/** Compiles all shaders at once, in the threads of the driver, and draws those with loops. */
 export async function judge(jobs: readonly ShaderJob[]): Promise<readonly ShaderVerdict[]> {
   bench ??= createBench();
   const at = bench;
@@ -80,7 +80,7 @@ function probeLoops({ gl, drawer, probe, color, depth }: Bench, job: ShaderJob, 
   const gate = program.uniform(GATE_SAMPLER);
   if (gate) drawer.texture(job.samplers.length, gate, null, 'nearest');
   drawer.draw();
-  // Nothing else is to be drawn meanwhile, so that waiting costs nothing.
+  // The page draws nothing else, so waiting blocks nothing.
   const bytes = new Uint8Array(PROBE_SIDE_PX ** 2 * 4);
   gl.readPixels(0, 0, PROBE_SIDE_PX, PROBE_SIDE_PX, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
   drawer.end();
@@ -89,7 +89,7 @@ function probeLoops({ gl, drawer, probe, color, depth }: Bench, job: ShaderJob, 
 
 const VIEW_PX = [1280, 720] as const;
 
-/** Somewhere in the middle of things, so that what only begins at 0 has begun. */
+/** Values in the middle of a session, because some shaders start only after time 0. */
 function builtinValue(builtin: BuiltinUniform, passIndex: number): readonly number[] {
   switch (builtin) {
     case 'TIME':

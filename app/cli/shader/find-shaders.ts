@@ -2,19 +2,19 @@ import { readdir, stat } from 'node:fs/promises';
 import { basename, join } from 'node:path';
 import { UsageError } from '../command.ts';
 
-/** As ISF files and techniques are called; a file that is named itself may be called anything. */
+/** Endings of ISF files and techniques. A file that is named explicitly may have any ending. */
 const SHADER = /\.(fs|isf|glsl)$/i;
 
-/** Vertex shaders of ISF files, and how the files may be called that they belong to. */
+/** Ending of vertex shaders, and possible endings of their ISF files. */
 const VERTEX = /\.vs$/i;
 const FRAGMENTS = ['.fs', '.FS', '.isf', '.frag'];
 
-/** Pieces of techniques, which are no shaders by themselves; and what others have installed. */
+/** Folders that are skipped: chunks, which are not complete shaders, and installed packages. */
 const PASSED_BY = ['chunks', 'node_modules'];
 
 /**
- * The files that a command line means, once each and in order: files as they are, for a vertex shader the file it belongs to, folders with all shaders below them but what
- * is hidden or installed. Throws `UsageError` where there are none.
+ * Finds the files of a command line, each once, in order. A vertex shader stands for its ISF file; a folder for all shaders below it
+ * that are not hidden or installed. @throws UsageError if there are none
  */
 export async function findShaders(operands: readonly string[]): Promise<readonly string[]> {
   const files: string[] = [];
@@ -32,7 +32,7 @@ export async function findShaders(operands: readonly string[]): Promise<readonly
   return [...new Set(files)];
 }
 
-/** A vertex shader says nothing by itself: it is checked with the file that it stands beside. */
+/** The ISF file of a vertex shader, which cannot be checked alone. */
 async function fragmentOf(vertex: string): Promise<string> {
   for (const ending of FRAGMENTS) {
     const file = vertex.replace(VERTEX, ending);

@@ -16,17 +16,17 @@ import type { ShaderJob } from './driver.page.ts';
 export interface LinkedFile {
   readonly file: string;
   readonly source: string;
-  /** One for each pass, with what the driver has to be given to draw it. */
+  /** One entry per pass, with the inputs that the driver needs to draw it. */
   readonly passes: readonly { readonly shader: LinkedShader; readonly job: ShaderJob }[];
-  /** What can be said without a driver; with an error among it the passes, if any, are of the text above. */
+  /** Diagnostics of the parser and linker. After an error, `passes` contain only the text before it. */
   readonly diagnostics: readonly Diagnostic[];
-  /** Where the file has a mistake: the passes are of the text above, and of what they bring only that counts. Else null. */
+  /** After an error: which driver messages apply to the text before it; else null. */
   readonly before: Before | null;
 }
 
 /**
- * A file as a new node would have it: all inputs wired, and with their first values. By its ending and content it is a technique or a
- * transition, else ISF. `vertex` is the text of the vertex shader beside it, if there is one.
+ * Links a file as a new node would: all inputs connected, all params at their defaults. Name and content tell whether it is a
+ * technique, a transition or another ISF file. `vertex` is the text of its vertex shader, if any.
  */
 export function linkFile(source: string, file: string, vertex: string | null): LinkedFile {
   return isTechnique(source, file) ? linkTechniqueFile(source, file) : linkImageShader(source, file, vertex);
@@ -67,11 +67,11 @@ function linkTechniqueFile(source: string, file: string): LinkedFile {
   };
 }
 
-/** A chunk in the folder `chunks` beside a technique comes before the library's of the same name, as in projects. */
+/** Text of a chunk in the folder `chunks` beside a technique. It overrides that of the library, as in projects. */
 export function chunkBeside(file: string, name: string): string | undefined {
   try {
     const chunk = join(dirname(file), 'chunks', `${name}.glsl`);
-    // To open a named pipe would wait for ever.
+    // Opening a named pipe would block forever.
     return statSync(chunk).isFile() ? readFileSync(chunk, 'utf8') : undefined;
   } catch {
     return undefined;

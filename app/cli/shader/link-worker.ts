@@ -1,7 +1,7 @@
 import { parentPort } from 'node:worker_threads';
 import { linkFile } from './link-file.ts';
 
-/** What `create-linker.ts` sends. */
+/** Message of `create-linker.ts`. */
 export interface LinkQuestion {
   readonly source: string;
   readonly file: string;
@@ -10,7 +10,7 @@ export interface LinkQuestion {
 
 parentPort?.postMessage({ ready: true });
 
-/** A file that is too much for the linker brings an answer as well: the worker stays for the next. */
+/** Always answers, even if the linker throws, so that the worker stays usable. */
 parentPort?.on('message', ({ source, file, vertex }: LinkQuestion) => {
   try {
     parentPort?.postMessage({ linked: linkFile(source, file, vertex) });

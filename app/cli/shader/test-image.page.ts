@@ -3,7 +3,7 @@ import type { GlObjects } from '../../../export/runtime/gl/gl-objects.ts';
 
 const SIDE_PX = 64;
 
-/** Stands in for every layer and every depth: all colors, some transparency, meters from 0.5 to 4.5. */
+/** Test textures for layers and depth: all colors, some transparency, 0.5 to 4.5 m. */
 export function createTestImage(objects: GlObjects): { readonly color: WebGLTexture; readonly depth: WebGLTexture } {
   const { gl } = objects;
   const colors = new Uint8Array(SIDE_PX ** 2 * 4);

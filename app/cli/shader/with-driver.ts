@@ -9,15 +9,15 @@ import { startBrowser } from '../../services/start-browser.ts';
 import type * as DriverPage from './driver.page.ts';
 
 export interface DriverOptions {
-  /** Holds Scrim's sources. */
+  /** Folder with the sources of Scrim. */
   readonly root: string;
   readonly chromium: Chromium;
   readonly say: (text: string) => void;
 }
 
 /**
- * Compiles shaders in the real driver, and runs their loops. Answers in their order; with null where that takes longer than `limitS`
- * (no limit where it is left out): the driver is then ended, and the next question has a new one.
+ * Compiles shaders with the driver and runs their loops. Returns results in order; null if that takes longer than `limitS` (default:
+ * no limit). The driver is then terminated, and the next call starts a new one.
  */
 export interface Judge {
   (jobs: readonly DriverPage.ShaderJob[]): Promise<readonly DriverPage.ShaderVerdict[]>;
@@ -26,7 +26,7 @@ export interface Judge {
 
 const PAGE_ENTRY = 'app/cli/shader/driver.page.ts';
 
-/** Lends a graphics driver, by way of a headless browser, for as long as `use` takes. */
+/** Starts a graphics driver in a headless browser, and ends it after `use`. */
 export async function withDriver<T>({ root, chromium, say }: DriverOptions, use: (judge: Judge) => Promise<T>): Promise<T> {
   say('Starting the browser…');
   const bundled = bundleScript(root, PAGE_ENTRY, 'scrimShaders');
@@ -40,7 +40,7 @@ export async function withDriver<T>({ root, chromium, say }: DriverOptions, use:
     const verdicts = await within(limitS, judged);
     if (verdicts === null) {
       driver = null;
-      // Its page answers no more: what it still says goes nowhere.
+      // The page has been closed, so its answer is ignored.
       judged.catch(() => undefined);
       await browser.close();
     }
@@ -66,7 +66,7 @@ async function startDriver(bundled: Promise<string>, chromium: Chromium): Promis
   return { browser, page };
 }
 
-/** Null where the answer takes longer. */
+/** Resolves to null if the answer takes too long. */
 function within<T>(limitS: number, answer: Promise<T>): Promise<T | null> {
   const limit = AbortSignal.timeout(limitS * 1000);
   const late = new Promise<null>((resolve) => {
@@ -75,7 +75,7 @@ function within<T>(limitS: number, answer: Promise<T>): Promise<T | null> {
   return Promise.race([answer, late]);
 }
 
-/** What the driver said of one shader, on its author's lines. */
+/** Driver messages of one shader, mapped to source lines. */
 export function verdictDiagnostics(
   shader: LinkedShader,
   { logs, endlessLine }: DriverPage.ShaderVerdict = { logs: [], endlessLine: null },
