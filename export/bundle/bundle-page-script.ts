@@ -57,11 +57,13 @@ export async function bundleStyle(root: string): Promise<Uint8Array> {
 
 const OPENERS: Readonly<Record<DecoderName, string>> = { draco: 'openDraco', meshopt: 'openMeshopt', ktx2: 'openKtx2' };
 
-function entryText({ nodeTypes, scenes, panoramas, controls }: ProgramUse, decoders: readonly DecoderName[]): string {
+function entryText({ nodeTypes, scenes, spatial, input, panoramas, controls }: ProgramUse, decoders: readonly DecoderName[]): string {
   const played = nodeTypes.filter((type) => Object.hasOwn(RUNTIME_FILES, type));
   const lines = [
     `import { startPage } from './export/page/start-page.ts';`,
     ...(scenes ? [`import { createScenesWith } from './export/runtime/scenes/create-scenes.ts';`] : []),
+    ...(spatial ? [`import { createSpatial } from './export/runtime/spatial/create-spatial.ts';`] : []),
+    ...(input ? [`import { SESSION_INPUTS } from './export/runtime/sessions/input/session-inputs.ts';`] : []),
     ...(panoramas ? [`import { readRadiance } from './export/runtime/scenes/environments/read-radiance.ts';`] : []),
     ...(controls ? [`import { createRoomPanel } from './export/page/room-panel/room-panel.ts';`] : []),
     ...decoders.map((name) => `import { ${OPENERS[name]} } from './export/runtime/scenes/models/decoders/${name}.ts';`),
@@ -69,7 +71,7 @@ function entryText({ nodeTypes, scenes, panoramas, controls }: ProgramUse, decod
     `const modules = { ${played.map((type, i) => `${JSON.stringify(type)}: node${i}`).join(', ')} };`,
     `const decoders = { ${decoders.map((name) => `${name}: ${OPENERS[name]}`).join(', ')} };`,
     `const createScenes = ${scenes ? `(files) => createScenesWith({ decoders, files${panoramas ? ', readRadiance' : ''} })` : 'null'};`,
-    `startPage(window, { modules, createScenes, createRoomPanel${controls ? '' : ': null'} });`,
+    `startPage(window, { modules, createScenes, createSpatial${spatial ? '' : ': null'}, inputs: ${input ? 'SESSION_INPUTS' : 'null'}, createRoomPanel${controls ? '' : ': null'} });`,
   ];
   return lines.join('\n');
 }

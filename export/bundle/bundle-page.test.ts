@@ -152,6 +152,7 @@ describe('a bundled page', () => {
     const parts = Object.keys((output as ExportReport).script);
     expect(parts).toEqual(['export/page', 'export/program', 'export/runtime', 'nodes/kit', 'nodes/source/image-file', 'page.ts']);
     expect(script.length).toBeLessThan(120_000);
+    expect(script).not.toMatch(/selectstart|requestHitTestSource/);
   });
 
   test('with objects holds three.js and the nodes in use, no others', async () => {

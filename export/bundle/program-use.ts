@@ -6,6 +6,10 @@ export interface ProgramUse {
   readonly nodeTypes: readonly string[];
   /** Whether three.js is needed. */
   readonly scenes: boolean;
+  /** Whether hit tests and anchors are needed. */
+  readonly spatial: boolean;
+  /** Whether pointers, taps or controllers are read. */
+  readonly input: boolean;
   /** Whether it reads panoramas. */
   readonly panoramas: boolean;
   /** Whether it has controls. */
@@ -22,14 +26,18 @@ export function programUse(program: Program): ProgramUse {
   const imported = passes.flatMap(({ samplers }) => samplers.flatMap(({ source }) => (source.kind === 'import' ? source.assets : [])));
   const assets = new Set([...nodes.flatMap((node) => Object.values(node.assets)), ...imported].filter((id) => id !== null));
   const uses = (...kinds: ProgramAsset['kind'][]) => program.assets.some(({ id, kind }) => kinds.includes(kind) && assets.has(id));
+  const spatial = program.needs.some(({ capability }) => capability === 'hit-test' || capability === 'anchors');
+  const controls = (program.controls ?? []).length > 0;
   return {
     nodeTypes: [...new Set(nodes.map((node) => node.type))].sort(),
     scenes:
       program.operations.some(({ kind }) => kind === 'geometry' || kind === 'draw' || kind === 'shadow-maps') ||
       uses('model', 'environment'),
+    spatial,
+    input: spatial || controls || program.readsInput === true,
     panoramas: uses('environment'),
     workers: program.operations.some(({ kind }) => kind === 'cpu'),
-    controls: (program.controls ?? []).length > 0,
+    controls,
     assets,
   };
 }

@@ -24,6 +24,17 @@ export interface Emulator {
    * restores it.
    */
   moveLight(directionWorld: readonly [number, number, number] | null): void;
+  /** From the next frame on: anchors have poses, or none. */
+  setAnchors(state: 'tracked' | 'lost'): void;
+  /** The system deletes all anchors, as when it forgets the room. */
+  deleteAnchors(): void;
+  /**
+   * Tracking drifts: reference spaces move against the room, without an event; anchors stay at their point of it. Drifts add up.
+   *
+   * @param offsetM In the room's axes, meters.
+   * @param yawRad About the vertical through the room's origin.
+   */
+  drift(offsetM: readonly [number, number, number], yawRad: number): void;
   setVisibility(state: 'visible' | 'visible-blurred' | 'hidden'): void;
   /** Re-centers: `local` and `local-floor` spaces move to the viewer and dispatch `reset`. */
   recenter(): void;

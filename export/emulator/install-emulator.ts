@@ -20,6 +20,7 @@ import {
 import { P_EMULATED } from './private.ts';
 import { DEVICE_PROFILES } from './profiles.ts';
 import { createRoomServices, type OwnedRoomServices } from './room-services.ts';
+import { deleteAnchors, driftSpaces } from './session/drift.ts';
 import { levelPose, moveOrigin } from './session/emulated-reference-space.ts';
 import type { EmulatedSession } from './session/emulated-session.ts';
 import { checkModes, grantSession, type SessionWorld } from './session/grant-session.ts';
@@ -63,6 +64,7 @@ export function installEmulator(options: EmulatorOptions = {}): Emulator {
     tracked: true,
     depthState: 'working',
     lightState: 'room',
+    anchorState: 'tracked',
     session: null,
     inlineSessions: new Set(),
   };
@@ -96,6 +98,15 @@ export function installEmulator(options: EmulatorOptions = {}): Emulator {
     },
     moveLight: (directionWorld) => world.roomServices().moveLight(directionWorld),
     setVisibility: (state) => device.updateVisibilityState(state as Parameters<EmulatedDevice['updateVisibilityState']>[0]),
+    setAnchors: (state) => {
+      world.anchorState = state;
+    },
+    deleteAnchors: () => {
+      if (world.session) deleteAnchors(world.session);
+    },
+    drift: (offsetM, yawRad) => {
+      if (world.session) driftSpaces(world.session, offsetM, yawRad);
+    },
     recenter: () => recenter(world),
     endSession: async () => world.session?.end(),
     ...createTouch(world),

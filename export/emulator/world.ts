@@ -25,6 +25,8 @@ export interface World {
   tracked: boolean;
   depthState: DepthState;
   lightState: LightState;
+  /** Whether the device sees its anchors. */
+  anchorState: 'tracked' | 'lost';
 }
 
 export interface WorldSettings {

@@ -5,12 +5,15 @@ import type { Program } from '../program/program.ts';
 import type { AssetSource } from '../runtime/assets/asset-source.ts';
 import { createPlayer, type Player } from '../runtime/player.ts';
 import type { CreateSceneBackend } from '../runtime/scene-backend.ts';
+import type { CreateSpatial } from '../runtime/spatial/spatial.ts';
 import type { RoomPanel } from './room-panel/room-panel.ts';
 
 export interface MountOptions {
   readonly program: Program;
   readonly modules: Readonly<Record<string, NodeModule>>;
   readonly createScenes: CreateSceneBackend | null;
+  /** Hit tests and anchors; null where the program needs neither. */
+  readonly createSpatial: CreateSpatial | null;
   readonly assets: AssetSource;
   /** Creates the panel for sessions that hide the page; null without controls. */
   readonly createPanel: ((gl: WebGL2RenderingContext) => RoomPanel) | null;
@@ -75,10 +78,8 @@ export function mount(canvas: HTMLCanvasElement, options: MountOptions): Mounted
       shown?.draw(frame);
     };
     session?.start(draw, (event) => {
-      if (event.kind === 'reset') {
-        player.reset();
-        shown?.reset();
-      }
+      if (event.kind === 'reset') player.reset();
+      if (event.kind === 'reset' || event.kind === 'recentered') shown?.reset();
       if (event.kind === 'ended') {
         shown?.dispose();
         if (playing === session) playing = null;

@@ -7,8 +7,10 @@ import type { AssetSource } from '../runtime/assets/asset-source.ts';
 import { createBrowserClock } from '../runtime/clock.ts';
 import type { CreateSceneBackend } from '../runtime/scene-backend.ts';
 import { requestCameraSession } from '../runtime/sessions/camera/request-camera.ts';
+import type { SessionInputs } from '../runtime/sessions/input/session-inputs.ts';
 import { createOrbitSession } from '../runtime/sessions/orbit/orbit-session.ts';
 import { requestWebXrSession } from '../runtime/sessions/webxr/request-session.ts';
+import type { CreateSpatial } from '../runtime/spatial/spatial.ts';
 import { type Mounted, type MountOptions, mount } from './mount.ts';
 import { showDiagnostics } from './notices.ts';
 import type { PageRoot } from './page-root.ts';
@@ -17,6 +19,8 @@ import type { SessionMode, SessionModes } from './session-modes.ts';
 export interface PageControllerOptions {
   readonly modules: Readonly<Record<string, NodeModule>>;
   readonly createScenes: CreateSceneBackend | null;
+  readonly createSpatial: CreateSpatial | null;
+  readonly inputs: SessionInputs | null;
   readonly createPanel: MountOptions['createPanel'];
   readonly page: Window;
   readonly root: PageRoot;
@@ -47,7 +51,8 @@ export function createPageController({ page, root, program, modes, ...parts }: P
   let { offers } = modes;
   const offer = () => panel.show({ kind: 'ready', offers, reason: modes.noAr });
   const { around } = program.presentation;
-  const orbit = (gl: WebGL2RenderingContext) => createOrbitSession({ gl, canvas, clock, ...(around && { start: around }) });
+  const orbit = (gl: WebGL2RenderingContext) =>
+    createOrbitSession({ gl, canvas, clock, inputs: parts.inputs, ...(around && { start: around }) });
   const mounted: Mounted = mount(canvas, {
     ...parts,
     program,
@@ -101,6 +106,7 @@ export function createPageController({ page, root, program, modes, ...parts }: P
         return;
       case 'visibility':
       case 'reset':
+      case 'recentered':
         return;
       default:
         event satisfies never;
@@ -108,8 +114,10 @@ export function createPageController({ page, root, program, modes, ...parts }: P
   };
   const request = (mode: SessionMode): Promise<Result<Session>> => {
     const { gl } = mounted;
-    if (mode === 'camera') return requestCameraSession({ window: page, media: page.navigator.mediaDevices, gl, canvas, clock });
+    if (mode === 'camera')
+      return requestCameraSession({ window: page, media: page.navigator.mediaDevices, gl, canvas, clock, inputs: parts.inputs });
     return requestWebXrSession({
+      inputs: parts.inputs,
       mode: mode === 'vr' ? 'immersive-vr' : 'immersive-ar',
       xr: page.navigator.xr,
       gl,

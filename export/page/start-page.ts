@@ -3,6 +3,8 @@ import { type Program, readProgram } from '../program/program.ts';
 import { type AssetSource, createFetchAssetSource } from '../runtime/assets/asset-source.ts';
 import type { CreateSceneBackend } from '../runtime/scene-backend.ts';
 import type { DecoderFiles } from '../runtime/scenes/models/decoders/decoder.ts';
+import type { SessionInputs } from '../runtime/sessions/input/session-inputs.ts';
+import type { CreateSpatial } from '../runtime/spatial/spatial.ts';
 import { createControlValues } from './control-values.ts';
 import { createEmbeddedAssetSource, hasEmbeddedFiles } from './embedded-files.ts';
 import { countingFetch } from './load-progress.ts';
@@ -18,6 +20,9 @@ import { findSessionModes, lacksOf } from './session-modes.ts';
 export interface PageParts {
   readonly modules: Readonly<Record<string, NodeModule>>;
   readonly createScenes: ((files: DecoderFiles) => CreateSceneBackend) | null;
+  readonly createSpatial: CreateSpatial | null;
+  /** Null if the program reads no input. */
+  readonly inputs: SessionInputs | null;
   /** Null if there are no controls. */
   readonly createRoomPanel: CreateRoomPanel | null;
 }
@@ -48,9 +53,20 @@ export async function startPage(page: Window, parts: PageParts): Promise<void> {
     const program = await loadProgram(files, config.program);
     const modes = await found;
     const createScenes = parts.createScenes?.((file) => files.load(config.decoders[file] ?? file)) ?? null;
-    const { modules, createRoomPanel } = parts;
+    const { modules, createSpatial, inputs, createRoomPanel } = parts;
     const createPanel = createRoomPanel && ((gl: WebGL2RenderingContext) => createRoomPanel({ gl, document, title: config.title, values }));
-    controller = createPageController({ page, root, program, assets: files, modes, modules, createScenes, createPanel });
+    controller = createPageController({
+      page,
+      root,
+      program,
+      assets: files,
+      modes,
+      modules,
+      createScenes,
+      createSpatial,
+      inputs,
+      createPanel,
+    });
     await controller.ready;
     panel.show({ kind: 'ready', offers: modes.offers, reason: modes.noAr });
     root.showCanvas();

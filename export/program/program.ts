@@ -27,6 +27,8 @@ export interface Program {
   readonly taps: Readonly<Record<string, LayerRef>>;
   /** Controls for visitors from top to bottom; absent if there are none. */
   readonly controls?: readonly Control[];
+  /** A node reads pointers, taps or controllers; absent where none does. */
+  readonly readsInput?: true;
   /** Credits of its works by title; absent if no author is named. For display only: the runtime ignores them. */
   readonly credits?: readonly ProgramCredit[];
 }
@@ -112,6 +114,8 @@ export type Resource =
   | { readonly id: ResourceId; readonly kind: 'sound' }
   /** Events of this frame; cleared before each frame. */
   | { readonly id: ResourceId; readonly kind: 'pulses' }
+  /** A rigid transform in world space, written in every frame before its readers run. */
+  | { readonly id: ResourceId; readonly kind: 'pose' }
   /** A curve as a table of heights (`curve-table.ts`), from the slot. No operation writes it. */
   | { readonly id: ResourceId; readonly kind: 'curve'; readonly slot: number }
   /** A technique. No operation writes it. */

@@ -15,6 +15,7 @@ import type { NodeHost } from './operations/node-instance.ts';
 import type { PlayState } from './play-state.ts';
 import type { OperationTimer } from './program-instance/operation-timer.ts';
 import type { CreateSceneBackend, SceneBackend } from './scene-backend.ts';
+import type { Spatial, SpatialCounts } from './spatial/spatial.ts';
 
 /** Everything that exists once per WebGL context, independent of the program. */
 export interface Engine {
@@ -40,6 +41,8 @@ export interface Engine {
 /** Number of GPU objects: the player's own by kind, and those of three.js. */
 export interface PlayerCounts extends GlCounts {
   readonly scenes: ReturnType<SceneBackend['counts']> | null;
+  /** Absent in pages without hit tests and anchors. */
+  readonly spatial?: SpatialCounts;
 }
 
 export interface EngineOptions {
@@ -47,6 +50,8 @@ export interface EngineOptions {
   readonly canvas: HTMLCanvasElement | OffscreenCanvas;
   readonly modules: Readonly<Record<string, PlayedModule>>;
   readonly createScenes: CreateSceneBackend | null;
+  /** Null where the program needs no hit tests and anchors. */
+  readonly spatial: Spatial | null;
   readonly assets: AssetSource;
   readonly seed: number;
   readonly clock: FrameClock;
@@ -68,6 +73,10 @@ export function createEngine(options: EngineOptions): Engine {
     if (!options.createScenes) throw new Error('The program draws objects, but the page was made without three.js.');
     backend ??= options.createScenes({ gl, canvas });
     return backend;
+  };
+  const spatial = (): Spatial => {
+    if (!options.spatial) throw new Error('A node tests hits or anchors, and its definition needs neither `hit-test` nor `anchors`.');
+    return options.spatial;
   };
   const tools = new Map<string, GlProgram>();
   let cameraMean: CameraMean | null = null;
@@ -116,6 +125,11 @@ export function createEngine(options: EngineOptions): Engine {
           cameraMean ??= createCameraMean({ objects, drawer, tool }, options.held ?? false);
           return cameraMean.read(state.frame);
         },
+        openHitTest: (hitTest) => spatial().openHitTest(hitTest),
+        castRay: (worldFromRay, out, sources) => spatial().castRay(worldFromRay, out, sources),
+        get anchors() {
+          return spatial().anchors;
+        },
       },
       assets,
       board: options.board,
@@ -123,7 +137,11 @@ export function createEngine(options: EngineOptions): Engine {
       scenes,
     },
     scenesIfMade: () => backend,
-    counts: () => ({ ...objects.counts(), scenes: backend?.counts() ?? null }),
+    counts: () => ({
+      ...objects.counts(),
+      scenes: backend?.counts() ?? null,
+      ...(options.spatial ? { spatial: options.spatial.counts() } : {}),
+    }),
     dispose: () => {
       assets.dispose();
       backend?.dispose();

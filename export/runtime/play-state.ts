@@ -22,6 +22,7 @@ export const EMPTY_FRAME: SessionFrame = {
   framebufferWidthPx: 0,
   framebufferHeightPx: 0,
   light: null,
+  jumps: 0,
   input: createSessionInput(),
 };
 

@@ -18,6 +18,7 @@ import { disposeNodeInstances } from './program-instance/node-instances.ts';
 import type { OperationTimer } from './program-instance/operation-timer.ts';
 import { createProgramInstance, type ProgramInstance, type RetainedState } from './program-instance/program-instance.ts';
 import type { CreateSceneBackend } from './scene-backend.ts';
+import type { CreateSpatial } from './spatial/spatial.ts';
 
 export interface PlayerOptions {
   readonly gl: WebGL2RenderingContext;
@@ -27,6 +28,8 @@ export interface PlayerOptions {
   readonly modules: Readonly<Record<string, PlayedModule>>;
   /** Null for pages whose program neither draws objects nor loads models. */
   readonly createScenes: CreateSceneBackend | null;
+  /** Hit tests and anchors; null or absent for pages whose program needs neither. */
+  readonly createSpatial?: CreateSpatial | null;
   readonly assets: AssetSource;
   /** Seed of all random numbers: equal seeds give equal frames. */
   readonly seed: number;
@@ -124,10 +127,11 @@ export function createPlayer(options: PlayerOptions): Player {
   const clock = options.clock ?? createBrowserClock();
   const board = createDiagnosticsBoard(options.onDiagnostics);
   const state = createPlayState();
+  const spatial = options.createSpatial?.({ gl: options.gl, held: options.held ?? false }) ?? null;
   let engine: Engine;
   let loopGuard: LoopGuard | null;
   const setUp = (): void => {
-    engine = createEngine({ ...options, clock, board, state });
+    engine = createEngine({ ...options, clock, board, state, spatial });
     loopGuard = options.createLoopGuard?.(engine) ?? null;
   };
   setUp();
@@ -198,11 +202,13 @@ export function createPlayer(options: PlayerOptions): Player {
   return {
     ready: play(restorable),
     setSession: (next) => {
+      if (next !== session) spatial?.leaveSession();
       session = next;
     },
     draw: (frame) => {
       if (!live || !instance || preparing) return;
       state.frame = frame;
+      spatial?.enterFrame(frame);
       instance.update();
       instance.draw(session);
     },
@@ -210,13 +216,14 @@ export function createPlayer(options: PlayerOptions): Player {
       if (!live || !instance || preparing) return;
       const current = instance;
       state.frame = frame;
+      spatial?.enterFrame(frame);
       current.update();
-      await current.settle();
+      await Promise.all([current.settle(), spatial?.settle()]);
       // Meanwhile the context may be lost, or another program may play.
       if (live && instance === current) current.draw(session);
     },
     settle: async () => {
-      await instance?.settle();
+      await Promise.all([instance?.settle(), spatial?.settle()]);
     },
     setParam: (node, param, value) => {
       const name = `${node}.${param}`;
@@ -240,7 +247,9 @@ export function createPlayer(options: PlayerOptions): Player {
     },
     counts: () => engine.counts(),
     contextLost: () => {
-      if (live) tearDown(true);
+      if (!live) return;
+      spatial?.contextLost();
+      tearDown(true);
     },
     restore: () => {
       setUp();
@@ -250,6 +259,7 @@ export function createPlayer(options: PlayerOptions): Player {
     dispose: () => {
       if (live) tearDown(false);
       forget();
+      spatial?.dispose();
     },
   };
 }

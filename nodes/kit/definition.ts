@@ -52,6 +52,8 @@ export interface NodeDefinition {
    */
   readonly control?: 'slider' | 'toggle' | 'button' | 'choice';
   readonly needs?: readonly Need[];
+  /** Its runtime reads `SessionFrame.input`: pages without such a node, hit tests and controls listen to no input. */
+  readonly readsInput?: true;
   /** Element `i` migrates saved params from version `i + 1` to `i + 2`. */
   readonly migrations?: readonly Migration[];
   /** Migrations of shader files, which contain no code (`SCRIM_RENAMED` in a header): element `i` renames params. */

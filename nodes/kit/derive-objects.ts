@@ -1,10 +1,12 @@
 import type { ObjectItem, ObjectList } from './scene-lists.ts';
 import { createVersionWatch } from './version-watch.ts';
 
+const NOTHING: readonly ObjectList[] = [];
+
 /** An output list that follows the lists it is derived from. */
 export interface DerivedObjects {
-  /** Call it once per frame: copies added and removed items, and the matrices and flags of all items. */
-  update(inputs: readonly ObjectList[]): void;
+  /** Call it once per frame: copies added and removed items, and the matrices and flags of all items. `shown: false` empties the list. */
+  update(inputs: readonly ObjectList[], shown?: boolean): void;
 }
 
 /**
@@ -22,6 +24,7 @@ export interface DerivedObjects {
 export function deriveObjects(output: ObjectList, adjust: (item: ObjectItem) => void): DerivedObjects {
   const sources: ObjectItem[] = [];
   const watch = createVersionWatch();
+  let isShown = true;
 
   function rebuild(inputs: readonly ObjectList[]): void {
     sources.length = 0;
@@ -37,8 +40,10 @@ export function deriveObjects(output: ObjectList, adjust: (item: ObjectItem) => 
   }
 
   return {
-    update: (inputs) => {
-      if (watch.changed(inputs)) rebuild(inputs);
+    update: (inputs, shown = true) => {
+      const changed = watch.changed(inputs) || shown !== isShown;
+      isShown = shown;
+      if (changed) rebuild(shown ? inputs : NOTHING);
       for (let i = 0; i < sources.length; i++) {
         const source = sources[i];
         const item = output.items[i];

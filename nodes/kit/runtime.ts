@@ -1,6 +1,9 @@
+import type { AnchorService } from './anchors.ts';
 import type { AssetService } from './assets.ts';
 import type { InputPort, NodeDefinition, ParamDefinition } from './definition.ts';
 import type { Diagnostic } from './diagnostics.ts';
+import type { HitRecord, HitSource, HitTest, HitTestOptions } from './hit-test.ts';
+import type { PoseOutput, PoseView } from './pose.ts';
 import type { EnvironmentOutput, LightList, ObjectList, RoomDepthOutput } from './scene-lists.ts';
 import type { SceneLook } from './scene-look.ts';
 import type { LightEstimate, SessionFrame, ViewFrame } from './session.ts';
@@ -152,9 +155,9 @@ export interface WireViews extends ValueViews {
   environment: EnvironmentOutput;
   audio: SoundOutput;
   pulse: PulseList;
+  pose: PoseView;
   // No node has these yet.
   surfaces: never;
-  pose: never;
   body: never;
   capture: never;
 }
@@ -168,7 +171,13 @@ type InputView<P extends InputPort> = P extends { readonly type: 'pulse' }
       InputPort extends P
       ? readonly WireView<P['type']>[] | WireView<P['type']> | null
       : WireView<P['type']> | null;
-type OutputView<T extends WireType> = T extends keyof ValueViews ? Writable<ValueViews[T]> : T extends 'pulse' ? PulseOutput : WireView<T>;
+type OutputView<T extends WireType> = T extends keyof ValueViews
+  ? Writable<ValueViews[T]>
+  : T extends 'pulse'
+    ? PulseOutput
+    : T extends 'pose'
+      ? PoseOutput
+      : WireView<T>;
 type ParamView<P extends ParamDefinition> = P extends { type: 'choice' }
   ? NumberView
   : P extends { type: infer T }
@@ -209,6 +218,30 @@ export interface SessionService {
    * without delay while the clock is held. Null without a camera image and until the first measurement.
    */
   readonly cameraMean: Readonly<Float32Array> | null;
+  /**
+   * Begins a hit test of the real room. Only for nodes whose definition needs `hit-test`. Closed with `HitTest.close`.
+   *
+   * @throws Error where no node of the program needs `hit-test` or `anchors`.
+   *
+   * @example
+   * const hits = ctx.session.openHitTest({ from: 'viewer' });
+   */
+  openHitTest(options: HitTestOptions): HitTest;
+  /**
+   * The first hit of a ray with detected planes, detected meshes, room depth and the floor; the device's own hit test follows no such
+   * ray. Only for nodes whose definition needs `hit-test`.
+   *
+   * @param worldFromRay Column-major 4×4, rigid: the ray begins at its origin, along its -z axis.
+   * @param out Receives the hit.
+   * @param sources Sources that may answer. Default: all.
+   * @returns Whether something is hit.
+   *
+   * @example
+   * if (ctx.session.castRay(pose.worldFromPose, hit)) distance.value = hit.distanceM;
+   */
+  castRay(worldFromRay: ArrayLike<number>, out: HitRecord, sources?: readonly HitSource[]): boolean;
+  /** Only for nodes whose definition needs `anchors`. */
+  readonly anchors: AnchorService;
 }
 
 /** The view and the target of a `draw` call. */

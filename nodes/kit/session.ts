@@ -29,8 +29,10 @@ export type SessionEvent =
   | { readonly kind: 'tracking'; readonly tracked: boolean }
   /** A granted feature has returned no data for a while, or returns data again. */
   | { readonly kind: 'sensing'; readonly capability: Capability; readonly working: boolean }
-  /** World space was re-centered or the recording restarted: state that depends on poses is no longer valid. */
+  /** The recording restarted or jumped: all state is void. */
   | { readonly kind: 'reset' }
+  /** World space moved against the room, as when the visitor re-centers. State stays; `SessionFrame.jumps` has been raised. */
+  | { readonly kind: 'recentered' }
   | { readonly kind: 'problem'; readonly message: string };
 
 /** One frame of a session. */
@@ -52,6 +54,21 @@ export interface SessionFrame {
   /** Absent or null if the session does not detect surfaces. */
   readonly surfaces?: DetectedSurfaces | null;
   readonly input: SessionInput;
+  /** Raised when world space moves against the room, as at re-centering: filters of poses restart. */
+  readonly jumps: number;
+  /** The WebXR frame behind it, for the runtime's own hit tests and anchors; null or absent in other sessions. Nodes do not read it. */
+  readonly xr?: XrAccess | null;
+}
+
+/** What the runtime needs of WebXR. The objects are those of the browser: `XRSession`, `XRFrame`, `XRReferenceSpace`. */
+export interface XrAccess {
+  readonly session: object;
+  /** Valid until the callback of the frame ends. */
+  readonly frame: object;
+  /** World space. */
+  readonly referenceSpace: object;
+  /** What the session granted. */
+  readonly capabilities: ReadonlySet<Capability>;
 }
 
 /** The real surfaces that the device has detected so far. They change while the device moves. */
@@ -89,13 +106,51 @@ export interface DetectedMesh extends DetectedSurface {
 
 /** The input of the visitor: taps since the previous frame and the current state of the controllers. */
 export interface SessionInput {
-  /** Taps, clicks and selections by controllers or hands, oldest first; only the first `tapCount` entries are valid. */
+  /**
+   * Fingers, mouse, controllers, hands and gaze that point somewhere in this frame; only the first `pointerCount` entries are valid.
+   * Touches of the page's controls are not among them.
+   */
+  readonly pointers: readonly Pointer[];
+  readonly pointerCount: number;
+  /**
+   * Taps, clicks and selections by controllers or hands, oldest first; only the first `tapCount` entries are valid. They are derived
+   * from pointers: a tap is a pointer in the phase `end` whose `tapped` is true.
+   */
   readonly taps: readonly Tap[];
   readonly tapCount: number;
   /** Controllers of a headset, or the halves of a gamepad. */
   readonly left: Controller;
   readonly right: Controller;
 }
+
+/**
+ * Something that points along a ray. A press takes at least two frames: one with the phase `start`, any number with `hold`, one with
+ * `end` or `cancel`. Fingers and transient inputs are listed only while they press. The object is reused by later pointers: keep its
+ * `id`, not the object. A node that handles a press claims the pointer (`nodes/kit/pointers.ts`).
+ */
+export interface Pointer {
+  /** From 1, unique within the session. A mouse, controller or hand keeps its id over several presses; each touch has its own. */
+  readonly id: number;
+  readonly by: PointerKind;
+  readonly phase: PointerPhase;
+  /** Column-major 4×4, rigid: its origin is the eye or the hand, its -z axis points along the ray. */
+  readonly worldFromRay: Float32Array;
+  /** Where the hand holds something (WebXR's grip space); null for screens, mouse and gaze, and while it is not tracked. */
+  readonly worldFromGrip: Float32Array | null;
+  /** How far a pinch or trigger is closed, in [0, 1]; 1 while a screen or mouse is pressed. */
+  readonly pinch: number;
+  /** Of the phase `end`: the press was a tap, click or selection, not a drag. */
+  readonly tapped: boolean;
+  /** The browser's `XRInputSource`, for the runtime's own hit tests; null in other sessions. Nodes do not read it. */
+  readonly xrSource: object | null;
+  /** Who claimed it at its start; null while nobody did. Written by `claimPointer` alone. */
+  owner: object | null;
+}
+
+/** `hover`: nothing is pressed. `cancel`: the system took the press away, which is to be undone. */
+export type PointerPhase = 'hover' | 'start' | 'hold' | 'end' | 'cancel';
+
+export type PointerKind = 'screen' | 'mouse' | 'left' | 'right' | 'left-hand' | 'right-hand' | 'gaze';
 
 /** A select action. */
 export interface Tap {
@@ -163,6 +218,8 @@ export interface RoomDepth {
   readonly worldFromDepth: Float32Array;
   /** True: readers interpolate the four nearest samples that are known. Otherwise they read the nearest sample. */
   readonly interpolate?: boolean;
+  /** The same samples on the CPU, rows in the order of the texture; null or absent where they are on the GPU alone. */
+  readonly meters?: Float32Array | null;
 }
 
 /** The estimated light of the room. Spherical harmonics are in the order of WebXR Lighting Estimation §3.2. */

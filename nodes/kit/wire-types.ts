@@ -43,7 +43,12 @@ export const WIRE_TYPES = {
     color: '#8a7a5c',
     shape: 'cross',
   },
-  pose: { label: 'Pose', doc: 'A rigid transform in world space, meters and unit quaternion.', color: '#9a6dd7', shape: 'diamond' },
+  pose: {
+    label: 'Pose',
+    doc: 'A position and rotation in world space, meters, without scale. It can be invalid, as when a ray hits nothing.',
+    color: '#9a6dd7',
+    shape: 'diamond',
+  },
   body: { label: 'Body', doc: 'A physics body, meters, kilograms, seconds.', color: '#a0522d', shape: 'pill' },
   capture: { label: 'Capture', doc: 'Calibrated photographs and their geometry.', color: '#5f7f3f', shape: 'cross' },
   audio: { label: 'Audio', doc: 'Waveform and spectrum of a sound.', color: '#2f8f5b', shape: 'ring' },

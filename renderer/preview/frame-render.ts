@@ -5,6 +5,7 @@ import { createLoopGuard } from '../../export/runtime/program-instance/loop-watc
 import { createScenesWith } from '../../export/runtime/scenes/create-scenes.ts';
 import { readRadiance } from '../../export/runtime/scenes/environments/read-radiance.ts';
 import { ALL_DECODERS } from '../../export/runtime/scenes/models/decoders/all-decoders.ts';
+import { createSpatial } from '../../export/runtime/spatial/create-spatial.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { FrameRenderRequest, FromPreview, ToPreview } from '../preview-protocol.ts';
@@ -57,6 +58,7 @@ export function createFrameRender(send: (message: FromPreview, transfer?: Transf
       canvas,
       program,
       modules: RUNTIMES,
+      createSpatial,
       createScenes,
       assets: createFetchAssetSource(request.assetBaseUrl, pageFetch),
       seed: SEED,

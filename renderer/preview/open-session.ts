@@ -6,6 +6,7 @@ import type { FrameClock } from '../../export/runtime/clock.ts';
 import { createCameraSession } from '../../export/runtime/sessions/camera/camera-session.ts';
 import { listenForOrientation } from '../../export/runtime/sessions/camera/orientation-sensor.ts';
 import { requestCameraSession } from '../../export/runtime/sessions/camera/request-camera.ts';
+import { SESSION_INPUTS } from '../../export/runtime/sessions/input/session-inputs.ts';
 import { createOrbitSession } from '../../export/runtime/sessions/orbit/orbit-session.ts';
 import { createRecordedSession } from '../../export/runtime/sessions/recorded/recorded-session.ts';
 import { requestWebXrSession } from '../../export/runtime/sessions/webxr/request-session.ts';
@@ -73,12 +74,12 @@ export function openSession(source: PreviewSource, place: SessionPlace): Promise
     case 'still':
       return openStill(source.picture, place);
     case 'orbit':
-      return Promise.resolve(opened({ output: createOrbitSession(place), diagnostics: [] }));
+      return Promise.resolve(opened({ output: createOrbitSession({ ...place, inputs: SESSION_INPUTS }), diagnostics: [] }));
   }
 }
 
 async function openCamera({ gl, clock, canvas }: SessionPlace): Promise<OpenSession> {
-  return opened(await requestCameraSession({ window, media: navigator.mediaDevices, gl, canvas, clock }));
+  return opened(await requestCameraSession({ window, media: navigator.mediaDevices, gl, canvas, clock, inputs: SESSION_INPUTS }));
 }
 
 async function openStill(picture: Blob, { gl, clock, canvas }: SessionPlace): Promise<OpenSession> {
@@ -90,7 +91,10 @@ async function openStill(picture: Blob, { gl, clock, canvas }: SessionPlace): Pr
     const message = 'The image could not be read.';
     return opened({ output: null, diagnostics: [{ code: 'SCR032', severity: 'error', message, fix: 'Choose a PNG, JPEG or WebP file.' }] });
   }
-  return opened({ output: createCameraSession({ gl, canvas, clock, stream, sensor: listenForOrientation(window) }), diagnostics: [] });
+  return opened({
+    output: createCameraSession({ gl, canvas, clock, stream, sensor: listenForOrientation(window), inputs: SESSION_INPUTS }),
+    diagnostics: [],
+  });
 }
 
 /** Wraps a session that cannot seek or resize. */
@@ -108,7 +112,7 @@ function opened({ output, diagnostics }: Result<Session>): OpenSession {
 
 async function openRecording(url: string, { gl, clock, onEnd, onArrival }: SessionPlace): Promise<OpenSession> {
   const files = createFetchAssetSource(url, pageFetch);
-  const session = createRecordedSession({ gl, files, mode: { kind: 'clock', clock }, onEnd, onArrival });
+  const session = createRecordedSession({ gl, files, mode: { kind: 'clock', clock }, inputs: SESSION_INPUTS, onEnd, onArrival });
   const { output, diagnostics } = await session.ready;
   return {
     session: output === null ? null : session,
@@ -158,6 +162,7 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
   const walk = createWalk(emulator, screen, clock);
   const { output, diagnostics } = await requestWebXrSession({
     xr: navigator.xr,
+    inputs: SESSION_INPUTS,
     gl,
     needs: program.needs,
     antialias: program.presentation.antialias,

@@ -9,6 +9,7 @@ import { createScenesWith } from '../../export/runtime/scenes/create-scenes.ts';
 import { readRadiance } from '../../export/runtime/scenes/environments/read-radiance.ts';
 import { ALL_DECODERS } from '../../export/runtime/scenes/models/decoders/all-decoders.ts';
 import { type CanvasFitter, createCanvasFitter } from '../../export/runtime/sessions/fit-canvas.ts';
+import { createSpatial } from '../../export/runtime/spatial/create-spatial.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { FromPreview } from '../preview-protocol.ts';
@@ -67,6 +68,7 @@ export function createPlayerHost({ parent, program, assetBaseUrl, clock, onDiagn
     canvas,
     program,
     modules: RUNTIMES,
+    createSpatial,
     createScenes,
     assets,
     seed: SEED,

@@ -5,6 +5,7 @@ import type { Program } from '../../export/program/program.ts';
 import { createFetchAssetSource } from '../../export/runtime/assets/asset-source.ts';
 import type { Player } from '../../export/runtime/player.ts';
 import { readScreen } from '../../export/runtime/readback.ts';
+import { SESSION_INPUTS } from '../../export/runtime/sessions/input/session-inputs.ts';
 import { createRecordedSession } from '../../export/runtime/sessions/recorded/recorded-session.ts';
 import { requestWebXrSession } from '../../export/runtime/sessions/webxr/request-session.ts';
 import type { Diagnostic, Result } from '../../nodes/kit/diagnostics.ts';
@@ -75,7 +76,14 @@ async function openRoom(
   emulator.moveLight(lightDirectionWorld);
   const { needs, presentation } = program;
   const mode = tier === 'vr' ? 'immersive-vr' : 'immersive-ar';
-  const { output, diagnostics } = await requestWebXrSession({ xr: navigator.xr, gl, needs, antialias: presentation.antialias, mode });
+  const { output, diagnostics } = await requestWebXrSession({
+    xr: navigator.xr,
+    inputs: SESSION_INPUTS,
+    gl,
+    needs,
+    antialias: presentation.antialias,
+    mode,
+  });
   if (output === null) return { output: null, diagnostics };
   // WebXR textures are valid only during their frame, so the frame is drawn without waiting. Videos therefore show the frame that was
   // requested one frame earlier.

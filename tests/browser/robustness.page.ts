@@ -5,6 +5,7 @@ import { createFetchAssetSource } from '../../export/runtime/assets/asset-source
 import { createManualClock } from '../../export/runtime/clock.ts';
 import type { Player } from '../../export/runtime/player.ts';
 import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
+import { SESSION_INPUTS } from '../../export/runtime/sessions/input/session-inputs.ts';
 import { createOrbitSession } from '../../export/runtime/sessions/orbit/orbit-session.ts';
 import { requestWebXrSession } from '../../export/runtime/sessions/webxr/request-session.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
@@ -32,12 +33,18 @@ export async function enterAndLeave(program: Program, assetUrl: string, times: n
     drawn++;
   };
   for (let i = 0; i < times; i++) {
-    const orbit = createOrbitSession({ gl, canvas: gl.canvas as HTMLCanvasElement, clock });
+    const orbit = createOrbitSession({ inputs: SESSION_INPUTS, gl, canvas: gl.canvas as HTMLCanvasElement, clock });
     player.setSession(orbit);
     orbit.start(draw, () => {});
     clock.advance(1 / 60);
     await orbit.end();
-    const { output: session } = await requestWebXrSession({ xr: navigator.xr, gl, needs: program.needs, antialias: true });
+    const { output: session } = await requestWebXrSession({
+      xr: navigator.xr,
+      inputs: SESSION_INPUTS,
+      gl,
+      needs: program.needs,
+      antialias: true,
+    });
     if (!session) throw new Error('There is no session.');
     player.setSession(session);
     session.start(draw, () => {});

@@ -3,6 +3,7 @@
 import { installEmulator } from '../../export/emulator/install-emulator.ts';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { createBrowserClock } from '../../export/runtime/clock.ts';
+import { SESSION_INPUTS } from '../../export/runtime/sessions/input/session-inputs.ts';
 import { createOrbitSession } from '../../export/runtime/sessions/orbit/orbit-session.ts';
 import { requestWebXrSession } from '../../export/runtime/sessions/webxr/request-session.ts';
 import type { Controller, Session, SessionFrame } from '../../nodes/kit/session.ts';
@@ -37,6 +38,7 @@ export function begin(): void {
   document.body.append(canvas);
   const gl = canvas.getContext('webgl2') as WebGL2RenderingContext;
   session = createOrbitSession({
+    inputs: SESSION_INPUTS,
     gl,
     canvas,
     clock: createBrowserClock(),
@@ -89,7 +91,7 @@ async function inXr<T>(
 ): Promise<T> {
   const emulator = installEmulator({ clock: 'manual', display: false, sizePx: [64, 64], ...options });
   const gl = document.createElement('canvas').getContext('webgl2') as WebGL2RenderingContext;
-  const { output } = await requestWebXrSession({ xr: navigator.xr, gl, needs: [], antialias: false });
+  const { output } = await requestWebXrSession({ xr: navigator.xr, inputs: SESSION_INPUTS, gl, needs: [], antialias: false });
   if (!output) throw new Error('There is no session.');
   let last: SessionFrame | null = null;
   output.start(

@@ -2,6 +2,7 @@ import type { NodeOperation, PassOperation, Program, Resource, TargetSize } from
 import { createPlayer, type Player, type PlayerOptions } from '../../export/runtime/player.ts';
 import { createLoopGuard } from '../../export/runtime/program-instance/loop-watch.ts';
 import { createSessionInput } from '../../export/runtime/sessions/input/session-input.ts';
+import { createSpatial } from '../../export/runtime/spatial/create-spatial.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
 import type { RoomDepthOutput } from '../../nodes/kit/scene-lists.ts';
@@ -167,9 +168,22 @@ export function frame(
     framebufferWidthPx: WIDTH,
     framebufferHeightPx: HEIGHT,
     light: null,
+    jumps: 0,
     input: createSessionInput(),
     ...more,
   };
+}
+
+/** A copy of a frame without the objects of the GPU and the browser. */
+export function plainFrame(frame: SessionFrame): SessionFrame {
+  return structuredClone({
+    ...frame,
+    framebuffer: null,
+    xr: null,
+    input: createSessionInput(),
+    light: frame.light && { ...frame.light, reflection: null },
+    views: frame.views.map((from) => ({ ...from, depth: null, cameraImage: null })),
+  });
 }
 
 export interface Stand {
@@ -186,6 +200,7 @@ export async function stand(first: Program, options: Partial<PlayerOptions> & { 
     canvas: gl.canvas as HTMLCanvasElement,
     program: first,
     modules: {},
+    createSpatial,
     createScenes: null,
     assets: { load: () => Promise.reject(new Error('there is no such file')) },
     seed: 1,

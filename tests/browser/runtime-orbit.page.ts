@@ -1,4 +1,5 @@
 import { createBrowserClock } from '../../export/runtime/clock.ts';
+import { SESSION_INPUTS } from '../../export/runtime/sessions/input/session-inputs.ts';
 import { createOrbitSession } from '../../export/runtime/sessions/orbit/orbit-session.ts';
 import type { Session, SessionEvent } from '../../nodes/kit/session.ts';
 
@@ -25,6 +26,7 @@ export function begin(): void {
   document.body.append(canvas);
   const gl = canvas.getContext('webgl2') as WebGL2RenderingContext;
   session = createOrbitSession({
+    inputs: SESSION_INPUTS,
     gl,
     canvas,
     clock: createBrowserClock(),

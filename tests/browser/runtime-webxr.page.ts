@@ -12,7 +12,7 @@ import type { NodeModule } from '../../nodes/kit/runtime.ts';
 import type { Session, SessionFrame } from '../../nodes/kit/session.ts';
 import * as cameraVideo from '../../nodes/source/camera-video/runtime.ts';
 import { trackGl } from '../support/gl-leaks.ts';
-import { colorSampler, MEASURED_DEPTH, pass, program, shader, sourceOperation, stand } from './runtime-kit.ts';
+import { colorSampler, MEASURED_DEPTH, pass, plainFrame, program, shader, sourceOperation, stand } from './runtime-kit.ts';
 
 export const MODULES = { 'source/camera-video': cameraVideo, 'world/depth': MEASURED_DEPTH } satisfies Record<string, NodeModule>;
 
@@ -48,14 +48,7 @@ async function enter(options: EmulatorOptions, plays: Program, without: string[]
   session.start(
     (frame) => {
       player.draw(frame);
-      frames.push(
-        structuredClone({
-          ...frame,
-          framebuffer: null,
-          light: frame.light && { ...frame.light, reflection: null },
-          views: frame.views.map((view) => ({ ...view, depth: null, cameraImage: null })),
-        }),
-      );
+      frames.push(plainFrame(frame));
     },
     (event) =>
       events.push(

@@ -219,7 +219,7 @@ test('a context that is lost takes the session nowhere: it draws on when the gra
 });
 
 describe('a session tells the page', () => {
-  const HEARD = ['tracked false', 'tracked true', 'visible false', 'visible true', 'reset'];
+  const HEARD = ['tracked false', 'tracked true', 'visible false', 'visible true', 'recentered'];
 
   test('of tracking, visibility and re-centering, and ends when the page wants', async () => {
     const { heard, whileLost, leaks } = await page.call<{ heard: string[]; whileLost: number; leaks: string[] }>('events', 'page');

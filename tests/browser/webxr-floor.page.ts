@@ -21,7 +21,7 @@ export async function withoutFloor(mode: 'immersive-ar' | 'immersive-vr') {
       heights.push(frame.views[0]?.worldFromView[13] ?? 0);
     },
     ({ kind }) => {
-      if (kind === 'reset') resets++;
+      if (kind === 'recentered') resets++;
     },
   );
   await emulator.stepFrame(2);

@@ -1,6 +1,7 @@
 import { createPulseQueue, type PulseQueue } from '../../export/runtime/values/pulses.ts';
 import type { InputPort, NodeDefinition, ParamDefinition, ParamValue } from '../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import { createPose } from '../../nodes/kit/pose.ts';
 import type { NodeContext, PulseList } from '../../nodes/kit/runtime.ts';
 import { VALUE_SIZES, type WireType } from '../../nodes/kit/wire-types.ts';
 
@@ -104,6 +105,8 @@ function emptyOutput(type: WireType): unknown {
       return { value: '' };
     case 'pulse':
       return createPulseQueue();
+    case 'pose':
+      return createPose();
     case 'objects':
     case 'lights':
       return { version: 0, items: [] };

@@ -4,6 +4,8 @@ import { createRandom } from '../../export/runtime/random.ts';
 import type { PulseQueue } from '../../export/runtime/values/pulses.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import type { NodeDefinition, ParamDefinition, ParamValue } from '../../nodes/kit/definition.ts';
+import { createHit, type HitRecord } from '../../nodes/kit/hit-test.ts';
+import { createPose, type PoseView, writePose } from '../../nodes/kit/pose.ts';
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
 import type { ObjectList } from '../../nodes/kit/scene-lists.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
@@ -104,6 +106,26 @@ function controller(frame: number, last: number, salt: number) {
   };
 }
 
+/** Each is there for two frames. */
+function pointer(frame: number) {
+  const pose = new Float32Array(16).map((_, i) => (i % 5 === 0 ? 1 : chance(frame, i)));
+  return {
+    id: 1 + Math.floor(frame / 2),
+    by: 'left',
+    worldFromRay: pose,
+    worldFromGrip: pose,
+    pinch: chance(frame, 50),
+    tapped: false,
+    owner: null,
+  };
+}
+
+/** A hit that changes in every frame, and is not there in every third. */
+function hits(frame: number) {
+  const hit = { ...createHit(), distanceM: frame, worldFromHit: pointer(frame).worldFromRay };
+  return { count: frame % 3 === 0 ? 0 : 1, at: () => hit };
+}
+
 const TONE = Float32Array.from({ length: 48_000 }, (_, i) => chance(i, 5));
 
 /** One plane that stays and changes, one that comes and goes. */
@@ -133,7 +155,10 @@ function sessionFrame(frame: number, first: number, last: number): SessionFrame 
     views: [{ eye: 'none', cameraImage: picture, depth: { ...picture, texture: `depth ${frame}` } }],
     light: null,
     surfaces: surfaces(frame),
+    jumps: 0,
     input: {
+      pointers: [{ ...pointer(frame), phase: tapped ? 'start' : 'hover' }],
+      pointerCount: 1,
       taps: [{ worldFromRay: new Float32Array(16).fill(frame), by: 'screen' }],
       tapCount: tapped ? 1 : 0,
       left: controller(frame, last, 31),
@@ -189,7 +214,17 @@ function giveAt(
   played = 0,
 ): string {
   const definition = definitionOf(type);
-  const session = { light: null as unknown, cameraMean: null as unknown };
+  let now = first;
+  const session = {
+    light: null as unknown,
+    cameraMean: null as unknown,
+    openHitTest: () => ({ read: () => hits(now), close: () => {} }),
+    castRay: (ray: Float32Array, out: HitRecord) => {
+      out.worldFromHit.set(ray);
+      out.distanceM = now;
+      return now % 3 !== 0;
+    },
+  };
   const asked: unknown[] = [];
   const playback = { picture: null, follow: (...what: unknown[]) => asked.push(what), settle: () => null, dispose: () => {} };
   const handle = (value: unknown) => () => ({ value, settled: Promise.resolve(), release: () => {} });
@@ -204,7 +239,9 @@ function giveAt(
   const scenes = { createScene: () => scene };
   const objects = [objectList()];
   const inputs = Object.fromEntries(
-    Object.entries(definition.inputs).flatMap(([name, port]) => (port.type === 'objects' ? [[name, objects]] : [])),
+    Object.entries(definition.inputs).flatMap(([name, port]): [string, unknown][] =>
+      port.type === 'objects' ? [[name, objects]] : port.type === 'pose' ? [[name, createPose()]] : [],
+    ),
   );
   const files = Object.fromEntries(
     Object.entries(definition.params).flatMap(([name, { stage }]) => (stage === 'asset' ? [[name, 'a']] : [])),
@@ -224,6 +261,7 @@ function giveAt(
   const node = (RUNTIMES[type] as NodeModule).create(fake.ctx as never);
   const play = (frame: number, first: number, last: number) => {
     asked.length = 0;
+    now = frame;
     fake.tick(0);
     Object.assign(clock, { timeS: frame / RATE_HZ, deltaS: frame === first ? 0 : 1 / RATE_HZ, frame });
     session.light = lightAt(frame);
@@ -233,6 +271,7 @@ function giveAt(
       fake.set(name, name === 'presses' ? frame : valueAt(param, frame, salt));
     });
     Object.entries(definition.inputs).forEach(([name, port], salt) => {
+      if (port.type === 'pose') writePose(fake.ctx.inputs[name] as never, frame % 3 === 1 ? null : pointer(frame).worldFromRay, 0);
       if (port.type !== 'pulse') return;
       const queue = fake.ctx.inputs[name] as unknown as PulseQueue;
       queue.clear();
@@ -254,6 +293,8 @@ function giveAt(
     const output = outputs[name] as never;
     // No channel is silence, whatever else stands there.
     if (wire === 'audio' && (output as { channelCount: number }).channelCount === 0) return [name, 'silence'];
+    // An invalid pose holds whatever it held.
+    if (wire === 'pose') return [name, (output as PoseView).valid ? output : 'invalid'];
     if (wire === 'pulse') return [name, pulseNumbers(output)];
     // In whatever order surfaces were found.
     if (wire === 'objects') return [name, [...(output as ObjectList).items].sort((a, b) => a.key.localeCompare(b.key))];

@@ -7,6 +7,7 @@ import { readColor, readDepth, readScreen } from '../../../export/runtime/readba
 import { createScenesWith } from '../../../export/runtime/scenes/create-scenes.ts';
 import { readRadiance } from '../../../export/runtime/scenes/environments/read-radiance.ts';
 import { ALL_DECODERS } from '../../../export/runtime/scenes/models/decoders/all-decoders.ts';
+import { createSpatial } from '../../../export/runtime/spatial/create-spatial.ts';
 import { RUNTIMES } from '../../../nodes/generated/runtimes.gen.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { SessionFrame } from '../../../nodes/kit/session.ts';
@@ -81,6 +82,7 @@ export async function open(job: RenderJob): Promise<OpenedJob> {
     canvas,
     program: job.program,
     modules: RUNTIMES,
+    createSpatial,
     createScenes: createScenesWith({
       decoders: ALL_DECODERS,
       files: createFetchAssetSource(decodersUrl, fetchFile).load,

@@ -27,6 +27,7 @@ export function print(project: ProjectLogic, scheduled: Schedule, { operations, 
     tiers: findTiers(needs, scheduled.presentation),
     taps: scheduled.taps,
     ...(controls.length > 0 ? { controls } : {}),
+    ...(scheduled.nodes.some(({ definition }) => definition.readsInput) ? { readsInput: true as const } : {}),
     ...(credits.length > 0 ? { credits } : {}),
   };
 }

@@ -1,5 +1,5 @@
-import type { XRAnchor, XRReferenceSpace, XRRigidTransform, XRSpace } from 'iwer';
-import { P_DEVICE, P_FRAME, P_SESSION, XRFrame, XRViewerPose } from 'iwer';
+import type { XRAnchor, XRPose, XRReferenceSpace, XRRigidTransform, XRSpace } from 'iwer';
+import { P_ANCHOR, P_DEVICE, P_FRAME, P_SESSION, XRFrame, XRViewerPose } from 'iwer';
 import { EmulatedCpuDepthInformation } from '../depth/depth-information.ts';
 import {
   computeHits,
@@ -48,6 +48,18 @@ export class EmulatedFrame extends XRFrame {
       return new EmulatedView(eye, index, viewportScales[index], this.getPose(space, referenceSpace).transform, this.#session, this);
     });
     return new XRViewerPose(this.getPose(device.viewerSpace, referenceSpace).transform, views, false);
+  }
+
+  /** Null for an anchor that the device does not see at present (WebXR Anchors §4.2). */
+  override getPose(space: XRSpace, baseSpace: XRSpace): XRPose {
+    const { world } = this.#session[P_EMULATED];
+    if (world.anchorState === 'lost' && this.#isAnchor(space)) return null as unknown as XRPose;
+    return super.getPose(space, baseSpace);
+  }
+
+  #isAnchor(space: XRSpace): boolean {
+    for (const anchor of this.#session[P_SESSION].trackedAnchors) if (anchor[P_ANCHOR].anchorSpace === space) return true;
+    return false;
   }
 
   // Types of iwer require its own classes; pages get the interfaces of the specification.

@@ -1,4 +1,5 @@
-import type { Controller, SessionFrame, SessionInput, Tap } from '../../../nodes/kit/session.ts';
+import { claimPointer, handOf } from '../../../nodes/kit/pointers.ts';
+import type { Controller, SessionFrame, SessionInput, Pointer as SessionPointer, Tap } from '../../../nodes/kit/session.ts';
 import type { Control } from '../../program/program.ts';
 import { createSessionInput } from '../../runtime/sessions/input/session-input.ts';
 import { createSessionFrame } from '../../runtime/sessions/session-frame.ts';
@@ -91,6 +92,16 @@ export function createPointing(layout: PanelLayout, values: ControlValues): Poin
     return onPanel || began === 'panel';
   }
 
+  /** Whether the pointer is the panel's: it hovers over it, or its press began there. */
+  function takePointer(pointer: SessionPointer, worldFromPanel: Float32Array): boolean {
+    if (pointer.phase !== 'hover' && pointer.phase !== 'start') return pointer.owner === hands;
+    const side = handOf(pointer.by);
+    castRay(tapHit, pointer.worldFromRay, worldFromPanel, layout);
+    const holds = hands.some((hand) => hand.by === side && holdsPanel(hand));
+    if (!holds && !(tapHit.hits && isOnPanel(layout, tapHit.x, tapHit.y))) return false;
+    return pointer.phase === 'hover' || claimPointer(pointer, hands);
+  }
+
   return {
     pointers: hands,
     get isHeld() {
@@ -100,6 +111,10 @@ export function createPointing(layout: PanelLayout, values: ControlValues): Poin
       const { input } = frame;
       for (const hand of hands) follow(hand, input[hand.by], worldFromPanel);
       passed.begin(frame);
+      for (let i = 0; i < input.pointerCount; i++) {
+        const pointer = input.pointers[i];
+        if (pointer && !takePointer(pointer, worldFromPanel)) passed.addPointer(pointer);
+      }
       for (let i = 0; i < input.tapCount; i++) {
         const tap = input.taps[i];
         if (tap && !takeTap(tap, worldFromPanel)) passed.addTap(tap);
@@ -129,7 +144,8 @@ type Mutable<T> = { -readonly [K in keyof T]: T[K] };
 /** A copy of the frame with fewer taps, because the session owns its frame. */
 function createPassedFrame() {
   const taps: Tap[] = [];
-  const input: Mutable<SessionInput> = { ...createSessionInput(), taps };
+  const pointers: SessionPointer[] = [];
+  const input: Mutable<SessionInput> = { ...createSessionInput(), taps, pointers };
   const frame: Mutable<SessionFrame> = { ...createSessionFrame(), input };
   return {
     frame,
@@ -139,6 +155,10 @@ function createPassedFrame() {
       input.left = from.input.left;
       input.right = from.input.right;
       input.tapCount = 0;
+      input.pointerCount = 0;
+    },
+    addPointer: (pointer: SessionPointer): void => {
+      pointers[input.pointerCount++] = pointer;
     },
     addTap: (tap: Tap): void => {
       taps[input.tapCount++] = tap;

@@ -85,6 +85,8 @@ function viewOf(id: string, resources: LiveResources): object {
       return resource.live.sound;
     case 'pulses':
       return resource.queue;
+    case 'pose':
+      return resource.pose;
     case 'technique':
       return resource.technique.view;
     case 'target':

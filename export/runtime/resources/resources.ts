@@ -1,3 +1,4 @@
+import { createPose, type PoseOutput } from '../../../nodes/kit/pose.ts';
 import type { LayerOutput } from '../../../nodes/kit/runtime.ts';
 import type { EnvironmentOutput, LightList, ObjectList, RoomDepthOutput } from '../../../nodes/kit/scene-lists.ts';
 import type { Program, Resource, ResourceId } from '../../program/program.ts';
@@ -20,6 +21,7 @@ export type LiveResource =
   | { readonly kind: 'sound'; readonly live: LiveSound }
   | { readonly kind: 'curve'; readonly curve: LiveCurve }
   | { readonly kind: 'pulses'; readonly queue: PulseQueue }
+  | { readonly kind: 'pose'; readonly pose: PoseOutput }
   | { readonly kind: 'technique'; readonly technique: LiveTechnique }
   /** Created by its operation. */
   | { readonly kind: 'shadow-maps' };
@@ -109,6 +111,10 @@ export function clearOutput(resource: LiveResource): void {
     case 'pulses':
       resource.queue.clear();
       break;
+    case 'pose':
+      resource.pose.valid = false;
+      resource.pose.jumps++;
+      break;
     case 'target':
     case 'curve':
     case 'technique':
@@ -139,6 +145,8 @@ function create(resource: Resource, objects: GlObjects, tapped: boolean): LiveRe
       return { kind: 'curve', curve: createLiveCurve(objects) };
     case 'pulses':
       return { kind: 'pulses', queue: createPulseQueue() };
+    case 'pose':
+      return { kind: 'pose', pose: createPose() };
     case 'technique':
       return { kind: 'technique', technique: createLiveTechnique(resource.id) };
     case 'shadow-maps':

@@ -36,6 +36,8 @@ export function createSessionFrame(): MutableFrame {
     framebufferHeightPx: 0,
     light: null,
     surfaces: null,
+    jumps: 0,
+    xr: null,
     input: createSessionInput(),
   };
 }

@@ -50,6 +50,7 @@ export const definition = defineNode({
       unit: 'ratio',
     },
   },
+  readsInput: true,
   lowering: { kind: 'value' },
   stateful: true,
 });

@@ -47,6 +47,7 @@ export const definition = defineNode({
       default: [0, 0, 0],
     },
   },
+  readsInput: true,
   lowering: { kind: 'value' },
   stateful: true,
 });

@@ -13,6 +13,10 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const picture = id === null ? null : ctx.assets.image(id);
   /** Created with the first depth, because most devices have none. */
   let gpu: Gpu | null = null;
+  let jumps = 0;
+  const forget = (): void => {
+    for (const refiner of gpu?.refiners ?? []) refiner.forget();
+  };
   const wishes = { smoothingS: 0, deltaS: 0, fillHoles: true };
 
   const measured = (view: ViewFrame, index: number): RoomDepth | null => {
@@ -28,6 +32,9 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   };
   return {
     update: (frame) => {
+      // What was seen before stands elsewhere now.
+      if (frame.jumps !== jumps) forget();
+      jumps = frame.jumps;
       wishes.smoothingS = params.smoothingS.value;
       wishes.deltaS = frame.deltaS;
       // Transparent areas of an image are unknown on purpose, so they are not filled.
@@ -45,9 +52,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
         views[i] = gpu.refiners[i]?.refine(depth, view, wishes) ?? depth;
       }
     },
-    reset: () => {
-      for (const refiner of gpu?.refiners ?? []) refiner.forget();
-    },
+    reset: forget,
     dispose: () => {
       for (const refiner of gpu?.refiners ?? []) refiner.dispose();
       gpu?.pictureDepth?.dispose();

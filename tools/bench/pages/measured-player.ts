@@ -3,6 +3,7 @@ import { createFetchAssetSource } from '../../../export/runtime/assets/asset-sou
 import { createBrowserClock, createManualClock, type ManualClock } from '../../../export/runtime/clock.ts';
 import { createPlayer, type Player } from '../../../export/runtime/player.ts';
 import { createScenesWith } from '../../../export/runtime/scenes/create-scenes.ts';
+import { createSpatial } from '../../../export/runtime/spatial/create-spatial.ts';
 import { RUNTIMES } from '../../../nodes/generated/runtimes.gen.ts';
 
 /** A player at a clock of its own, with every node type and no decoder. */
@@ -28,6 +29,7 @@ export async function openPlayer(
     canvas,
     program,
     modules: RUNTIMES,
+    createSpatial,
     createScenes: createScenesWith({ decoders: {}, files: assets.load }),
     assets,
     seed: 1,

@@ -174,7 +174,8 @@ function inputRef(lowering: Lowering, source: Source, type: WireType): InputRef 
     case 'layer':
       return { kind: 'layer', layer: layerAt(lowering, source, (from) => depthAt(lowering, from)) };
     case 'pulse':
-      // A delay reads pulses of nodes that come after it.
+    case 'pose':
+      // A delay reads pulses and poses of nodes that come after it.
       return { kind: 'resource', resource: portKey(source) };
     case 'depth':
     case 'objects':
@@ -182,7 +183,6 @@ function inputRef(lowering: Lowering, source: Source, type: WireType): InputRef 
     case 'lights':
     case 'environment':
     case 'surfaces':
-    case 'pose':
     case 'body':
     case 'capture':
     case 'audio':
@@ -216,11 +216,12 @@ function outputResource({ layers }: Lowering, source: Source, type: Exclude<Wire
       return { id, kind: type };
     case 'pulse':
       return { id, kind: 'pulses' };
+    case 'pose':
+      return { id, kind: 'pose' };
     case 'audio':
       return { id, kind: 'sound' };
     case 'technique':
     case 'surfaces':
-    case 'pose':
     case 'body':
     case 'capture':
       throw new Error(`The program has no resources of type ${type} yet, which ${id} gives.`);

@@ -2,7 +2,8 @@ import type { Session, SessionEvent, SessionFrame } from '../../../../nodes/kit/
 import type { FrameClock } from '../../clock.ts';
 import { type CanvasFitter, createCanvasFitter } from '../fit-canvas.ts';
 import { createFrameTime } from '../frame-time.ts';
-import { createPageInput, type PageInput } from '../input/page-input.ts';
+import type { PageInput } from '../input/page-input.ts';
+import type { SessionInputs } from '../input/session-inputs.ts';
 import { setRigidInverse } from '../matrix.ts';
 import { listenForOrbit } from '../orbit/orbit-input.ts';
 import { coverCanvas, createSessionFrame } from '../session-frame.ts';
@@ -19,6 +20,8 @@ export interface CameraSessionParts {
   /** A started stream. */
   readonly stream: CameraStream;
   readonly sensor: OrientationSensor;
+  /** Absent or null: frames have no input. */
+  readonly inputs?: SessionInputs | null;
 }
 
 /** Time without a reading after which the device is assumed to have no sensor, seconds. */
@@ -34,7 +37,7 @@ export interface CameraSession extends Session {
  * surfaces or light estimation. The camera is off while the page is hidden and after `end`. `tracking` reports whether the orientation
  * sensor works.
  */
-export function createCameraSession({ gl, canvas, clock, stream, sensor }: CameraSessionParts): CameraSession {
+export function createCameraSession({ gl, canvas, clock, stream, sensor, inputs }: CameraSessionParts): CameraSession {
   const frame = createSessionFrame();
   const time = createFrameTime();
   const viewer = createCameraViewer(sensor);
@@ -100,8 +103,8 @@ export function createCameraSession({ gl, canvas, clock, stream, sensor }: Camer
   };
   const begin = (): void => {
     fitter = createCanvasFitter(canvas);
-    input = createPageInput(canvas);
-    const unlisten = listenForOrbit(canvas, viewer, () => Math.tan(LONG_SIDE_FOV_RAD / 2));
+    input = inputs?.page(canvas) ?? null;
+    const unlisten = listenForOrbit(canvas, viewer, () => Math.tan(LONG_SIDE_FOV_RAD / 2), input?.isClaimed);
     page.addEventListener('visibilitychange', visibility);
     canvas.addEventListener('webglcontextrestored', restored);
     if (hasFrameCallback(video)) video.requestVideoFrameCallback(watchVideo);

@@ -1,6 +1,7 @@
 import type { Diagnostic, Result } from '../../../../nodes/kit/diagnostics.ts';
 import type { Session } from '../../../../nodes/kit/session.ts';
 import type { FrameClock } from '../../clock.ts';
+import type { SessionInputs } from '../input/session-inputs.ts';
 import { type CameraSession, createCameraSession } from './camera-session.ts';
 import { createCameraStream } from './camera-stream.ts';
 import { listenForOrientation, type OrientationWindow, requestOrientationPermission } from './orientation-sensor.ts';
@@ -12,6 +13,8 @@ export interface CameraRequest {
   readonly gl: WebGL2RenderingContext;
   readonly canvas: HTMLCanvasElement;
   readonly clock: FrameClock;
+  /** Absent or null: frames have no input. */
+  readonly inputs?: SessionInputs | null;
 }
 
 /**
@@ -19,7 +22,7 @@ export interface CameraRequest {
  *
  * @returns Never rejects. Without a session the diagnostics give the reason (SCR051); with one, what is missing (SCR055).
  */
-export async function requestCameraSession({ window, media, gl, canvas, clock }: CameraRequest): Promise<Result<Session>> {
+export async function requestCameraSession({ window, media, gl, canvas, clock, inputs = null }: CameraRequest): Promise<Result<Session>> {
   if (!media?.getUserMedia) return { output: null, diagnostics: [NO_CAMERA] };
   let session: CameraSession | null = null;
   const stream = createCameraStream(canvas.ownerDocument, media, () => session?.lost());
@@ -32,7 +35,7 @@ export async function requestCameraSession({ window, media, gl, canvas, clock }:
     ),
   ]);
   if (refused) return { output: null, diagnostics: [refused] };
-  session = createCameraSession({ gl, canvas, clock, stream, sensor: listenForOrientation(window) });
+  session = createCameraSession({ gl, canvas, clock, stream, sensor: listenForOrientation(window), inputs });
   return { output: session, diagnostics: orientation === 'denied' ? [NO_MOTION] : [] };
 }
 

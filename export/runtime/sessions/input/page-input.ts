@@ -1,26 +1,19 @@
 import type { MutableFrame } from '../session-frame.ts';
 import { readGamepad } from './page-gamepad.ts';
-import { listenForTaps } from './page-taps.ts';
-import { MAX_TAPS, nextTap } from './session-input.ts';
-import { writeViewRay } from './view-ray.ts';
+import { createPagePointers } from './page-pointers.ts';
+import { deriveTaps } from './session-input.ts';
 
-/** Input on a canvas with one view: taps and gamepads. */
+/** Input on a canvas with one view: pointers, taps and gamepads. */
 export interface PageInput {
-  /** Fills the input of a frame. Call it once per frame, when the view is set, because taps become rays of the view. */
+  /** Fills the input of a frame. Call it once per frame, when the view is set, because points become rays of the view. */
   fill(frame: MutableFrame): void;
+  /** Whether a node owns the press of this DOM pointer; gestures of the page then ignore it. */
+  isClaimed(domPointerId: number): boolean;
   dispose(): void;
 }
 
 export function createPageInput(canvas: HTMLCanvasElement): PageInput {
-  /** Taps since the last frame, as pairs of UV. */
-  const waiting = new Float64Array(2 * MAX_TAPS);
-  let count = 0;
-  const unlisten = listenForTaps(canvas, (u, v) => {
-    if (count === MAX_TAPS) return;
-    waiting[2 * count] = u;
-    waiting[2 * count + 1] = v;
-    count++;
-  });
+  const pointers = createPagePointers(canvas);
   const window = canvas.ownerDocument.defaultView;
   let hasGamepads = false;
   const gamepadCame = (): void => {
@@ -31,18 +24,14 @@ export function createPageInput(canvas: HTMLCanvasElement): PageInput {
   return {
     fill: (frame) => {
       const [view] = frame.views;
-      frame.input.tapCount = 0;
-      for (let i = 0; i < count && view; i++) {
-        const tap = nextTap(frame.input);
-        if (!tap) break;
-        tap.by = 'screen';
-        writeViewRay(tap.worldFromRay, view, waiting[2 * i] ?? 0, waiting[2 * i + 1] ?? 0);
-      }
-      count = 0;
+      frame.input.pointerCount = 0;
+      if (view) pointers.fill(frame.input, view);
+      deriveTaps(frame.input);
       if (hasGamepads && window) readGamepad(frame.input, window.navigator.getGamepads());
     },
+    isClaimed: pointers.isClaimed,
     dispose: () => {
-      unlisten();
+      pointers.dispose();
       window?.removeEventListener('gamepadconnected', gamepadCame);
     },
   };

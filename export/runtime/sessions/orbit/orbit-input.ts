@@ -20,7 +20,12 @@ interface Pointer {
  * Controls the orbit by mouse, touch and keys. Drag and arrow keys rotate; wheel, pinch, + and − zoom; a drag with the right button, Shift
  * or two fingers pans; Home resets. Returns a function that removes the listeners.
  */
-export function listenForOrbit(canvas: HTMLCanvasElement, orbit: GestureTarget, tanHalfFovY: () => number): () => void {
+export function listenForOrbit(
+  canvas: HTMLCanvasElement,
+  orbit: GestureTarget,
+  tanHalfFovY: () => number,
+  isClaimed: (domPointerId: number) => boolean = () => false,
+): () => void {
   const listeners = new AbortController();
   const { signal } = listeners;
   const pointers: Pointer[] = [];
@@ -52,12 +57,13 @@ export function listenForOrbit(canvas: HTMLCanvasElement, orbit: GestureTarget, 
     (event) => {
       const moved = pointers.find((pointer) => pointer.id === event.pointerId);
       if (!moved) return;
-      const other = pointers.find((pointer) => pointer !== moved);
+      const other = pointers.find((pointer) => pointer !== moved && !isClaimed(pointer.id));
       const dx = event.clientX - moved.x;
       const dy = event.clientY - moved.y;
       const before = other ? Math.hypot(moved.x - other.x, moved.y - other.y) : 0;
       moved.x = event.clientX;
       moved.y = event.clientY;
+      if (isClaimed(moved.id)) return;
       if (other) {
         const after = Math.hypot(moved.x - other.x, moved.y - other.y);
         if (before > 0 && after > 0) orbit.zoom(after / before);

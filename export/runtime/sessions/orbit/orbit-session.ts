@@ -2,7 +2,7 @@ import type { Session, SessionEvent, SessionFrame } from '../../../../nodes/kit/
 import type { FrameClock } from '../../clock.ts';
 import { createCanvasFitter } from '../fit-canvas.ts';
 import { createFrameTime } from '../frame-time.ts';
-import { createPageInput } from '../input/page-input.ts';
+import type { SessionInputs } from '../input/session-inputs.ts';
 import { setFrustum, setRigidInverse } from '../matrix.ts';
 import { coverCanvas, createSessionFrame } from '../session-frame.ts';
 import { listenForOrbit } from './orbit-input.ts';
@@ -14,6 +14,8 @@ export interface OrbitSessionOptions {
   readonly canvas: HTMLCanvasElement;
   readonly clock: FrameClock;
   readonly start?: Partial<OrbitPose>;
+  /** Absent or null: frames have no input. */
+  readonly inputs?: SessionInputs | null;
 }
 
 /** The field of view is 50° along the shorter side, so that portrait and landscape show equally much. */
@@ -37,15 +39,15 @@ export function createOrbitSession(options: OrbitSessionOptions): Session {
   const tanHalfFovY = (): number => TAN_HALF_FOV / Math.min(1, gl.drawingBufferWidth / gl.drawingBufferHeight);
   const begin = (): void => {
     const fitter = createCanvasFitter(canvas);
-    const unlisten = listenForOrbit(canvas, orbit, tanHalfFovY);
-    const input = createPageInput(canvas);
+    const input = options.inputs?.page(canvas) ?? null;
+    const unlisten = listenForOrbit(canvas, orbit, tanHalfFovY, input?.isClaimed);
     const visibility = (): void => onEvent?.({ kind: 'visibility', visible: page.visibilityState === 'visible' });
     page.addEventListener('visibilitychange', visibility);
     stop = () => {
       clock.cancelFrame(handle);
       page.removeEventListener('visibilitychange', visibility);
       unlisten();
-      input.dispose();
+      input?.dispose();
       fitter.dispose();
     };
     const tick = (nowS: number): void => {
@@ -59,7 +61,7 @@ export function createOrbitSession(options: OrbitSessionOptions): Session {
       setFrustum(view.clipFromView, -x, x, -y, y, view.nearM, view.farM);
       orbit.writeWorldFromView(view.worldFromView);
       setRigidInverse(view.viewFromWorld, view.worldFromView);
-      input.fill(frame);
+      input?.fill(frame);
       onFrame?.(frame);
     };
     handle = clock.requestFrame(tick);

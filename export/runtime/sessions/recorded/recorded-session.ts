@@ -4,7 +4,8 @@ import { type FrameTimes, frameAtTime, timeOfFrame } from '../../../../nodes/kit
 import type { Session, SessionEvent, SessionFrame } from '../../../../nodes/kit/session.ts';
 import type { AssetSource } from '../../assets/asset-source.ts';
 import type { FrameClock } from '../../clock.ts';
-import { createPageInput, type PageInput } from '../input/page-input.ts';
+import type { PageInput } from '../input/page-input.ts';
+import type { SessionInputs } from '../input/session-inputs.ts';
 import { createSessionFrame } from '../session-frame.ts';
 import { createFrameCache, type DecodedFrame, type FrameCache } from './frame-cache.ts';
 import { createFrameTextures, type FrameTextures } from './frame-textures.ts';
@@ -25,6 +26,8 @@ export interface RecordedSessionOptions {
   readonly onEnd?: () => void;
   /** `clock` only: called when a frame that was late is decoded. */
   readonly onArrival?: () => void;
+  /** Absent or null: frames have no input. */
+  readonly inputs?: SessionInputs | null;
 }
 
 export interface RecordingInfo {
@@ -130,6 +133,7 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
   };
   const resetTime = (): void => {
     deliveredS = null;
+    frame.jumps++;
     onEvent?.({ kind: 'reset' });
   };
   const playback =
@@ -137,7 +141,10 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
       ? createPlayback(mode.clock, {
           durationS: () => opened?.frames.durationS ?? null,
           show,
-          onRepeat: () => onEvent?.({ kind: 'reset' }),
+          onRepeat: () => {
+            frame.jumps++;
+            onEvent?.({ kind: 'reset' });
+          },
           onLoop: resetTime,
           onEnd: () => options.onEnd?.(),
         })
@@ -190,7 +197,7 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
       onFrame = frameHandler;
       onEvent = eventHandler;
       // A canvas outside a page, as for renders, receives no taps.
-      if (mode.kind === 'clock' && 'ownerDocument' in gl.canvas) input ??= createPageInput(gl.canvas);
+      if (mode.kind === 'clock' && 'ownerDocument' in gl.canvas) input ??= options.inputs?.page(gl.canvas) ?? null;
       for (const message of problems.splice(0)) reportProblem(message);
       if (opened) playback?.start();
     },

@@ -43,6 +43,7 @@ export function createRecordedView(gl: WebGL2RenderingContext, file: SessionFile
       view.cameraImage = image;
       view.depth = decoded.meters ? room : null;
       if (!room || !depth) return;
+      room.meters = decoded.meters;
       setUvFromViewUv(room.uvFromViewUv, scratchCrop, intrinsics, depth.intrinsics, depth.widthPx, depth.heightPx);
       room.worldFromDepth.set(view.worldFromView);
     },

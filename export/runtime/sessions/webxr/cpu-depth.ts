@@ -17,7 +17,7 @@ export function createCpuDepth(gl: WebGL2RenderingContext): CpuDepth {
     gl.deleteTexture(texture);
     texture = allocateTexture(gl, gl.createTexture(), gl.R32F, gl.NEAREST, widthPx, heightPx);
     meters = new Float32Array(widthPx * heightPx);
-    return { texture, widthPx, heightPx, uvFromViewUv: new Float32Array(9), worldFromDepth: new Float32Array(16) };
+    return { texture, widthPx, heightPx, uvFromViewUv: new Float32Array(9), worldFromDepth: new Float32Array(16), meters };
   };
   return {
     update: (info, format, worldFromView) => {

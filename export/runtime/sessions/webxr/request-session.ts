@@ -2,6 +2,7 @@ import type { Capability } from '../../../../nodes/kit/definition.ts';
 import type { Diagnostic, Result } from '../../../../nodes/kit/diagnostics.ts';
 import type { Session } from '../../../../nodes/kit/session.ts';
 import type { ProgramNeed } from '../../../program/program.ts';
+import type { SessionInputs } from '../input/session-inputs.ts';
 import { grantedCapabilities, sessionInit } from './session-init.ts';
 import { createWebXrSession } from './webxr-session.ts';
 import { createXrRenderTarget } from './xr-render-target.ts';
@@ -18,6 +19,8 @@ export interface WebXrRequest {
   readonly antialias: boolean;
   /** Page element that handheld devices show over the camera feed. */
   readonly overlayRoot?: Element | null;
+  /** Absent or null: frames have no input. */
+  readonly inputs?: SessionInputs | null;
 }
 
 /** Whether the browser supports the session mode. Never rejects. */
@@ -52,7 +55,16 @@ export async function requestWebXrSession(request: WebXrRequest): Promise<Result
     const options = { antialias: request.antialias, wantsDepth: capabilities.has('depth'), authoredRoom: mode === 'immersive-vr' };
     const target = await createXrRenderTarget(gl, session, options);
     const renewTarget = () => createXrRenderTarget(gl, session, options);
-    const output = createWebXrSession({ gl, session, origin, referenceSpace, target, renewTarget, capabilities });
+    const output = createWebXrSession({
+      gl,
+      session,
+      origin,
+      referenceSpace,
+      target,
+      renewTarget,
+      capabilities,
+      inputs: request.inputs ?? null,
+    });
     return { output, diagnostics: needs.filter((need) => !capabilities.has(need.capability)).map(missing) };
   } catch (error) {
     await session.end().catch(() => {});

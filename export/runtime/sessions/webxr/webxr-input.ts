@@ -1,5 +1,6 @@
-import { createSessionInput, type MutableController, type MutableInput, nextTap, rest } from '../input/session-input.ts';
+import { deriveTaps, type MutableController, type MutableInput, rest } from '../input/session-input.ts';
 import { createMatrix } from '../matrix.ts';
+import { createWebXrPointers } from './webxr-pointers.ts';
 
 /** Indices of the `xr-standard` mapping (WebXR Gamepads §3.3), then those that controllers with a thumbstick add (profiles registry). */
 const TRIGGER = 0;
@@ -9,34 +10,20 @@ const SECONDARY = 5;
 const TOUCHPAD_AXIS = 0;
 const THUMBSTICK_AXIS = 2;
 
-/** Select events of taps, controllers and hands, and the state of the controllers. */
+/** Pointers and taps by screen, controller or hand, and the state of the controllers. */
 export interface WebXrInput {
   /** Fills the input of a frame. Call it once per frame. */
   fill(input: MutableInput, frame: XRFrame): void;
 }
 
 export function createWebXrInput(session: XRSession, referenceSpace: XRReferenceSpace): WebXrInput {
-  /** Collects select events between frames. */
-  const waiting = createSessionInput();
+  const pointers = createWebXrPointers(session, referenceSpace);
   const rays = { left: createMatrix(), right: createMatrix() };
-  session.addEventListener('select', ({ frame, inputSource }) => {
-    const pose = frame.getPose(inputSource.targetRaySpace, referenceSpace);
-    const tap = pose ? nextTap(waiting) : null;
-    if (!pose || !tap) return;
-    tap.worldFromRay.set(pose.transform.matrix);
-    tap.by = inputSource.targetRayMode === 'screen' ? 'screen' : inputSource.handedness === 'none' ? 'other' : inputSource.handedness;
-  });
   return {
     fill: (input, frame) => {
-      input.tapCount = 0;
-      for (let i = 0; i < waiting.tapCount; i++) {
-        const from = waiting.taps[i];
-        const tap = nextTap(input);
-        if (!from || !tap) break;
-        tap.worldFromRay.set(from.worldFromRay);
-        tap.by = from.by;
-      }
-      waiting.tapCount = 0;
+      input.pointerCount = 0;
+      pointers.fill(input, frame);
+      deriveTaps(input);
       rest(input.left);
       rest(input.right);
       for (let i = 0; i < session.inputSources.length; i++) {

@@ -1,12 +1,12 @@
 import type { Capability } from '../../../../nodes/kit/definition.ts';
-import type { Session, SessionEvent, SessionFrame } from '../../../../nodes/kit/session.ts';
+import type { Session, SessionEvent, SessionFrame, XrAccess } from '../../../../nodes/kit/session.ts';
 import { MAX_VIEWS } from '../../targets/target.ts';
 import { createFrameTime } from '../frame-time.ts';
+import type { SessionInputs } from '../input/session-inputs.ts';
 import { setRigidInverse } from '../matrix.ts';
 import { createSessionFrame } from '../session-frame.ts';
 import { createSensorWatch } from './sensor-watch.ts';
 import { createSurfaceReader } from './webxr-detected-surfaces.ts';
-import { createWebXrInput } from './webxr-input.ts';
 import { createWebXrLight } from './webxr-light.ts';
 import type { XrRenderTarget } from './xr-render-target.ts';
 
@@ -21,6 +21,8 @@ export interface WebXrSessionParts {
   /** Creates the target again for a restored context. Rejects where the device refuses. */
   readonly renewTarget: () => Promise<XrRenderTarget>;
   readonly capabilities: ReadonlySet<Capability>;
+  /** Absent or null: frames have no input. */
+  readonly inputs?: SessionInputs | null;
 }
 
 /** A running WebXR session with its own frame loop (ADR 7). */
@@ -35,7 +37,9 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
   const watchOf = (capability: Capability) => createSensorWatch((working) => onEvent?.({ kind: 'sensing', capability, working }));
   const depthWatch = capabilities.has('depth') ? watchOf('depth') : null;
   const lightWatch = light ? watchOf('light-estimation') : null;
-  const input = createWebXrInput(session, referenceSpace);
+  const input = parts.inputs?.webXr(session, referenceSpace) ?? null;
+  const access: { -readonly [K in keyof XrAccess]: XrAccess[K] } = { session, frame: session, referenceSpace, capabilities };
+  frame.xr = access;
   const wantsCamera = capabilities.has('camera-image');
   let onFrame: ((frame: SessionFrame) => void) | null = null;
   let onEvent: ((event: SessionEvent) => void) | null = null;
@@ -85,7 +89,8 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
     if (frame.viewCount === 0) return;
     lightWatch?.update(frame.timeS, frame.light !== null);
     depthWatch?.update(frame.timeS, hasDepth(frame));
-    input.fill(frame.input, xrFrame);
+    input?.fill(frame.input, xrFrame);
+    access.frame = xrFrame;
     onFrame?.(frame);
   };
   const lost = (): void => {
@@ -124,7 +129,10 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
     visible = next;
   });
   // Not every browser dispatches `reset` to an offset space.
-  origin.addEventListener('reset', () => onEvent?.({ kind: 'reset' }));
+  origin.addEventListener('reset', () => {
+    frame.jumps++;
+    onEvent?.({ kind: 'recentered' });
+  });
   return {
     kind: 'webxr',
     capabilities,

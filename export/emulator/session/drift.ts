@@ -1,0 +1,29 @@
+import type { XRSession } from 'iwer';
+import { P_ANCHOR, P_REF_SPACE, P_SESSION, P_SPACE, XRReferenceSpaceType } from 'iwer';
+import { Matrix4 } from 'three';
+import { writeMatrix } from '../write-matrix.ts';
+
+const scratchDrift = new Matrix4();
+const scratchSpace = new Matrix4();
+
+/**
+ * Tracking drifts: all reference spaces but the viewer's move against the room, without an event. Anchors stay at their point of it.
+ *
+ * @param offsetM In the room's axes, meters.
+ * @param yawRad About the vertical through the room's origin.
+ */
+export function driftSpaces(session: XRSession, offsetM: readonly [number, number, number], yawRad: number): void {
+  scratchDrift.makeRotationY(yawRad).setPosition(...offsetM);
+  for (const space of session[P_SESSION].referenceSpaces) {
+    const { type } = space[P_REF_SPACE];
+    // Offset spaces follow the space that they were made from.
+    if (type === XRReferenceSpaceType.Viewer) continue;
+    scratchSpace.fromArray(Array.from(space[P_SPACE].offsetMatrix)).premultiply(scratchDrift);
+    writeMatrix(space[P_SPACE].offsetMatrix, scratchSpace.elements);
+  }
+}
+
+/** The system deletes all anchors of the session, as when it forgets the room. */
+export function deleteAnchors(session: XRSession): void {
+  for (const anchor of [...session[P_SESSION].trackedAnchors]) if (!anchor[P_ANCHOR].deleted) anchor.delete();
+}

@@ -1,0 +1,146 @@
+import type { ViewFrame } from '../../../../nodes/kit/session.ts';
+import { beginPress, createPress, endPress, type Press, showPhase } from './press.ts';
+import { addPointer, MAX_POINTERS, type MutableInput } from './session-input.ts';
+import { writeViewRay } from './view-ray.ts';
+
+/** A press that moves farther than this is a drag, CSS pixels. */
+const STILL_PX = 10;
+
+/** Id of presses by the keyboard, which no DOM pointer has. */
+const KEYBOARD = -1;
+
+/** Fingers, mouse and pen on a canvas that shows one view. */
+export interface PagePointers {
+  /** Once a frame, when its view is known: lists the pointers with rays through their points of the view. */
+  fill(input: MutableInput, view: ViewFrame): void;
+  /** Whether a node owns the press of this DOM pointer. */
+  isClaimed(domPointerId: number): boolean;
+  dispose(): void;
+}
+
+interface PagePress {
+  readonly press: Press;
+  domId: number;
+  /** In the view: origin at the bottom left. */
+  u: number;
+  v: number;
+  /** Where it went down, CSS pixels. */
+  downX: number;
+  downY: number;
+  /** It may become a tap. */
+  mayTap: boolean;
+  /** A mouse or pen that is over the canvas. */
+  hovers: boolean;
+}
+
+/**
+ * Follows pointers on an element. Enter and the space bar press the middle of the view while the element has the focus. A tap is a press
+ * of one finger or the main button that stays within 10 px, however long it lasts, as in WebXR.
+ */
+export function createPagePointers(element: HTMLElement): PagePointers {
+  const listeners = new AbortController();
+  const { signal } = listeners;
+  const presses: PagePress[] = [];
+  let made = 0;
+
+  const isDown = ({ press }: PagePress): boolean => press.used && press.began && press.ended === 'no';
+  const find = (domId: number): PagePress | undefined => presses.find((each) => each.press.used && each.domId === domId && !isEnding(each));
+  const isEnding = ({ press }: PagePress): boolean => press.ended !== 'no';
+  const take = (domId: number, by: 'screen' | 'mouse'): PagePress | null => {
+    const known = presses.find(({ press }) => !press.used);
+    if (!known && presses.length === MAX_POINTERS) return null;
+    const taken = known ?? { press: createPress(), domId, u: 0.5, v: 0.5, downX: 0, downY: 0, mayTap: false, hovers: false };
+    if (!known) presses.push(taken);
+    taken.domId = domId;
+    taken.hovers = false;
+    const { pointer } = taken.press;
+    taken.press.used = true;
+    taken.press.began = false;
+    taken.press.over = false;
+    taken.press.ended = 'no';
+    pointer.id = ++made;
+    pointer.by = by;
+    pointer.owner = null;
+    return taken;
+  };
+  const moveTo = (pressed: PagePress, event: PointerEvent): void => {
+    const box = element.getBoundingClientRect();
+    if (box.width <= 0 || box.height <= 0) return;
+    pressed.u = (event.clientX - box.left) / box.width;
+    pressed.v = 1 - (event.clientY - box.top) / box.height;
+  };
+  const on = <K extends keyof HTMLElementEventMap>(type: K, listener: (event: HTMLElementEventMap[K]) => void): void =>
+    element.addEventListener(type, listener, { signal });
+
+  on('pointerdown', (event) => {
+    const others = presses.filter(isDown);
+    for (const other of others) other.mayTap = false;
+    if (event.button !== 0) return;
+    const pressed = find(event.pointerId) ?? take(event.pointerId, event.pointerType === 'mouse' ? 'mouse' : 'screen');
+    if (!pressed) return;
+    moveTo(pressed, event);
+    pressed.downX = event.clientX;
+    pressed.downY = event.clientY;
+    pressed.mayTap = others.length === 0;
+    pressed.hovers = event.pointerType !== 'touch';
+    beginPress(pressed.press);
+  });
+  on('pointermove', (event) => {
+    let moved = find(event.pointerId);
+    if (!moved && event.pointerType === 'mouse' && event.buttons === 0) {
+      moved = take(event.pointerId, 'mouse') ?? undefined;
+      if (moved) moved.hovers = true;
+    }
+    if (moved) moveTo(moved, event);
+  });
+  on('pointerup', (event) => {
+    const pressed = find(event.pointerId);
+    if (!pressed) return;
+    moveTo(pressed, event);
+    const isStill = Math.hypot(event.clientX - pressed.downX, event.clientY - pressed.downY) <= STILL_PX;
+    endPress(pressed.press, 'end', pressed.mayTap && isStill && event.button === 0);
+  });
+  on('pointercancel', (event) => {
+    const pressed = find(event.pointerId);
+    if (pressed) endPress(pressed.press, 'cancel', false);
+  });
+  on('pointerleave', (event) => {
+    for (const each of presses) if (each.domId === event.pointerId) each.hovers = false;
+  });
+  on('keydown', (event) => {
+    if ((event.key !== 'Enter' && event.key !== ' ') || event.repeat || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    const pressed = take(KEYBOARD, 'screen');
+    if (!pressed) return;
+    pressed.u = 0.5;
+    pressed.v = 0.5;
+    beginPress(pressed.press);
+    endPress(pressed.press, 'end', true);
+  });
+  return {
+    fill: (input, view) => {
+      for (let i = 0; i < presses.length; i++) {
+        const pressed = presses[i];
+        if (!pressed?.press.used) continue;
+        const { press } = pressed;
+        const { pointer } = press;
+        showPhase(press);
+        if (pointer.phase === 'hover' && !pressed.hovers) {
+          press.used = false;
+          continue;
+        }
+        writeViewRay(pointer.worldFromRay, view, pressed.u, pressed.v);
+        pointer.pinch = pointer.phase === 'start' || pointer.phase === 'hold' ? 1 : 0;
+        addPointer(input, pointer);
+      }
+    },
+    isClaimed: (domPointerId) => {
+      for (let i = 0; i < presses.length; i++) {
+        const pressed = presses[i];
+        if (pressed?.press.used && pressed.domId === domPointerId && pressed.press.pointer.owner !== null) return true;
+      }
+      return false;
+    },
+    dispose: () => listeners.abort(),
+  };
+}

@@ -1,0 +1,63 @@
+import type { HitTest } from '../../../nodes/kit/hit-test.ts';
+import { EMPTY_FRAME } from '../play-state.ts';
+import { createAnchorStore } from './anchor-store.ts';
+import { castAtRoom, HIT_SOURCES } from './cast/cast-room.ts';
+import { createDepthPictures } from './depth-pictures.ts';
+import { createHitTest } from './hit-test.ts';
+import { createRay, setRay } from './ray.ts';
+import type { CreateSpatial } from './spatial.ts';
+import type { WebXrLedger } from './webxr-hits.ts';
+
+/** Turns of the microtask queue that `settle` waits for at most: a device may answer with its next frame only. */
+const PATIENCE = 64;
+
+// Filled and read within one call.
+const scratchRay = createRay();
+
+/** Hit tests by the device, detected surfaces, room depth and the floor; anchors by the device, or ideal ones where there is no device. */
+export const createSpatial: CreateSpatial = ({ gl, held }) => {
+  const depth = createDepthPictures(gl, held);
+  const ledger: WebXrLedger = { sources: 0, pending: 0 };
+  const open = new Set<HitTest>();
+  let frame = EMPTY_FRAME;
+  let round = 0;
+  const anchors = createAnchorStore(() => frame, ledger);
+  const waitForDevice = async (): Promise<void> => {
+    for (let i = 0; i < PATIENCE && ledger.pending > 0; i++) await null;
+  };
+  return {
+    openHitTest: (options) => {
+      const hitTest = createHitTest({
+        options,
+        frame: () => frame,
+        round: () => round,
+        depth,
+        ledger,
+        onClose: () => void open.delete(hitTest),
+      });
+      open.add(hitTest);
+      return hitTest;
+    },
+    castRay: (worldFromRay, out, sources = HIT_SOURCES) =>
+      setRay(scratchRay, worldFromRay) && castAtRoom(out, scratchRay, frame, depth, sources),
+    anchors,
+    enterFrame: (next) => {
+      frame = next;
+      round++;
+      anchors.update(next);
+    },
+    leaveSession: () => {
+      anchors.leave();
+      frame = EMPTY_FRAME;
+      round++;
+    },
+    settle: () => (ledger.pending > 0 ? waitForDevice() : null),
+    contextLost: depth.contextLost,
+    counts: () => ({ hitTests: open.size, deviceSources: ledger.sources, anchors: anchors.count }),
+    dispose: () => {
+      for (const hitTest of [...open]) hitTest.close();
+      anchors.leave();
+      depth.dispose();
+    },
+  };
+};

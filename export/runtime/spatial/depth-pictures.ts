@@ -1,0 +1,169 @@
+import type { RoomDepth, SessionFrame, ViewFrame } from '../../../nodes/kit/session.ts';
+import { prepareReadback } from '../gl/upload.ts';
+import { MAX_VIEWS } from '../targets/target.ts';
+import type { DepthPicture } from './cast/cast-depth.ts';
+
+/** Room depth of each view on the CPU, while somebody asks. */
+export interface DepthPictures {
+  /**
+   * @param frame The current frame.
+   * @returns Depth that the session has on the CPU, of this frame; else what was last read back from the GPU, with the view that it was
+   * taken for. Null while there is none.
+   */
+  picture(frame: SessionFrame, viewIndex: number): DepthPicture | null;
+  /** GPU objects are gone with the context. */
+  contextLost(): void;
+  dispose(): void;
+}
+
+/** `held`: frames come one by one and have to repeat, so each waits for its own depth; else nobody waits for the GPU. */
+export function createDepthPictures(gl: WebGL2RenderingContext, held: boolean): DepthPictures {
+  const views = Array.from({ length: MAX_VIEWS }, () => createReading(gl, held));
+  return {
+    picture: (frame, index) => {
+      const view = index < frame.viewCount ? frame.views[index] : null;
+      return (view && views[index]?.picture(frame, view)) ?? null;
+    },
+    contextLost: () => {
+      for (const view of views) view.forget();
+    },
+    dispose: () => {
+      for (const view of views) view.dispose();
+    },
+  };
+}
+
+interface Reading {
+  picture(frame: SessionFrame, view: ViewFrame): DepthPicture | null;
+  forget(): void;
+  dispose(): void;
+}
+
+type MutablePicture = DepthPicture & { rgba: Float32Array };
+
+function createReading(gl: WebGL2RenderingContext, held: boolean): Reading {
+  /** What is shown, and what is being read. They change places. */
+  let shown = createPicture();
+  let coming = createPicture();
+  let hasShown = false;
+  let framebuffer: WebGLFramebuffer | null = null;
+  let buffer: WebGLBuffer | null = null;
+  let bufferBytes = 0;
+  let fence: WebGLSync | null = null;
+  let askedFrame = -1;
+  let askedS = -1;
+
+  function describe(picture: MutablePicture, frame: SessionFrame, view: ViewFrame, depth: RoomDepth): void {
+    picture.widthPx = depth.widthPx;
+    picture.heightPx = depth.heightPx;
+    picture.uvFromViewUv.set(depth.uvFromViewUv);
+    picture.clipFromView.set(view.clipFromView);
+    picture.worldFromView.set(depth.worldFromDepth);
+    picture.frame = frame.index;
+  }
+
+  /** False where the GPU does not let floats be read. */
+  function read(picture: MutablePicture, depth: RoomDepth): boolean {
+    framebuffer ??= gl.createFramebuffer();
+    const count = depth.widthPx * depth.heightPx;
+    if (picture.rgba.length !== 4 * count) {
+      picture.rgba = new Float32Array(4 * count);
+      picture.meters = new Float32Array(count);
+    }
+    prepareReadback(gl);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, depth.texture, 0);
+    if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) {
+      gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+      return false;
+    }
+    if (held) {
+      gl.readPixels(0, 0, depth.widthPx, depth.heightPx, gl.RGBA, gl.FLOAT, picture.rgba);
+    } else {
+      buffer ??= gl.createBuffer();
+      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+      if (bufferBytes !== picture.rgba.byteLength) gl.bufferData(gl.PIXEL_PACK_BUFFER, picture.rgba.byteLength, gl.STREAM_READ);
+      bufferBytes = picture.rgba.byteLength;
+      gl.readPixels(0, 0, depth.widthPx, depth.heightPx, gl.RGBA, gl.FLOAT, 0);
+      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+      fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+      gl.flush();
+    }
+    // The session's texture is not kept alive by this framebuffer.
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, null, 0);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    return true;
+  }
+
+  function show(): void {
+    for (let i = 0; i < coming.meters.length; i++) coming.meters[i] = coming.rgba[4 * i] ?? 0;
+    [shown, coming] = [coming, shown];
+    hasShown = true;
+  }
+
+  function collect(): void {
+    if (fence === null || gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) return;
+    gl.deleteSync(fence);
+    fence = null;
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+    gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, coming.rgba);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+    show();
+  }
+
+  function readBack(frame: SessionFrame, view: ViewFrame, depth: RoomDepth): void {
+    collect();
+    if (fence !== null || !read(coming, depth)) return;
+    describe(coming, frame, view, depth);
+    if (held) show();
+  }
+
+  const forget = (): void => {
+    framebuffer = null;
+    buffer = null;
+    bufferBytes = 0;
+    fence = null;
+    hasShown = false;
+  };
+  return {
+    picture: (frame, view) => {
+      const { depth } = view;
+      if (!depth) {
+        hasShown = false;
+        return null;
+      }
+      if (frame.index === askedFrame && frame.timeS === askedS) return hasShown ? shown : null;
+      askedFrame = frame.index;
+      askedS = frame.timeS;
+      if (depth.meters) {
+        describe(shown, frame, view, depth);
+        shown.meters = depth.meters;
+        shown.rgba = NONE;
+        hasShown = true;
+      } else readBack(frame, view, depth);
+      return hasShown ? shown : null;
+    },
+    forget,
+    dispose: () => {
+      if (fence) gl.deleteSync(fence);
+      gl.deleteBuffer(buffer);
+      gl.deleteFramebuffer(framebuffer);
+      forget();
+    },
+  };
+}
+
+const NONE = new Float32Array(0);
+
+function createPicture(): MutablePicture {
+  return {
+    meters: NONE,
+    rgba: NONE,
+    widthPx: 0,
+    heightPx: 0,
+    uvFromViewUv: new Float32Array(9),
+    clipFromView: new Float32Array(16),
+    worldFromView: new Float32Array(16),
+    frame: 0,
+  };
+}

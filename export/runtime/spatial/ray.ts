@@ -1,0 +1,61 @@
+/** A ray in some space; the direction has the length 1. Reused: fill it, use it, keep none. */
+export interface Ray {
+  ox: number;
+  oy: number;
+  oz: number;
+  dx: number;
+  dy: number;
+  dz: number;
+}
+
+/** Where a ray meets a surface: distance along the ray in meters, and the normal of any length. */
+export interface Meeting {
+  distanceM: number;
+  nx: number;
+  ny: number;
+  nz: number;
+}
+
+export function createRay(): Ray {
+  return { ox: 0, oy: 0, oz: 0, dx: 0, dy: 0, dz: -1 };
+}
+
+export function createMeeting(): Meeting {
+  return { distanceM: 0, nx: 0, ny: 1, nz: 0 };
+}
+
+/** The ray of a rigid column-major 4×4: from its origin along its -z axis. False where it has a number that is not finite. */
+export function setRay(ray: Ray, worldFromRay: ArrayLike<number>): boolean {
+  const at = (i: number): number => worldFromRay[i] ?? Number.NaN;
+  const length = Math.hypot(at(8), at(9), at(10));
+  ray.ox = at(12);
+  ray.oy = at(13);
+  ray.oz = at(14);
+  ray.dx = -at(8) / length;
+  ray.dy = -at(9) / length;
+  ray.dz = -at(10) / length;
+  return Number.isFinite(ray.ox + ray.oy + ray.oz + ray.dx + ray.dy + ray.dz);
+}
+
+/** The ray in the space of a rigid column-major 4×4. */
+export function toLocal(out: Ray, ray: Ray, worldFromLocal: ArrayLike<number>): void {
+  const m = (i: number): number => worldFromLocal[i] ?? 0;
+  const x = ray.ox - m(12);
+  const y = ray.oy - m(13);
+  const z = ray.oz - m(14);
+  out.ox = m(0) * x + m(1) * y + m(2) * z;
+  out.oy = m(4) * x + m(5) * y + m(6) * z;
+  out.oz = m(8) * x + m(9) * y + m(10) * z;
+  out.dx = m(0) * ray.dx + m(1) * ray.dy + m(2) * ray.dz;
+  out.dy = m(4) * ray.dx + m(5) * ray.dy + m(6) * ray.dz;
+  out.dz = m(8) * ray.dx + m(9) * ray.dy + m(10) * ray.dz;
+}
+
+/** Turns the normal from the space of a rigid matrix to the world. */
+export function turnNormal(meeting: Meeting, worldFromLocal: ArrayLike<number>): void {
+  const m = (i: number): number => worldFromLocal[i] ?? 0;
+  const { nx, ny, nz } = meeting;
+  meeting.nx = m(0) * nx + m(4) * ny + m(8) * nz;
+  meeting.ny = m(1) * nx + m(5) * ny + m(9) * nz;
+  meeting.nz = m(2) * nx + m(6) * ny + m(10) * nz;
+}

@@ -1,0 +1,133 @@
+import type { Pointer, XrAccess } from '../../../nodes/kit/session.ts';
+
+/** The device's own hit test of one `HitTest`: its sources are requested when they are first needed. */
+export interface WebXrHits {
+  /** Results of this frame along the viewer's ray. Nothing while the device has not granted the source. */
+  ofViewer(xr: XrAccess): readonly XRHitTestResult[];
+  /** The same along a pointer's ray. */
+  ofPointer(xr: XrAccess, pointer: Pointer): readonly XRHitTestResult[];
+  /** Input sources that went. Once a frame, after the questions. */
+  sweep(xr: XrAccess): void;
+  close(): void;
+}
+
+/** Promises that somebody may wait for, and what the device holds. */
+export interface WebXrLedger {
+  /** Sources that the device holds. */
+  sources: number;
+  /** Answers that are still to come. */
+  pending: number;
+}
+
+interface Entry {
+  source: XRHitTestSource | XRTransientInputHitTestSource | null;
+  closed: boolean;
+}
+
+const NO_RESULTS: readonly XRHitTestResult[] = [];
+/** Profile of fingers on the screen (WebXR Hit Test §6.2 and the registry of profiles). */
+const TOUCH_PROFILE = 'generic-touchscreen';
+const VIEWER = 'viewer';
+const TOUCH = 'touch';
+
+export function createWebXrHits(ledger: WebXrLedger, offsetRay: ArrayLike<number> | null): WebXrHits {
+  const entries = new Map<unknown, Entry>();
+  let session: object | null = null;
+  const ray = offsetRay && (() => toXrRay(offsetRay));
+
+  function open(key: unknown, request: () => Promise<XRHitTestSource | XRTransientInputHitTestSource> | undefined): Entry {
+    const entry: Entry = { source: null, closed: false };
+    entries.set(key, entry);
+    ledger.pending++;
+    void requested(request)
+      .then((source) => {
+        if (!source) return;
+        ledger.sources++;
+        entry.source = source;
+        if (entry.closed) cancel(entry);
+      })
+      // Refused: the other sources answer.
+      .catch(() => {})
+      .finally(() => {
+        ledger.pending--;
+      });
+    return entry;
+  }
+  function cancel(entry: Entry): void {
+    entry.closed = true;
+    if (!entry.source) return;
+    ledger.sources--;
+    try {
+      entry.source.cancel();
+    } catch {
+      // The session ended, and the source with it.
+    }
+    entry.source = null;
+  }
+  const closeAll = (): void => {
+    for (const entry of entries.values()) cancel(entry);
+    entries.clear();
+  };
+  /** Of this frame's session: the sources of another are gone with it. */
+  const enter = (xr: XrAccess): { readonly xrSession: XRSession; readonly frame: XRFrame } => {
+    if (session !== xr.session) closeAll();
+    session = xr.session;
+    return { xrSession: xr.session as XRSession, frame: xr.frame as XRFrame };
+  };
+  const alongSpace = (
+    xr: XrAccess,
+    key: unknown,
+    space: (xrSession: XRSession) => Promise<XRSpace> | XRSpace,
+  ): readonly XRHitTestResult[] => {
+    const { xrSession, frame } = enter(xr);
+    const entry =
+      entries.get(key) ??
+      open(key, async () => {
+        const offset = ray?.();
+        return (await xrSession.requestHitTestSource?.({
+          space: await space(xrSession),
+          ...(offset ? { offsetRay: offset } : {}),
+        })) as XRHitTestSource;
+      });
+    if (!entry.source) return NO_RESULTS;
+    return frame.getHitTestResults(entry.source as XRHitTestSource);
+  };
+  return {
+    ofViewer: (xr) => alongSpace(xr, VIEWER, (xrSession) => xrSession.requestReferenceSpace('viewer')),
+    ofPointer: (xr, pointer) => {
+      const source = pointer.xrSource as XRInputSource | null;
+      if (!source) return NO_RESULTS;
+      if (pointer.by !== 'screen') return alongSpace(xr, source, () => source.targetRaySpace);
+      const { xrSession, frame } = enter(xr);
+      const entry = entries.get(TOUCH) ?? open(TOUCH, () => xrSession.requestHitTestSourceForTransientInput?.({ profile: TOUCH_PROFILE }));
+      if (!entry.source) return NO_RESULTS;
+      const all = frame.getHitTestResultsForTransientInput(entry.source as XRTransientInputHitTestSource);
+      for (let i = 0; i < all.length; i++) if (all[i]?.inputSource === source) return all[i]?.results ?? NO_RESULTS;
+      return NO_RESULTS;
+    },
+    sweep: (xr) => {
+      const { xrSession } = enter(xr);
+      // Asked for before the first touch, because the device answers later.
+      if (!entries.has(TOUCH) && !entries.has(VIEWER)) {
+        open(TOUCH, () => xrSession.requestHitTestSourceForTransientInput?.({ profile: TOUCH_PROFILE }));
+      }
+      entries.forEach((entry, key) => {
+        if (key === VIEWER || key === TOUCH) return;
+        for (let i = 0; i < xrSession.inputSources.length; i++) if (xrSession.inputSources[i] === key) return;
+        cancel(entry);
+        entries.delete(key);
+      });
+    },
+    close: closeAll,
+  };
+}
+
+/** `request` may throw at once, and the method may be missing. */
+async function requested<T>(request: () => Promise<T> | undefined): Promise<T | undefined> {
+  return request();
+}
+
+function toXrRay(m: ArrayLike<number>): XRRay {
+  const at = (i: number): number => m[i] ?? 0;
+  return new XRRay({ x: at(12), y: at(13), z: at(14), w: 1 }, { x: -at(8), y: -at(9), z: -at(10), w: 0 });
+}

@@ -1,0 +1,45 @@
+/** What a `pose` wire carries: a rigid transform in world space. The same object every frame: read it during the frame. */
+export interface PoseView {
+  /** Column-major 4×4, rigid: no scale. Without meaning while `valid` is false. */
+  readonly worldFromPose: Float32Array;
+  /** False where nothing is hit, tracked or connected: readers hide what they would place. */
+  readonly valid: boolean;
+  /**
+   * Raised when the pose jumps for another reason than motion: at re-centering (`SessionFrame.jumps`), or when the node turns to
+   * something else. Filters and physics that follow the pose restart.
+   */
+  readonly jumps: number;
+}
+
+/** Written by the node whose output it is, in its `update`. */
+export interface PoseOutput {
+  readonly worldFromPose: Float32Array;
+  valid: boolean;
+  jumps: number;
+}
+
+/** @returns An identity pose that is not valid. */
+export function createPose(): PoseOutput {
+  return { worldFromPose: Float32Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1), valid: false, jumps: 0 };
+}
+
+/**
+ * Writes a pose, and rejects what is no pose: a matrix with a number that is not finite makes the pose invalid and keeps the last one.
+ *
+ * @param worldFromPose Column-major 4×4, rigid; null for no pose.
+ *
+ * @example
+ * writePose(ctx.outputs.pose, pointer?.worldFromRay ?? null, frame.jumps);
+ */
+export function writePose(out: PoseOutput, worldFromPose: ArrayLike<number> | null, jumps: number): void {
+  out.jumps = jumps;
+  out.valid = worldFromPose !== null && isFinitePose(worldFromPose);
+  if (out.valid && worldFromPose) out.worldFromPose.set(worldFromPose);
+}
+
+function isFinitePose(matrix: ArrayLike<number>): boolean {
+  if (matrix.length !== 16) return false;
+  for (let i = 0; i < 16; i++) if (!Number.isFinite(matrix[i])) return false;
+  // A zero matrix is finite and has no axes.
+  return matrix[15] === 1 && matrix[4] !== undefined && Math.hypot(matrix[4], matrix[5] ?? 0, matrix[6] ?? 0) > 0.5;
+}
