@@ -29,8 +29,9 @@ export interface Debounced {
 }
 
 /**
- * Calls `run` once after a pause of `ms` without further triggers; a function computes the pause at each trigger. @param atMostMs
- * Longest wait after the first trigger. Without it, further triggers extend the wait without limit.
+ * Calls `run` once after a pause of `ms` without further triggers; a function computes the pause at each trigger.
+ *
+ * @param atMostMs Longest wait after the first trigger. Without it, further triggers extend the wait without limit.
  */
 export function debounce(clock: Pick<EditorClock, 'after'>, ms: number | (() => number), run: () => void, atMostMs?: number): Debounced {
   let stop: (() => void) | null = null;

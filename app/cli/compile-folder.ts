@@ -11,7 +11,11 @@ export interface CompiledFolder extends CompiledProject {
   readonly files: ProjectFiles;
 }
 
-/** Reads and compiles the project at a path. @throws SCR004, SCR005 */
+/**
+ * Reads and compiles the project at a path.
+ *
+ * @throws SCR004, SCR005
+ */
 export async function compileFolder(path: string, optionsOf?: (project: Project) => CompileOptions): Promise<CompiledFolder> {
   const root = await findProject(path);
   const files = await readConsistentFiles(root, NODE_FILES);

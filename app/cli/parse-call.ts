@@ -5,7 +5,11 @@ import { didYouMean } from './suggest.ts';
 
 const PROJECT: NonNullable<Command['operand']> = { word: 'PROJECT', doc: 'a folder, or the project.scrim.json in it' };
 
-/** Parses arguments. @throws UsageError */
+/**
+ * Parses arguments.
+ *
+ * @throws UsageError
+ */
 export function parseCall(command: Command, args: readonly string[]): Call {
   const { values, positionals } = parse(command, args);
   const { word, doc, many = false } = command.operand ?? PROJECT;

@@ -26,7 +26,11 @@ export function encodeMessage(fields: Readonly<Record<string, unknown>>): Uint8A
   return message;
 }
 
-/** Decodes a message. The blobs are views into `message`. @throws If the bytes are not a message. */
+/**
+ * Decodes a message. The blobs are views into `message`.
+ *
+ * @throws If the bytes are not a message.
+ */
 export function decodeMessage(message: Uint8Array): Record<string, unknown> {
   if (message.length < 4) throw new Error('The message is too short.');
   const jsonLength = new DataView(message.buffer, message.byteOffset).getUint32(0, true);

@@ -18,7 +18,7 @@ const MENUS: readonly PlatformMenu[] = [
     label: 'View',
     entries: [
       { command: 'view.fit', label: 'Fit graph to view', keybinding: 'F', enabled: true },
-      { command: 'view.help', label: 'Help for the node', keybinding: 'F1', enabled: true },
+      { command: 'view.help', label: 'Node help', keybinding: 'F1', enabled: true },
       { command: 'view.odd', label: 'Odd', keybinding: 'Mod+Ä', enabled: true },
     ],
   },

@@ -14,9 +14,11 @@ export async function realFolder(path: string): Promise<string> {
 }
 
 /**
- * Resolves a project path inside `root`. The file need not exist. @param root Result of `realFolder`. @throws SCR031 for paths that
- * could lead outside: `..`, absolute paths, backslashes, drive letters, NUL, percent-encoded separators, and links anywhere in the
- * path
+ * Resolves a project path inside `root`. The file need not exist.
+ *
+ * @param root Result of `realFolder`.
+ * @throws SCR031 for paths that could lead outside: `..`, absolute paths, backslashes, drive letters, NUL, percent-encoded
+ * separators, and links anywhere in the path
  */
 export async function resolveInside(root: string, path: string): Promise<string> {
   const parts = path.split('/');

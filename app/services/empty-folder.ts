@@ -6,8 +6,9 @@ import type { FileLayer } from './file-layer.ts';
 import { makeFolders } from './make-folders.ts';
 
 /**
- * Creates or uses an empty folder and fills it. Returns its real path. If `fill` fails, the folder is emptied again. @throws SCR060,
- * SCR061 if it is not empty, SCR062
+ * Creates or uses an empty folder and fills it. Returns its real path. If `fill` fails, the folder is emptied again.
+ *
+ * @throws SCR060, SCR061 if it is not empty, SCR062
  */
 export async function fillEmptyFolder(path: string, files: FileLayer, fill: (root: string) => Promise<void>): Promise<string> {
   const root = await emptyFolder(path);

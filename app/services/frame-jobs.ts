@@ -7,9 +7,17 @@ import { type FolderMark, writePageFolder } from './page-folder.ts';
 
 /** Frame renders in progress, one per open project. */
 export interface FrameJobs {
-  /** Begins a frame render. Cancels an earlier one of the same project. @throws SCR060, SCR061 if `out` is invalid */
+  /**
+   * Begins a frame render. Cancels an earlier one of the same project.
+   *
+   * @throws SCR060, SCR061 if `out` is invalid
+   */
   begin(projectId: string, client: string, options: FrameRenderOptions): Promise<void>;
-  /** Adds a frame. @throws SCR060, SCR062 if it cannot be written; all frames are deleted then */
+  /**
+   * Adds a frame.
+   *
+   * @throws SCR060, SCR062 if it cannot be written; all frames are deleted then
+   */
   add(projectId: string, number: number, rgba: Uint8Array): Promise<void>;
   finish(projectId: string, about: { readonly title: string; readonly frameRateHz: number }): Promise<HostOutput<'frames.finish'>>;
   /** Resolves when all files have been deleted. */

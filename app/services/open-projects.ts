@@ -26,7 +26,11 @@ export interface OpenProjects {
   close(projectId: string): void;
   /** Closes the projects of a closed window or tab. */
   left(client: string): void;
-  /** Real path of an open project. @throws SCR073 */
+  /**
+   * Real path of an open project.
+   *
+   * @throws SCR073
+   */
   rootOf(projectId: string): string;
   /** URL of the project’s files for the preview, ending in `/`. */
   baseUrlOf(projectId: string): string;

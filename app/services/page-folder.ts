@@ -21,7 +21,9 @@ const PAGE_MARK: FolderMark = { file: REPORT_FILE, format: 'scrim-export', words
 /**
  * Writes a page, or the content that `mark` describes, to the folder `out` in one step: to a new folder beside it that then replaces
  * it. `out` may be missing, empty, or the result of an earlier export (by its `report.json`, or the file of the mark); otherwise
- * SCR061. If `write` returns null or throws, or the disk fails, `out` is unchanged. @throws SCR060, SCR061, SCR062
+ * SCR061. If `write` returns null or throws, or the disk fails, `out` is unchanged.
+ *
+ * @throws SCR060, SCR061, SCR062
  */
 export async function writePageFolder<T>(
   out: string,

@@ -24,7 +24,11 @@ const MAX_SHADERS_BYTES = 64 * 2 ** 20;
 /** Limit of the contract for project paths. It also ends the walk through endlessly nested folders. */
 const MAX_PATH_LENGTH = 512;
 
-/** Finds a project folder by its path or that of its project file. @throws SCR004 */
+/**
+ * Finds a project folder by its path or that of its project file.
+ *
+ * @throws SCR004
+ */
 export async function findProject(path: string): Promise<string> {
   const absolute = resolve(path);
   const found = await lstat(absolute).catch((error: unknown) => {
@@ -36,7 +40,11 @@ export async function findProject(path: string): Promise<string> {
   throw refusal('SCR004', `${path} is not a Scrim project: it has no ${PROJECT_FILE}.`, 'Choose the folder that holds it.');
 }
 
-/** Reads the files of a project. @throws SCR004, SCR005 */
+/**
+ * Reads the files of a project.
+ *
+ * @throws SCR004, SCR005
+ */
 export async function readProjectFiles(root: string): Promise<ProjectFiles> {
   const project = await readProjectText(root, PROJECT_FILE, MAX_DOCUMENT_BYTES);
   if (project === null) throw refusal('SCR004', `${PROJECT_FILE} is missing from ${root}.`);

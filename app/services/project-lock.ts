@@ -39,7 +39,11 @@ export interface LockOptions {
   readonly patienceMs?: number;
 }
 
-/** Runs `task` while holding the lock. Breaks an abandoned lock. @throws SCR060, SCR066, SCR067 */
+/**
+ * Runs `task` while holding the lock. Breaks an abandoned lock.
+ *
+ * @throws SCR060, SCR066, SCR067
+ */
 export async function withLock<T>(
   root: string,
   files: FileLayer,

@@ -17,7 +17,11 @@ export async function readAssetFile(root: string, path: string): Promise<Uint8Ar
   }
 }
 
-/** Reads a file in `assets/`. @throws SCR031 for other paths, SCR005 if it is too large to copy as text */
+/**
+ * Reads a file in `assets/`.
+ *
+ * @throws SCR031 for other paths, SCR005 if it is too large to copy as text
+ */
 export async function readAsset(root: string, path: string): Promise<Uint8Array> {
   if (!path.startsWith(`${ASSETS_FOLDER}/`)) throw refusal('SCR031', `${path} is not an asset of the project.`);
   const file = await resolveInside(root, path);

@@ -28,8 +28,9 @@ export interface SaveOutcome {
 }
 
 /**
- * Saves the texts of a project. Holds the lock, so that no other process can write between check and write. @throws SCR004, SCR060,
- * SCR062, SCR063, SCR066, SCR067
+ * Saves the texts of a project. Holds the lock, so that no other process can write between check and write.
+ *
+ * @throws SCR004, SCR060, SCR062, SCR063, SCR066, SCR067
  */
 export async function saveOver({ root, next, loaded, revision, files }: SaveJob): Promise<SaveOutcome> {
   try {

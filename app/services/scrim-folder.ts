@@ -10,8 +10,9 @@ import { OWNER } from './owner.ts';
 export const SCRIM_FOLDER = '.scrim';
 
 /**
- * Creates the folder if it is missing. @throws SCR067 if the project folder is missing; it is not created, because it may have been
- * moved or its drive removed
+ * Creates the folder if it is missing.
+ *
+ * @throws SCR067 if the project folder is missing; it is not created, because it may have been moved or its drive removed
  */
 export async function ensureScrimFolder(root: string, files: FileLayer): Promise<void> {
   await requireFolder(root);
@@ -37,7 +38,11 @@ export async function requireFolder(root: string): Promise<void> {
   );
 }
 
-/** Names in the folder; empty if it is missing. @throws SCR031 if it is a link */
+/**
+ * Names in the folder; empty if it is missing.
+ *
+ * @throws SCR031 if it is a link
+ */
 export async function listScrimFolder(root: string): Promise<readonly string[]> {
   return readdir(await resolveInside(root, SCRIM_FOLDER)).catch(() => []);
 }

@@ -15,7 +15,12 @@ export const NO_BROWSER: Diagnostic = {
 /** Number of attempts. Chromium sometimes exits while it starts, for an unknown reason. */
 const STARTS = 2;
 
-/** Starts a headless browser. @param more Additional switches. @throws SCR071 if it does not start */
+/**
+ * Starts a headless browser.
+ *
+ * @param more Additional switches.
+ * @throws SCR071 if it does not start
+ */
 export async function startBrowser(found: Chromium, more: readonly string[] = []): Promise<Browser> {
   // Imported here, so that other commands start faster.
   const { chromium } = await import('playwright-core');

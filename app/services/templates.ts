@@ -43,7 +43,11 @@ export interface NewProjectJob {
   readonly files: FileLayer;
 }
 
-/** Creates a project from a template. Returns its real path. @throws SCR060, SCR061, SCR062, SCR073 */
+/**
+ * Creates a project from a template. Returns its real path.
+ *
+ * @throws SCR060, SCR061, SCR062, SCR073
+ */
 export async function createProject({ templatesDir, template, path, files }: NewProjectJob): Promise<string> {
   const known = await findTemplates(templatesDir);
   if (!known.some(({ name }) => name === template)) {

@@ -2,7 +2,11 @@ import { homedir } from 'node:os';
 import { isAbsolute, join } from 'node:path';
 import { refusal } from './file-errors.ts';
 
-/** Resolves a typed path; `~/` is the home folder. Rejects relative paths, because a window has no working folder. @throws `code` */
+/**
+ * Resolves a typed path; `~/` is the home folder. Rejects relative paths, because a window has no working folder.
+ *
+ * @throws `code`
+ */
 export function wholePath(path: string, code: 'SCR004' | 'SCR060'): string {
   const typed = path.trim();
   const whole = typed === '~' || /^~[/\\]/.test(typed) ? join(homedir(), typed.slice(1)) : typed;

@@ -70,7 +70,11 @@ const TOKENS: languages.IMonarchLanguage = {
   },
 };
 
-/** Registers the language with Monaco. @returns A function that unregisters it. */
+/**
+ * Registers the language with Monaco.
+ *
+ * @returns A function that unregisters it.
+ */
 export function registerGlslLanguage(): () => void {
   languages.register({ id: GLSL_LANGUAGE, extensions: ['.fs', '.vs', '.glsl'] });
   const parts = [

@@ -11,7 +11,11 @@ function isList(value: HeaderFields[string]): value is readonly (string | number
   return Array.isArray(value);
 }
 
-/** Parses MIN, MAX or DEFAULT. @returns A number, a list of numbers, undefined for empty text (removes the key), or null if invalid. */
+/**
+ * Parses MIN, MAX or DEFAULT.
+ *
+ * @returns A number, a list of numbers, undefined for empty text (removes the key), or null if invalid.
+ */
 export function numbersOf(text: string): HeaderValue | undefined | null {
   const parts = text.split(/[\s,;]+/).filter(Boolean);
   if (parts.length === 0) return undefined;
@@ -21,7 +25,11 @@ export function numbersOf(text: string): HeaderValue | undefined | null {
   return numbers.length === 1 && first !== undefined ? first : numbers;
 }
 
-/** Parses `Blur, Soft`. @returns A list, or undefined for empty text (removes the key). */
+/**
+ * Parses `Blur, Soft`.
+ *
+ * @returns A list, or undefined for empty text (removes the key).
+ */
 export function wordsOf(text: string): readonly string[] | undefined {
   const words = text
     .split(',')

@@ -1,7 +1,11 @@
 import { editor } from 'monaco-editor/editor';
 import { isLight } from '../ui/appearance.ts';
 
-/** Applies the theme of the editor to Monaco, also when it changes. @returns A function that stops it. */
+/**
+ * Applies the theme of the editor to Monaco, also when it changes.
+ *
+ * @returns A function that stops it.
+ */
 export function followTheme(): () => void {
   const apply = () => {
     defineTheme(isLight());

@@ -16,7 +16,11 @@ export interface ProviderOptions {
   readonly onRename: (beside: NeighborFile | null) => void;
 }
 
-/** Registers completion, hover, rename and other providers of `export/glsl/language`. @returns A function that unregisters them. */
+/**
+ * Registers completion, hover, rename and other providers of `export/glsl/language`.
+ *
+ * @returns A function that unregisters them.
+ */
 export function registerProviders({ texts, onRename }: ProviderOptions): () => void {
   const parts = [
     languages.registerCompletionItemProvider(GLSL_LANGUAGE, {

@@ -85,7 +85,7 @@ const STOPPED: Readonly<Record<StopReason, string>> = {
   asked: 'The preview is stopped. Shift was held while the project opened.',
 };
 
-/** Replaces the preview until the user starts it. */
+/** Shown in place of a stopped preview, with a button that starts it. */
 function StoppedNotice({ reason }: { readonly reason: StopReason }) {
   const editor = useEditor();
   return (

@@ -2,7 +2,7 @@ import { expect, test } from '@jest/globals';
 import { axeFindings } from './axe.ts';
 import type { OpenEditor } from './open-editor.ts';
 
-/** Tests of the editor as the tests before have left it: in each theme, in a large window and in a small one. */
+/** Checks the editor with axe in each theme, in a large and a small window. */
 export function testThemes(open: Pick<OpenEditor, 'page' | 'editor'>): void {
   test.each([
     ['dark', 1440, 900],

@@ -6,8 +6,8 @@ import type { Page } from 'playwright-core';
 const SCRIPT = resolve(import.meta.dirname, '../../node_modules/axe-core/axe.min.js');
 
 /**
- * What axe-core finds wrong with a page as it is, one line each: rule and places. Frames, such as the editor's preview, are pages of
- * their own. What fades in has too little contrast until it is there: what moves is waited for.
+ * Findings of axe-core on a page, one line each: rule and elements. Waits for animations, because fading elements have too little
+ * contrast. Iframes such as the preview are checked separately.
  */
 export async function axeFindings(page: Page): Promise<string[]> {
   await page.evaluate(await readFile(SCRIPT, 'utf8'));

@@ -6,7 +6,11 @@ import { startBrowser } from '../../app/services/start-browser.ts';
 import { PATIENCE_MS } from './patience.ts';
 import { type StaticServer, serveStatic } from './serve.ts';
 
-/** Starts the pinned Chromium once per test file. Goldens and pixel facts are only ever taken from it. `more`: switches of Chromium. */
+/**
+ * Starts the pinned Chromium once per test file. Goldens and pixel tests use only this browser.
+ *
+ * @param more Additional switches of Chromium.
+ */
 export function useBrowser(more: readonly string[] = []): { readonly browser: Browser } {
   let browser: Browser | undefined;
   beforeAll(async () => {
@@ -26,7 +30,7 @@ export function useBrowser(more: readonly string[] = []): { readonly browser: Br
   };
 }
 
-/** Makes pages wait as long as tests do, instead of Playwright's own 30 s. */
+/** Sets the timeout of pages to that of the tests, instead of Playwright’s 30 s. */
 export function prepareContext(context: BrowserContext): void {
   context.setDefaultTimeout(PATIENCE_MS);
   const slowness = Number(process.env.SCRIM_THROTTLE ?? 1);
@@ -34,8 +38,8 @@ export function prepareContext(context: BrowserContext): void {
 }
 
 /**
- * For hunting races: with `SCRIM_THROTTLE=6` in the environment, scripts in pages run at a sixth of their speed, as on a machine
- * that is slow and busy. Pages that are gone meanwhile need none.
+ * Throttles scripts in pages to find races: with `SCRIM_THROTTLE=6` in the environment, to a sixth of their speed, as on a slow and
+ * busy machine. Ignores pages that close meanwhile.
  */
 async function slowDown(page: Page, rate: number): Promise<void> {
   try {
@@ -46,7 +50,7 @@ async function slowDown(page: Page, rate: number): Promise<void> {
   }
 }
 
-/** Everything a page printed as an error, uncaught exceptions included. */
+/** Collects console errors and uncaught exceptions of a page. */
 export function collectErrors(page: Page): string[] {
   const errors: string[] = [];
   page.on('pageerror', (error) => errors.push(String(error)));
@@ -59,7 +63,7 @@ export function collectErrors(page: Page): string[] {
 export interface PageModule {
   readonly page: Page;
   readonly errors: readonly string[];
-  /** Calls an exported function of the bundled module in the page; arguments and result cross as JSON. */
+  /** Calls an exported function of the bundled module in the page. Arguments and result are passed as JSON. */
   call<T>(name: string, ...args: readonly unknown[]): Promise<T>;
   close(): Promise<void>;
 }
@@ -71,7 +75,7 @@ export interface PageOptions {
   readonly mounts?: Readonly<Record<string, string>>;
 }
 
-/** Bundles a `*.page.ts` file, serves it and opens it; its exports are what `call` can reach. */
+/** Bundles a `*.page.ts` file, serves it and opens it. `call` reaches its exports. */
 export async function openModule(browser: Browser, entry: string, options: PageOptions = {}): Promise<PageModule> {
   const code = await bundleForPage(entry);
   const server: StaticServer = await serveStatic({
@@ -100,9 +104,7 @@ export async function openModule(browser: Browser, entry: string, options: PageO
   };
 }
 
-/**
- * A bundled module, open for all tests of a file in a Chromium of its own. What it printed as an error fails the file.
- */
+/** Opens a bundled module in its own Chromium for all tests of a file. Console errors fail the file. */
 export function useModule(entry: string, options: PageOptions = {}): PageModule {
   const chromium = useBrowser();
   let opened: PageModule | undefined;
@@ -138,7 +140,7 @@ async function bundleForPage(entry: string): Promise<string> {
     globalName: 'testModule',
     target: 'chrome108',
     define: { 'import.meta.url': 'document.baseURI' },
-    // Pages that need the styles of what they show bring them along.
+    // Pages that need styles import them themselves.
     loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text', '.css': 'empty' },
     sourcemap: 'inline',
     logLevel: 'silent',

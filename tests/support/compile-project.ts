@@ -5,7 +5,11 @@ import { loadProject } from '../../export/graph/load.ts';
 import type { Program } from '../../export/program/program.ts';
 import { LIBRARY } from './library.ts';
 
-/** Throws where anything is wrong with the project. */
+/**
+ * Compiles a project.
+ *
+ * @throws If there is any diagnostic.
+ */
 export function compileText(project: string): Program {
   const loaded = loadProject({ project, layout: null, sources: {} });
   const compiled = loaded.output ? compile({ project: loaded.output, library: LIBRARY }) : null;

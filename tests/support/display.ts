@@ -8,17 +8,17 @@ export interface Display {
   close(): Promise<void>;
 }
 
-/** Whether a window can be opened here: on the display there is, or on one that Xvfb would make. */
+/** Whether a window can be opened: on the existing display, or a virtual one of Xvfb. */
 export function hasDisplay(): boolean {
   if (process.platform !== 'linux' || process.env.DISPLAY) return true;
   return spawnSync('Xvfb', ['-help'], { env: process.env }).error === undefined;
 }
 
-/** The display there is, or a virtual one for as long as the tests need it. */
+/** Returns the existing display, or starts a virtual one until the tests end. */
 export async function openDisplay(): Promise<Display> {
   const { DISPLAY } = process.env;
   if (process.platform !== 'linux' || DISPLAY) return { name: DISPLAY ?? '', close: async () => {} };
-  // `-displayfd` lets Xvfb choose a free number itself and tell it, so two runs never meet.
+  // With `-displayfd` Xvfb chooses a free number itself, so that parallel runs do not collide.
   const child = spawn('Xvfb', ['-displayfd', '3', '-screen', '0', '1600x1000x24', '-nolisten', 'tcp'], {
     stdio: ['ignore', 'ignore', 'ignore', 'pipe'],
   });

@@ -4,15 +4,15 @@ import { PATIENCE_MS } from './patience.ts';
 import { decodePicture, type Picture } from './picture.ts';
 import { countDifferent, expectSamePixels } from './pixels.ts';
 
-/** Height of the strip at the preview's top where the editor may put a flag. */
+/** Height of the strip at the top of the preview that messages may cover. */
 export const FLAG_PX = 40;
-/** A held preview draws four times a second. */
+/** A paused preview draws four times per second. */
 const REST_MS = 300;
 const RESTING_PICTURES = 2;
-/** A fast typist's; the text editor reads keys between two paints. */
+/** Delay of a fast typist. The text editor reads keys between two paints. */
 const KEY_MS = 15;
 
-/** Hands and eyes on a running editor: pointer and keys in, what is on the page out. */
+/** Drives a running editor by pointer and keys, and reads what the page shows. */
 export class EditorDriver {
   readonly page: Page;
 
@@ -56,13 +56,13 @@ export class EditorDriver {
     await mouse.up();
   }
 
-  /** A point on the canvas with nothing but canvas around it. */
+  /** A free point on the canvas. */
   async emptyPlace(): Promise<Point> {
     return this.page.evaluate(() => {
       const box = document.querySelector('.canvas')?.getBoundingClientRect();
       if (!box) throw new Error('There is no canvas.');
       const isPane = (x: number, y: number) => document.elementFromPoint(x, y)?.classList.contains('react-flow__pane') ?? false;
-      // A wire held within 40 px of an edge pans the canvas; ports of a node placed here stay clear of that.
+      // A wire held within 40 px of an edge pans the canvas, so ports of a node placed here must be farther away.
       for (let y = box.top + 80; y < box.bottom - 130; y += 20) {
         for (let x = box.left + 100; x < box.right - 300; x += 20) {
           const around = [0, 70, 140, 210].flatMap((dx) => [-30, 0, 40, 80].map((dy) => isPane(x + dx, y + dy)));
@@ -73,7 +73,7 @@ export class EditorDriver {
     });
   }
 
-  /** Opens the palette at an empty place, types, and takes what is first. */
+  /** Opens the palette at a free point, types, and chooses the first entry. */
   async addNode(search: string): Promise<void> {
     const { x, y } = await this.emptyPlace();
     await this.page.mouse.dblclick(x, y);
@@ -81,7 +81,7 @@ export class EditorDriver {
     await this.page.keyboard.press('Enter');
   }
 
-  /** The preview plays the newest program, and nothing is on its way. */
+  /** Waits until the preview plays the newest program. */
   async settled(): Promise<void> {
     await this.page.waitForFunction(
       () =>
@@ -106,7 +106,7 @@ export class EditorDriver {
     await this.page.locator('.monaco-editor .view-line').first().waitFor();
   }
 
-  /** Puts the caret before a text of the shader, where it is first found: Monaco's own search leads there, as it would a person. */
+  /** Puts the caret before the first occurrence of a text, with the search of Monaco. */
   async findInText(text: string): Promise<void> {
     const { page } = this;
     await page.locator('.code-text').click({ position: { x: 300, y: 60 } });
@@ -119,7 +119,7 @@ export class EditorDriver {
     await page.keyboard.press('Escape');
     await search.waitFor({ state: 'detached' });
     await page.locator('.monaco-editor.focused').waitFor();
-    // What was found is selected.
+    // The found text is selected.
     await page.keyboard.press('ArrowLeft');
   }
 
@@ -127,18 +127,18 @@ export class EditorDriver {
     await this.page.keyboard.type(text, { delay: KEY_MS });
   }
 
-  /** What keys and pointer did is on the page: the text editor, for one, draws once a frame. */
+  /** Waits for a paint, because the text editor, for example, draws once per frame. */
   async painted(): Promise<void> {
     await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   }
 
-  /** Of the line that the caret is on. */
+  /** Number of the line with the caret. */
   async lineNumber(): Promise<number> {
     await this.painted();
     return Number(await this.page.locator('.monaco-editor .line-numbers.active-line-number').first().textContent());
   }
 
-  /** The text of the line that the caret is on, as it is seen. */
+  /** Visible text of the line with the caret. */
   async lineText(): Promise<string> {
     await this.painted();
     return this.page.evaluate(() => {
@@ -149,7 +149,7 @@ export class EditorDriver {
     });
   }
 
-  /** The preview stands. What the button says follows what the preview does, a little later. */
+  /** Pauses the preview, and waits until the button shows it. */
   async hold(): Promise<void> {
     const either = this.page.getByRole('button', { name: /^(Play|Pause)$/ });
     await either.evaluate((button: HTMLElement) => {
@@ -158,18 +158,18 @@ export class EditorDriver {
     await this.page.getByRole('button', { name: 'Play', exact: true }).waitFor();
   }
 
-  /** Stands at the first frame; the picture of it, once it has come to rest: recordings decode theirs meanwhile. */
+  /** Goes to the first frame, and returns its image once it no longer changes. Recordings decode their frames asynchronously. */
   async rewind(): Promise<Picture> {
     await this.hold();
     await this.press('Go to first frame');
     await this.page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '0');
-    // The number is what was asked for; its picture comes a little later. What follows no recording draws at its next frame.
+    // The frame number is the requested one; its image follows. Other sources draw at their next frame.
     await this.preview.locator('body').evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
     await this.settled();
     return this.restingPicture();
   }
 
-  /** The picture when it has not changed for a while. */
+  /** The image of the preview once it no longer changes. */
   async restingPicture(): Promise<Picture> {
     let last = await this.picture();
     for (let same = 0; same < RESTING_PICTURES; ) {
@@ -181,7 +181,7 @@ export class EditorDriver {
     return last;
   }
 
-  /** The preview without gizmos, below the strip at its top where the editor may put a flag. */
+  /** The preview without gizmos, below the strip that messages may cover. */
   async picture(): Promise<Picture> {
     await this.showGizmo(false);
     try {
@@ -191,16 +191,16 @@ export class EditorDriver {
     }
   }
 
-  /** Out of sight it can be used all the same. */
+  /** Shows or hides the gizmo. A hidden gizmo still works. */
   private async showGizmo(shown: boolean): Promise<void> {
     const show = (visibility: string) => {
       for (const element of document.querySelectorAll<HTMLElement>('#gizmo, .gizmo-bar')) element.style.visibility = visibility;
     };
-    // A page that is just being loaded shows none.
+    // A page that is loading has no gizmo.
     await Promise.all(this.page.frames().map((frame) => frame.evaluate(show, shown ? '' : 'hidden').catch(() => {})));
   }
 
-  /** The same with it: tests that look for the gizmo. */
+  /** The image with the gizmo, for tests of the gizmo. */
   async pictureWithGizmo(): Promise<Picture> {
     await this.keepSize();
     const box = await this.page.locator('iframe[title="Preview"]').boundingBox();
@@ -210,8 +210,8 @@ export class EditorDriver {
   }
 
   /**
-   * The size that the test gave the window is an emulated one, which the tests' Electron was seen to lose on a busy machine. Told
-   * the same again, Playwright would do nothing.
+   * Restores the emulated window size, which Electron may lose on a busy machine. Sets another size first, because Playwright ignores
+   * an unchanged one.
    */
   private async keepSize(): Promise<void> {
     const wanted = this.page.viewportSize();
@@ -221,20 +221,20 @@ export class EditorDriver {
     await this.page.setViewportSize(wanted);
   }
 
-  /** The picture when it has come to rest, after it has changed in at least `pixels` pixels. */
+  /** The image once it no longer changes, after at least `pixels` pixels have changed. */
   async pictureOtherThan(before: Picture, pixels = 1000): Promise<Picture> {
     const isOther = (picture: Picture) => isAsLarge(picture, before) && countDifferent(picture, before, 4).pixels >= pixels;
     if (!isOther(await this.pictureThat(isOther))) throw new Error('The picture did not change.');
     return this.restingPicture();
   }
 
-  /** Waits for the picture. Where another one stays, both are kept, with their difference, under `name`. */
+  /** Waits until the image equals `expected`. If it does not, both images and their difference are written as `name`. */
   async pictureSameAs(expected: Picture, name = 'editor'): Promise<void> {
     const last = await this.pictureThat((picture) => isAsLarge(picture, expected) && countDifferent(picture, expected, 1).pixels === 0);
     await expectSamePixels(name, last, expected, { tolerance: 1 });
   }
 
-  /** The first picture that is accepted, or else the last one that there was time for. */
+  /** The first accepted image; after the timeout, the last one. */
   private async pictureThat(accept: (picture: Picture) => boolean): Promise<Picture> {
     const endMs = Date.now() + PATIENCE_MS;
     for (;;) {

@@ -7,21 +7,21 @@ import { countColors, countDifferent } from './pixels.ts';
 import { OUTPUT_FOLDER } from './this-test.ts';
 
 export interface StoryOptions {
-  /** The editor, about to open `project`. */
+  /** A page with the editor, before `project` is opened. */
   readonly page: Page;
-  /** A copy that may be written to: its main graph has a screen with a layer wired to it. */
+  /** A writable copy of a project. A layer is connected to its Output. */
   readonly project: string;
   /** A folder that does not exist yet. */
   readonly exportTo: string;
-  /** Answers the shell's question for a folder, before or after it is asked. */
+  /** Answers the folder dialog of the shell, before or after it opens. */
   readonly answerFolder: (path: string) => Promise<void>;
 }
 
 const WORKING = 'gl_FragColor = ';
 
 /**
- * What a designer does in an afternoon, by pointer and keys: adds a filter, wires it, turns its dials, breaks its shader and
- * mends it, gives it an input, saves, reloads and exports. Runs in every shell.
+ * A typical session by pointer and keys: adds and connects a filter, changes params, breaks and fixes its shader, adds an input,
+ * saves, reloads and exports. Runs in every shell.
  */
 export async function playEditorStory(options: StoryOptions): Promise<void> {
   try {
@@ -46,21 +46,21 @@ async function play({ page, project, exportTo, answerFolder }: StoryOptions): Pr
   const untouched = await editor.rewind();
   expect(countColors(untouched)).toBeGreaterThan(100);
 
-  // A filter by search, wired by hand, changes the picture.
+  // A filter, found by search and connected by hand, changes the image.
   await editor.addNode('sepia');
   const sepia = await editor.nodeId('sepia');
   await editor.wire(source, [sepia, 'inputImage']);
   await editor.wire([sepia, 'layer'], [screen, 'layer']);
   const brown = await editor.pictureOtherThan(untouched);
 
-  // A dial in the inspector does, too, without a compile; and undo takes both back.
+  // A param in the inspector changes it without a compile. Undo reverts both.
   const compiled = await compileStatus(page);
   await editor.node(sepia).locator('.node-title').click();
   const slider = editor.inspector.getByRole('slider').first();
   await slider.focus();
   await page.keyboard.press('Home');
   const plain = await editor.pictureOtherThan(brown);
-  // Edges may differ: without a filter, objects are drawn straight onto the screen, with its antialiasing.
+  // Edges may differ: without a filter, objects are drawn directly to the output, with its antialiasing.
   expect(countDifferent(plain, untouched, 8).pixels).toBeLessThan(0.03 * plain.width * plain.height);
   expect(await compileStatus(page)).toBe(compiled);
   await page.keyboard.press('Control+z');
@@ -70,7 +70,7 @@ async function play({ page, project, exportTo, answerFolder }: StoryOptions): Pr
   await page.keyboard.press('Control+z');
   await editor.pictureSameAs(brown, 'undone again');
 
-  // A broken shader is marked on its line, and the last good one plays on.
+  // An invalid shader is marked on its line; the last valid program plays.
   await editor.press('Edit shader');
   await page.locator('.monaco-editor .view-line').first().waitFor();
   const broken = await typeIntoLine(page, WORKING, 'nonsense ');
@@ -86,16 +86,16 @@ async function play({ page, project, exportTo, answerFolder }: StoryOptions): Pr
   await editor.rewind();
   await editor.pictureSameAs(brown, 'rewound');
 
-  // A click on the problem leads to the line; mending it takes the mark away.
+  // A click on the problem goes to the line; a fix removes the mark.
   await problem.click();
   await page.locator('.monaco-editor.focused').waitFor();
-  // Undo within the text goes by words; more of it than was typed does nothing.
+  // Undo in the text works by words. Further undo steps do nothing.
   for (let i = 0; i < 4; i++) await page.keyboard.press('Control+z');
   await page.locator('.monaco-editor .squiggly-error').first().waitFor({ state: 'detached' });
   await page.getByText('Showing the last working version').waitFor({ state: 'detached' });
   await editor.pictureSameAs(brown, 'mended');
 
-  // Another input in the header is a port and a dial at once.
+  // A new input in the header becomes a port and a param.
   await typeIntoLine(page, '"INPUTS"', '', ' { "NAME": "darken", "TYPE": "float", "LABEL": "Darken", "MIN": 0, "MAX": 1, "DEFAULT": 0 },');
   await editor.inspector.getByRole('textbox', { name: 'Darken' }).waitFor();
   await typeIntoLine(page, WORKING, '', ' gl_FragColor.rgb *= 1.0 - darken;');
@@ -124,7 +124,7 @@ async function compileStatus(page: Page): Promise<string | undefined> {
   return /Compiled in \d+ ms/.exec((await page.locator('.status-bar').textContent()) ?? '')?.[0];
 }
 
-/** The screen of a project, and what is wired to it. */
+/** The Output node of a project and the node connected to it. */
 async function readScreen(project: string): Promise<{ screen: string; source: readonly [node: string, port: string] }> {
   const { graphs } = JSON.parse(await readFile(join(project, 'project.scrim.json'), 'utf8')) as {
     graphs: { main: { nodes: Record<string, { type: string }>; wires: string[] } };
@@ -137,7 +137,7 @@ async function readScreen(project: string): Promise<{ screen: string; source: re
   return { screen, source: [node, port] };
 }
 
-/** Puts text at the start and the end of the first line that holds `mark`; gives the line's number. */
+/** Types at the start and end of the first line that contains `mark`. Returns its line number. */
 async function typeIntoLine(page: Page, mark: string, atStart: string, atEnd = ''): Promise<number> {
   const editor = new EditorDriver(page);
   await editor.findInText(mark);

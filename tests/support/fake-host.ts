@@ -4,13 +4,13 @@ import { HostError } from '../../app/contract/host-error.ts';
 type Handlers = { [M in HostMethod]?: (input: HostInput<M>) => HostOutput<M> | Promise<HostOutput<M>> };
 
 export interface FakeHost extends Host {
-  /** Every call, in order. */
+  /** All calls in order. */
   readonly calls: { readonly method: HostMethod; readonly input: unknown }[];
-  /** Makes the next call of a method be refused. */
+  /** Rejects the next call of a method. */
   refuse(method: HostMethod, code: string, message: string): void;
-  /** Another process writes the folder: it gets another revision. No event is sent. */
+  /** Simulates a save of another process: changes the revision without an event. */
   writeOutside(files: HostOutput<'project.open'>['files']): void;
-  /** Answers so from now on. */
+  /** Replaces the handler of a method. */
   answer<M extends HostMethod>(method: M, handler: NonNullable<Handlers[M]>): void;
   emit(event: HostEvent): void;
 }
@@ -19,7 +19,7 @@ export interface FakeFolder {
   readonly openElsewhere?: boolean;
 }
 
-/** A host in memory with one project; whatever crosses is checked against the contract, both ways. */
+/** An in-memory host with one project. Validates all inputs and outputs against the contract. */
 export function createFakeHost(
   files: HostOutput<'project.open'>['files'],
   handlers: Handlers = {},
@@ -32,7 +32,7 @@ export function createFakeHost(
   let revision = 1;
   let opened = 0;
   const open = (path: string) => ({
-    // Each opening gives another one, and another address, as the real host does.
+    // Each opening returns another handle and URL, like the real host.
     handle: `abcdef0123456789${++opened}`,
     displayPath: path,
     files: saved,

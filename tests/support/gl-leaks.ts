@@ -1,13 +1,13 @@
 /**
- * Page code: counts the GL objects that are alive, each with the stack that made it, so that a test can say who forgot what.
- * Install it before the code under test gets the context.
+ * Page code that counts living GL objects with the stacks that created them, to find leaks. Install it before the tested code gets
+ * the context.
  */
 export interface GlLeaks {
-  /** Objects alive by kind (`Texture`, `Framebuffer` …); kinds of which there are none are left out. */
+  /** Number of living objects by kind (`Texture`, `Framebuffer`, …). Kinds without objects are absent. */
   alive(): Readonly<Record<string, number>>;
-  /** One text per place that made objects still alive: how many of what, and the stack. */
+  /** One text per place that created living objects: their number and kind, and the stack. */
   report(): readonly string[];
-  /** Puts the context's own functions back. */
+  /** Restores the functions of the context. */
   stop(): void;
 }
 
@@ -34,7 +34,7 @@ export function trackGl(gl: WebGL2RenderingContext): GlLeaks {
   function replace(name: string, wrapper: (original: (...args: unknown[]) => unknown) => (...args: unknown[]) => unknown): void {
     const original = own[name];
     if (!original) throw new Error(`WebGL2RenderingContext has no ${name}.`);
-    // An own property hides the prototype's function; removing it brings that back.
+    // An own property shadows the method of the prototype; deleting it restores the method.
     own[name] = wrapper(original.bind(gl));
     replaced.push(name);
   }
@@ -66,7 +66,7 @@ export function trackGl(gl: WebGL2RenderingContext): GlLeaks {
   };
 }
 
-/** Without the first line, which names the error, and the two of this file. */
+/** The stack without the error name and the frames of this file. */
 function callers(): string {
   return (new Error().stack ?? '').split('\n').slice(3).join('\n');
 }

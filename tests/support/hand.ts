@@ -3,7 +3,7 @@ import type { Point } from '../../tools/lib/center-of.ts';
 
 const STEPS = 8;
 
-/** Fingers on the page, as the browser reports them. */
+/** Touch input, as the browser reports it. */
 export class Hand {
   private readonly session: CDPSession;
 
@@ -27,7 +27,7 @@ export class Hand {
     await this.send('touchEnd', []);
   }
 
-  /** The browser takes the touch away: a call comes in, or a system gesture begins. */
+  /** Cancels the touch, as the browser does for a call or a system gesture. */
   async lose(): Promise<void> {
     await this.send('touchCancel', []);
   }

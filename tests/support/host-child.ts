@@ -4,7 +4,7 @@ import { build } from 'esbuild';
 
 const ROOT = resolve(import.meta.dirname, '../..');
 
-/** What a script has at hand: the arguments after its path, and a host of its own. */
+/** Prelude of the script: its arguments, and a host of its own. */
 const PRELUDE = `
   import { createHost } from './app/services/host.ts';
   import { installationAt } from './app/services/installation.ts';
@@ -19,7 +19,7 @@ const PRELUDE = `
     return diagnostic ? diagnostic.code : output;
   };`;
 
-/** Bundles a script that drives a host in a process of its own into `folder`; answers with the path to start with Node. */
+/** Bundles a script that uses a host in a separate process. Returns its path for Node. */
 export async function bundleHostChild(folder: string, script: string): Promise<string> {
   const path = join(folder, 'child.mjs');
   await build({
@@ -34,7 +34,7 @@ export async function bundleHostChild(folder: string, script: string): Promise<s
     banner: { js: "import { createRequire as childRequire } from 'node:module'; const require = childRequire(import.meta.url);" },
     logLevel: 'error',
   });
-  // Where the packages are that the bundle leaves outside.
+  // Folder of the packages that are not bundled.
   await symlink(join(ROOT, 'node_modules'), join(folder, 'node_modules'));
   return path;
 }

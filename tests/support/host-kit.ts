@@ -9,7 +9,7 @@ import { installationAt } from '../../app/services/installation.ts';
 const ROOT = resolve(import.meta.dirname, '../..');
 const hosts: HostService[] = [];
 
-/** What another process has: nothing is shared with the first but the folder. */
+/** Starts a host as in another process: it shares only the folder. */
 export function startHost(files: FileLayer = NODE_FILES): HostService {
   const origins = { editor: 'http://127.0.0.1:1', preview: 'http://127.0.0.1:2' };
   const shell = { kind: 'server', origins, pickFolder: null, closeWindow: () => {}, showMenus: null } as const;
@@ -19,7 +19,7 @@ export function startHost(files: FileLayer = NODE_FILES): HostService {
   return host;
 }
 
-/** A window of a host, which is there until it leaves. */
+/** Opens a window of a host. It exists until it leaves. */
 export function openWindow(host: HostService, name: string) {
   const leave = host.attend(name);
   const call = async <M extends HostMethod>(method: M, input: HostInput<M>): Promise<HostOutput<M>> =>
@@ -27,7 +27,7 @@ export function openWindow(host: HostService, name: string) {
   return { call, leave };
 }
 
-/** Ends every host that was started. */
+/** Stops all started hosts. */
 export function stopHosts(): void {
   for (const host of hosts.splice(0)) host.dispose();
 }

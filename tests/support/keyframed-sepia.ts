@@ -6,7 +6,7 @@ interface Key {
   readonly easing?: string;
 }
 
-/** A sepia that gets browner and paler by these keys, once. */
+/** A Sepia node whose amount follows these keyframes once. */
 export function keyframedSepia(...keys: readonly Key[]): GraphText['nodes'][string] {
   return { type: 'filter/sepia', params: { amount: { track: { repeat: 'once', keys } } } };
 }

@@ -1,5 +1,5 @@
 import { DEFINITIONS, SHADERS } from '../../nodes/generated/definitions.gen.ts';
 import { libraryOf, type NodeLibrary } from '../../nodes/kit/definition.ts';
 
-/** The library that ships, without any project's own shaders. */
+/** The library of Scrim without the shaders of a project. */
 export const LIBRARY: NodeLibrary = libraryOf(DEFINITIONS, SHADERS);

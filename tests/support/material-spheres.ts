@@ -1,8 +1,8 @@
 import { SphereGeometry } from 'three';
 
 /**
- * What the glTF extensions of materials look like without anything behind them: by name, with values that show. Those of glass are
- * in the real models `AttenuationTest`, `GlassTable` and `TransmissionRoughnessTest`.
+ * Material extensions of glTF with visible values, by name. Those of glass are in the real models `AttenuationTest`, `GlassTable` and
+ * `TransmissionRoughnessTest`.
  */
 export const MATERIAL_EXTENSIONS: Readonly<Record<string, object>> = {
   KHR_materials_anisotropy: { anisotropyStrength: 0.9, anisotropyRotation: 0.7 },
@@ -16,7 +16,7 @@ export const MATERIAL_EXTENSIONS: Readonly<Record<string, object>> = {
   KHR_materials_unlit: {},
 };
 
-/** A .gltf of one ball for each of them in a row, and a plain one at its end, 2.2 m from middle to middle. */
+/** A .gltf with one sphere per extension in a row, and a plain one at the end; 2.2 m between centers. */
 export function materialSpheres(): string {
   const { attributes, index } = new SphereGeometry(1, 32, 24);
   const arrays = [attributes.position?.array, attributes.normal?.array, index?.array].map((array) => {

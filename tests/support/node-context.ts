@@ -6,25 +6,25 @@ import type { NodeContext, PulseList } from '../../nodes/kit/runtime.ts';
 import { VALUE_SIZES, type WireType } from '../../nodes/kit/wire-types.ts';
 
 export interface FakeContextOptions<D extends NodeDefinition> {
-  /** Of any stage; what is left out has the definition's default. */
+  /** Values of params. Others have their defaults. */
   readonly params?: { readonly [K in keyof D['params']]?: ParamValue };
-  /** What stands on the wires; what is left out is not wired. */
+  /** Values of inputs. Others are not connected. */
   readonly inputs?: Partial<NodeContext<D>['inputs']>;
-  /** Services that the node uses (`gl`, `scenes`, `assets`, `session`); touching any other throws. */
+  /** Services that the node uses (`gl`, `scenes`, `assets`, `session`). Access to others throws. */
   readonly services?: Partial<Pick<NodeContext<D>, 'gl' | 'scenes' | 'assets' | 'session' | 'random'>>;
 }
 
 export interface FakeContext<D extends NodeDefinition> {
   readonly ctx: NodeContext<D>;
-  /** Everything the node reported. */
+  /** All diagnostics that the node reported. */
   readonly reports: readonly Omit<Diagnostic, 'nodeId'>[];
-  /** Changes a uniform param, as a wire or the inspector would between two frames. */
+  /** Changes a uniform param, as a wire or the inspector does between two frames. */
   set(param: keyof D['params'] & string, value: ParamValue): void;
-  /** Moves the clock to the next frame, and empties the outputs of pulses. */
+  /** Advances the clock to the next frame, and clears pulse outputs. */
   tick(deltaS: number): void;
 }
 
-/** A context for a node's runtime outside the player: params from the definition, outputs to read, a clock to move. */
+/** A context for the runtime of a node outside the player: params by definition, readable outputs, and a manual clock. */
 export function fakeContext<const D extends NodeDefinition>(definition: D, options: FakeContextOptions<D> = {}): FakeContext<D> {
   const given: Readonly<Record<string, ParamValue | undefined>> = options.params ?? {};
   const unknown = Object.keys(given).filter((name) => !Object.hasOwn(definition.params, name));
@@ -56,7 +56,7 @@ export function fakeContext<const D extends NodeDefinition>(definition: D, optio
     ...services(options.services ?? {}),
   };
   return {
-    // Built from the definition by the same rules that the type states; TypeScript cannot follow a loop over keys.
+    // Built from the definition by the rules of the type, which TypeScript cannot check in a loop over keys.
     ctx: context as unknown as NodeContext<D>,
     reports,
     set: (name, value) => {
@@ -74,7 +74,7 @@ export function fakeContext<const D extends NodeDefinition>(definition: D, optio
   };
 }
 
-/** As the player's value slots hold it: vectors and colors in a `Float64Array`. */
+/** Value as in the slots of the player: vectors and colors in a `Float64Array`. */
 function live(value: ParamValue, param: ParamDefinition): unknown {
   return Array.isArray(value) && param.type !== 'choice' ? Float64Array.from(value as readonly number[]) : value;
 }
@@ -92,7 +92,7 @@ function emptyInput({ type, multiple }: InputPort): unknown {
 function emptyOutput(type: WireType): unknown {
   switch (type) {
     case 'number':
-      // Not 0, so that a node that forgot to write is seen.
+      // Not 0, so that a missing write is noticed.
       return { value: Number.NaN };
     case 'vector2':
     case 'vector3':
@@ -122,7 +122,7 @@ function emptyOutput(type: WireType): unknown {
   }
 }
 
-/** Each service is the given one, or throws with its name when touched. */
+/** The given services; access to others throws with their name. */
 function services(given: Readonly<Record<string, unknown>>): Record<string, unknown> {
   const all = ['gl', 'scenes', 'assets', 'session'].map((name) => [name, given[name] ?? refusing(name)] as const);
   return { ...Object.fromEntries(all), ...(given.random === undefined ? {} : { random: given.random }) };

@@ -1,6 +1,6 @@
 import type { NodeDefinition, ParamDefinition, Unit } from '../../nodes/kit/definition.ts';
 
-/** Endings of names that say a unit (docs/CONVENTIONS.md): `sizeM`, `delayS`, `angleRad`, `radiusPx`. */
+/** Name endings of units (docs/CONVENTIONS.md): `sizeM`, `delayS`, `angleRad`, `radiusPx`. */
 const ENDINGS: readonly (readonly [string, Unit])[] = [
   ['Rad', 'rad'],
   ['Px', 'px'],
@@ -12,8 +12,9 @@ const ENDINGS: readonly (readonly [string, Unit])[] = [
 ];
 
 /**
- * What every definition owes its users, beyond what its type can say: one line per thing that is wrong. `isShader` tells whether
- * the library has a shader of that name.
+ * Checks rules for definitions that types cannot express. Returns one line per problem.
+ *
+ * @param isShader Whether the library has a shader of this name.
  */
 export function definitionProblems(definition: NodeDefinition, isShader: (name: string) => boolean): string[] {
   return [
@@ -46,7 +47,7 @@ function wordProblems({ title, doc, inputs, outputs, params }: NodeDefinition): 
 function nameProblems({ version, migrations, renamed, inputs, params }: NodeDefinition): string[] {
   const shared = Object.keys(inputs).filter((name) => Object.hasOwn(params, name));
   const steps = (migrations ?? renamed)?.length ?? 0;
-  // The last name that a param was given is the one that it has.
+  // Only the last name of a renamed param is current.
   const lost = Object.values(renamed?.at(-1) ?? {}).filter(({ to }) => !Object.hasOwn(params, to) && !Object.hasOwn(inputs, to));
   return [
     ...lost.map(({ to }) => `a param was renamed to ${to}, which there is not`),
@@ -76,7 +77,7 @@ function paramProblems(name: string, param: ParamDefinition): string[] {
   }
 }
 
-/** The name says the unit and `unit` tells the inspector: both or neither. */
+/** A param has a unit in its name if and only if it has a `unit`. */
 function unitProblems(name: string, unit: Unit | undefined): string[] {
   const said = ENDINGS.find(([ending]) => name.endsWith(ending) && name !== ending)?.[1];
   return said === undefined || said === unit ? [] : [`its name says ${said}, its unit ${unit ?? 'nothing'}`];
@@ -102,7 +103,7 @@ function choiceProblems(param: Extract<ParamDefinition, { type: 'choice' }>): st
   ];
 }
 
-/** The compiler has to know before it draws. */
+/** Layer outputs must declare domain and depth, which the compiler needs. */
 function layerProblems({ inputs, outputs }: NodeDefinition): string[] {
   const takesLayer = Object.values(inputs).some((port) => port.type === 'layer');
   return Object.entries(outputs).flatMap(([name, port]) => {
@@ -116,7 +117,7 @@ function layerProblems({ inputs, outputs }: NodeDefinition): string[] {
   });
 }
 
-/** Where one thing may start something, several may. */
+/** Inputs of pulses must accept several wires. */
 function pulseProblems({ inputs }: NodeDefinition): string[] {
   return Object.entries(inputs).flatMap(([name, { type, multiple }]) =>
     type === 'pulse' && multiple !== true ? [`input ${name} has to take pulses of several wires`] : [],
@@ -130,7 +131,7 @@ const CONTROL_PARAMS = {
   choice: { value: 'uniform number', options: 'structure text' },
 } as const;
 
-/** The compiler finds them by these names. */
+/** The compiler finds these params by name. */
 function controlProblems({ control, params }: NodeDefinition): string[] {
   if (control === undefined) return [];
   const expected = { label: 'structure text', place: 'structure number', ...CONTROL_PARAMS[control] };
@@ -164,7 +165,7 @@ function needProblems({ needs = [] }: NodeDefinition): string[] {
   ]);
 }
 
-/** The compiler finds the params by these names. */
+/** The compiler finds these params by name. */
 function statefulProblems({ stateful, params }: NodeDefinition): string[] {
   if (stateful === undefined || stateful === true) return [];
   if ('moves' in stateful)

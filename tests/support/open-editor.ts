@@ -13,7 +13,7 @@ const ROOT = resolve(import.meta.dirname, '../..');
 export interface OpenEditor {
   readonly page: Page;
   readonly editor: EditorDriver;
-  /** Absolute. */
+  /** Absolute path. */
   readonly project: string;
   readonly errors: readonly string[];
   close(): Promise<void>;
@@ -23,23 +23,23 @@ export interface GraphText {
   readonly nodes: Readonly<Record<string, { readonly type: string; readonly params?: Readonly<Record<string, unknown>> }>>;
   readonly wires: readonly string[];
   readonly places: Readonly<Record<string, readonly [x: number, y: number]>>;
-  /** Shaders of the project's own, by file name. */
+  /** Shaders of the project, by file name. */
   readonly shaders?: Readonly<Record<string, string>>;
   readonly assets?: Readonly<Record<string, { readonly path: string; readonly kind: string }>>;
-  /** Contents below `assets/`. */
+  /** Files in `assets/`. */
   readonly assetFiles?: Readonly<Record<string, Uint8Array>>;
 }
 
 export interface EditorPageOptions {
   readonly size?: { readonly width: number; readonly height: number };
   readonly colorScheme?: 'light' | 'dark';
-  /** As on a tablet. */
+  /** Emulates touch input, as on a tablet. */
   readonly hasTouch?: boolean;
-  /** Runs before any script of the page's, in the preview too. */
+  /** Runs before all scripts of the page and of the preview. */
   readonly before?: () => void;
 }
 
-/** The built editor on loopback, showing a project of one graph in a folder of its own. */
+/** Opens the built editor on loopback with a project of one graph in its own folder. */
 export async function openEditor(browser: Browser, graph: GraphText, options: EditorPageOptions = {}): Promise<OpenEditor> {
   const { size = { width: 1440, height: 900 }, colorScheme = 'light', hasTouch = false, before } = options;
   const project = await mkdtemp(join(tmpdir(), 'scrim-editor-'));
@@ -49,7 +49,7 @@ export async function openEditor(browser: Browser, graph: GraphText, options: Ed
   }
   const log = (message: string) => process.stderr.write(`${message}\n`);
   const server = await startServer({ installation: installationAt(ROOT, '0.0.0'), startPath: project, log });
-  // Animations would only delay tests.
+  // Animations would only slow down tests.
   const page = await browser.newPage({ viewport: size, colorScheme, hasTouch, reducedMotion: 'reduce' });
   if (before) await page.addInitScript(before);
   const errors = collectErrors(page);
@@ -68,7 +68,7 @@ export async function openEditor(browser: Browser, graph: GraphText, options: Ed
   };
 }
 
-/** Opens editors, one per test: closed after it, and what it printed as an error fails it. */
+/** Opens editors, one per test. Each is closed after its test; console errors fail the test. */
 export function useEditor(): (graph: GraphText, options?: EditorPageOptions) => Promise<OpenEditor> {
   const chromium = useBrowser();
   let open: OpenEditor | null = null;
@@ -89,8 +89,10 @@ export interface OneEditor extends Omit<OpenEditor, 'close'> {
 }
 
 /**
- * Opens an editor for all tests of a file, which go on from one another as a person does. `begin` comes before the first of them;
- * `switches` are more of Chromium's. What the page printed as an error fails the file.
+ * Opens one editor for all tests of a file, which continue from each other. Console errors fail the file.
+ *
+ * @param begin Runs before the first test.
+ * @param switches Additional switches of Chromium.
  */
 export function useOneEditor(
   graph: GraphText,
@@ -136,7 +138,7 @@ export interface SavedGraph {
   readonly wires: readonly string[];
 }
 
-/** The graphs as the project's file has them, after a save by keys. */
+/** Saves by keys, and returns the graphs of the project file. */
 export async function saveGraphs({ page, project }: Pick<OpenEditor, 'page' | 'project'>): Promise<Readonly<Record<string, SavedGraph>>> {
   await page.keyboard.press('Control+s');
   await page.locator('.unsaved').waitFor({ state: 'detached' });

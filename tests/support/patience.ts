@@ -1,15 +1,15 @@
 /**
- * How long a test waits for what it waits for: a page to say something, a picture to come. It ends what never comes, and is no
- * measure of speed: the machines that test may be busy and slow. Jest's own limit (`testTimeout` in jest.config.mjs) lies well above.
+ * Timeout of waits in tests. It ends waits that cannot succeed; it does not measure speed, because test machines may be slow and
+ * busy. Jest’s own limit (`testTimeout` in jest.config.mjs) is far higher.
  */
 export const PATIENCE_MS = 180_000;
 
-/** How long between two looks at what makes no event of its own. */
+/** Interval between checks of state that has no event. */
 const LOOK_EVERY_MS = 50;
 
 /**
- * Looks until a check passes, and gives what it gave; what it says when patience ends is the test's failure. For what follows an
- * action in its own time: `await eventually(async () => expect(await nodes.count()).toBe(3))`.
+ * Repeats a check until it passes, and returns its result. After the timeout, its error fails the test. For asynchronous effects of
+ * an action: `await eventually(async () => expect(await nodes.count()).toBe(3))`.
  */
 export async function eventually<T>(check: () => Promise<T> | T): Promise<T> {
   const endMs = Date.now() + PATIENCE_MS;

@@ -1,13 +1,13 @@
 import { decode, encode } from 'fast-png';
 
-/** RGBA8 as stored, top row first: whether alpha is premultiplied is for the caller to know. */
+/** RGBA8, rows from the top. The caller knows whether alpha is premultiplied. */
 export interface Picture {
   readonly width: number;
   readonly height: number;
   readonly data: Uint8Array;
 }
 
-/** PNG bytes, such as a page's screenshot; gray and palette pictures and 16 bits per channel are refused. */
+/** Decodes a PNG, such as a screenshot. Rejects gray and palette images and 16 bits per channel. */
 export function decodePicture(png: Uint8Array): Picture {
   const { width, height, depth, channels, data } = decode(png);
   if (depth !== 8 || (channels !== 3 && channels !== 4) || !(data instanceof Uint8Array)) {
@@ -20,7 +20,7 @@ export function encodePicture({ width, height, data }: Picture): Uint8Array {
   return encode({ width, height, data, depth: 8, channels: 4 });
 }
 
-/** What `readPixels` gives starts with the bottom row. `rgba` may come out of a page as plain numbers. */
+/** Converts the result of `readPixels`, whose rows start at the bottom. `rgba` may be an array of plain numbers from a page. */
 export function fromGl(width: number, height: number, rgba: ArrayLike<number>): Picture {
   const rowBytes = width * 4;
   if (rgba.length !== rowBytes * height) throw new Error(`${rgba.length} bytes are no picture of ${width}×${height}.`);
@@ -30,7 +30,7 @@ export function fromGl(width: number, height: number, rgba: ArrayLike<number>): 
   return { width, height, data };
 }
 
-/** `[r, g, b, a]`, from the top left pixel. */
+/** `[r, g, b, a]` of a pixel; (0, 0) is the top left. */
 export function pixelAt({ width, height, data }: Picture, x: number, y: number): readonly [number, number, number, number] {
   if (x < 0 || y < 0 || x >= width || y >= height) throw new Error(`(${x}, ${y}) lies outside ${width}×${height}.`);
   const [r = 0, g = 0, b = 0, a = 0] = data.subarray((y * width + x) * 4, (y * width + x) * 4 + 4);

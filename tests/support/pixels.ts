@@ -5,15 +5,15 @@ import { decodePicture, encodePicture, type Picture } from './picture.ts';
 import { currentTest, OUTPUT_FOLDER, refreshCommand, TESTS_FOLDER, updatesGoldens } from './this-test.ts';
 
 export interface PixelOptions {
-  /** Largest difference in any channel that still counts as equal, in steps of 8 bits. Default 0. */
+  /** Largest difference in a channel that counts as equal, in 8-bit steps. Default: 0. */
   readonly tolerance?: number;
-  /** How many pixels may differ by more. Default 0. */
+  /** Number of pixels that may differ by more. Default: 0. */
   readonly pixels?: number;
 }
 
 /**
- * Compares with the golden picture `tests/goldens/PROJECT/NAME.png`. With `UPDATE_GOLDENS=1` it is written instead; a missing
- * one fails, so that a golden is always somebody's decision. Only pictures of the pinned Chromium belong here.
+ * Compares with the golden `tests/goldens/PROJECT/NAME.png`. `UPDATE_GOLDENS=1` writes it instead. A missing golden fails the test,
+ * so that none is created by accident. Only for images of the pinned Chromium.
  */
 export async function expectPixels(name: string, actual: Picture, options: PixelOptions = {}): Promise<void> {
   const path = join(TESTS_FOLDER, 'goldens', currentTest().project, `${name}.png`);
@@ -29,12 +29,12 @@ export async function expectPixels(name: string, actual: Picture, options: Pixel
   await compare(name, actual, decodePicture(bytes), options, `\nIf the new picture is right: ${refreshCommand()}`);
 }
 
-/** Compares two pictures made by the test itself, such as the preview's and the exported page's. */
+/** Compares two images of the same test, such as those of the preview and the exported page. */
 export async function expectSamePixels(name: string, actual: Picture, expected: Picture, options: PixelOptions = {}): Promise<void> {
   await compare(name, actual, expected, options, '');
 }
 
-/** How many pixels differ by more than `tolerance` in any channel, and by how much at most. */
+/** Number of pixels that differ by more than `tolerance` in a channel, and the largest difference. */
 export function countDifferent(a: Picture, b: Picture, tolerance = 0): { readonly pixels: number; readonly largest: number } {
   let pixels = 0;
   let largest = 0;
@@ -49,7 +49,7 @@ export function countDifferent(a: Picture, b: Picture, tolerance = 0): { readonl
   return { pixels, largest };
 }
 
-/** How many colors there are, whatever their alpha: a picture of something has many. */
+/** Number of different colors, without alpha. Most images of a scene have many. */
 export function countColors({ data }: Picture): number {
   const seen = new Set<number>();
   for (let i = 0; i < data.length; i += 4) seen.add(((data[i] ?? 0) << 16) | ((data[i + 1] ?? 0) << 8) | (data[i + 2] ?? 0));
@@ -72,7 +72,7 @@ async function compare(name: string, actual: Picture, expected: Picture, options
   throw new Error(lines.join('\n') + advice);
 }
 
-/** Every pixel that differs at all, red on the faded picture. */
+/** An image of all differing pixels in red over the faded original. */
 function drawDifference(actual: Picture, expected: Picture): Picture {
   const { width, height } = actual;
   const data = new Uint8Array(width * height * 4);

@@ -5,7 +5,7 @@ type Params = Readonly<Record<string, unknown>>;
 
 export interface ProjectText {
   readonly title?: string;
-  /** Id → type, or type and params. */
+  /** Node types by id, with params if needed. */
   readonly nodes: Readonly<Record<string, string | readonly [type: string, params: Params]>>;
   readonly wires: readonly string[];
   readonly assets?: Readonly<
@@ -13,7 +13,7 @@ export interface ProjectText {
   >;
 }
 
-/** The text of a `project.scrim.json`, so short that a test can hold it. */
+/** Text of a `project.scrim.json` from a short description. */
 export function projectText({ title = 'Test', nodes, wires, assets }: ProjectText): string {
   const entries = Object.entries(nodes).map(([id, node]) => {
     const [type, params] = typeof node === 'string' ? [node] : node;
@@ -23,7 +23,7 @@ export function projectText({ title = 'Test', nodes, wires, assets }: ProjectTex
   return JSON.stringify({ format: 'scrim-project', version: 1, title, graphs, ...(assets && { assets }) }, null, 2);
 }
 
-/** Writes files of a project folder; text or bytes by path. */
+/** Writes the files of a project folder: text or bytes by path. */
 export async function writeProject(folder: string, files: Readonly<Record<string, string | Uint8Array>>): Promise<void> {
   for (const [path, content] of Object.entries(files)) {
     await mkdir(dirname(join(folder, path)), { recursive: true });

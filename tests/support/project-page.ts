@@ -16,7 +16,7 @@ export interface ServedExport {
   close(): Promise<void>;
 }
 
-/** Exports a project folder as `scrim export` does, and serves the page as a plain static host would. */
+/** Exports a project folder like `scrim export`, and serves the page like a static host. */
 export async function serveProject(project: string, more: Partial<ExportJob> = {}): Promise<ServedExport> {
   const base = await mkdtemp(join(tmpdir(), 'scrim-xr-'));
   const folder = join(base, 'page');
@@ -35,7 +35,7 @@ export async function serveProject(project: string, more: Partial<ExportJob> = {
   };
 }
 
-/** The same for a project that a test holds as data. */
+/** Exports and serves a project given as data. */
 export async function serveProjectText(
   text: ProjectText,
   files: Readonly<Record<string, Uint8Array>>,

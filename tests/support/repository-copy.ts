@@ -8,14 +8,14 @@ import { promisify } from 'node:util';
 const REPOSITORY = resolve(import.meta.dirname, '../..');
 
 export interface RepositoryCopy {
-  /** Absolute. */
+  /** Absolute path. */
   readonly root: string;
-  /** Output of a script in the copy; its failure is the test's, with all that it said. */
+  /** Runs a script in the copy and returns its output. A failure fails the test with the output. */
   node(...args: string[]): Promise<string>;
   dispose(): Promise<void>;
 }
 
-/** Some folders and files of the repository, and its packages, so that a test may write without touching what is being worked on. */
+/** Copies some folders and files of the repository and links its packages, so that a test may write without changing the original. */
 export async function copyRepository(paths: readonly string[]): Promise<RepositoryCopy> {
   const root = await mkdtemp(join(tmpdir(), 'scrim-copy-'));
   for (const path of paths) await cp(join(REPOSITORY, path), join(root, path), { recursive: true });

@@ -1,15 +1,15 @@
 import process from 'node:process';
 import { describe, test } from '@jest/globals';
 
-/** What a machine may lack: an Electron that starts, or the real data beside the repository. */
+/** Things that a machine may lack: a working Electron, or the real data beside the repository. */
 export type Requirement = 'electron' | 'data';
 
-/** Whether `SCRIM_REQUIRE`, as in `SCRIM_REQUIRE=electron,data`, says that this machine has it. */
+/** Whether `SCRIM_REQUIRE`, such as `SCRIM_REQUIRE=electron,data`, requires it. */
 export function isRequired(what: Requirement): boolean {
   return (process.env.SCRIM_REQUIRE ?? '').split(',').some((word) => word.trim() === what);
 }
 
-/** A suite that cannot run here: skipped with the reason, or failed where `SCRIM_REQUIRE` names what it lacks. */
+/** A suite that cannot run on this machine: skipped with the reason, or failed if `SCRIM_REQUIRE` requires it. */
 export function describeMissing(name: string, what: Requirement, reason: string): void {
   if (isRequired(what)) {
     describe(name, () =>

@@ -1,6 +1,9 @@
 import type { Page } from 'playwright-core';
 
-/** In the page, before its scripts: no finger or pen rests for half a second until the test says so, however busy the machine is. */
+/**
+ * Page code, installed before its scripts: delays the long press of fingers and pens until the test releases it, so that a busy
+ * machine triggers none.
+ */
 export function holdRests(): void {
   const { setTimeout: start, clearTimeout: stop } = window;
   const held = new Map<number, () => void>();
@@ -18,7 +21,7 @@ export function holdRests(): void {
   Object.assign(window, { setTimeout: after, clearTimeout: forget, rest });
 }
 
-/** What is down has rested for half a second. */
+/** Simulates that the pressed fingers and pens have rested for half a second. */
 export async function rest(page: Page): Promise<void> {
   await page.evaluate(() => (window as unknown as { rest: () => void }).rest());
 }

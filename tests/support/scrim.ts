@@ -7,12 +7,12 @@ const INSTALLATION = installationAt(resolve(import.meta.dirname, '../..'), '1.2.
 export interface Said {
   /** Exit status. */
   readonly status: number;
-  /** Lines of standard output and error. */
+  /** Lines of standard output and standard error. */
   readonly out: string;
   readonly err: string;
 }
 
-/** The command line, as from a script: not interactive, not colored. */
+/** Runs the command line as in a script: not interactive, not colored. */
 export async function scrim(...args: string[]): Promise<Said> {
   const out: string[] = [];
   const err: string[] = [];
@@ -21,7 +21,7 @@ export async function scrim(...args: string[]): Promise<Said> {
   return { status, out: out.join('\n'), err: err.join('\n') };
 }
 
-/** The same, where anything but success is the test's failure. */
+/** Runs the command line, and fails the test unless it succeeds. */
 export async function succeed(...args: string[]): Promise<void> {
   const { status, out, err } = await scrim(...args);
   if (status !== 0) throw new Error(`scrim ${args.join(' ')}:\n${out}\n${err}`);

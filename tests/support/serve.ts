@@ -21,8 +21,8 @@ export interface StaticServer {
 }
 
 /**
- * A plain static file server, as a visitor's host would be: `mounts` maps a URL prefix ending in `/` to a folder, or a whole
- * URL path to a text. The longest match wins.
+ * A static file server like that of a web host. `mounts` maps a URL prefix ending in `/` to a folder, or a URL path to a text. The
+ * longest match is used.
  */
 export async function serveStatic(mounts: Readonly<Record<string, string | { text: string; type?: string }>>): Promise<StaticServer> {
   const prefixes = Object.keys(mounts).sort((a, b) => b.length - a.length);
@@ -46,7 +46,7 @@ export async function serveStatic(mounts: Readonly<Record<string, string | { tex
     }
   });
   await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
-  // A test that fails before it closes the server must not keep the whole run alive.
+  // Keeps a server that a failed test did not close from blocking the exit of the test run.
   server.unref();
   const { port } = server.address() as AddressInfo;
   return {

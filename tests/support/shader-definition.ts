@@ -6,9 +6,7 @@ import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 
 type Ports = Readonly<Record<string, { readonly type: string; readonly required: boolean }>>;
 
-/**
- * Holds a definition that is written out to what would be read from its shader's own header: same ports, same params, same cost.
- */
+/** Checks that an explicit definition equals that of its shader’s header: ports, params and cost. */
 export function expectSpeaksFor(definition: NodeDefinition, source: URL): void {
   const [, name = ''] = definition.type.split('/');
   const { output: shader, diagnostics } = readIsf(readFileSync(source, 'utf8'), `${definition.type}/${name}.fs`);

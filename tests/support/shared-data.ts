@@ -3,10 +3,10 @@ import { resolve } from 'node:path';
 import { describe } from '@jest/globals';
 import { describeMissing } from './required.ts';
 
-/** Real inputs are kept beside the repository, never in it. */
+/** Folder of real inputs beside the repository. They are never part of it. */
 const FOLDER = resolve(import.meta.dirname, '../../../shared/data');
 
-/** Tests on real input: where it is missing, they are skipped with one line that says so. */
+/** Tests on real inputs. Skipped with a message if these are missing. */
 export function describeWithData(name: string, path: string, tests: (path: string) => void): void {
   const file = resolve(FOLDER, path);
   if (existsSync(file)) {

@@ -8,7 +8,7 @@ import { DEFAULT_SIZES } from '../../renderer/state/editor/ui.ts';
 import { openPath } from '../../renderer/state/files/files.ts';
 import { createFakeHost, type FakeFolder, type FakeHost } from './fake-host.ts';
 
-/** Time that stands until `pass`. */
+/** A clock that only `pass` advances. */
 export interface TestClock extends EditorClock {
   pass(ms: number): void;
 }
@@ -41,7 +41,7 @@ export interface TestEditor {
   readonly clock: TestClock;
 }
 
-/** The editor without its page, over the library that ships and a host in memory. Random numbers repeat. */
+/** An editor without its user interface, with the library of Scrim, an in-memory host and repeatable random numbers. */
 export async function openTestEditor(project: Project = newProject('Test'), folder: FakeFolder = {}): Promise<TestEditor> {
   const host = createFakeHost(saveProject(project), {}, folder);
   const clock = createTestClock();

@@ -4,8 +4,8 @@ import { defineNode, libraryOf, type NodeDefinition, type NodeLibrary } from '..
 import { TEST_VALUES } from './test-values.ts';
 
 /**
- * Node types with the shapes of the real ones and nothing else, for tests of the document and the compiler: what is tested there
- * does not change when a real node gets another param.
+ * Node types with the interfaces of the real ones, for tests of the document and the compiler. Changes of real nodes do not affect
+ * these tests.
  */
 
 const layerOut = { type: 'layer', label: 'Layer', doc: '' } as const;
@@ -215,7 +215,7 @@ function isf(header: object, body: string): string {
 const image = (NAME: string) => ({ NAME, TYPE: 'image' });
 const float = (NAME: string, DEFAULT: number, MIN: number, MAX: number) => ({ NAME, TYPE: 'float', DEFAULT, MIN, MAX });
 
-/** ISF texts, by the names that lowerings give. */
+/** ISF texts, by the names in lowerings. */
 export const TEST_SHADERS: Readonly<Record<string, string>> = {
   'filters/sepia.fs': isf(
     { INPUTS: [image('inputImage'), float('amount', 1, 0, 1)] },
@@ -303,7 +303,7 @@ void main() {
   ),
 };
 
-/** The compiler's own reader of ISF files, for tests of the document alone. */
+/** The ISF reader of the compiler, for tests of the document. */
 export const readShader: ReadShader = (file, source) => readDefinition(source, file);
 
 function libraryDefinitions(): NodeDefinition[] {

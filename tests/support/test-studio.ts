@@ -20,7 +20,7 @@ import type { NodeLibrary, ParamValue } from '../../nodes/kit/definition.ts';
 import { type Diagnostic, formatDiagnostic, hasErrors, type Result } from '../../nodes/kit/diagnostics.ts';
 
 export interface StudioOptions {
-  /** Without the project's own shaders. */
+  /** The library without the shaders of the project. */
   readonly library: NodeLibrary;
   readonly readShader: ReadShader;
   readonly project?: Project;
@@ -48,19 +48,19 @@ export class TestStudio {
     this.project = options.project ?? newProject('Test');
   }
 
-  /** The library with the project's own shaders. */
+  /** The library with the shaders of the project. */
   get library(): ProjectLibrary {
     return projectLibrary(this.options.library, this.project.sources, this.options.readShader);
   }
 
-  /** Any command; `key` joins it with the one before it. */
+  /** Runs a command. Commands with the same `key` form one undo step. */
   run(command: (project: Project) => Change, key?: string): this {
     const refused = this.attempt(command, key).find(({ severity }) => severity === 'error');
     if (refused) throw new Error(formatDiagnostic(refused));
     return this;
   }
 
-  /** As `run`, for a command that may be refused; gives what it had to say. */
+  /** Runs a command that may be rejected, and returns its diagnostics. */
   attempt(command: (project: Project) => Change, key?: string): readonly Diagnostic[] {
     const change = command(this.project);
     if (!hasErrors(change.diagnostics)) {
@@ -70,7 +70,7 @@ export class TestStudio {
     return change.diagnostics;
   }
 
-  /** The commands that follow are about this graph, made if it is not there. */
+  /** Selects the graph of the following commands. Creates it if it is missing. */
   in(graph: string): this {
     if (!Object.hasOwn(this.project.graphs, graph)) this.run((project) => addGraph(project, { name: graph }));
     this.graph = graph;
@@ -147,7 +147,7 @@ export class TestStudio {
     return saveProject(this.project);
   }
 
-  /** As after closing and opening again; the history is gone. */
+  /** Closes and reopens the project, without its history. */
   reopen(): this {
     const { output, diagnostics } = loadProject(this.save());
     if (output === null) throw new Error(diagnostics.map(formatDiagnostic).join('\n'));

@@ -4,7 +4,7 @@ const list = { label: '', doc: '', required: false, multiple: true } as const;
 const number = { type: 'number', stage: 'uniform', label: 'Number', doc: '', default: 0 } as const;
 const toggle = { type: 'toggle', label: 'Toggle', doc: '', default: true } as const;
 
-/** The values, pulses and controls among the node types for tests (`test-library.ts`). */
+/** Value, pulse and control nodes of the test library (`test-library.ts`). */
 export const TEST_VALUES: readonly NodeDefinition[] = [
   defineNode({
     type: 'value/number',

@@ -4,8 +4,8 @@ import { expect } from '@jest/globals';
 import { refreshCommand, TESTS_FOLDER, updatesGoldens } from './this-test.ts';
 
 /**
- * Compares with the golden text `tests/compile/goldens/NAME`; the name brings its extension. With `UPDATE_GOLDENS=1` it is
- * written instead, and its name printed when that changed it.
+ * Compares with the golden text `tests/compile/goldens/NAME`, where NAME includes the ending. `UPDATE_GOLDENS=1` writes it instead,
+ * and prints the names of changed ones.
  */
 export async function expectText(name: string, actual: string): Promise<void> {
   const path = join(TESTS_FOLDER, 'compile', 'goldens', name);

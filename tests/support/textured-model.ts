@@ -3,8 +3,8 @@ import { encode } from 'fast-png';
 import { SphereGeometry } from 'three';
 
 /**
- * A ball, 1 m, with a checked and shaded picture of `sizePx` and a morph target that flattens it; on a node `ball` below `stand`, which
- * the clip `turn` turns. A node `handle` has no mesh.
+ * A sphere of 1 m with a checkered texture of `sizePx` and a morph target that flattens it. Node `ball` is below `stand`, which the
+ * clip `turn` rotates. Node `handle` has no mesh.
  */
 export async function texturedModel(sizePx: number): Promise<Uint8Array> {
   const doc = new Document();
@@ -46,7 +46,7 @@ function checks(sizePx: number): Uint8Array {
     for (let x = 0; x < sizePx; x++) {
       const dark = (Math.floor((x * 16) / sizePx) + Math.floor((y * 8) / sizePx)) % 2;
       const shade = Math.round((x * 160) / sizePx);
-      // Grain, without which everything packs well.
+      // Noise, without which the texture would compress too well.
       const grain = (x * 7919 + y * 104_729) % 13;
       data.set([dark ? 40 + grain : 60 + shade, 90 + grain, dark ? 200 - shade : 50 + grain, 255], (y * sizePx + x) * 4);
     }

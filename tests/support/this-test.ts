@@ -2,10 +2,10 @@ import { join, relative, resolve } from 'node:path';
 import { expect } from '@jest/globals';
 
 export const TESTS_FOLDER = resolve(import.meta.dirname, '..');
-/** Git-ignored: what failing tests leave to look at. */
+/** Folder for the output of failing tests. Ignored by Git. */
 export const OUTPUT_FOLDER = join(TESTS_FOLDER, 'output');
 
-/** The running test file, and the Jest project that it belongs to by its folder. */
+/** The running test file, and its Jest project. */
 export function currentTest(): { readonly path: string; readonly project: string } {
   const { testPath } = expect.getState();
   if (testPath === undefined) throw new Error('No test is running.');
@@ -17,7 +17,7 @@ export function updatesGoldens(): boolean {
   return process.env.UPDATE_GOLDENS === '1';
 }
 
-/** What to type to take over the new results of the running test file. */
+/** Command that updates the goldens of the running test file. */
 export function refreshCommand(): string {
   const { path, project } = currentTest();
   return `UPDATE_GOLDENS=1 npm run test:one ${project} ${path}`;

@@ -18,7 +18,7 @@ void main() {
 }
 `;
 
-/** The camera's picture, tinted by a filter of the project's own, whose share a number is wired to. */
+/** The camera feed with a filter of the project, whose amount is connected to a number. */
 export const TINTED: GraphText = {
   nodes: {
     'video-aaaa': { type: 'source/camera-video' },

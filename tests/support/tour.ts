@@ -3,7 +3,7 @@ import type { Page } from 'playwright-core';
 
 export const TOUR_STEPS = 5;
 
-/** Goes through the tour from its first card to its last, by Enter; `atStep` looks at each before it is left. */
+/** Steps through the tour by Enter, and calls `atStep` at each card. */
 export async function takeTour(page: Page, atStep: (step: number) => Promise<void>): Promise<void> {
   const card = page.locator('.tour-card');
   const titles = new Set<string>();

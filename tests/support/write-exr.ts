@@ -1,6 +1,6 @@
 import { DataUtils } from 'three';
 
-/** An OpenEXR file of linear pixels, three numbers each, top row first: one part, scan lines, half floats, no compression. */
+/** Encodes linear RGB pixels, rows from the top, as an OpenEXR file: one part, scan lines, half floats, no compression. */
 export function writeExr(widthPx: number, heightPx: number, rgb: ArrayLike<number>): Uint8Array<ArrayBuffer> {
   const bytes: number[] = [];
   const int = (value: number): unknown => bytes.push(value & 255, (value >> 8) & 255, (value >> 16) & 255, (value >> 24) & 255);
@@ -15,7 +15,7 @@ export function writeExr(widthPx: number, heightPx: number, rgb: ArrayLike<numbe
   const box = (): void => [0, 0, widthPx - 1, heightPx - 1].forEach(int);
   int(20000630);
   int(2);
-  // Channels in alphabetical order: name, half, not linear, one sample a pixel.
+  // Channels in alphabetical order: name, half float, not linear, one sample per pixel.
   attribute('channels', 'chlist', 3 * 18 + 1, () => {
     for (const name of ['B', 'G', 'R']) {
       text(name);

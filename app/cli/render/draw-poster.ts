@@ -18,7 +18,9 @@ export interface PosterJob {
 
 /**
  * Renders the poster of a page as JPEG: the first frame in the default room of `scrim render`. Null if there is no browser or the
- * frame cannot be rendered; the page is then exported without one. @throws SCR042 if the driver rejects a shader
+ * frame cannot be rendered; the page is then exported without one.
+ *
+ * @throws SCR042 if the driver rejects a shader
  */
 export async function drawPoster({ program, projectRoot, installation }: PosterJob): Promise<PosterPicture | null> {
   const found = await findChromium();

@@ -20,7 +20,11 @@ export interface SizePx {
 const MAX_SIDE_PX = 8192;
 const MAX_FRAMES = 100_000;
 
-/** Parses `A..B` or `A`. @throws UsageError */
+/**
+ * Parses `A..B` or `A`.
+ *
+ * @throws UsageError
+ */
 export function readRange(text: string | null): FrameRange {
   if (text === null) return { first: 0, last: 0 };
   const [, a, b] = /^(\d{1,9})(?:\.\.(\d{1,9}))?$/.exec(text) ?? [];
@@ -32,7 +36,11 @@ export function readRange(text: string | null): FrameRange {
   return { first, last };
 }
 
-/** Parses `WxH`. @throws UsageError */
+/**
+ * Parses `WxH`.
+ *
+ * @throws UsageError
+ */
 export function readSize(text: string | null): SizePx | null {
   if (text === null) return null;
   const [, width, height] = /^(\d{1,5})[x×](\d{1,5})$/i.exec(text) ?? [];

@@ -17,8 +17,8 @@ export interface Linker {
 const WORKER_ENTRY = 'app/cli/shader/link-worker.ts';
 
 /**
- * @param root Folder with the sources of Scrim. @param limitS Time limit per file. A file that exceeds it or crashes the linker gets
- * a diagnostic.
+ * @param root Folder with the sources of Scrim.
+ * @param limitS Time limit per file. A file that exceeds it or crashes the linker gets a diagnostic.
  */
 export async function createLinker(root: string, limitS = LIMIT_S): Promise<Linker> {
   const code = await bundleWorker(root, WORKER_ENTRY);

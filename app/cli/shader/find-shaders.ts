@@ -14,7 +14,9 @@ const PASSED_BY = ['chunks', 'node_modules'];
 
 /**
  * Finds the files of a command line, each once, in order. A vertex shader stands for its ISF file; a folder for all shaders below it
- * that are not hidden or installed. @throws UsageError if there are none
+ * that are not hidden or installed.
+ *
+ * @throws UsageError if there are none
  */
 export async function findShaders(operands: readonly string[]): Promise<readonly string[]> {
   const files: string[] = [];

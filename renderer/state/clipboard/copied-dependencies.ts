@@ -52,8 +52,9 @@ export interface AddedDependencies {
 }
 
 /**
- * Adds dependencies to the open project. Skips identical content and invalid files. @param paths Paths of the asset files in the open
- * project, by asset id.
+ * Adds dependencies to the open project. Skips identical content and invalid files.
+ *
+ * @param paths Paths of the asset files in the open project, by asset id.
  */
 export function addDependencies(
   editor: Editor,

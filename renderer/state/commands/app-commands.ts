@@ -151,8 +151,8 @@ const COMMANDS = {
   'arrange.top': { label: 'Align top', keys: [], enabled: hasSeveral, run: (editor) => void align(editor, 'top') },
   'arrange.middle': { label: 'Align middles', keys: [], enabled: hasSeveral, run: (editor) => void align(editor, 'middle') },
   'arrange.bottom': { label: 'Align bottom', keys: [], enabled: hasSeveral, run: (editor) => void align(editor, 'bottom') },
-  'arrange.across': { label: 'Distribute across', keys: [], enabled: hasSeveral, run: (editor) => void distribute(editor, 'x') },
-  'arrange.down': { label: 'Distribute down', keys: [], enabled: hasSeveral, run: (editor) => void distribute(editor, 'y') },
+  'arrange.across': { label: 'Distribute horizontally', keys: [], enabled: hasSeveral, run: (editor) => void distribute(editor, 'x') },
+  'arrange.down': { label: 'Distribute vertically', keys: [], enabled: hasSeveral, run: (editor) => void distribute(editor, 'y') },
   'view.find': {
     label: 'Find in the graph…',
     keywords: ['search'],
@@ -261,7 +261,7 @@ const COMMANDS = {
     whileTyping: true,
   },
   'view.help': {
-    label: 'Help for the node',
+    label: 'Node help',
     keywords: ['documentation'],
     keys: ['F1'],
     enabled: always,

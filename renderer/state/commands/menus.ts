@@ -135,7 +135,11 @@ export function platformMenus(editor: Editor): PlatformMenu[] {
 /** Pause before an update of the native menus, because playback changes the state with every frame. */
 const REST_MS = 60;
 
-/** Keeps the native menus in sync with the editor. @returns A function that stops it. */
+/**
+ * Keeps the native menus in sync with the editor.
+ *
+ * @returns A function that stops it.
+ */
 export function syncNativeMenus(editor: Editor): () => void {
   let shown = '';
   let waiting: (() => void) | null = null;

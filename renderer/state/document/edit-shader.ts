@@ -68,7 +68,9 @@ function copyOf({ project }: Change, before: OpenGraph): string | null {
 
 /**
  * Sets the text of a project file that belongs to no single node: a chunk (`chunks/NAME.glsl`), which overrides that of the library,
- * or the vertex shader of an ISF file (`NAME.vs`). @param step The file whose edit belongs to the same undo step.
+ * or the vertex shader of an ISF file (`NAME.vs`).
+ *
+ * @param step The file whose edit belongs to the same undo step.
  */
 export function editSource(editor: Editor, file: string, text: string, step = file): boolean {
   const { project, library } = editor.document.getState();

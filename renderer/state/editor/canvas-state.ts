@@ -91,7 +91,11 @@ export function dragTo(store: CanvasStore, places: Readonly<Record<string, Place
   store.setState(({ dragged }) => ({ dragged: { ...dragged, ...places } }));
 }
 
-/** Ends a drag. @returns The dragged positions. */
+/**
+ * Ends a drag.
+ *
+ * @returns The dragged positions.
+ */
 export function endDrag(store: CanvasStore): CanvasState['dragged'] {
   const { dragged } = store.getState();
   store.setState({ dragged: NOWHERE, wireUnder: null });

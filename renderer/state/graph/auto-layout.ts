@@ -20,8 +20,9 @@ const OPTIONS = {
 const GRID = 8;
 
 /**
- * Computes new positions of boxes; their top left corner stays. @param joined Wires between boxes, as pairs of ids. Wires to other
- * boxes are ignored.
+ * Computes new positions of boxes; their top left corner stays.
+ *
+ * @param joined Wires between boxes, as pairs of ids. Wires to other boxes are ignored.
  */
 export async function layOut(
   boxes: readonly NodeBox[],

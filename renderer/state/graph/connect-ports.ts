@@ -15,8 +15,9 @@ import { type Branch, branchAt } from './reroutes.ts';
 export type CanvasPort = PortAddress;
 
 /**
- * Why a wire cannot run between two ends; null if it can. A reroute stands for all wires through it. @param start The end at the
- * output.
+ * Why a wire cannot run between two ends; null if it can. A reroute stands for all wires through it.
+ *
+ * @param start The end at the output.
  */
 export function refusalOfEnds(editor: Editor, start: CanvasPort, end: CanvasPort): Diagnostic | null {
   const { from, route } = branchOf(editor, start);

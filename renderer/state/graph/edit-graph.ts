@@ -43,7 +43,11 @@ export function refusalOf(editor: Editor, start: WireEnd, end: WireEnd): Diagnos
   return result.ok ? null : inPlainWords(editor.document.getState(), result.reason);
 }
 
-/** Connects two ports. @param route Reroutes of the wire. */
+/**
+ * Connects two ports.
+ *
+ * @param route Reroutes of the wire.
+ */
 export function connect(editor: Editor, from: PortAddress, to: PortAddress, route: readonly string[] = []): boolean {
   const { project, library, graph } = editor.document.getState();
   const change = sequence(
@@ -182,7 +186,11 @@ export function selectAll(editor: Editor): void {
   selectOnly(editor.selection, Object.keys(nodes), wires.map(printWire), itemIds(layoutOf(state)));
 }
 
-/** Starts to drag a wire from a port. @param route Reroutes that the wire already runs through. */
+/**
+ * Starts to drag a wire from a port.
+ *
+ * @param route Reroutes that the wire already runs through.
+ */
 export function startWireFrom(editor: Editor, { node, port }: PortAddress, side: 'input' | 'output', route: readonly string[] = []): void {
   const type = typeOfPort(editor, { node, port, side });
   if (type !== null) startWire(editor.canvas, { node, port, side, type, ...(route.length === 0 ? {} : { route }) });

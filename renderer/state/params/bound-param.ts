@@ -19,7 +19,11 @@ export function findParam(editor: Editor, node: string, param: string): BoundPar
   return definition ? { definition, binding: getOwn(found.params, param) } : null;
 }
 
-/** Sets the binding of a param. @param key Groups the changes of a gesture into one undo step. */
+/**
+ * Sets the binding of a param.
+ *
+ * @param key Groups the changes of a gesture into one undo step.
+ */
 export function bind(editor: Editor, label: string, node: string, param: string, binding: Binding, key?: string): boolean {
   const { project, library, graph } = editor.document.getState();
   return apply(editor, label, bindParam(project, { library, graph, node, param, binding }), key);

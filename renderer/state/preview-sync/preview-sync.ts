@@ -242,7 +242,7 @@ function storeShaderErrors(
   // Ignores results of older programs.
   if (program === null || revision !== programRevision) return;
   preview.setState({
-    // A newer text may have no program: what is said of it stays.
+    // A newer text may have no program; the errors of its trials stay.
     ...(compile.getState().revision === revision && {
       shaderDiagnostics: readShaderErrors(program, errors, document.getState().library),
     }),
