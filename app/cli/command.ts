@@ -1,4 +1,5 @@
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import type { ProjectFiles } from '../contract/contract.ts';
 import type { Installation } from '../services/installation.ts';
 import type { Paint } from './terminal-colors.ts';
 
@@ -67,6 +68,8 @@ export interface Outcome {
   readonly text: string;
   /** Diagnostics on standard error without `--json`. */
   readonly diagnostics: readonly Diagnostic[];
+  /** Files of the project, from which the titles of nodes in the diagnostics are read. */
+  readonly files?: ProjectFiles;
 }
 
 /** Exit statuses. A process that a signal ends has 128 plus the number of the signal, as in shells. */
@@ -78,6 +81,6 @@ export class UsageError extends Error {
 }
 
 /** Outcome of a command that failed with diagnostics. */
-export function failed(diagnostics: readonly Diagnostic[]): Outcome {
-  return { status: 1, json: { ok: false, diagnostics }, text: '', diagnostics };
+export function failed(diagnostics: readonly Diagnostic[], files?: ProjectFiles): Outcome {
+  return { status: 1, json: { ok: false, diagnostics }, text: '', diagnostics, ...(files && { files }) };
 }

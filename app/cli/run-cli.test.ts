@@ -146,6 +146,18 @@ describe('scrim check', () => {
     expect(painted.join('\n')).toContain('sepia-j9k2: \x1b[1;31merror SCR010\x1b[0m: ');
   });
 
+  test('names nodes by title and id, and by id alone in JSON', async () => {
+    await write({ ...GOOD, wires: GOOD.wires.slice(0, -2).concat(GOOD.wires.slice(-1)) });
+    const { out } = await scrim('check', project);
+    expect(out).toMatch(/^Sepia \(sepia-j9k2\)\.inputImage: error SCR015: .*Sepia \(sepia-j9k2\)/m);
+    const { json } = await scrimJson('check', project);
+    expect(json).toMatchObject({
+      diagnostics: expect.arrayContaining([expect.objectContaining({ code: 'SCR015', nodeId: 'sepia-j9k2' })]),
+    });
+    const plan = await scrim('plan', project);
+    expect(plan.err).toContain('Sepia (sepia-j9k2)');
+  });
+
   /** [what is wrong, how the project becomes so, code, words of the message] */
   const WRONG: readonly (readonly [string, () => Promise<unknown>, string, string])[] = [
     ['an unknown node type', () => write({ ...GOOD, nodes: { ...GOOD.nodes, 'x-y2z3': 'filter/none' } }), 'SCR010', 'filter/none'],

@@ -11,6 +11,7 @@ import { renderCommand } from './commands/render.ts';
 import { shaderCheckCommand } from './commands/shader-check.ts';
 import { shaderImportCommand } from './commands/shader-import.ts';
 import { commandHelp, overviewHelp } from './help.ts';
+import { nameNodes } from './name-nodes.ts';
 import { parseCall } from './parse-call.ts';
 import { didYouMean } from './suggest.ts';
 import { createPaint } from './terminal-colors.ts';
@@ -123,7 +124,8 @@ async function runCommand(
     if (outcome.json !== undefined) streams.out(JSON.stringify(outcome.json, null, 2));
   } else {
     const aside = createPaint(streams.colored?.err === true);
-    for (const diagnostic of outcome.diagnostics) streams.err(aside.diagnostic(diagnostic));
+    const { files, diagnostics } = outcome;
+    for (const diagnostic of files ? nameNodes(files, diagnostics) : diagnostics) streams.err(aside.diagnostic(diagnostic));
     if (outcome.text !== '') streams.out(outcome.text);
   }
   return outcome.status;

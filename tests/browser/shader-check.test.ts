@@ -295,7 +295,7 @@ describe('a project with shaders of its own', () => {
   test('is checked by a driver: what that refuses is told at its line, and what it takes is said to be taken', async () => {
     const { status, out } = await scrim('check', join(folder, 'refused'));
     expect(status).toBe(1);
-    expect(out).toMatch(/^shaders\/glow\.fs:4:22 own-a1b2: error SCR042: "strength": undeclared/m);
+    expect(out).toMatch(/^shaders\/glow\.fs:4:22 Glow \(own-a1b2\): error SCR042: "strength": undeclared/m);
     const endless = await scrim('check', join(folder, 'endless'));
     expect(endless.status).toBe(1);
     expect(endless.out).toMatch(/^shaders\/round\.fs:3:3: error SCR044: /m);
@@ -312,7 +312,7 @@ describe('a project with shaders of its own', () => {
     const out = join(folder, 'page');
     const refused = await scrim('export', join(folder, 'refused'), '--out', out, '--no-poster');
     expect(refused.status).toBe(1);
-    expect(refused.err).toMatch(/^shaders\/glow\.fs:4:22 own-a1b2: error SCR042: /m);
+    expect(refused.err).toMatch(/^shaders\/glow\.fs:4:22 Glow \(own-a1b2\): error SCR042: /m);
     expect(existsSync(out)).toBe(false);
     const unasked = await scrim('export', join(folder, 'refused'), '--out', out, '--no-poster', '--no-driver', '--json');
     expect([unasked.status, JSON.parse(unasked.out)]).toMatchObject([0, { ok: true, driver: 'not-wanted', diagnostics: [] }]);

@@ -1,6 +1,7 @@
 import { hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import type { Command } from '../command.ts';
 import { compileFolder } from '../compile-folder.ts';
+import { nameNodes } from '../name-nodes.ts';
 import { askDriver, type DriverAnswer, NO_DRIVER_OPTION } from '../shader/ask-driver.ts';
 
 /** A project that does not compile is not checked by the graphics driver. */
@@ -10,7 +11,7 @@ export const checkCommand: Command = {
   name: 'check',
   usage: 'PROJECT',
   summary: 'Check a project for problems',
-  doc: 'Compiles PROJECT, checks its assets and prints each problem: file, line and column where known, the node, what is wrong and what to do. Also compiles the project’s own shaders with a graphics driver, in a headless browser; without a browser it prints a warning instead. Only errors give status 1.',
+  doc: 'Compiles PROJECT, checks its assets and prints each problem: file, line and column where known, the title and id of the node, what is wrong and what to do. Also compiles the project’s own shaders with a graphics driver, in a headless browser; without a browser it prints a warning instead. Only errors give status 1.',
   project: 'required',
   options: { 'no-driver': NO_DRIVER_OPTION },
   examples: [
@@ -28,7 +29,7 @@ export const checkCommand: Command = {
     const asked = compiled.program === null ? UNASKED : await askDriver({ ...context, ...compiled, wanted });
     const diagnostics = [...compiled.diagnostics, ...asked.diagnostics];
     const ok = !hasErrors(diagnostics);
-    const lines = diagnostics.map(paint.diagnostic);
+    const lines = nameNodes(compiled.files, diagnostics).map(paint.diagnostic);
     return {
       status: ok ? 0 : 1,
       json: { ok, driver: asked.driver, diagnostics },

@@ -48,12 +48,12 @@ export const exportCommand: Command = {
     if (out === null || out === '') throw new UsageError('--out DIR is missing. Name the folder to write the page to.');
     const address = readAddress(call.text('url'));
     const root = await findProject(call.project);
-    const projectFiles = await readConsistentFiles(root, NODE_FILES);
-    const asked = await askDriver({ ...context, root, files: projectFiles, wanted: !call.flag('no-driver') });
-    if (hasErrors(asked.diagnostics)) return failed(asked.diagnostics);
+    const files = await readConsistentFiles(root, NODE_FILES);
+    const asked = await askDriver({ ...context, root, files, wanted: !call.flag('no-driver') });
+    if (hasErrors(asked.diagnostics)) return failed(asked.diagnostics, files);
     const { report, diagnostics: found } = await exportProject({
       root,
-      projectFiles,
+      projectFiles: files,
       out,
       installation,
       interrupted,
@@ -67,14 +67,15 @@ export const exportCommand: Command = {
             drawPoster: async (program) => {
               say('Drawing the poster…');
               // The poster is compiled with source maps, so that driver errors name file and line.
-              const mapped = await compileProject(root, projectFiles, () => ({ sourceMaps: true }));
+              const mapped = await compileProject(root, files, () => ({ sourceMaps: true }));
               return drawPoster({ program: mapped.program ?? program, projectRoot: root, installation });
             },
           }),
     });
     const diagnostics = [...found, ...asked.diagnostics];
-    if (report === null) return failed(diagnostics);
-    return { status: 0, json: { ok: true, out, driver: asked.driver, report, diagnostics }, text: summary(out, report), diagnostics };
+    if (report === null) return failed(diagnostics, files);
+    const json = { ok: true, out, driver: asked.driver, report, diagnostics };
+    return { status: 0, json, text: summary(out, report), diagnostics, files };
   },
 };
 

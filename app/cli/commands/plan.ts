@@ -17,8 +17,8 @@ export const planCommand: Command = {
     },
   ],
   run: async (call) => {
-    const { program, diagnostics } = await compileFolder(call.project);
-    if (program === null) return failed(diagnostics);
-    return { status: 0, json: { ok: true, program, diagnostics }, text: describeProgram(program).trimEnd(), diagnostics };
+    const { files, program, diagnostics } = await compileFolder(call.project);
+    if (program === null) return failed(diagnostics, files);
+    return { status: 0, json: { ok: true, program, diagnostics }, text: describeProgram(program).trimEnd(), diagnostics, files };
   },
 };

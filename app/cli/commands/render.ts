@@ -54,9 +54,9 @@ export const renderCommand: Command = {
 
     const compiled = await compileFolder(call.project, (project) => ({ taps: tapsFor(call, project) }));
     const { project, program } = compiled;
-    if (project === null || program === null) return failed(compiled.diagnostics);
+    if (project === null || program === null) return failed(compiled.diagnostics, compiled.files);
     const subject = subjectOf(call, project, program);
-    if (subject.output === null) return failed(subject.diagnostics);
+    if (subject.output === null) return failed(subject.diagnostics, compiled.files);
     const session = await findRenderSession(call.text('session'), compiled.root, installation, size);
     if (session.output === null) return failed(session.diagnostics);
 
@@ -76,10 +76,10 @@ export const renderCommand: Command = {
         say,
       });
       const all = [...compiled.diagnostics, ...diagnostics];
-      if (hasErrors(all)) return failed(all);
+      if (hasErrors(all)) return failed(all, compiled.files);
       const files = await writer.finish();
       const text = files.length === 1 ? `Wrote ${files[0]}` : `Wrote ${files.length} frames to ${out}`;
-      return { status: 0, json: { ok: true, out, files, diagnostics: all }, text, diagnostics: all };
+      return { status: 0, json: { ok: true, out, files, diagnostics: all }, text, diagnostics: all, files: compiled.files };
     } finally {
       await writer.dispose();
     }

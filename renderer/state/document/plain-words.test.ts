@@ -47,7 +47,14 @@ describe('messages call nodes and ports as the canvas does', () => {
     expect(said).toBe('Wire it (in the subgraph “Soft look”).');
   });
 
-  test('and leave words alone that only look like ids', async () => {
+  test('and leave names of files alone', async () => {
+    const { editor } = await openTestEditor();
+    const id = add(editor, 'filter/sepia');
+    const text = `The file shaders/${id}.fs.`;
+    expect(plainWords(editor.document.getState(), text)).toBe(text);
+  });
+
+  test('and leave words without a node alone', async () => {
     const { editor } = await openTestEditor();
     const text = 'A view-aligned layer, half-float.rgba, of soft-look-99.x/y.';
     expect(plainWords(editor.document.getState(), text)).toBe(text);
