@@ -21,23 +21,3 @@ export async function bundleScript(root: string, entry: string, globalName: stri
   if (!file) throw new Error(`esbuild made nothing of ${entry}.`);
   return file.text;
 }
-
-/** Bundles a worker script for Node from Scrim’s sources. */
-export async function bundleWorker(root: string, entry: string): Promise<string> {
-  const { outputFiles } = await build({
-    entryPoints: [join(root, entry)],
-    absWorkingDir: root,
-    bundle: true,
-    write: false,
-    platform: 'node',
-    format: 'cjs',
-    target: 'node20',
-    // The CommonJS entries of some packages use imports that bundlers cannot resolve.
-    mainFields: ['module', 'main'],
-    loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
-    logLevel: 'silent',
-  });
-  const [file] = outputFiles;
-  if (!file) throw new Error(`esbuild made nothing of ${entry}.`);
-  return file.text;
-}

@@ -1,7 +1,7 @@
 import { once } from 'node:events';
 import { Worker } from 'node:worker_threads';
+import { bundleWorker } from '../../../export/bundle/bundle-worker.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
-import { bundleWorker } from '../../services/bundle-script.ts';
 import type { LinkedFile } from './link-file.ts';
 import type { LinkQuestion } from './link-worker.ts';
 

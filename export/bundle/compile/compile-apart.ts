@@ -1,10 +1,9 @@
-import { join } from 'node:path';
 import { Worker } from 'node:worker_threads';
-import { build } from 'esbuild';
 import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
 import type { Result } from '../../../nodes/kit/diagnostics.ts';
 import type { CompileInput, CompileOptions } from '../../compiler/compile.ts';
 import type { Program } from '../../program/program.ts';
+import { bundleWorker } from '../bundle-worker.ts';
 
 /** Input of the compiler as data that can be sent to a thread. */
 export interface CompileWork {
@@ -21,7 +20,7 @@ export interface CompileWork {
  * @param root Absolute path of the folder with Scrim's sources.
  */
 export async function compileApart(root: string, work: CompileWork, interrupted?: AbortSignal): Promise<Result<Program>> {
-  const script = await bundleWorker(root);
+  const script = await bundleWorker(root, 'export/bundle/compile/compile-worker.ts');
   interrupted?.throwIfAborted();
   const worker = new Worker(script, { eval: true, workerData: work });
   const end = new AbortController();
@@ -36,23 +35,4 @@ export async function compileApart(root: string, work: CompileWork, interrupted?
     end.abort();
     await worker.terminate();
   }
-}
-
-async function bundleWorker(root: string): Promise<string> {
-  const { outputFiles } = await build({
-    entryPoints: [join(root, 'export/bundle/compile/compile-worker.ts')],
-    absWorkingDir: root,
-    bundle: true,
-    write: false,
-    format: 'cjs',
-    platform: 'node',
-    target: 'node16',
-    // The CommonJS entries of some packages load parts in ways that bundlers cannot follow.
-    mainFields: ['module', 'main'],
-    loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
-    logLevel: 'silent',
-  });
-  const [file] = outputFiles;
-  if (!file) throw new Error('esbuild made no worker.');
-  return file.text;
 }

@@ -1,7 +1,8 @@
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { Worker } from 'node:worker_threads';
-import { build, type Plugin } from 'esbuild';
+import type { Plugin } from 'esbuild';
+import { bundleWorker } from '../bundle-worker.ts';
 import type { CompressedModel, WorkerAnswer } from './compressed-model.ts';
 
 /** Compresses models in a worker thread, which starts with the first model. */
@@ -21,7 +22,7 @@ export function createCompressor(root: string): Compressor {
   };
   return {
     compress: async (bytes) => {
-      worker ??= bundleWorker(root).then(startWorker);
+      worker ??= bundleCompressor(root).then(startWorker);
       const answer = await ask(await worker, bytes).catch(async (error: unknown) => {
         // Start a new worker for the next model, because this one may have run out of memory.
         await drop();
@@ -34,24 +35,14 @@ export function createCompressor(root: string): Compressor {
   };
 }
 
-async function bundleWorker(root: string): Promise<string> {
+function bundleCompressor(root: string): Promise<string> {
   const encoder = join(root, 'node_modules/ktx2-encoder/dist/basis/basis_encoder.js');
-  const { outputFiles } = await build({
-    entryPoints: [join(root, 'export/bundle/compress/compress-worker.ts')],
-    absWorkingDir: root,
-    bundle: true,
-    write: false,
-    format: 'cjs',
-    platform: 'node',
-    target: 'node16',
+  return bundleWorker(root, 'export/bundle/compress/compress-worker.ts', {
     // The encoder loads its WebAssembly from the folder of its own file.
     define: { 'import.meta.url': JSON.stringify(pathToFileURL(encoder).href) },
+    mainFields: ['main', 'module'],
     plugins: [WITHOUT_SHARP],
-    logLevel: 'silent',
   });
-  const [file] = outputFiles;
-  if (!file) throw new Error('esbuild made no worker.');
-  return file.text;
 }
 
 /** Replaces sharp, a native image library that glTF-Transform imports but does not use here. It fails to load in Electron's older Node. */

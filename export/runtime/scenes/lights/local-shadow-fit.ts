@@ -1,17 +1,11 @@
 import { Matrix4, type Sphere, Vector3 } from 'three';
-import { UV_FROM_CLIP } from './shadow-fit.ts';
+import { placeCamera, REACH_M, type ShadowFit, setLevelAxes, UV_FROM_CLIP } from './shadow-fit.ts';
 
-/** How far behind the casters a map reaches, meters, as that of a directional light. */
-const REACH_M = 60;
 const MIN_NEAR_M = 0.01;
 
 /** The shadow camera of a spot or point light: it stands at the light and looks along its -z axis. */
-export interface LocalShadowFit {
-  readonly lightFromWorld: Matrix4;
-  readonly worldFromLight: Matrix4;
-  readonly clipFromLight: Matrix4;
+export interface LocalShadowFit extends Omit<ShadowFit, 'mapFromWorld'> {
   nearM: number;
-  farM: number;
 }
 
 export function createLocalShadowFit(): LocalShadowFit {
@@ -57,10 +51,7 @@ export function aimCone(
   mapFromWorld: Matrix4,
 ): void {
   scratchBack.fromArray(towardsLightWorld);
-  scratchRight.set(scratchBack.z, 0, -scratchBack.x);
-  if (scratchRight.lengthSq() < 1e-6) scratchRight.set(1, 0, 0);
-  scratchRight.normalize();
-  scratchUp.crossVectors(scratchBack, scratchRight);
+  setLevelAxes(scratchBack, scratchRight, scratchUp);
   place(fit, positionWorld);
   project(fit, Math.tan(halfAngleRad));
   mapFromWorld.multiplyMatrices(UV_FROM_CLIP, fit.clipFromLight).multiply(fit.lightFromWorld);
@@ -91,8 +82,7 @@ export function aimFace(fit: LocalShadowFit, positionWorld: ArrayLike<number>, f
 
 function place(fit: LocalShadowFit, positionWorld: ArrayLike<number>): void {
   scratchPosition.fromArray(positionWorld);
-  fit.worldFromLight.makeBasis(scratchRight, scratchUp, scratchBack).setPosition(scratchPosition);
-  fit.lightFromWorld.copy(fit.worldFromLight).invert();
+  placeCamera(fit, scratchRight, scratchUp, scratchBack, scratchPosition);
 }
 
 function project(fit: LocalShadowFit, tangent: number): void {

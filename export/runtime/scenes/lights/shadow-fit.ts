@@ -1,10 +1,10 @@
 import { Matrix4, type Sphere, Vector3 } from 'three';
 
 /**
- * How far behind the casters the map reaches, meters: beyond any room. Depth is linear in it, and its 24 bits still tell apart
- * 4 µm.
+ * How far behind the casters a map reaches, meters: beyond any room. The depth of a directional light is linear in it, and its 24 bits
+ * still tell apart 4 µm.
  */
-const REACH_M = 60;
+export const REACH_M = 60;
 
 /** A light's view of the casters. The camera looks from the light; depth 0 is just before the nearest caster. */
 export interface ShadowFit {
@@ -53,11 +53,7 @@ export function fitShadow(
   mapSizePx: number,
 ): void {
   scratchBack.fromArray(towardsLightWorld);
-  // Any horizontal axis will do; near the zenith, x does.
-  scratchRight.set(scratchBack.z, 0, -scratchBack.x);
-  if (scratchRight.lengthSq() < 1e-6) scratchRight.set(1, 0, 0);
-  scratchRight.normalize();
-  scratchUp.crossVectors(scratchBack, scratchRight);
+  setLevelAxes(scratchBack, scratchRight, scratchUp);
   // The casters' extent along the light's own axes, seen from the world's origin.
   let minX = Infinity;
   let maxX = -Infinity;
@@ -85,8 +81,7 @@ export function fitShadow(
     // The camera stands just before the nearest caster.
     .addScaledVector(scratchBack, maxZ + NEAR_M);
 
-  fit.worldFromLight.makeBasis(scratchRight, scratchUp, scratchBack).setPosition(scratchCenter);
-  fit.lightFromWorld.copy(fit.worldFromLight).invert();
+  placeCamera(fit, scratchRight, scratchUp, scratchBack, scratchCenter);
   const half = areaM / 2;
   fit.farM = maxZ - minZ + NEAR_M + REACH_M;
   fit.clipFromLight.makeOrthographic(-half, half, half, -half, 0, fit.farM);
@@ -94,6 +89,26 @@ export function fitShadow(
 }
 
 const NEAR_M = 0.01;
+
+/** Sets right and up of a camera from its back, all unit vectors; right is horizontal. */
+export function setLevelAxes(back: Vector3, right: Vector3, up: Vector3): void {
+  // Any horizontal axis will do; near the zenith, x does.
+  right.set(back.z, 0, -back.x);
+  if (right.lengthSq() < 1e-6) right.set(1, 0, 0);
+  right.normalize();
+  up.crossVectors(back, right);
+}
+
+export function placeCamera(
+  fit: Pick<ShadowFit, 'worldFromLight' | 'lightFromWorld'>,
+  right: Vector3,
+  up: Vector3,
+  back: Vector3,
+  positionWorld: Vector3,
+): void {
+  fit.worldFromLight.makeBasis(right, up, back).setPosition(positionWorld);
+  fit.lightFromWorld.copy(fit.worldFromLight).invert();
+}
 
 function snap(value: number, step: number): number {
   return Math.round(value / step) * step;
