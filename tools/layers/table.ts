@@ -89,7 +89,7 @@ export const LAYERS: readonly Layer[] = [
     name: 'emulator',
     files: ['export/emulator/**'],
     imports: [...EXPORT_KIT, 'program', 'runtime', 'scenes'],
-    packages: ['iwer', '@iwer/sem', 'three'],
+    packages: ['iwer', '@iwer/sem', 'three', 'three-mesh-bvh'],
   },
   { name: 'page', files: ['export/page/**'], imports: [...EXPORT_KIT, 'program', 'gltf', 'runtime', 'scenes'] },
   {
