@@ -245,7 +245,7 @@ describe('scrim render in trouble writes nothing and says why', () => {
       'assets/robot.glb': await readFile(MODEL),
     });
     await truncate(join(damaged, 'assets', 'robot.glb'), 3000);
-    await refused([damaged, '--session', session], 'SCR032', 'cut off');
+    await refused([damaged, '--session', session], 'SCR032', 'is incomplete: it has 3000 of');
     // Whole by its header, torn inside: only decoding it can tell.
     const torn = new Uint8Array(await readFile(MODEL));
     torn.fill(0x20, 20, 400);

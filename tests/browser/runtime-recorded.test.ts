@@ -224,7 +224,7 @@ describe('a recorded session', () => {
     ['missing', 'cannot be read: there is no such file'],
     ['unreadable', 'not valid JSON'],
     ['empty', '"color/missing.png" cannot be used: there is no such file'],
-    ['swapped', '40 × 30 pixels, and session.json says 30 × 40'],
+    ['swapped', '40 × 30 pixels, but session.json specifies 30 × 40'],
   ])('whose folder is %s is refused with a reason', async (name, reason) => {
     const { output, diagnostics, leaks } = await page.call<{
       output: unknown;
