@@ -72,7 +72,7 @@ export const SECTIONS: readonly Section[] = [
       { title: 'Number', nodes: { number: ['value/number', { value: 0.75 }] }, wires: [], shows: height('number.number') },
       { title: 'Time', nodes: { seconds: ['value/time', { loopS: 1 }] }, wires: [], shows: height('seconds.seconds') },
       {
-        title: 'Math: half of it',
+        title: 'Math: divide by 2',
         nodes: { math: ['value/math', { operation: 'multiply', b: 0.5 }] },
         wires: ['saw.seconds -> math.a'],
         shows: height('math.result'),
@@ -84,13 +84,13 @@ export const SECTIONS: readonly Section[] = [
         shows: height('expression.result'),
       },
       {
-        title: 'Remap: 0 to 2 into 1 to 0, softly',
+        title: 'Remap: 0 to 2 becomes 1 to 0, smoothly',
         nodes: { remap: ['value/remap', { fromHigh: 2, toLow: 1, toHigh: 0, curve: 'smooth' }] },
         wires: ['saw.seconds -> remap.number'],
         shows: height('remap.result'),
       },
       {
-        title: 'Compare: more than 1?',
+        title: 'Compare: greater than 1',
         nodes: { compare: ['value/compare', { b: 1 }] },
         wires: ['saw.seconds -> compare.a'],
         shows: height('compare.result'),
@@ -134,7 +134,7 @@ export const SECTIONS: readonly Section[] = [
         shows: height('nearer.result'),
       },
       {
-        title: 'Noise: three at once',
+        title: 'Noise: three components',
         nodes: { noise: ['value/noise', { low: -0.4, high: 0.4, octaves: 2 }] },
         wires: ['time.seconds -> noise.along'],
         shows: ['place', 'noise.vector'],
@@ -182,7 +182,7 @@ export const SECTIONS: readonly Section[] = [
         shows: height('split.z'),
       },
       {
-        title: 'Switch vectors, and glide between them',
+        title: 'Switch vectors, with smoothing',
         nodes: {
           switch: ['value/switch-vector3', { first: [-0.3, -0.3, 0], second: [0.3, 0.3, 0] }],
           glide: ['value/smooth-vector3', { halfLifeS: 0.1 }],
@@ -218,13 +218,13 @@ export const SECTIONS: readonly Section[] = [
         shows: ['color', 'mix.color'],
       },
       {
-        title: 'Adjust color: red, turned by a third',
+        title: 'Adjust color: hue of red shifted by a third',
         nodes: { adjust: ['value/adjust-color', { base: [0.8, 0.2, 0.2, 1], hueRad: (2 * Math.PI) / 3 }] },
         wires: [],
         shows: ['color', 'adjust.color'],
       },
       {
-        title: 'Split color: its brightness',
+        title: 'Split color: the brightness',
         nodes: { split: ['value/split-color', { color: [0.1, 0.35, 0.2, 1] }] },
         wires: [],
         shows: height('split.brightness'),
@@ -233,30 +233,30 @@ export const SECTIONS: readonly Section[] = [
   },
   {
     name: 'choices',
-    title: 'Counting, choosing, remembering',
+    title: 'Counters, switches and memory',
     row: 4,
     column: 0,
     cells: [
       {
-        title: 'Random: with each beat',
+        title: 'Random: a new number each interval',
         nodes: { random: ['value/random', { seed: 1 }] },
         wires: ['beat.pulse -> random.draw'],
         shows: height('random.number'),
       },
       {
-        title: 'Counter: beats by quarters',
+        title: 'Counter: intervals, in quarters',
         nodes: { counter: ['value/counter', QUARTERS] },
         wires: ['beat.pulse -> counter.up'],
         shows: height('counter.number'),
       },
       {
-        title: 'Sample & hold: time, held from beat to beat',
+        title: 'Sample & hold: the time of the last interval',
         nodes: { latch: ['value/latch'] },
         wires: ['unit.result -> latch.number', 'beat.pulse -> latch.take'],
         shows: height('latch.result'),
       },
       {
-        title: 'Switch numbers: four in turn',
+        title: 'Switch numbers: four, one after the other',
         nodes: {
           turn: ['value/counter', { cycle: 4 }],
           switch: ['value/switch-number', { first: 0.1, second: 0.9, third: 0.3, fourth: 0.7 }],
@@ -297,13 +297,13 @@ export const SECTIONS: readonly Section[] = [
         shows: height('counter.number'),
       },
       {
-        title: 'On change: time starts over',
+        title: 'On change: the time wraps',
         nodes: { change: ['pulse/on-change', { direction: 'falls' }], counter: ['value/counter', QUARTERS] },
         wires: ['saw.seconds -> change.number', 'change.changed -> counter.up'],
         shows: height('counter.number'),
       },
       {
-        title: 'Gate: beats only after 1 s of 2',
+        title: 'Gate: open in every other second',
         nodes: { late: ['value/compare', { b: 1 }], gate: ['pulse/gate'], counter: ['value/counter', QUARTERS] },
         wires: ['saw.seconds -> late.a', 'late.result -> gate.open', 'beat.pulse -> gate.pulse', 'gate.passed -> counter.up'],
         shows: height('counter.number'),

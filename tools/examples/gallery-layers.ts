@@ -61,7 +61,7 @@ export function addMask(wall: GalleryBuilder, row: number, column: number): void
   wall.wire('only-red.layer -> both-mask.top');
   wall.wire('grey-mask.layer -> both-mask.bottom');
   wall.show('outputs', 'layer', 'both-mask.layer');
-  wall.frame('Object mask: only the red one keeps its color', { x: -30, y: -60, width: 1640, height: 1260 });
+  wall.frame('Object mask: only the red object keeps its color', { x: -30, y: -60, width: 1640, height: 1260 });
 }
 
 /** Of the ball that leaves a trail: the circle that it goes in, how fast, and how much of the trail is kept from frame to frame. */
@@ -113,7 +113,7 @@ export function addFilm(wall: GalleryBuilder, row: number, column: number): void
   wall.wire('film-one.layer -> seen-film.inputImage');
   wall.wire('mask-window.layer -> seen-film.mask');
   wall.show('outputs', 'layer', 'seen-film.layer');
-  wall.frame('Video file: a film behind a window', { x: -30, y: -60, width: 1100, height: 760 });
+  wall.frame('Video file: a video behind a window', { x: -30, y: -60, width: 1100, height: 760 });
 }
 
 /** Colors from left to right below, and from top to bottom above: a field where each of these meets each of those. */
@@ -173,6 +173,6 @@ export function addBlend(wall: GalleryBuilder, row: number, column: number): voi
   wall.wire('scene-strips.layer -> blend-all.bottom');
   wall.wire('pick-mode.result -> blend-all.mode');
   wall.show('outputs', 'layer', 'blend-all.layer');
-  wall.frame('What is blended: strips below, bars above', { x: -30, y: -60, width: 840, height: 2320 });
-  wall.frame('Which mode: the visitor’s, or one after the other', { x: -90, y: 2330, width: 840, height: 560 });
+  wall.frame('Blended layers: strips below, bars above', { x: -30, y: -60, width: 840, height: 2320 });
+  wall.frame('Blend mode: chosen by the visitor, or one after the other', { x: -90, y: 2330, width: 840, height: 560 });
 }

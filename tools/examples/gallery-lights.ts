@@ -65,7 +65,7 @@ export function addLamps(wall: GalleryBuilder, row: number, columns: readonly [p
   addScene(wall, ['plate-bulb', ...PEGS.map((_, i) => `peg-${i + 1}`), 'plate-stage', 'ball'], ['point-bulb', 'spot-stage'], {
     ambient: 0.05,
   });
-  wall.frame('Point light: a bulb that swells and fades', { x: -30, y: -60, width: 840, height: 1270 });
+  wall.frame('Point light: a bulb that brightens and dims', { x: -30, y: -60, width: 840, height: 1270 });
   wall.frame('Spot light: a cone and a shadow', { x: -30, y: 1190, width: 840, height: 620 });
 }
 
@@ -84,7 +84,7 @@ export function addSky(wall: GalleryBuilder, row: number, columns: readonly [mat
   addThing(wall, 'matt', matt, 0, { shape: 'sphere', sizeM, roughness: 1, color: [0.95, 0.95, 0.95, 1] });
   addThing(wall, 'mirror', mirror, 1, { shape: 'sphere', sizeM, roughness: 0.05, metalness: 1, color: [1, 1, 1, 1] });
   addScene(wall, ['matt', 'mirror'], ['light-sky'], { shadows: false });
-  wall.frame('Environment light and panorama: the same evening on chalk and in a mirror', { x: -30, y: -60, width: 1120, height: 1000 });
+  wall.frame('Environment light and panorama: the same light on chalk and in a mirror', { x: -30, y: -60, width: 1120, height: 1000 });
 }
 
 function addPlate(wall: GalleryBuilder, name: string, middleM: Place, line: number): void {

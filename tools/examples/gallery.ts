@@ -85,7 +85,7 @@ function addMain(wall: GalleryBuilder): void {
     },
   );
   wall.wire(`${below} -> screen-all.layer`);
-  wall.frame('Lights and layers: each a picture of its own, laid over those before', {
+  wall.frame('Lights and layers: each one is a layer over those before', {
     x: left - 30,
     y: -60,
     width: (LAYERS.length + 2.6) * column + 60,

@@ -25,7 +25,7 @@ export const FILTERS: readonly Recipe[] = [
     folder: 'warm-and-cold-light',
     figure: '8',
     title: 'From warm to cold light',
-    description: 'The room’s white balance goes from candlelight to shade and back, as a track of keyframes says.',
+    description: 'Keyframes change the white balance of the room from candlelight to shade and back.',
     filter: 'filter/color-temperature',
     bindings: {
       temperature: {
@@ -44,7 +44,7 @@ export const FILTERS: readonly Recipe[] = [
     folder: 'black-and-white-threshold',
     figure: '12d',
     title: 'Black and white',
-    description: 'What is darker than a level becomes ink, the rest paper.',
+    description: 'Areas that are darker than a level become ink, the others paper.',
     filter: 'filter/threshold',
     params: { level: 0.42, softness: 0.08 },
   }),
@@ -52,14 +52,14 @@ export const FILTERS: readonly Recipe[] = [
     folder: 'sepia',
     figure: '12e',
     title: 'Sepia',
-    description: 'The room in the brown tones of an old photograph.',
+    description: 'Shows the room in the brown tones of an old photograph.',
     filter: 'filter/sepia',
   }),
   videoThrough({
     folder: 'radial-blur',
     figure: '12g',
     title: 'Zoom blur',
-    description: 'Smears the room towards one point, as a zoom does during the exposure.',
+    description: 'Blurs the room towards one point, as if the camera had zoomed during the exposure.',
     filter: 'filter/radial-blur',
     params: { amount: 0.25 },
   }),
@@ -67,7 +67,7 @@ export const FILTERS: readonly Recipe[] = [
     folder: 'spin-blur',
     figure: '12h',
     title: 'Spin blur',
-    description: 'Smears the room around one point, as a turning camera does.',
+    description: 'Blurs the room around one point, as if the camera had rotated during the exposure.',
     filter: 'filter/spin-blur',
     params: { angle: 0.2 },
   }),
@@ -75,7 +75,7 @@ export const FILTERS: readonly Recipe[] = [
     folder: 'swirl',
     figure: '12i',
     title: 'Swirl',
-    description: 'Winds the room up around its middle and lets it go again.',
+    description: 'Twists the room around its center, back and forth.',
     filter: 'filter/swirl',
     bindings: { angle: { expression: '2.2 + 2.2 * sin(time)' } },
     params: { radius: 260 },
@@ -84,7 +84,7 @@ export const FILTERS: readonly Recipe[] = [
     folder: 'short-exposure',
     figure: '12m',
     title: 'Short exposure',
-    description: 'The window keeps its details, the room goes dark.',
+    description: 'A short exposure: the window keeps its detail, and the room becomes dark.',
     filter: 'filter/hdr-exposure',
     params: { stops: -1.6 },
   }),
@@ -92,7 +92,7 @@ export const FILTERS: readonly Recipe[] = [
     folder: 'long-exposure',
     figure: '12n',
     title: 'Long exposure',
-    description: 'Dark corners show what is in them, and bright parts are held back from burning out.',
+    description: 'A long exposure: dark corners become visible, and bright areas are compressed instead of clipped.',
     filter: 'filter/hdr-exposure',
     params: { stops: 1.6, highlights: 0.6 },
   }),
@@ -101,7 +101,7 @@ export const FILTERS: readonly Recipe[] = [
     figure: '12o',
     title: 'Skin color mask',
     description:
-      'Skin of any shade keeps its color, and the rest turns gray. Connect the camera video in place of the image, and hold up your own hand.',
+      'Skin of any shade keeps its color; the rest becomes gray. Connect a Camera video node instead of the image and hold up your hand.',
     nodes: {
       picture: ['source/image-file', 0, 0, { file: 'hands-up04' }],
       skin: ['filter/skin-mask', 1, 0],
@@ -124,7 +124,7 @@ export const FILTERS: readonly Recipe[] = [
     figure: '10b',
     title: 'Near in color, far in ink',
     description:
-      'Two effects and a mask: what is nearer than 2.75 meters keeps its colors, the rest of the room is drawn in ink. Any layer can be the mask.',
+      'Two effects and a mask: surfaces nearer than 2.75 meters keep their colors; the rest of the room is drawn in ink. Any layer can be the mask.',
     nodes: {
       video: ['source/camera-video', 0, 0],
       depth: ['world/depth', 0, 1],
@@ -147,7 +147,7 @@ export const FILTERS: readonly Recipe[] = [
     figure: '14',
     title: 'Gray room, moving colors',
     description:
-      'An installation’s picture in three steps: gray with more contrast, a slow change of brightness, and a tint that goes around the colors.',
+      'Three filters: gray with more contrast, a slow change of brightness, and a tint whose hue rotates.',
     nodes: {
       video: ['source/camera-video', 0, 0],
       grey: ['filter/grey', 1, 0, { amount: 0.85 }],

@@ -85,7 +85,7 @@ export const SCENES: readonly Recipe[] = [
     figure: '4a',
     title: 'Edges of a blurred room',
     description:
-      'The room is blurred before the edges are found, the model is not: its lines are fine, those of the room are few and soft.',
+      'The room is blurred before the edge filter, the model is not: the model has fine lines, the room few and soft ones.',
     nodes: {
       ...MODEL_SCENE,
       blur: ['filter/gaussian-blur', 2, 2, { radius: 2.5 }],
@@ -106,8 +106,8 @@ export const SCENES: readonly Recipe[] = [
   {
     folder: 'edges-of-a-blurred-picture',
     figure: '4b',
-    title: 'Edges of a blurred picture',
-    description: 'The same nodes in another order: room and model are blurred together, and both have coarse lines.',
+    title: 'Edges of a blurred image',
+    description: 'The same nodes in another order: room and model are blurred together, so both have coarse lines.',
     nodes: {
       ...MODEL_SCENE,
       merge: ['operator/over', 3, 1],
@@ -128,9 +128,9 @@ export const SCENES: readonly Recipe[] = [
   {
     folder: 'shadows-of-real-and-virtual-things',
     figure: '6',
-    title: 'Shadows of real and virtual things',
+    title: 'Shadows of real and virtual objects',
     description:
-      'A robot hovers over a real rug, beside a real stool. A virtual lamp throws the shadows of both on both. It is not the room’s own light, so the stool has two shadows. Change the method of the shadow: nothing else changes.',
+      'A robot hovers over a real rug, beside a real stool. A virtual light casts the shadows of both onto both. The stool also has its real shadow. Set “Method” of the Shadow node to compare shadow maps and shadow volumes.',
     nodes: {
       ...robotOnRug(0, { x: 0.5, y: 0.05, z: -0.3 }),
       ...phantoms(1),
@@ -169,7 +169,7 @@ export const SCENES: readonly Recipe[] = [
     figure: '7',
     title: 'Glass in the room',
     description:
-      'A ball and a ring of glass before the camera’s picture: both surfaces bend what is behind them, and edges mirror more than the middle.',
+      'A ball and a ring of glass in front of the camera image: both surfaces refract it, and the edges reflect more than the center.',
     nodes: {
       ball: ['objects/primitive', 0, 0, { shape: 'sphere', sizeM: [0.55, 0.55, 0.55] }],
       hang: ['objects/transform', 1, 0, { positionM: [-0.3, 0.85, 0.1] }],
@@ -200,9 +200,9 @@ export const SCENES: readonly Recipe[] = [
   {
     folder: 'ways-to-draw',
     figure: '9',
-    title: 'Ways to draw objects, side by side',
+    title: 'Materials, side by side',
     description:
-      'Six balls with one shape and one light: as they are, in Gooch’s cool-to-warm tones, as a cartoon; of bricks, in pen strokes and in charcoal. Each object has the technique that is wired to it.',
+      'Six balls in the same light with different materials: their own, Gooch’s cool-to-warm tones, cartoon, bricks, pen strokes and charcoal. Each object has the material that is connected to it.',
     nodes: {
       plain: ['objects/primitive', 0, 0, { shape: 'sphere', sizeM: [0.46, 0.46, 0.46], color: [0.75, 0.3, 0.2, 1] }],
       ...BALLS,
@@ -224,7 +224,7 @@ export const SCENES: readonly Recipe[] = [
     folder: 'cartoon-over-tiles',
     figure: '10',
     title: 'A cartoon over tiles',
-    description: 'Two effects that know nothing of each other: the robot is drawn as a cartoon, the room behind it is tiled.',
+    description: 'Two independent effects: the robot is drawn as a cartoon, the room behind it is tiled.',
     nodes: {
       ...MODEL_SCENE,
       toon: ['technique/toon', 0, 1],
@@ -252,7 +252,7 @@ export const SCENES: readonly Recipe[] = [
     figure: '11',
     title: 'A sketchy shadow',
     description:
-      'The shadow of a robot on a real rug is a mask: where it falls, a sheet of pencil strokes shows. The robot itself has Gooch’s cool-to-warm tones, and the room stays as the camera sees it.',
+      'The shadow of a robot on a real rug is a mask: it shows pencil strokes. The robot has Gooch’s cool-to-warm tones, and the room is unchanged.',
     nodes: {
       ...robotOnRug(0),
       plane: ['objects/primitive', 0, 1, { shape: 'plane', sizeM: [5, 0, 4.6] }],
@@ -293,7 +293,7 @@ export const SCENES: readonly Recipe[] = [
     folder: 'the-world-in-the-book',
     figure: '13',
     title: 'The world in the book',
-    description: 'A robot stands on a large page on the rug. Inside the page’s frame it is night, around it the room’s own light stays.',
+    description: 'A robot stands on a large page on the rug. Inside the frame of the page it is night; around it, the room is unchanged.',
     nodes: {
       ...robotOnRug(0, { ...BACK, y: 0.014 }),
       page: ['objects/primitive', 0, 1, { shape: 'plane', sizeM: [0.72, 0, 0.56], color: [0.93, 0.9, 0.82, 1] }],
@@ -333,18 +333,18 @@ export const SCENES: readonly Recipe[] = [
     folder: 'gooch-tones',
     figure: '12a',
     title: 'Gooch’s tones',
-    description: 'A robot shaded as technical illustrations are: warm towards the light, cool away from it, with its silhouette.',
+    description: 'A robot shaded as in technical illustrations: warm towards the light, cool away from it, with an outline.',
   }),
   robotBy('brick', {
     folder: 'built-of-bricks',
     figure: '12b',
     title: 'Built of bricks',
-    description: 'A robot of bricks and mortar, computed without a picture. The bricks stay on it as it walks.',
+    description: 'A robot of bricks and mortar, computed without a texture. The bricks stay in place as it walks.',
   }),
   robotBy('hatching', {
     folder: 'pen-strokes',
     figure: '12c',
     title: 'In pen strokes',
-    description: 'A robot hatched in real time: the less light, the more strokes, and none of them swims over it.',
+    description: 'A robot hatched in real time: darker areas get more strokes, and the strokes stay in place as it walks.',
   }),
 ];
