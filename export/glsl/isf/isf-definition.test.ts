@@ -43,7 +43,7 @@ describe('the node type of a file', () => {
       inputs: {
         inputImage: { type: 'layer', label: 'Layer', doc: 'A layer.', required: true },
         flash: { type: 'pulse', label: 'flash', doc: 'True in the frame of a pulse.', required: false, multiple: true },
-        room: { type: 'depth', label: 'room', doc: 'Room depth; unknown everywhere where not connected.', required: false },
+        room: { type: 'depth', label: 'room', doc: 'Room depth. Not connected: unknown everywhere.', required: false },
       },
       outputs: { layer: { type: 'layer', label: 'Layer', doc: 'The result.', domain: 'same', depth: 'same' } },
       params: {

@@ -62,14 +62,14 @@ function portOf(input: IsfInput): InputPort | null {
   const { label, optional } = input;
   switch (input.type) {
     case 'image':
-      return { type: 'layer', label, doc: input.doc || (optional ? 'Transparent where not connected.' : 'A layer.'), required: !optional };
+      return { type: 'layer', label, doc: input.doc || (optional ? 'A layer. Not connected: transparent.' : 'A layer.'), required: !optional };
     case 'depth':
-      return { type: 'depth', label, doc: input.doc || 'Room depth; unknown everywhere where not connected.', required: !optional };
+      return { type: 'depth', label, doc: input.doc || 'Room depth. Not connected: unknown everywhere.', required: !optional };
     case 'event':
       return { type: 'pulse', label, doc: input.doc || 'True in the frame of a pulse.', required: false, multiple: true };
     case 'audio':
     case 'audioFFT':
-      return { type: 'audio', label, doc: input.doc || 'The sound to analyze; silence where not connected.', required: false };
+      return { type: 'audio', label, doc: input.doc || 'The sound to analyze. Not connected: silence.', required: false };
     case 'bool':
     case 'long':
     case 'float':

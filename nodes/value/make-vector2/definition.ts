@@ -7,10 +7,10 @@ export const definition = defineNode({
   doc: 'Combines two numbers into a vector, such as a position or a size.',
   keywords: ['vector', 'vec2', 'combine', 'join', 'pack', 'compose', 'position', 'xy'],
   inputs: {},
-  outputs: { vector: { type: 'vector2', label: 'Vector', doc: 'The numbers in order.' } },
+  outputs: { vector: { type: 'vector2', label: 'Vector', doc: 'The vector of these components.' } },
   params: {
-    x: { type: 'number', stage: 'uniform', label: 'X', doc: 'Number 1 of 2.', default: 0 },
-    y: { type: 'number', stage: 'uniform', label: 'Y', doc: 'Number 2 of 2.', default: 0 },
+    x: { type: 'number', stage: 'uniform', label: 'X', doc: 'First component.', default: 0 },
+    y: { type: 'number', stage: 'uniform', label: 'Y', doc: 'Second component.', default: 0 },
   },
   lowering: { kind: 'value' },
 });

@@ -7,7 +7,7 @@ export const definition = defineNode({
   doc: 'Splits a vector into its two numbers.',
   keywords: ['vector', 'vec2', 'separate', 'unpack', 'component', 'decompose', 'xy'],
   inputs: {},
-  outputs: { x: { type: 'number', label: 'X', doc: 'Number 1 of 2.' }, y: { type: 'number', label: 'Y', doc: 'Number 2 of 2.' } },
+  outputs: { x: { type: 'number', label: 'X', doc: 'First component.' }, y: { type: 'number', label: 'Y', doc: 'Second component.' } },
   params: { vector: { type: 'vector2', stage: 'uniform', label: 'Vector', doc: 'The vector to split.', default: [0, 0] } },
   lowering: { kind: 'value' },
 });

@@ -8,9 +8,9 @@ export const definition = defineNode({
   keywords: ['vector', 'vec3', 'separate', 'unpack', 'component', 'decompose', 'xyz'],
   inputs: {},
   outputs: {
-    x: { type: 'number', label: 'X', doc: 'Number 1 of 3.' },
-    y: { type: 'number', label: 'Y', doc: 'Number 2 of 3.' },
-    z: { type: 'number', label: 'Z', doc: 'Number 3 of 3.' },
+    x: { type: 'number', label: 'X', doc: 'First component.' },
+    y: { type: 'number', label: 'Y', doc: 'Second component.' },
+    z: { type: 'number', label: 'Z', doc: 'Third component.' },
   },
   params: { vector: { type: 'vector3', stage: 'uniform', label: 'Vector', doc: 'The vector to split.', default: [0, 0, 0] } },
   lowering: { kind: 'value' },
