@@ -225,7 +225,7 @@ describe('renaming', () => {
     ['float |a; float b; void main() { }', 'b', /already/],
     ['float |a; void main() { }', 'while', /GLSL keyword/],
     ['float |a; void main() { }', 'mix', /function of GLSL/],
-    ['void main() { T|IME; }', 'now', /declared by the host/],
+    ['void main() { T|IME; }', 'now', /is predefined/],
     ['void |main() { }', 'start', /fixed/],
   ])('%s to %s is refused', (text, to, reason) => {
     expect(renamed(text, to)).toMatch(reason);

@@ -20,7 +20,7 @@ export function renameStart(document: ShaderDocument, place: Place): RenameStart
   if (name.file?.endsWith('.fs'))
     return { ok: false, reason: `“${name.name}” is declared in the header of ${name.file}. Rename it there.` };
   if (name.file !== null) return { ok: false, reason: `“${name.name}” is declared in ${name.file}, which other techniques use as well.` };
-  if (name.declarations.length === 0) return { ok: false, reason: `“${name.name}” is declared by the host, so its name is fixed.` };
+  if (name.declarations.length === 0) return { ok: false, reason: `“${name.name}” is predefined and cannot be renamed.` };
   if (name.kind === 'member') return { ok: false, reason: `“${name.name}” is a member of a struct. Rename it by hand.` };
   if (['main', 'vertex', 'surface'].includes(name.name) && name.kind === 'function')
     return { ok: false, reason: `“${name.name}” is called by the host, so its name is fixed.` };

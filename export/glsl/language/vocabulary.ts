@@ -52,7 +52,7 @@ export const TECHNIQUE_DOCS: ReadonlyMap<string, string> = new Map([
   ['Surface', 'The point of an object that is drawn, in world space.'],
   ['Light', 'A light as it reaches the surface.'],
   ['EYE', 'Position of the camera, meters, world space.'],
-  ['AMBIENT', 'Light from everywhere, linear-sRGB.'],
+  ['AMBIENT', 'Brightness of the environment of the scene, linear-sRGB.'],
   ['LIGHT_COUNT', 'How many lights there are.'],
   ['LIGHT', 'One of the lights, from 0; in “surface” only.'],
   ['PASSINDEX', 'Number of this pass, from 0.'],

@@ -10,16 +10,16 @@ export const definition = defineNode({
   outputs: { result: { type: 'number', label: 'Result', doc: 'The number in the new range.' } },
   params: {
     number: { type: 'number', stage: 'uniform', label: 'Number', doc: 'The number to map.', default: 0.5 },
-    fromLow: { type: 'number', stage: 'uniform', label: 'From low', doc: 'Start of the old range.', default: 0 },
+    fromLow: { type: 'number', stage: 'uniform', label: 'From min', doc: 'Start of the old range.', default: 0 },
     fromHigh: {
       type: 'number',
       stage: 'uniform',
-      label: 'From high',
+      label: 'From max',
       doc: 'End of the old range. If it equals the start, the result is a step.',
       default: 1,
     },
-    toLow: { type: 'number', stage: 'uniform', label: 'To low', doc: 'Start of the new range.', default: 0 },
-    toHigh: { type: 'number', stage: 'uniform', label: 'To high', doc: 'End of the new range.', default: 1 },
+    toLow: { type: 'number', stage: 'uniform', label: 'To min', doc: 'Start of the new range.', default: 0 },
+    toHigh: { type: 'number', stage: 'uniform', label: 'To max', doc: 'End of the new range.', default: 1 },
     clamp: {
       type: 'toggle',
       stage: 'uniform',
