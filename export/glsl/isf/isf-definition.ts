@@ -62,7 +62,12 @@ function portOf(input: IsfInput): InputPort | null {
   const { label, optional } = input;
   switch (input.type) {
     case 'image':
-      return { type: 'layer', label, doc: input.doc || (optional ? 'A layer. Not connected: transparent.' : 'A layer.'), required: !optional };
+      return {
+        type: 'layer',
+        label,
+        doc: input.doc || (optional ? 'A layer. Not connected: transparent.' : 'A layer.'),
+        required: !optional,
+      };
     case 'depth':
       return { type: 'depth', label, doc: input.doc || 'Room depth. Not connected: unknown everywhere.', required: !optional };
     case 'event':

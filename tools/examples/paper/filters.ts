@@ -146,8 +146,7 @@ export const FILTERS: readonly Recipe[] = [
     folder: 'semaphore',
     figure: '14',
     title: 'Gray room, moving colors',
-    description:
-      'Three filters: gray with more contrast, a slow change of brightness, and a tint whose hue rotates.',
+    description: 'Three filters: gray with more contrast, a slow change of brightness, and a tint whose hue rotates.',
     nodes: {
       video: ['source/camera-video', 0, 0],
       grey: ['filter/grey', 1, 0, { amount: 0.85 }],

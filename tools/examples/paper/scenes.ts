@@ -84,8 +84,7 @@ export const SCENES: readonly Recipe[] = [
     folder: 'edges-of-a-blurred-room',
     figure: '4a',
     title: 'Edges of a blurred room',
-    description:
-      'The room is blurred before the edge filter, the model is not: the model has fine lines, the room few and soft ones.',
+    description: 'The room is blurred before the edge filter, the model is not: the model has fine lines, the room few and soft ones.',
     nodes: {
       ...MODEL_SCENE,
       blur: ['filter/gaussian-blur', 2, 2, { radius: 2.5 }],
