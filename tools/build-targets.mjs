@@ -6,18 +6,18 @@ import { checkStamp, writeStamp } from './build-stamp.mjs';
 
 const root = resolve(import.meta.dirname, '..');
 
-/** What every build depends on: its own tools, and the versions of the npm packages. */
+/** Sources of all targets: the build tools and the versions of npm packages. */
 const ALWAYS = ['package.json', 'package-lock.json', 'tools/build-targets.mjs'];
 
 const SHARED = ['nodes', 'export', 'app/contract'];
 
-/** For everything that runs on Node: what cannot be bundled (a native binary, a browser driver) stays outside. */
+/** Options of targets for Node. Native binaries and the browser driver cannot be bundled. */
 const NODE_BUILD = {
   bundle: true,
   platform: 'node',
   write: false,
   sourcemap: 'linked',
-  // Packages that offer both: their CommonJS entries find their parts in ways that bundlers cannot follow.
+  // The CommonJS entries of some packages use imports that bundlers cannot resolve.
   mainFields: ['module', 'main'],
   external: ['electron', 'esbuild', 'playwright-core'],
   loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
@@ -26,7 +26,7 @@ const NODE_BUILD = {
   absWorkingDir: root,
 };
 
-/** Name → what it is made from, what it makes, and how. In the order in which they are built. */
+/** Targets by name, in build order: their sources, output and build function. */
 export const TARGETS = {
   registry: {
     sources: ['nodes', 'shader-library', 'export/glsl', 'tools/gen', 'tools/gen.mjs', 'tools/lib'],
@@ -47,7 +47,7 @@ export const TARGETS = {
         outfile: 'dist/cli/main.mjs',
         format: 'esm',
         target: 'node20',
-        // CommonJS packages in the bundle ask for Node's own modules by `require`.
+        // CommonJS packages in the bundle use `require` for Node’s modules.
         banner: { js: "import { createRequire as scrimRequire } from 'node:module'; const require = scrimRequire(import.meta.url);" },
       }),
   },
@@ -55,7 +55,7 @@ export const TARGETS = {
     sources: [...SHARED, 'app'],
     output: 'dist/electron/main.cjs',
     build: async () => {
-      // Node 16 is what Electron 22, the oldest that the tests run, has inside.
+      // Electron 22, the oldest tested version, contains Node 16.
       const options = { format: 'cjs', target: 'node16' };
       await bundle({ ...options, entryPoints: ['app/electron/main.ts'], outfile: 'dist/electron/main.cjs' });
       await bundle({ ...options, entryPoints: ['app/electron/preload.ts'], outfile: 'dist/electron/preload.cjs' });
@@ -96,13 +96,13 @@ export async function buildTargets(names, say) {
   return built;
 }
 
-/** A stamp with the files of the folder as they are after the build. */
+/** A stamp that includes the files of the output folder after the build. */
 function withMade(stampFile, stamp, folder) {
   const others = Object.entries(stamp).filter(([path]) => !path.startsWith(`${folder}/`));
   return { ...Object.fromEntries(others), ...checkStamp(root, stampFile, [folder]).stamp };
 }
 
-/** Through a rename each, because another Scrim may be starting from the same files. */
+/** Renames each file into place, because another Scrim may be loading it. */
 async function bundle(options) {
   const { build } = await import('esbuild');
   const { outputFiles } = await build({ ...NODE_BUILD, ...options });
@@ -114,7 +114,7 @@ async function bundle(options) {
   }
 }
 
-/** Built beside the old one, which serves until the new one is whole. */
+/** Builds beside the old page, which stays valid until the new one is complete. */
 async function buildPage(mode) {
   const { build } = await import('vite');
   const outDir = join(root, 'dist', `${mode}.${process.pid}`);

@@ -42,7 +42,7 @@ function nameOf(path) {
   return path.slice(path.lastIndexOf('node_modules/') + 'node_modules/'.length);
 }
 
-/** Address and checksum, as npm's own client knows them; nothing where the registry has no such package. */
+/** URL and checksum of a package from npm’s client; undefined if the registry does not offer it. */
 function archiveOf(name, version) {
   let text = '';
   try {
@@ -58,7 +58,7 @@ function archiveOf(name, version) {
   return typeof integrity === 'string' ? { resolved: tarball, integrity } : {};
 }
 
-/** As Node looks a package up: beside the one that asks, then in each folder above. */
+/** Whether a package is installed where Node looks for it: beside the importing package, or in a folder above. */
 function isThere(from, name) {
   for (let path = from; ; path = path.slice(0, Math.max(0, path.lastIndexOf('node_modules/') - 1))) {
     if (lock.packages[`${path === '' ? '' : `${path}/`}node_modules/${name}`]) return true;

@@ -1,20 +1,19 @@
 import type { ToolContext } from '../lib/tool.ts';
 
 /**
- * One quantity worth remembering from release to release. A file `tools/bench/NAME.bench.ts` exports
- * `benches(context): Promise<readonly Bench[]>`; there is nothing to register.
+ * A measured quantity. Each file `tools/bench/NAME.bench.ts` exports `benches(context): Promise<Bench[]>`; there is no registration.
  */
 export interface Bench {
-  /** Stable: results are compared by it. Names what is measured and at which size: `compile, 100 nodes`. */
+  /** Stable name, by which results are compared. Contains the subject and the size: `compile, 100 nodes`. */
   readonly name: string;
   readonly unit: 'ms' | 'kB' | 'count' | 'ratio';
   /** Takes one sample. */
   sample(): number | Promise<number>;
-  /** How many samples to take after one that is thrown away; 1, without warming up, for what never varies. Default 15. */
+  /** Number of samples after a discarded warm-up. 1, without warm-up, for constant quantities. Default: 15. */
   readonly samples?: number;
-  /** Details that do not fit into a row; printed below the table. */
+  /** Details that do not fit into a row. Printed below the table. */
   notes?(): string | Promise<string>;
-  /** Disposes what the samples share. */
+  /** Disposes resources that the samples share. */
   dispose?(): void | Promise<void>;
 }
 
@@ -51,14 +50,14 @@ export async function measure(bench: Bench): Promise<Measured> {
   }
 }
 
-/** How long `work` takes, in milliseconds. */
+/** Duration of `work` in milliseconds. */
 export async function timeMs(work: () => unknown): Promise<number> {
   const startMs = performance.now();
   await work();
   return performance.now() - startMs;
 }
 
-/** The nearest of the sorted samples, so that each figure is a measured one. */
+/** The nearest sample, so that each figure is a measured one. */
 export function quantile(sorted: readonly number[], q: number): number {
   return sorted[Math.min(sorted.length - 1, Math.floor(q * sorted.length))] ?? Number.NaN;
 }

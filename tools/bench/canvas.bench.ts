@@ -10,13 +10,13 @@ import { startBenchBrowser } from './open-page.ts';
 import { openServer } from './open-server.ts';
 
 const FRAMES = 120;
-/** Pointer moves are as far apart as a hand's. */
+/** Distance of pointer moves, as in a manual drag. */
 const STEP_PX = 3;
 
 interface Case {
   readonly name: string;
   readonly nodes: number;
-  /** Columns that are dragged; 0: one node, at the scale at which ports are wired. */
+  /** Number of dragged columns; 0 for one node, zoomed in. */
   readonly columns: number;
 }
 
@@ -27,7 +27,7 @@ const CASES: readonly Case[] = [
   { name: 'dragging one of 1,000 nodes, zoomed in', nodes: 1000, columns: 0 },
 ];
 
-/** How evenly the canvas moves: times between paints while a hand drags, with the preview held. */
+/** Smoothness of the canvas: times between paints during a drag, while the preview is paused. */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   let browser: Browser | undefined;
   return CASES.map((what, index): Bench => {
@@ -80,7 +80,7 @@ interface Point {
   readonly y: number;
 }
 
-/** Boxes in columns in the middle, as a hand would, and gives a point in what is then selected. */
+/** Selects columns in the middle with a selection box. Returns a point in the selection. */
 async function selectColumns(page: Page, columns: number): Promise<Point> {
   const box = await page.evaluate((count) => {
     const boxes = [...document.querySelectorAll('.react-flow__node')].map((element) => element.getBoundingClientRect());

@@ -4,7 +4,7 @@ import { chainProject, LIBRARY } from './sample-project.ts';
 
 const NODE_COUNTS = [10, 100, 1000, 10_000];
 
-/** The cost of an edit that changes the program, with all shaders in the compiler's cache. Every node of the chain is on screen. */
+/** Duration of a recompile with all shaders in the compiler’s cache. All nodes of the chain affect the output. */
 export async function benches(): Promise<readonly Bench[]> {
   const { compile } = createCompiler();
   const projects = new Map(NODE_COUNTS.map((nodeCount) => [nodeCount, chainProject(nodeCount)]));
@@ -21,7 +21,7 @@ export async function benches(): Promise<readonly Bench[]> {
       sample: () => compileMs(nodeCount),
     }),
   );
-  // 10 where time grows with the number of nodes; 100 where it grows with its square.
+  // 10 if the time is proportional to the number of nodes; 100 if to its square.
   const growth = NODE_COUNTS.slice(1).map(
     (nodeCount): Bench => ({
       name: `compile, ${nodeCount} nodes against ${nodeCount / 10}`,

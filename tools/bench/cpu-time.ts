@@ -1,11 +1,11 @@
 import { readdirSync, readFileSync } from 'node:fs';
 
-/** Linux counts time in hundredths of a second for programs (`sysconf(_SC_CLK_TCK)` is 100 on all that Node runs on). */
+/** Linux reports CPU time in ticks of 10 ms (`sysconf(_SC_CLK_TCK)` is 100 on all systems that Node supports). */
 const TICK_MS = 10;
 
 /**
- * Milliseconds that the processes started by this one have computed so far, all threads together; null where the system has no
- * `/proc`. If images are drawn on the CPU, it is the cost of a frame, independent of the load of the machine.
+ * CPU time in milliseconds of all child processes and their threads; null without `/proc`. If images are drawn on the CPU, it is the
+ * cost of a frame, independent of the load of the machine.
  */
 export function childrenCpuMs(): number | null {
   const stats = readStats();
@@ -38,7 +38,7 @@ function entriesOf(folder: string): readonly string[] {
   }
 }
 
-/** proc(5): after the name in brackets come state and parent; user and system time are the 14th and 15th field. */
+/** proc(5): after the name in parentheses follow state and parent; user and system time are fields 14 and 15. */
 function parseStat(pid: string): Stat | null {
   try {
     const text = readFileSync(`/proc/${pid}/stat`, 'utf8');

@@ -4,7 +4,7 @@ import { validateProject } from '../../export/graph/validate/validate.ts';
 import { type Bench, timeMs } from './bench.ts';
 import { chainProject, LIBRARY } from './sample-project.ts';
 
-/** The cost of opening a project, without the compile. */
+/** Duration of opening a project, without the compile. */
 export async function benches(): Promise<readonly Bench[]> {
   return [10, 100, 1000, 10_000].map((nodeCount): Bench => {
     const texts = saveProject(chainProject(nodeCount));

@@ -10,7 +10,7 @@ import { startBenchBrowser } from './open-page.ts';
 import { openServer } from './open-server.ts';
 
 const PREVIEW = 'iframe[title="Preview"]';
-/** Below the strip where the editor may put a flag; small, so that looking takes little time. */
+/** Read area: below the strip that messages may cover; small, so that reading is fast. */
 const LOOK = { x: 40, y: 60, width: 24, height: 24 };
 
 /** Time for earlier edits to be compiled and drawn. */
@@ -21,7 +21,7 @@ interface Editor {
   readonly page: Page;
 }
 
-/** Waiting times in the editor; reading the image takes some 30 ms of them. */
+/** Delays in the editor. Reading the image accounts for about 30 ms of each. */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   const base = await mkdtemp(join(tmpdir(), 'scrim-bench-'));
   const project = join(base, 'project');
@@ -57,7 +57,7 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
         typing ??= openShader(browser, url);
         const { page } = await typing;
         const before = await look(page);
-        // A digit more or less of a factor that darkens everything.
+        // Adds or removes a digit of a factor that darkens the image.
         return timeMs(async () => {
           await page.keyboard.press(digits++ % 2 === 0 ? '5' : 'Backspace');
           while ((await look(page)).equals(before)) if (page.isClosed()) throw new Error('The editor is gone.');
@@ -88,7 +88,7 @@ async function look(page: Page): Promise<Buffer> {
   return page.screenshot({ clip: { ...LOOK, x: box.x + LOOK.x, y: box.y + LOOK.y } });
 }
 
-/** Holds the preview and puts the cursor into a number in the filter that lies over everything. */
+/** Pauses the preview and puts the caret into a number of the last filter. */
 async function openShader(browser: Browser, url: string): Promise<Editor> {
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
   await page.goto(url);

@@ -14,7 +14,7 @@ const COPY = `/*{
 void main() { gl_FragColor = IMG_THIS_PIXEL(inputImage); }
 `;
 
-/** What the definition of a CPU filter leaves to the worker costs the page nothing; these two are drawn. */
+/** The worker of a CPU filter does not block the page, so only drawn filters are measured. */
 const DRAWN: ReadonlySet<NodeDefinition['lowering']['kind']> = new Set(['image', 'cpu']);
 const EFFECTS = ['filter/', 'operator/'];
 
@@ -46,7 +46,7 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
   });
 }
 
-/** Connects the photograph to each layer input, and nothing else. */
+/** Connects the photograph to each layer input. */
 function projectOf(type: string, ports: readonly string[]): object {
   return {
     format: 'scrim-project',

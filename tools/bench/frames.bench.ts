@@ -14,9 +14,9 @@ import type { GalleryPlan } from './pages/three-gallery.page.ts';
 
 const SIZE_PX = [640, 480] as const;
 const FRAMES = 5;
-/** Of each row: frames of a second would else take minutes on a CPU. */
+/** Samples per row. Frames that take a second would otherwise take minutes on a CPU. */
 const SAMPLES = 9;
-/** For what is made once, such as shaders and tables, to be there. */
+/** Frames until shaders and tables have been created. */
 const WARM_FRAMES = 10;
 /** A lower bound that separates garbage from noise. */
 const HEAP_FRAMES = 120;
@@ -36,7 +36,7 @@ const GALLERY: GalleryPlan = {
   pegs: PEGS,
 };
 
-/** What is drawn instead of an example's own project. */
+/** Replaces a part of an example’s project. */
 type Change = (document: Document) => void;
 
 interface Document {
@@ -49,7 +49,7 @@ const asItIs: Change = () => {};
 const withoutFilter: Change = ({ graphs: { main } }) => {
   for (const node of Object.values(main.nodes)) if (node.type === 'filter/color-temperature') node.muted = true;
 };
-/** The wall, the lamps and the evening: what lies over them is made of pictures. */
+/** The wall, the lamps and the sky; all layers above them are images. */
 const scenesAlone: Change = ({ graphs: { main } }) => {
   main.wires = main.wires.map((wire) => wire.replace('over-blend.layer -> screen-all', 'over-sky.layer -> screen-all'));
 };
@@ -69,7 +69,7 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
     time(root, 'templates/occlusion'),
     time(root, 'templates/filter'),
     compare(root, 'frame, first-light', { ...firstLight, change: asItIs, more: [ROBOTS_OF_FIRST_LIGHT, true] }),
-    // Both draw straight onto the screen.
+    // Both draw directly to the output.
     compare(root, 'frame, first-light without its filter', { ...firstLight, change: withoutFilter, more: [ROBOTS_OF_FIRST_LIGHT, false] }),
     compare(root, 'frame, templates/occlusion', {
       ...robots,
@@ -103,7 +103,7 @@ function time(root: string, example: string): Bench {
 interface Compared {
   readonly example: string;
   readonly change: Change;
-  /** The page that draws the same by three.js alone, the file of the example that it takes, and what else. */
+  /** The page with the same scene in plain three.js, the file of the example that it loads, and its arguments. */
   readonly page: string;
   readonly file: string;
   readonly more: readonly unknown[];
@@ -145,7 +145,7 @@ function compare(root: string, name: string, compared: Compared): Bench {
   };
 }
 
-/** Garbage per frame, including three's own share. */
+/** Garbage per frame, including that of three.js. */
 function garbage(root: string, name: string, compared: Compared): readonly Bench[] {
   let measured: Promise<{ readonly ours: number; readonly theirs: number }> | undefined;
   const measure = async () => {
@@ -171,7 +171,7 @@ interface HeapNode {
   readonly children: readonly HeapNode[];
 }
 
-/** Kilobytes a frame, by V8's sampling profiler, which counts what has been collected since, too. */
+/** Kilobytes per frame by V8’s sampling profiler, which includes objects that have been collected. */
 async function allocated(page: Page): Promise<number> {
   const client = await page.context().newCDPSession(page);
   const options = { samplingInterval: 512, includeObjectsCollectedByMajorGC: true, includeObjectsCollectedByMinorGC: true };

@@ -1,11 +1,11 @@
-/** A project's main graph, with node types and places by id. */
+/** The main graph of a project: node types and positions by id. */
 export interface GridGraph {
   readonly nodes: Readonly<Record<string, { readonly type: string }>>;
   readonly wires: readonly string[];
   readonly places: Readonly<Record<string, readonly [x: number, y: number]>>;
 }
 
-/** Nodes stand in columns of so many, as far apart as tidying up puts them. */
+/** Nodes per column. Distances are those of automatic layout. */
 export const GRID_ROWS = 25;
 const SPACING = { x: 264, y: 120 };
 const FILTERS = ['filter/sepia', 'filter/threshold', 'filter/gaussian-blur', 'filter/color-temperature'];

@@ -7,8 +7,8 @@ import { type BenchFile, type Measured, measure } from './bench.ts';
 import { appendResults, printTable, readResults } from './results.ts';
 
 /**
- * Runs `tools/bench/*.bench.ts`, or those whose name holds one of the words given, and prints a table against what was last
- * recorded. `--record` adds the figures to `bench/results.csv`, once per release.
+ * Runs `tools/bench/*.bench.ts`, or those whose name contains one of the arguments, and prints a table with the last recorded
+ * results. `--record` adds the results to `bench/results.csv`, once per release.
  */
 export async function main(args: readonly string[], context: ToolContext): Promise<number> {
   const { root } = context;
@@ -19,7 +19,7 @@ export async function main(args: readonly string[], context: ToolContext): Promi
     .filter((name) => words.length === 0 || words.some((word) => name.includes(word)));
   const measured: Measured[] = [];
   for (const name of names) {
-    // The bundler takes in every file of this shape.
+    // The bundler includes all files that match this pattern.
     const file = (await import(`./${name}.bench.ts`)) as BenchFile;
     for (const bench of await file.benches(context)) {
       console.error(`${bench.name} …`);

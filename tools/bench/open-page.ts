@@ -7,14 +7,14 @@ import { startBrowser } from '../../app/services/start-browser.ts';
 
 const ORIGIN = 'http://bench.invalid/';
 
-/** The headless browser that everything here is measured in. */
+/** Starts the headless browser of all benches. */
 export async function startBenchBrowser(): Promise<Browser> {
   const found = await findChromium();
   if (found === null) throw new Error('No browser was found to measure in. Install Chromium, or name its program in SCRIM_CHROMIUM.');
   return startBrowser(found);
 }
 
-/** An empty page with a script's exports under the global `bench`, and a folder's files beside it. */
+/** Opens an empty page with the exports of a script as the global `bench`, and the files of a folder beside it. */
 export async function openPage(browser: Browser, root: string, entry: string, folder: string): Promise<Page> {
   const script = await bundleScript(root, entry, 'bench');
   const page = await browser.newPage();

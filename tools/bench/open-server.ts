@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import process from 'node:process';
 import { createInterface } from 'node:readline';
 
-/** The editor on loopback, started as people start it, and its address. */
+/** Starts the editor on loopback as `scrim open` does, and returns its address. */
 export async function openServer(root: string, project: string): Promise<{ server: ChildProcess; url: string }> {
   const server = spawn(process.execPath, [join(root, 'bin', 'scrim.mjs'), 'open', project, '--browser'], {
     env: { ...process.env, DISPLAY: '', BROWSER: 'none' },

@@ -10,7 +10,7 @@ import type { ExportReport, Sizes } from '../../export/bundle/report.ts';
 import type { ToolContext } from '../lib/tool.ts';
 import { type Bench, timeMs } from './bench.ts';
 
-/** What an export takes, and what its script weighs against one that is written by hand in three.js and bundled the same way. */
+/** Duration of an export, and the size of its script compared with a hand-written three.js page, bundled the same way. */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   const base = await mkdtemp(join(tmpdir(), 'scrim-bench-'));
   const folder = join(root, 'examples', 'first-light');
@@ -48,7 +48,7 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
   ];
 }
 
-/** As `export/bundle` bundles a page. */
+/** Bundles like `export/bundle`. */
 async function bundleThree(root: string): Promise<Sizes> {
   const { outputFiles } = await build({
     entryPoints: [join(root, 'tools/bench/pages/three.page.ts')],

@@ -1,6 +1,6 @@
 import type { Measured } from './bench.ts';
 
-/** One line of `bench/results.csv`. */
+/** A row of `bench/results.csv`. */
 export interface Recorded extends Measured {
   readonly date: string;
   readonly version: string;
@@ -9,7 +9,7 @@ export interface Recorded extends Measured {
 
 const COLUMNS = ['date', 'version', 'commit', 'name', 'unit', 'median', 'p95'] as const;
 
-/** Changes below this are noise. */
+/** Smaller changes are noise. */
 const NOTABLE = 0.05;
 
 export function readResults(csv: string): Recorded[] {
@@ -20,13 +20,13 @@ export function readResults(csv: string): Recorded[] {
   });
 }
 
-/** The file's text with the rows added at its end. */
+/** Adds rows to the text of the file. */
 export function appendResults(csv: string, rows: readonly Recorded[]): string {
   const start = csv === '' ? `${COLUMNS.join(',')}\n` : csv;
   return start + rows.map((row) => `${COLUMNS.map((column) => quote(String(row[column]))).join(',')}\n`).join('');
 }
 
-/** A Markdown table of what was measured, beside what was last recorded under the same name. */
+/** A Markdown table of the results, with the last recorded ones. */
 export function printTable(measured: readonly Measured[], recorded: readonly Recorded[]): string {
   const rows = measured.map((m) => {
     const last = recorded.filter((r) => r.name === m.name && r.unit === m.unit).at(-1);
@@ -42,7 +42,7 @@ function change({ median }: Measured, last: Recorded | undefined): string {
   return Math.abs(ratio) < NOTABLE ? '' : `${ratio > 0 ? '+' : '−'}${Math.abs(ratio * 100).toFixed(0)} %`;
 }
 
-/** Four digits tell all that two busy cores can. */
+/** Four digits; more are noise on two busy cores. */
 function figure(value: number): string {
   return String(Number(value.toPrecision(4)));
 }

@@ -4,26 +4,26 @@ import { type Bench, quantile } from './bench.ts';
 import { call, openPage, startBenchBrowser } from './open-page.ts';
 
 const SIZE_PX = [640, 480] as const;
-/** Of each sample, or as many as take so long. */
+/** Frames per sample, or as many as take this long. */
 const FRAMES = 4;
 const ENOUGH_MS = 300;
 
-/** Two pages of one browser: one holds the reference, the other plays the candidates one after another. */
+/** Two pages in one browser: one with the reference, one that plays the candidates in turn. */
 export interface Rivals {
-  /** Milliseconds per frame of each, drawn alternately, so that other load of the machine affects both equally. */
+  /** Milliseconds per frame of both, measured alternately, so that other load of the machine affects both equally. */
   race(project: object): Promise<{ readonly ours: number; readonly base: number }>;
-  /** To be called by each row when it is done; the last one closes the browser. */
+  /** Called by each finished row. The last one closes the browser. */
   leave(): Promise<void>;
 }
 
 export interface RivalsOptions {
   readonly root: string;
-  /** Absolute; where assets are. */
+  /** Absolute path of the folder with the assets. */
   readonly folder: string;
   readonly base: object;
-  /** Shaders of the projects' own, by file name. */
+  /** Shaders of the projects, by file name. */
   readonly shaders?: Readonly<Record<string, string>>;
-  /** How many rows share it. */
+  /** Number of rows that share it. */
   readonly rows: number;
 }
 
@@ -73,13 +73,13 @@ export function createRivals({ root, folder, base, shaders = {}, rows }: RivalsO
 
 export interface RacedRows {
   readonly project: object;
-  /** Names its figure against what all are measured against, and what that is of both times. */
+  /** Name and formula of the ratio to the reference. */
   readonly ratio: { readonly name: string; readonly of: (raced: { readonly ours: number; readonly base: number }) => number };
-  /** Names its milliseconds per frame. */
+  /** Name of the row with milliseconds per frame. */
   readonly frame: string;
 }
 
-/** Few, because there are many such rows and one core may draw them all. */
+/** Few samples, because there are many rows, and a single core may draw all of them. */
 const SAMPLES = 5;
 
 /** Two rows of the same frames: those of the first are told once more, in milliseconds, by the second. */

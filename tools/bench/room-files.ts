@@ -7,7 +7,7 @@ import { call, openPage } from './open-page.ts';
 import type { RoomPlan } from './pages/room-plan.ts';
 import { MODEL_FILE, roomProject } from './room-project.ts';
 
-/** The model that the paper measures with (§4, Figure 15), as a path; null, and a word about it, where this checkout has no test data. */
+/** Path of the model that the paper uses (§4, Figure 15); null with a message if this checkout has no test data. */
 export async function findModel(root: string): Promise<string | null> {
   const path = `../shared/data/models/${MODEL_FILE}`;
   const model = resolve(root, path);
@@ -20,7 +20,7 @@ export async function findModel(root: string): Promise<string | null> {
   }
 }
 
-/** A new project's folder with the model in it; the caller removes it. */
+/** Creates a project folder with the model. The caller deletes it. */
 export async function roomFolder(model: string): Promise<string> {
   const folder = await mkdtemp(join(tmpdir(), 'scrim-bench-room-'));
   await mkdir(join(folder, 'assets'));

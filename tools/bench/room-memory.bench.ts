@@ -4,9 +4,9 @@ import type { Bench } from './bench.ts';
 import { call, startBenchBrowser } from './open-page.ts';
 import { findModel, openOurs, roomFolder } from './room-files.ts';
 
-/** The paper's device ran out of memory with more than 112 (§4). */
+/** The device of the paper ran out of memory above 112 models (§4). */
 const COUNTS = [1, 10, 112, 500];
-/** So small that many models are a matter of corners alone. */
+/** So small that only vertices matter. */
 const PLAN = { widthPx: 64, heightPx: 48, shadowMapPx: 256, occlusion: true, shadow: false, filter: 'pcf' } as const;
 
 const WAYS = [
@@ -28,7 +28,7 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
       const browser = await startBenchBrowser();
       try {
         const page = await openOurs(browser, root, folder, { ...PLAN, ...more, count });
-        // Textures go to the GPU with the first frame that shows them.
+        // Textures are uploaded in the first frame that shows them.
         await call(page, 'frameMs', 1);
         return (await call<number>(page, 'textureBytes')) / 1000;
       } finally {

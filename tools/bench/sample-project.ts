@@ -11,10 +11,14 @@ export const LIBRARY: NodeLibrary = {
   types: () => byType.keys(),
 };
 
-/** Filters that a designer would chain: pointwise ones, a neighborhood, and one of two passes. */
+/** Typical filters: pointwise ones, one with a neighborhood, and one with two passes. */
 const FILTERS = ['filter/sepia', 'filter/threshold', 'filter/sobel-edges', 'filter/color-temperature', 'filter/gaussian-blur'];
 
-/** A camera video through a chain of filters to the screen: `nodeCount` nodes in all, at least two. */
+/**
+ * A camera feed through a chain of filters to the Output.
+ *
+ * @param nodeCount Total number of nodes, at least two.
+ */
 export function chainProject(nodeCount: number): Project {
   const nodes: Record<string, GraphNode> = { 'video-x0': { type: 'source/camera-video', version: 1, params: {} } };
   const wires: Wire[] = [];

@@ -71,7 +71,7 @@ async function openEditor(root: string): Promise<Opened> {
   return { server, browser, page, preview, folder };
 }
 
-/** On or off, and drawn so. */
+/** Switches thumbnails on or off, and waits until the change is drawn. */
 async function showPictures(page: Page, shown: boolean): Promise<void> {
   await page.locator('.react-flow__pane').click({ position: { x: 4, y: 4 } });
   await page.keyboard.press('t');
@@ -93,7 +93,7 @@ async function frameMs(preview: Frame): Promise<number> {
         }),
       frames,
     );
-  // What comes of the change itself, such as programs that are compiled, is no frame's.
+  // Excludes the cost of the change itself, such as compiles.
   await wall(FRAMES / 4);
   const before = childrenCpuMs();
   const wallMs = await wall(FRAMES);

@@ -1,4 +1,4 @@
-/** A second of three tones, each quieter than the one before: as small as a sound can be that shows in a spectrum. */
+/** A second of three tones with decreasing volume: a small sound with a visible spectrum. */
 const TONES = [
   { frequencyHz: 440, amplitude: 0.5 },
   { frequencyHz: 880, amplitude: 0.25 },

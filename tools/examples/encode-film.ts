@@ -1,6 +1,6 @@
 import { type WebmFrame, writeWebm } from './write-webm.ts';
 
-/** One picture of a film: Y, U and V as the codec takes them (BT.601, video range), and alpha from 0 to 255; rows from the top. */
+/** A frame of a video: Y, U and V as the codec takes them (BT.601, video range), and alpha in [0, 255]; rows from the top. */
 export interface FilmPicture {
   readonly y: Uint8Array;
   readonly u: Uint8Array;
@@ -12,18 +12,18 @@ export interface Film {
   readonly widthPx: number;
   readonly heightPx: number;
   readonly picturesPerS: number;
-  /** A key frame every so many pictures. */
+  /** Interval of key frames. */
   readonly keyEvery: number;
   readonly bitrate: number;
   readonly pictures: readonly FilmPicture[];
-  /** False: the file does not say how long it is. */
+  /** Whether the file states its duration. */
   readonly timed?: boolean;
 }
 
-/** VP9 of profile 0, level 1, eight bits: what every browser plays. */
+/** VP9 profile 0, level 1, eight bits, which all browsers play. */
 const CODEC = 'vp09.00.10.08';
 
-/** Encodes a film as WebM in a browser with WebCodecs, with its alpha where the pictures have one. */
+/** Encodes a WebM video with WebCodecs in a browser, with alpha if the frames have it. */
 export async function encodeFilm(film: Film): Promise<Uint8Array<ArrayBuffer>> {
   const { widthPx, heightPx, picturesPerS, pictures, timed = true } = film;
   const gray = new Uint8Array((widthPx / 2) * (heightPx / 2)).fill(128);

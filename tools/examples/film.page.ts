@@ -4,7 +4,7 @@ const BALL = { sidePx: 96, pictures: 24, picturesPerS: 12 } as const;
 /** BT.601 of a warm orange: about sRGB (255, 139, 60). */
 const ORANGE = { y: 158, u: 76, v: 185 };
 
-/** Two seconds of a ball with a soft edge that grows and shrinks on a transparent background. */
+/** Two seconds of a pulsing ball with a soft edge on a transparent background. */
 export async function makeBall(): Promise<number[]> {
   const { sidePx, pictures, picturesPerS } = BALL;
   const bytes = await encodeFilm({
@@ -36,10 +36,10 @@ const STRIPES = {
   heightPx: 90,
   pictures: 24,
   picturesPerS: 12,
-  /** Of one rainbow, along x and along y. */ periodPx: 60,
+  /** Period of the rainbow along x and along y. */ periodPx: 60,
 } as const;
 
-/** Rainbows that run from the lower left to the upper right and over their width in two seconds, without end. */
+/** Diagonal rainbows that move by their width in two seconds, in a seamless loop. */
 export async function makeStripes(): Promise<number[]> {
   const { widthPx, heightPx, pictures, picturesPerS } = STRIPES;
   const bytes = await encodeFilm({

@@ -18,10 +18,10 @@ export interface Cell {
 
 /** Cells that are next to each other in a row, from left to right. */
 export interface Section {
-  /** Of its subgraph. */
+  /** Name of the subgraph. */
   readonly name: string;
   readonly title: string;
-  /** Of its first cell, from the top and from the left. */
+  /** Row and column of its first cell, from the top left. */
   readonly row: number;
   readonly column: number;
   readonly cells: readonly Cell[];
@@ -45,7 +45,7 @@ const QUARTERS: Params = { cycle: 5, step: 0.25 };
 const RED = [0.85, 0.25, 0.2, 1] as const;
 const BLUE = [0.2, 0.4, 0.85, 1] as const;
 
-/** A ring that turns about the vertical, tilted towards the eye. */
+/** A ring that rotates about the vertical axis, tilted toward the viewer. */
 const TURNING_RING: Cell['nodes'] = {
   heading: ['value/expression', { expression: 'a * pi / 2' }],
   angles: ['value/make-vector3'],
@@ -61,7 +61,7 @@ const RING_TURNS = [
   'turn.objects -> tilt.objects',
 ];
 
-/** As they stand on the wall; each is a subgraph. */
+/** Sections of the wall; each is a subgraph. */
 export const SECTIONS: readonly Section[] = [
   {
     name: 'numbers',

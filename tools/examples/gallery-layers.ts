@@ -64,10 +64,10 @@ export function addMask(wall: GalleryBuilder, row: number, column: number): void
   wall.frame('Object mask: only the red object keeps its color', { x: -30, y: -60, width: 1640, height: 1260 });
 }
 
-/** Of the ball that leaves a trail: the circle that it goes in, how fast, and how much of the trail is kept from frame to frame. */
+/** The ball with the trail: radius of its circle, speed, and how much of the trail remains per frame. */
 export const TRAIL = { radiusM: 0.038, ballM: 0.026, turnRadPerS: 2, keep: 0.88 } as const;
 
-/** A ball that goes in a circle over what is left of the frames before. */
+/** A ball that moves in a circle over its previous frames. */
 export function addTrail(wall: GalleryBuilder, row: number, column: number): void {
   const [x, y, z] = cellMiddleM(row, column);
   wall.into('trail');
@@ -90,7 +90,7 @@ export function addTrail(wall: GalleryBuilder, row: number, column: number): voi
   wall.add('scene-ball', 'layer/scene', { x: 540, y: 0 }, { ambient: 1, shadows: false });
   wall.wire('place-ball.objects -> scene-ball.objects');
   wall.add('before-trail', 'layer/previous-frame', { x: 540, y: 400 });
-  // Where the ball is, it hides what was there.
+  // The ball hides the trail behind it.
   wall.add('fade-trail', 'operator/mask', { x: 810, y: 400 }, { source: 1, amount: Math.round(100 * (1 - TRAIL.keep)) / 100 });
   wall.add('over-trail', 'operator/over', { x: 1080, y: 0 });
   wall.wire('before-trail.layer -> fade-trail.inputImage');

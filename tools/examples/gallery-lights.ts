@@ -1,13 +1,13 @@
 import type { GalleryBuilder } from './gallery-builder.ts';
 import { cellMiddleM, moved, type Place, RAIL_M } from './gallery-place.ts';
 
-/** A matt plate for light to fall on, behind the middle of a cell. */
+/** A matte plate that receives light, behind the center of a cell. */
 const PLATE_M = [0.118, 0.118, 0.006];
 const BEHIND_M = 0.045;
-/** So that lamps light their own cell alone. */
+/** Range of lights, so that they light only their own cell. */
 const REACH_M = 0.17;
 
-/** Around the bulb, meters. */
+/** Positions around the bulb in meters. */
 export const PEGS: readonly (readonly [right: number, up: number])[] = [
   [0, 0.03],
   [-0.026, -0.015],
@@ -93,7 +93,7 @@ function addPlate(wall: GalleryBuilder, name: string, middleM: Place, line: numb
 
 type Params = Parameters<GalleryBuilder['add']>[3];
 
-/** A shape at a place, as `place-NAME.objects`. */
+/** Adds a shape at a position, as `place-NAME.objects`. */
 export function addThing(wall: GalleryBuilder, name: string, positionM: Place, line: number, params: Params): void {
   wall.add(`shape-${name}`, 'objects/primitive', { x: 0, y: line * 250 }, params);
   wall.add(`place-${name}`, 'objects/transform', { x: 270, y: line * 250 }, { positionM: [...positionM] });

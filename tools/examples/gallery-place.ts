@@ -4,7 +4,7 @@ const PITCH_M = 0.13;
 const COLUMNS = 6;
 const ROWS = 9;
 
-/** Middle of the wall: a little below the eyes of who stands at the origin, and as far away as one would stand. */
+/** Center of the wall: slightly below the eyes of a viewer at the origin. */
 export const MIDDLE_M = [0, 1.3, -1.6] as const;
 
 export const WALL_M = { width: COLUMNS * PITCH_M, height: ROWS * PITCH_M } as const;
@@ -16,14 +16,14 @@ export function cellKey(row: number, column: number): string {
   return `${'abcdefghi'[row]}${column + 1}`;
 }
 
-/** Its middle; that of `columns` cells in a row, where one takes the place of several. */
+/** Center of a cell, or of `columns` cells in a row. */
 export function cellMiddleM(row: number, column: number, columns = 1): Place {
   const [x, y, z] = MIDDLE_M;
   const right = column + (columns - 1) / 2 - (COLUMNS - 1) / 2;
   return [round(x + right * PITCH_M), round(y + ((ROWS - 1) / 2 - row) * PITCH_M), z];
 }
 
-/** Where the foot of its rail stands. */
+/** Foot of the rail in a cell. */
 export function cellFootM(row: number, column: number): Place {
   return moved(cellMiddleM(row, column), 0, -RAIL_M / 2, 0);
 }
@@ -32,7 +32,7 @@ export function moved([x, y, z]: Place, rightM: number, upM: number, nearM: numb
   return [round(x + rightM), round(y + upM), round(z + nearM)];
 }
 
-/** So that positions are written in few digits. */
+/** Rounds positions, so that they have few digits. */
 function round(meters: number): number {
   return Math.round(meters * 10_000) / 10_000;
 }

@@ -3,7 +3,7 @@ import { type Cell, type Section, SIGNAL_WIRES, SIGNALS } from './gallery-cells.
 import { cellFootM, cellKey } from './gallery-place.ts';
 import { SHOWN_BY } from './gallery-shown.ts';
 
-/** Of the balls, row by row. */
+/** Colors of the balls by row. */
 const COLORS = [
   [0.95, 0.75, 0.3, 1],
   [0.45, 0.8, 0.55, 1],
@@ -36,7 +36,7 @@ export function addSection(wall: GalleryBuilder, { name, row, column, cells }: S
   wall.show('outputs', 'objects', 'section-all.objects');
 }
 
-/** Those that cells name, and those that these follow. */
+/** The signals that cells use, including those that these signals use. */
 function signalsOf(cells: readonly Cell[]): string[] {
   const named = new Set(
     cells.flatMap(({ nodes, wires, shows: [, shown] }) => [...wires, shown].flatMap(namesIn).filter((name) => !Object.hasOwn(nodes, name))),
@@ -52,7 +52,7 @@ function namesIn(wire: string): string[] {
   return [...wire.matchAll(/(\w+)\./g)].map(([, name = '']) => name);
 }
 
-/** Gives the output with its objects. */
+/** Adds a cell. Returns the output with its objects. */
 function addCell(
   wall: GalleryBuilder,
   cell: Cell,

@@ -8,13 +8,13 @@ import { MIDDLE_M, moved, WALL_M } from './gallery-place.ts';
 import { addSection } from './gallery-sections.ts';
 import { addShown } from './gallery-shown.ts';
 
-/** Files in its `assets/`, by id. */
+/** Files in `assets/`, by asset id. */
 export const GALLERY_FILES = { sky: 'sky.hdr', film: 'stripes.webm' } as const;
 
-/** How far the board is behind the cells, and how far it shows around them, meters. */
+/** Distance of the board behind the cells, and its margin around them, in meters. */
 const BOARD = { behindM: 0.075, marginM: 0.02, thickM: 0.02 } as const;
 
-/** Subgraphs that give a layer, from the lowest up, with what they show. */
+/** Subgraphs that output layers, from the bottom up. */
 const LAYERS = [
   ['lamps', 'Lamps'],
   ['sky', 'Evening light'],
@@ -24,7 +24,7 @@ const LAYERS = [
   ['blend', 'Blend modes'],
 ] as const;
 
-/** A wall of cells, each showing what a node type does. */
+/** A wall of cells, each of which shows a node type. */
 export function makeGallery(library: NodeLibrary): Project {
   const wall = createGalleryBuilder(library, 'Gallery');
   const credit = { credit: 'Scrim', licence: 'MIT' };
@@ -72,7 +72,7 @@ function addMain(wall: GalleryBuilder): void {
     wall.wire(`${below} -> over-${name}.bottom`);
     below = `over-${name}.layer`;
   });
-  // Six of its layers are pictures of their own: with four samples each, a phone would keep some 400 MB for them.
+  // Six layers are render targets. With four samples each, they would take some 400 MB on a phone.
   wall.add(
     'screen-all',
     'output/screen',
@@ -93,7 +93,7 @@ function addMain(wall: GalleryBuilder): void {
   });
 }
 
-/** Dark, so that all is seen before any room. */
+/** A dark board, so that the cells are visible in any room. */
 function addBoard(wall: GalleryBuilder, y: number): void {
   const { behindM, marginM, thickM } = BOARD;
   wall.add(

@@ -16,7 +16,7 @@ import { makePinwheel } from './pinwheel.ts';
 import { makeRobot } from './robot.ts';
 import { makeSky } from './sky.ts';
 
-/** Projects are whole folders, so each has the model for itself. */
+/** Projects are self-contained folders, so each has its own copy of the model. */
 const ROBOT_PATHS = [
   'examples/first-light/assets/robot.glb',
   'examples/templates/occlusion/assets/robot.glb',

@@ -2,10 +2,10 @@ import { bundleScript } from '../../app/services/bundle-script.ts';
 import { findChromium } from '../../app/services/chromium.ts';
 import { startBrowser } from '../../app/services/start-browser.ts';
 
-/** WebCodecs are there for secure pages alone; nothing is ever asked of this address. */
+/** WebCodecs requires a secure origin. No request reaches this address. */
 const ADDRESS = 'https://film.invalid/';
 
-/** Encodes an example film in the pinned browser, which gives the same bytes each time. */
+/** Encodes an example video in the pinned browser, which always produces the same bytes. */
 export async function makeFilm(root: string, film: 'makeBall' | 'makeStripes'): Promise<Uint8Array> {
   const found = await findChromium({ pinnedOnly: true });
   if (!found) throw new Error('The pinned Chromium is missing: run `npm ci` on Linux x64.');

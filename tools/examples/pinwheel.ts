@@ -3,7 +3,7 @@ import { BoxGeometry, BufferGeometry, CylinderGeometry, Float32BufferAttribute }
 
 type Vector = readonly [number, number, number];
 
-/** One turn of the wheel, seconds. */
+/** Duration of one rotation in seconds. */
 const TURN_S = 2;
 
 /** Corners of one paper sail, meters, before its edge towards the pin is folded forward. */
@@ -16,7 +16,7 @@ const SAIL: readonly Vector[] = [
   [0.015, 0.1, 0.01],
 ];
 
-/** A paper windmill on a stick, 0.4 m tall, standing at the origin and facing +z, whose clip `spin` turns the wheel once. */
+/** A paper windmill on a stick, 0.4 m tall, at the origin and facing +z. The clip `spin` rotates the wheel once. */
 export async function makePinwheel(): Promise<Uint8Array> {
   const doc = new Document();
   doc.createBuffer();
@@ -44,7 +44,7 @@ export async function makePinwheel(): Promise<Uint8Array> {
   const root = doc.createNode('pinwheel').addChild(doc.createNode('stick').setMesh(stick)).addChild(turning);
   doc.createScene('scene').addChild(root);
 
-  // Quarters of a turn about z, each the shortest way from the one before.
+  // Quarter rotations about z, so that interpolation takes the right direction.
   const times = Float32Array.from({ length: 5 }, (_, i) => (i / 4) * TURN_S);
   const turns = [...times].flatMap((t) => [0, 0, Math.sin((Math.PI * t) / TURN_S), Math.cos((Math.PI * t) / TURN_S)]);
   const sampler = doc

@@ -5,9 +5,9 @@ import { mergeVertices } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 
 type Vector = readonly [number, number, number];
 
-/** One wind-up turn of the toy, seconds. */
+/** Duration of the walk cycle in seconds. */
 const CYCLE_S = 2;
-/** Key frames per cycle; linear interpolation between 16 of them is not seen to be linear. */
+/** Keyframes per cycle, enough that linear interpolation is not visible. */
 const KEYS = 16;
 
 /**
@@ -87,7 +87,7 @@ interface Part {
   readonly material: Material;
 }
 
-/** One node whose mesh has a primitive per material, so that the model draws in few calls. */
+/** One node whose mesh has a primitive per material, to reduce draw calls. */
 function node(doc: Document, name: string, at: Vector, parts: readonly Part[]): Node {
   const mesh = doc.createMesh(name);
   for (const material of new Set(parts.map((p) => p.material))) {
@@ -109,7 +109,7 @@ function addPrimitive(doc: Document, mesh: Mesh, material: Material, geometries:
   const normals: number[] = [];
   const indices: number[] = [];
   for (const raw of geometries) {
-    // Nothing is textured, and rounded boxes come with three vertices of their own per triangle.
+    // There are no textures, and rounded boxes have separate vertices for each triangle.
     const geometry = mergeVertices(raw.deleteAttribute('uv'));
     const first = positions.length / 3;
     const { position, normal } = geometry.attributes;
@@ -158,7 +158,7 @@ interface Limbs {
   readonly arms: readonly Node[];
 }
 
-/** A toddling walk on the spot: legs and arms swing against each other, the body sways and bobs twice a step, the key turns. */
+/** A walk in place: legs and arms swing, the body sways and bobs twice per step, the key rotates. */
 function animate(doc: Document, limbs: Limbs): void {
   const times = Float32Array.from({ length: KEYS + 1 }, (_, i) => (i / KEYS) * CYCLE_S);
   const input = doc.createAccessor('times').setType('SCALAR').setArray(times);
@@ -181,7 +181,7 @@ function animate(doc: Document, limbs: Limbs): void {
   add(limbs.torso, 'translation', (p) => [x, y + 0.006 * Math.cos(2 * p), z]);
   add(limbs.torso, 'rotation', (p) => about(2, 0.07 * Math.sin(p)));
   add(limbs.head, 'rotation', (p) => about(1, 0.35 * Math.sin(p)));
-  // Two turns per cycle: a quaternion turned by 4π is itself again, so the clip loops.
+  // Two rotations per cycle: a quaternion rotated by 4π is unchanged, so the clip loops.
   add(limbs.key, 'rotation', (p) => about(2, 2 * p));
   for (const [i, side] of [1, -1].entries()) {
     const leg = limbs.legs[i];

@@ -2,7 +2,7 @@ export interface WebmFrame {
   readonly timeMs: number;
   readonly key: boolean;
   readonly data: Uint8Array;
-  /** For a transparent video: its alpha, as the luminance of a second video. */
+  /** Alpha of a transparent video, as the luminance of a second video. */
   readonly alpha?: Uint8Array;
 }
 
@@ -10,9 +10,9 @@ export interface WebmVideo {
   readonly codec: 'V_VP8' | 'V_VP9';
   readonly widthPx: number;
   readonly heightPx: number;
-  /** Null: the file does not say, as those that browsers record. */
+  /** Null: the file does not state its duration, as in browser recordings. */
   readonly durationMs: number | null;
-  /** In order; the first is a key frame. */
+  /** Frames in order; the first is a key frame. */
   readonly frames: readonly WebmFrame[];
 }
 
@@ -79,12 +79,12 @@ function blockOf({ timeMs, key, data, alpha }: WebmFrame, clusterMs: number, sin
   return element(0xa0, [
     element(0xa1, join([Uint8Array.of(...head, 0), data])),
     addition,
-    // A block that refers to another is no key frame.
+    // A block that references another one is not a key frame.
     ...(key ? [] : [element(0xfb, Uint8Array.of(256 - Math.min(sinceLastMs, 127)))]),
   ]);
 }
 
-/** Sizes take eight bytes: a little waste for no arithmetic. */
+/** Sizes always take eight bytes, which is simple and wastes little. */
 function element(id: number, content: Uint8Array | readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
   const body = content instanceof Uint8Array ? content : join(content);
   const name: number[] = [];

@@ -5,16 +5,16 @@ import { join } from 'node:path';
 import process from 'node:process';
 
 export interface DrawnExample {
-  /** Null where it cannot be drawn. */
+  /** Null if it cannot be drawn. */
   readonly png: Uint8Array | null;
-  /** What `scrim render` had to say, but for where it wrote. */
+  /** Output of `scrim render`, without the path of the result. */
   readonly said: string;
 }
 
-/** What a sheet shows of each. */
+/** Size of a cell on a sheet. */
 export const CELL = { widthPx: 320, heightPx: 240 } as const;
 
-/** The first frame of a project by `scrim render`, over the studio or the session in a folder. */
+/** Renders the first frame of a project with `scrim render`, in the studio or a recorded session. */
 export async function drawExample(root: string, path: string, session: string | null): Promise<DrawnExample> {
   const folder = await mkdtemp(join(tmpdir(), 'scrim-gallery-'));
   try {

@@ -13,7 +13,7 @@ const CAPTION_PX = 26;
 /** Keeps 30 cells below 400 kB. */
 const QUALITY = 72;
 
-/** All pictures in one, as JPEG, each with its title below. */
+/** Combines images with their titles into one JPEG. */
 export async function makeSheet(cells: readonly SheetCell[]): Promise<Uint8Array> {
   const found = await findChromium();
   if (found === null) throw new Error('No browser was found to lay the pictures out in. Install Chromium, or name it in SCRIM_CHROMIUM.');

@@ -4,10 +4,10 @@ import sharp from 'sharp';
 import { pictureOf } from '../../app/services/find-examples.ts';
 
 const WIDTH_PX = 240;
-/** Some 9 kB each: all of them cross to the editor at once. */
+/** About 9 kB per image; all of them are sent to the editor at once. */
 const QUALITY = 74;
 
-/** What the editor shows of an example, small. */
+/** Writes the small image of an example for the editor. */
 export async function writePicture(examplesDir: string, name: string, png: Uint8Array): Promise<void> {
   const file = pictureOf(examplesDir, name);
   await mkdir(dirname(file), { recursive: true });

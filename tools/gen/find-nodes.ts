@@ -11,16 +11,16 @@ export interface NodeFolder {
   readonly hasWorker: boolean;
 }
 
-/** A shader text with the name that `lowering.shader` knows it by. */
+/** A shader text with its name in `lowering.shader`. */
 export interface ShaderFile {
-  /** `filters/sepia.fs` from the library, `layer/depth-occlusion/occlusion.fs` from a node's folder. */
+  /** `filters/sepia.fs` in the library, `layer/depth-occlusion/occlusion.fs` in a node’s folder. */
   readonly name: string;
   readonly text: string;
 }
 
 export interface Found {
   readonly nodes: readonly NodeFolder[];
-  /** Runtimes of `nodes/binding/`, which play what params are bound to; no node types. */
+  /** Runtimes of `nodes/binding/`, which play bindings of params. They are not node types. */
   readonly bindings: readonly string[];
   /** ISF files and techniques, which are nodes by themselves, and the chunks and pictures (as base64) that techniques take in. */
   readonly library: readonly ShaderFile[];
@@ -30,10 +30,12 @@ export interface Found {
 
 const LIBRARY_FOLDERS = ['filters', 'operators', 'generators', 'techniques', 'chunks', 'pictures'] as const;
 
-/** Functions that ISF files hold copies of (`npm run sync-chunks`); nothing includes them. */
+/** Functions that ISF files contain copies of (`npm run sync-chunks`). They are not included anywhere. */
 const MASTERS = 'chunks/isf';
 
-/** What the folders hold; a folder counts as a node once it has a definition. Sorted, so that the answer is the same everywhere. */
+/**
+ * Finds all node folders, which are those with a definition, and shaders. Sorted, so that the result does not depend on the system.
+ */
 export async function findNodes(root: string): Promise<Found> {
   const paths = await listFiles(join(root, 'nodes'), (path) => path === 'generated' || path.endsWith('/example'));
   const inFolders = paths.filter((path) => path.split('/').length === 3);
@@ -68,7 +70,7 @@ function readShaders(base: string, names: readonly string[]): Promise<ShaderFile
   return Promise.all(names.map(async (name) => ({ name, text: await readFile(join(base, name), isPicture(name) ? 'base64' : 'utf8') })));
 }
 
-/** `.vs` is the vertex shader that ISF lets stand beside a `.fs` of the same name; `.glsl` are techniques and chunks. */
+/** `.vs` is the vertex shader of the ISF file of the same name; `.glsl` are techniques and chunks. */
 function isShader(path: string): boolean {
   return path.endsWith('.fs') || path.endsWith('.vs') || path.endsWith('.glsl');
 }

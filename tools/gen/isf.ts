@@ -10,7 +10,7 @@ import { readIfThere, writeIfChanged } from '../lib/files.ts';
 import type { ToolContext } from '../lib/tool.ts';
 import type { ShaderFile } from './find-nodes.ts';
 
-/** What one file came to; kept from run to run, because finding the access kind parses the whole shader. */
+/** Result of a file, cached, because finding the access kind parses the whole shader. */
 interface Entry {
   readonly key: string;
   readonly definition: NodeDefinition | null;

@@ -5,7 +5,7 @@ import { writeIfChanged } from '../lib/files.ts';
 import type { Found } from './find-nodes.ts';
 import { HEADER } from './header.ts';
 
-/** Below `nodes/generated/`. */
+/** Folder in `nodes/generated/`. */
 export const WORKERS_FOLDER = 'workers';
 
 /** `filter/cpu-x` → `filter-cpu-x.gen.ts`. */

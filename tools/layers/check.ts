@@ -10,25 +10,25 @@ import { FIXED_NAMES, LAYERS, type Layer, MAX_LINES, RAW_GLOBALS, ROOMS, SIBLING
 export type Problem = string;
 
 export interface InputFile {
-  /** Relative to the repository, `/` between parts. */
+  /** Path relative to the repository, with `/`. */
   readonly path: string;
   readonly text: string;
 }
 
-/** The empty path stands for what lies outside the repository. */
+/** The empty path stands for all files outside the repository. */
 const OUTSIDE = '';
 
 const layerMatchers = LAYERS.map((layer) => ({ layer, matches: pathMatcher(layer.files) }));
 const globalRules = Object.values(RAW_GLOBALS).map(({ names, files }) => ({ names: new Set<string>(names), matches: pathMatcher(files) }));
 
-/** Everything wrong with the files by the table: directions, packages, raw globals, lengths, circles, names. */
+/** Checks files against the table: directions, packages, raw globals, lengths, circles, names. */
 export function checkFiles(files: readonly InputFile[]): Problem[] {
   const imported = new Map<string, ReadonlySet<string>>();
   const problems = files.flatMap((file) => checkFile(file, imported));
   return [...problems, ...circleProblems(imported), ...nameProblems(files.map(({ path }) => path))];
 }
 
-/** Adds to `imported` which files the file names. */
+/** Adds the files that this file imports to `imported`. */
 function checkFile({ path, text }: InputFile, imported: Map<string, ReadonlySet<string>>): Problem[] {
   const layer = layerOf(path);
   if (!layer) return [`${path}:1: belongs to no layer. Put it into a folder that tools/layers/table.ts knows.`];
@@ -76,7 +76,7 @@ function inOrder(circle: readonly string[]): string {
   return [...circle, circle[0]].join(' → ');
 }
 
-/** Tests may look everywhere, and nothing imports them. */
+/** Tests may import everything; nothing imports tests. */
 const isTest = pathMatcher(['**/*.test.{ts,tsx}']);
 
 function folderProblems(imported: ReadonlyMap<string, ReadonlySet<string>>, groupOf: (path: string) => string | null): Problem[] {
@@ -111,7 +111,7 @@ function nameProblems(paths: readonly string[]): Problem[] {
   });
 }
 
-/** The longest room of the table that the path lies in. */
+/** The most specific room of the table that contains the path. */
 function roomOf(path: string): string | null {
   return ROOMS.filter((room) => path.startsWith(`${room}/`)).reduce<string | null>(
     (best, room) => (best !== null && best.length >= room.length ? best : room),
@@ -119,7 +119,7 @@ function roomOf(path: string): string | null {
   );
 }
 
-/** For each folder, which of its subfolders a path lies in; files of the folder itself lie in none. */
+/** For each folder, a function that returns the subfolder of a path; null for files of the folder itself. */
 function siblingGroups(paths: Iterable<string>): ((path: string) => string | null)[] {
   const parents = new Set<string>();
   for (const path of paths) {

@@ -1,7 +1,7 @@
-/** What each imports, by name. */
+/** Imports by name. */
 export type Graph = ReadonlyMap<string, ReadonlySet<string>>;
 
-/** One shortest circle of every group of names that reach each other, each beginning at its first name by alphabet. */
+/** One shortest circle for each group of names that reach each other, starting at its first name in alphabetical order. */
 export function findCircles(graph: Graph): string[][] {
   const circles: string[][] = [];
   const told = new Set<string>();
@@ -15,7 +15,7 @@ export function findCircles(graph: Graph): string[][] {
   return circles;
 }
 
-/** The shortest way from a name back to it; breadth first. */
+/** The shortest path from a name to itself, by breadth-first search. */
 function circleThrough(graph: Graph, start: string): string[] | null {
   const before = new Map<string, string>();
   const waiting = [start];
@@ -39,7 +39,7 @@ function wayTo(before: ReadonlyMap<string, string>, start: string, end: string):
   return way;
 }
 
-/** All that a name reaches and that reach it. */
+/** All names that this name reaches and that reach it. */
 function groupOf(graph: Graph, name: string): readonly string[] {
   const reached = reach(graph, name);
   return [...reached].filter((other) => reach(graph, other).has(name));

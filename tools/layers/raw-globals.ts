@@ -1,14 +1,14 @@
 import { children, isNode, type SourceFile, type SyntaxNode } from './syntax.ts';
 
 export interface GlobalUse {
-  /** As the table writes it: `Date.now`, `new Date`, `fetch`. */
+  /** Name as in the table: `Date.now`, `new Date`, `fetch`. */
   readonly name: string;
   readonly offset: number;
 }
 
 const GLOBAL_OBJECTS = new Set(['globalThis', 'window', 'self']);
 
-/** TypeScript's expressions that wrap a JavaScript one; every other `TS…` node is types, which run nothing. */
+/** TypeScript expressions that wrap a JavaScript expression. All other `TS…` nodes are types. */
 const WRAPPERS = new Set([
   'TSAsExpression',
   'TSSatisfiesExpression',
@@ -65,7 +65,7 @@ function runs(node: SyntaxNode): boolean {
   return !node.type.startsWith('TS') || WRAPPERS.has(node.type);
 }
 
-/** Names of members, keys, labels and module bindings refer to nothing. */
+/** Names of members, keys, labels and module bindings are not references. */
 function isJustAName(parent: SyntaxNode, key: string): boolean {
   if (key === 'property') return parent.type === 'MemberExpression' && !parent.computed;
   if (key === 'key') return !parent.computed;

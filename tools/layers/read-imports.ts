@@ -1,9 +1,9 @@
 import { children, isNode, literalText, type SourceFile, type SyntaxNode } from './syntax.ts';
 
 export interface ImportUse {
-  /** As written, or null where it is computed and cannot be checked. */
+  /** The specifier; null if it is computed and cannot be checked. */
   readonly specifier: string | null;
-  /** Gone after compilation. */
+  /** Removed by compilation. */
   readonly typeOnly: boolean;
   readonly offset: number;
 }
@@ -63,7 +63,7 @@ function isRequire(callee: unknown): boolean {
   return isNode(callee) && callee.type === 'Identifier' && callee.name === 'require';
 }
 
-/** `new URL('./worker.ts', import.meta.url)`: how bundlers find another file. */
+/** `new URL('./worker.ts', import.meta.url)`, by which bundlers find other files. */
 function assetUrl(node: SyntaxNode): ImportUse | null {
   const [path, base] = node.arguments as readonly SyntaxNode[];
   const isUrl = isNode(node.callee) && node.callee.type === 'Identifier' && node.callee.name === 'URL';

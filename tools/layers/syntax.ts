@@ -1,6 +1,6 @@
 import { parseSync } from 'oxc-parser';
 
-/** One node of the ESTree that the parser gives, as far as this checker reads it. */
+/** The part of an ESTree node that this checker reads. */
 export interface SyntaxNode {
   readonly type: string;
   readonly start: number;
@@ -11,11 +11,15 @@ export interface SourceFile {
   readonly path: string;
   readonly text: string;
   readonly program: SyntaxNode;
-  /** Texts of the comments, without their marks. */
+  /** Texts of the comments, without delimiters. */
   readonly comments: readonly { readonly value: string; readonly start: number }[];
 }
 
-/** Throws where the file has a syntax error: what cannot be read cannot be checked. */
+/**
+ * Parses a file.
+ *
+ * @throws If the file has a syntax error.
+ */
 export function parseFile(path: string, text: string): SourceFile {
   const { program, comments, errors } = parseSync(path, text);
   const [error] = errors;
@@ -36,14 +40,14 @@ export function* children(node: SyntaxNode): Generator<readonly [key: string, ch
   }
 }
 
-/** From 1. */
+/** Line number, from 1. */
 export function lineOf(text: string, offset: number): number {
   let line = 1;
   for (let at = text.indexOf('\n'); at !== -1 && at < offset; at = text.indexOf('\n', at + 1)) line++;
   return line;
 }
 
-/** The value of a string literal, or of a template without holes. */
+/** The value of a string literal or of a template without expressions. */
 export function literalText(node: unknown): string | null {
   if (!isNode(node)) return null;
   if (node.type === 'Literal' && typeof node.value === 'string') return node.value;

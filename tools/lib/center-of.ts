@@ -6,7 +6,7 @@ export interface Point {
   readonly y: number;
 }
 
-/** Where it comes to rest: views glide to what was made. */
+/** Waits until the element no longer moves, because views scroll smoothly. */
 export async function centerOf(locator: Locator): Promise<Point> {
   await locator.evaluate(async (element) => {
     const placed = () => new Promise<DOMRect>((done) => requestAnimationFrame(() => done(element.getBoundingClientRect())));

@@ -2,12 +2,13 @@ import { mkdir, readdir, readFile, rename, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import process from 'node:process';
 
-/** Folders that hold nothing written by hand, at any depth, beside those whose name starts with a dot. */
+/** Names of folders without source files, besides those that start with a dot. */
 const SKIPPED_NAMES = new Set(['node_modules', 'dist', 'coverage']);
 
 /**
- * Paths of all files below `folder`, relative to it, `/` between parts, sorted. `skip` leaves out whole folders by their
- * relative path. A missing folder has no files.
+ * Paths of all files in `folder`, relative to it, sorted. Empty if the folder is missing.
+ *
+ * @param skip Excludes folders by their relative path.
  */
 export async function listFiles(folder: string, skip: (path: string) => boolean = () => false): Promise<string[]> {
   const found: string[] = [];
@@ -24,14 +25,14 @@ async function walk(folder: string, prefix: string, skip: (path: string) => bool
   }
 }
 
-/** The file's text, or null where there is none. */
+/** The text of a file; null if it does not exist. */
 export async function readIfThere(path: string): Promise<string | null> {
   return readFile(path, 'utf8').catch(() => null);
 }
 
 /**
- * Writes only what differs, so that watchers and caches downstream stay quiet, and through a rename, so that a reader never
- * sees half a file. Returns whether it wrote.
+ * Writes a file only if it differs, so that watchers and caches are not triggered, and by a rename, so that readers never see a
+ * partial file. Returns whether it wrote.
  */
 export async function writeIfChanged(path: string, text: string): Promise<boolean> {
   if ((await readIfThere(path)) === text) return false;

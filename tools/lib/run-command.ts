@@ -4,8 +4,8 @@ import process from 'node:process';
 const PASSED_ON = ['SIGTERM', 'SIGHUP'] as const;
 
 /**
- * Runs a command with its output passed through, and answers with its exit status; 1 where it could not be started or was ended
- * because it took longer than `timeoutS`. What ends this process from outside ends the command.
+ * Runs a command with inherited output. Returns its exit status; 1 if it could not be started or took longer than `timeoutS`. Signals
+ * that end this process also end the command.
  */
 export function runCommand(
   command: string,

@@ -1,10 +1,10 @@
-/** What every tool is handed by `tools/run.mjs`. */
+/** Context that `tools/run.mjs` passes to each tool. */
 export interface ToolContext {
   /** Absolute path of the repository. */
   readonly root: string;
-  /** Hash of the tool's own code and all it is bundled from. */
+  /** Hash of the code of the tool and all of its dependencies. */
   readonly version: string;
 }
 
-/** What a tool's `main` is: it answers with the exit status. */
+/** The `main` function of a tool. Returns the exit status. */
 export type ToolMain = (args: readonly string[], context: ToolContext) => Promise<number>;

@@ -6,7 +6,7 @@ export interface FilmFrame {
 }
 
 const WIDTH_PX = 900;
-/** Text of nodes stays readable; 25 frames come to some 500 kB. */
+/** Node texts stay readable; 25 frames take about 500 kB. */
 const QUALITY = 60;
 
 /** An animated WebP that loops forever. WebP and not GIF: the preview has more than 256 colors, and the file is a third of the size. */

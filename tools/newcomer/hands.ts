@@ -3,18 +3,18 @@ import { basename } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
 import { centerOf, type Point } from '../lib/center-of.ts';
 
-/** What a person does is counted as they would count it: a click, a drag, or a field typed into, with its Enter. */
+/** An interaction as a user counts it: a click, a drag, or a field with its Enter. */
 export interface Interaction {
   readonly kind: 'click' | 'drag' | 'type';
-  /** For people. */
+  /** Description for readers. */
   readonly what: string;
-  /** Where the pointer is then, client pixels. */
+  /** Position of the pointer in client pixels. */
   readonly at: Point;
 }
 
 const KEY_MS = 8;
 
-/** Pointer and keys that count themselves. */
+/** Pointer and keyboard that count their interactions. */
 export class Hands {
   readonly done: Interaction[] = [];
   private readonly page: Page;
@@ -49,13 +49,13 @@ export class Hands {
     await this.count({ kind: 'type', what, at });
   }
 
-  /** A key alone: it counts like a field. */
+  /** Presses a single key. Counts like a field. */
   async press(what: string, key: string): Promise<void> {
     await this.page.keyboard.press(key);
     await this.count({ kind: 'type', what, at: { x: 0, y: 0 } });
   }
 
-  /** Drags a file in from outside, by the browser's own events of that: no pointer of a page's can make them. */
+  /** Drops a file from outside, by synthetic events, because pointer input of a page cannot do that. */
   async dropFile(what: string, path: string, at: Point): Promise<void> {
     const base64 = (await readFile(path)).toString('base64');
     await this.page.evaluate(

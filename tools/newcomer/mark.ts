@@ -3,7 +3,7 @@ import type { Interaction } from './hands.ts';
 
 const ID = 'newcomer-mark';
 
-/** Draws the pointer and a line of text over the page, for a picture of it. */
+/** Draws the pointer and a caption over the page, for a screenshot. */
 export async function markInteraction(page: Page, { what, at }: Interaction, count: number): Promise<void> {
   await page.evaluate(
     ({ id, text, x, y }) => {
@@ -19,7 +19,7 @@ export async function markInteraction(page: Page, { what, at }: Interaction, cou
         'position:fixed;left:24px;bottom:48px;padding:10px 18px;border-radius:10px;background:rgb(10 12 14 / 88%);color:#fff;font:600 24px/1.3 sans-serif';
       mark.append(dot, line);
       document.body.append(mark);
-      // Above dialogs, too.
+      // A popover is above dialogs.
       mark.showPopover();
     },
     { id: ID, text: `${count}  ${what}`, ...at },

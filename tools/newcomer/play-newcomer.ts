@@ -3,9 +3,9 @@ import { centerOf, type Point } from '../lib/center-of.ts';
 import { Hands, type Interaction } from './hands.ts';
 
 export interface NewcomerOptions {
-  /** The editor, with no project open, 1440 × 900. */
+  /** The editor without an open project, 1440 × 900. */
   readonly page: Page;
-  /** The model, as it would be dragged in from a folder. */
+  /** Path of the model that is dropped. */
   readonly model: string;
   /** Folders that do not exist yet. */
   readonly project: string;
@@ -30,7 +30,7 @@ export async function playNewcomer({ page, model, project, exportTo, onDone }: N
   };
   const output = (stem: string, name: string) => port(node(stem), name, 'source');
   const input = (stem: string, name: string) => port(node(stem), name, 'target');
-  /** Pulls a wire out of a port, lets it go over the empty canvas, and says what is wanted there. */
+  /** Drags a wire from a port onto the empty canvas, and adds the node that the query finds. */
   const grow = async (from: Point, to: Point, query: string, made: string) => {
     await hands.drag('Pull a wire out of a port', from, to);
     await hands.type(`“${query}”`, query, page.getByRole('combobox', { name: 'Search nodes' }));
@@ -55,7 +55,7 @@ export async function playNewcomer({ page, model, project, exportTo, onDone }: N
   await hands.type('From the left: −110°', '-110', field('Azimuth'));
   await grow(await output('scene', 'layer'), at(800, 310), 'occlusion', 'depth-occlusion');
 
-  /** A place on a wire of the row in which the video and the screen stand. */
+  /** A point on a wire between the camera and the Output. */
   const onWire = (from: Point, to: Point, part: number) => ({ x: from.x + part * (to.x - from.x), y: from.y + part * (to.y - from.y) });
   const toScreen = onWire(await output('video', 'layer'), await input('screen', 'layer'), 0.75);
   await hands.drag('Lay it over the video', await output('depth-occlusion', 'layer'), toScreen);

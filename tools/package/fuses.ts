@@ -17,25 +17,25 @@ export const FUSES = {
   [FuseV1Options.GrantFileProtocolExtraPrivileges]: false,
 } as const;
 
-/** Sets the fuses of a packaged app. Electron has integrity checks on macOS and Windows; elsewhere that fuse says nothing. */
+/** Sets the fuses of a packaged app. Integrity checks exist on macOS and Windows only. */
 export async function setFuses(app: string, { platform, arch }: Pick<Target, 'platform' | 'arch'>): Promise<void> {
   const program = programOf(app, platform);
   const wire = await getCurrentFuseWire(program);
-  // An older Electron has fewer of them.
+  // Older versions of Electron have fewer fuses.
   const there = Object.fromEntries(Object.entries(FUSES).filter(([index]) => Object.hasOwn(wire, index)));
   const config: FuseConfig = {
     version: FuseVersion.V1,
-    // Apple's processors start nothing unsigned, and a changed program has lost its signature.
+    // Processors of Apple run only signed programs, and the change has invalidated the signature.
     resetAdHocDarwinSignature: platform === 'darwin' && arch === 'arm64',
     ...there,
   };
   await flipFuses(program, config);
 }
 
-/** The fuses as they stand in the program: name → `on`, `off`, or `none` where this Electron does not have it. */
+/** Reads the fuses of a program: `on`, `off`, or `none` if this Electron does not have it. */
 export async function readFuses(app: string, platform: Target['platform']): Promise<Readonly<Record<string, 'on' | 'off' | 'none'>>> {
   const wire = (await getCurrentFuseWire(programOf(app, platform))) as unknown as Readonly<Record<string, number>>;
-  // The wire holds ASCII: '1' on, '0' off, 'r' removed.
+  // The fuse wire is ASCII: '1' on, '0' off, 'r' removed.
   const word = (state: number | undefined) => (state === 0x31 ? 'on' : state === 0x30 ? 'off' : 'none');
   return Object.fromEntries(Object.keys(FUSES).map((index) => [FuseV1Options[Number(index)] ?? index, word(wire[index])]));
 }

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 
 const MIME_TYPE = 'application/vnd.scrim.project+json';
 
-/** freedesktop.org shared MIME info: the file that opens a project. */
+/** Type of project files for the shared MIME database of freedesktop.org. */
 const MIME_INFO = `<?xml version="1.0" encoding="UTF-8"?>
 <mime-info xmlns="http://www.freedesktop.org/standards/shared-mime-info">
   <mime-type type="${MIME_TYPE}">
@@ -15,7 +15,7 @@ const MIME_INFO = `<?xml version="1.0" encoding="UTF-8"?>
 </mime-info>
 `;
 
-/** freedesktop.org desktop entry; `@PROGRAM@` is filled in where the folder lies in the end. */
+/** Desktop entry of freedesktop.org. `@PROGRAM@` is replaced by the final path. */
 const DESKTOP_ENTRY = `[Desktop Entry]
 Type=Application
 Name=Scrim
@@ -51,7 +51,7 @@ update-mime-database "$data/mime" >/dev/null 2>&1 || true
 update-desktop-database "$data/applications" >/dev/null 2>&1 || true
 `;
 
-/** Puts into the app's folder what a Linux desktop wants to know, and the script that tells it. */
+/** Adds the files of a Linux desktop to the app’s folder, with a script that installs them. */
 export async function addDesktopFiles(app: string, root: string): Promise<void> {
   const folder = join(app, 'resources', 'desktop');
   await mkdir(folder, { recursive: true });

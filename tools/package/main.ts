@@ -14,10 +14,10 @@ import { fillStagingFolder } from './staging-folder.ts';
 import { readTarget, type Target, USAGE } from './target.ts';
 import { zipFolder } from './zip.ts';
 
-/** Beside the program, and beside what Electron puts there. */
+/** File beside the program and Electron’s own license files. */
 const NOTICES_FILE = 'THIRD-PARTY-NOTICES.txt';
 
-/** `npm run package`: the app as a folder that needs nothing else installed. */
+/** `npm run package`: packages the app as a self-contained folder. */
 export const main: ToolMain = async (args, { root }) => {
   let target: Target;
   try {
@@ -37,7 +37,7 @@ export const main: ToolMain = async (args, { root }) => {
   }
 };
 
-/** Answers with the app's folder. */
+/** Returns the folder of the app. */
 async function packageApp(root: string, work: string, target: Target): Promise<string> {
   const staged = join(work, 'app');
   await fillStagingFolder(root, staged, target);
@@ -46,7 +46,7 @@ async function packageApp(root: string, work: string, target: Target): Promise<s
   if (target.electron !== null && zips !== null) {
     await mkdir(zips);
     const zip = join(zips, `electron-v${electronVersion}-${target.platform}-${target.arch}.zip`);
-    // An app that is in there already would be mixed with ours.
+    // Excludes the default app of the unpacked Electron.
     await zipFolder(target.electron, zip, (path) => /^resources\/(?:app\/|default_app\.asar$)/.test(path));
   }
   const { version } = JSON.parse(await readFile(join(root, 'package.json'), 'utf8')) as { version: string };
@@ -58,7 +58,7 @@ async function packageApp(root: string, work: string, target: Target): Promise<s
   return app;
 }
 
-/** An unpacked Electron says in `version` which one it is. */
+/** Version of an unpacked Electron, from its file `version`. */
 async function versionOf(root: string, electron: string | null): Promise<string> {
   if (electron !== null) return (await readFile(join(electron, 'version'), 'utf8')).trim().replace(/^v/, '');
   const manifest = JSON.parse(await readFile(join(root, 'node_modules', 'electron', 'package.json'), 'utf8')) as { version: string };

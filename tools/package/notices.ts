@@ -2,16 +2,16 @@ import { existsSync } from 'node:fs';
 import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 
-/** A file that tells the terms of a package, by its name. */
+/** Names of license files. */
 const LICENSE_FILE = /^(?:licen[cs]e|copying|notice|third[-_ ]?party)/i;
 
-/** Of one package that the app has parts of. */
+/** Notice of a package that is part of the app. */
 export interface Notice {
   readonly name: string;
   readonly version: string;
-  /** SPDX, as its manifest says it. */
+  /** SPDX expression of the manifest. */
   readonly license: string;
-  /** Where its sources are. */
+  /** Address of the sources. */
   readonly source: string | null;
   readonly texts: readonly string[];
 }
@@ -38,7 +38,7 @@ export async function readNotices(root: string): Promise<readonly Notice[]> {
   return [...found.values()].sort((a, b) => (a.name < b.name ? -1 : 1));
 }
 
-/** The text of the file beside the program. Electron's and Chromium's own terms are files that Electron brings. */
+/** Text of the notices file. Electron contains the licenses of Electron and Chromium. */
 export function printNotices(notices: readonly Notice[]): string {
   const line = '-'.repeat(80);
   const parts = notices.map(({ name, version, license, source, texts }) =>

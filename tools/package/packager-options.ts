@@ -6,15 +6,15 @@ import type { Target } from './target.ts';
 export interface PackagerInput {
   readonly target: Target;
   readonly root: string;
-  /** Where the app was put together. */
+  /** Staging folder of the app. */
   readonly staged: string;
   readonly electronVersion: string;
-  /** Folder with Electron's ZIP; null lets the packager fetch it. */
+  /** Folder with Electron’s ZIP; null to let the packager download it. */
   readonly zips: string | null;
   readonly version: string;
 }
 
-/** macOS shows a folder of this extension as one document. */
+/** macOS shows a folder of this extension as a document. */
 const DOCUMENT_TYPES = [
   {
     CFBundleTypeName: 'Scrim Project',
@@ -26,7 +26,7 @@ const DOCUMENT_TYPES = [
   },
 ];
 
-/** One target, in the packager's words. */
+/** Options of the packager for a target. */
 export function packagerOptions({ target, root, staged, electronVersion, zips, version }: PackagerInput): Options {
   return {
     dir: staged,
@@ -39,10 +39,10 @@ export function packagerOptions({ target, root, staged, electronVersion, zips, v
     ...(zips === null ? {} : { electronZipDir: zips }),
     appVersion: version,
     appCopyright: 'Scrim contributors, MIT license',
-    // The packager adds the extension that the system wants.
+    // The packager adds the extension of the system.
     icon: join(root, 'app', 'electron', 'icons', 'scrim'),
     asar: { unpackDir: OUTSIDE },
-    // What is staged is wanted, packages too, and has no list of them to prune by.
+    // The staging folder contains only required packages.
     prune: false,
     derefSymlinks: false,
     overwrite: true,

@@ -6,16 +6,16 @@ import { readImports } from '../layers/read-imports.ts';
 import { parseFile } from '../layers/syntax.ts';
 import type { Target } from './target.ts';
 
-/** The folder in the app that lies outside its archive: esbuild reads no archives. */
+/** Folder outside the app’s archive, because esbuild cannot read archives. */
 export const OUTSIDE = 'sources';
 
 const SOURCE_FOLDERS = ['export', 'nodes', 'shader-library'];
-/** Of packages, what only compilers, debuggers and readers look at. */
+/** Files of packages that are not needed at run time. */
 const NEEDLESS = /\.(?:map|d\.ts|d\.mts|d\.cts|md)$/;
 
 /**
- * Fills the staging folder: the app's code, which goes into the archive, and in `sources/` the files that pages are bundled from.
- * Expects a complete build.
+ * Fills the staging folder: the app’s code, which is archived, and in `sources/` the files that pages are bundled from. Requires a
+ * complete build.
  */
 export async function fillStagingFolder(
   root: string,
@@ -27,7 +27,7 @@ export async function fillStagingFolder(
   await cp(join(root, 'tools', 'package', 'start.cjs'), join(folder, 'start.cjs'));
   for (const built of ['electron', 'editor', 'preview']) await copyFolder(join(root, 'dist', built), join(folder, 'dist', built));
   const code = await importedBy(join(root, 'dist', 'electron'), ['main.cjs', 'preload.cjs']);
-  // esbuild's own program is of this system; that of the target's lies outside.
+  // The program of esbuild is that of this system; that of the target is outside the archive.
   const isProgram = (path: string) => path.startsWith('bin/');
   for (const name of await withDependencies(root, code)) await copyPackage(root, name, join(folder, 'node_modules'), isProgram);
 
@@ -54,10 +54,10 @@ async function copySources(root: string, outside: string): Promise<readonly stri
   return sources;
 }
 
-/** What the app bundles while it runs: pages, and workers beside itself. The emulator is in neither. */
+/** Sources that the app bundles at run time: pages and workers. Neither contains the emulator. */
 const BUNDLED_LATER = /^(?:export\/(?!emulator\/)|nodes\/(?:generated\/workers\/|(?!generated\/))).*\.ts$/;
 
-/** The npm packages that files import. */
+/** The npm packages that the files import. */
 async function importedBy(folder: string, paths: readonly string[]): Promise<Set<string>> {
   const names = new Set<string>();
   for (const path of paths) {
@@ -86,7 +86,7 @@ async function copyPackage(root: string, name: string, target: string, isNeedles
   await copyFolder(join(root, 'node_modules', name), join(target, name), (path) => NEEDLESS.test(path) || isNeedless(path));
 }
 
-/** npm installs the program of the system it runs on, and of no other. */
+/** npm installs only the esbuild program of the current system. */
 async function copyEsbuildProgram(root: string, target: string, name: string): Promise<void> {
   const from = join(root, 'node_modules', name);
   if (!existsSync(from)) {
@@ -96,7 +96,7 @@ async function copyEsbuildProgram(root: string, target: string, name: string): P
   await cp(from, join(target, name), { recursive: true });
 }
 
-/** Copies the files below a folder, without those that start with a dot, and answers with their paths. */
+/** Copies the files of a folder except hidden ones. Returns their paths. */
 async function copyFolder(
   from: string,
   to: string,

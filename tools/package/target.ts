@@ -4,11 +4,11 @@ import { parseArgs } from 'node:util';
 export const PLATFORMS = ['linux', 'win32', 'darwin'] as const;
 export const ARCHITECTURES = ['x64', 'arm64'] as const;
 
-/** What is packaged, and with which Electron. */
+/** Target system and version of Electron. */
 export interface Target {
   readonly platform: (typeof PLATFORMS)[number];
   readonly arch: (typeof ARCHITECTURES)[number];
-  /** Folder of an unpacked Electron; null takes the version that package.json names, fetched by the packager. */
+  /** Folder of an unpacked Electron; null to download the version in package.json. */
   readonly electron: string | null;
   readonly out: string;
 }
@@ -18,7 +18,7 @@ export const USAGE = `Usage: npm run package -- [--platform ${PLATFORMS.join('|'
 Makes the app's folder, of this system unless told otherwise, in dist/app. --electron names a folder with an unpacked Electron
 of that system, for machines that cannot fetch it.`;
 
-/** Throws an `Error` in words. */
+/** @throws Error with a message for the user */
 export function readTarget(args: readonly string[]): Target {
   const text = { type: 'string' } as const;
   const { values } = parseArgs({ args: [...args], options: { platform: text, arch: text, electron: text, out: text } });

@@ -13,7 +13,7 @@ import { crc32 } from 'node:zlib';
 const UTF8_NAMES = 0x0800;
 const MADE_BY_UNIX = (3 << 8) | 20;
 const VERSION_NEEDED = 20;
-/** 1980-01-01, the first there is. */
+/** 1980-01-01, the first date of ZIP files. */
 const DATE = 0x0021;
 
 interface ZipEntry {
@@ -24,7 +24,11 @@ interface ZipEntry {
   readonly offset: number;
 }
 
-/** Below 4 GiB in all: there is no ZIP64. `skip` leaves out files by their path. */
+/**
+ * Writes a ZIP below 4 GiB, because ZIP64 is not supported.
+ *
+ * @param skip Excludes files by their path.
+ */
 export async function zipFolder(folder: string, target: string, skip: (path: string) => boolean = () => false): Promise<void> {
   await pipeline(Readable.from(zipParts(folder, skip)), createWriteStream(target));
 }
@@ -77,7 +81,10 @@ function directoryEntry({ name, mode, crc, size, offset }: ZipEntry): Buffer {
   return Buffer.concat([head, name]);
 }
 
-/** Version, flags, method (0: stored), time, date, checksum, both sizes, length of the name: alike in both heads. */
+/**
+ * Fields that local and central headers share: version, flags, method (0: stored), time, date, checksum, both sizes, length of the
+ * name.
+ */
 function writeShared(head: Buffer, at: number, crc: number, size: number, nameLength: number): void {
   head.writeUInt16LE(VERSION_NEEDED, at);
   head.writeUInt16LE(UTF8_NAMES, at + 2);

@@ -25,12 +25,12 @@ export function alignToFloor(floor: Floor, worldFromFirstCamera: Matrix): Matrix
   const origin = subtract(eye, scale(y, dot(eye, y) - floor.offset));
   const back = transformDirection(worldFromFirstCamera, [0, 0, 1]);
   const level = subtract(back, scale(y, dot(back, y)));
-  // A camera that looks straight down has no heading; its own x will do.
+  // A camera that looks straight down has no heading, so its x axis is used.
   const z = dot(level, level) > 1e-4 ? normalize(level) : normalize(cross(transformDirection(worldFromFirstCamera, [1, 0, 0]), y));
   return invertRigid(fromAxes(cross(y, z), y, z, origin));
 }
 
-/** Mean of the cameras' own up. */
+/** Mean up vector of the cameras. */
 export function meanUp(poses: readonly Matrix[]): Vector {
   const sum = poses.map((pose) => transformDirection(pose, [0, 1, 0])).reduce((a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]]);
   return normalize(sum);

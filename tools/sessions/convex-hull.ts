@@ -1,6 +1,6 @@
 export type Point2 = readonly [x: number, z: number];
 
-/** The corners around a set of points, counter-clockwise in (x, z) (Andrew's monotone chain). */
+/** Convex hull of points, counter-clockwise in (x, z) (Andrew’s monotone chain). */
 export function convexHull(points: readonly Point2[]): Point2[] {
   const sorted = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
   const lower = chain(sorted);
@@ -21,7 +21,7 @@ function chain(points: readonly Point2[]): Point2[] {
   return out;
 }
 
-/** Leaves out corners that lie within `toleranceM` of the line between their neighbors. */
+/** Removes corners within `toleranceM` of the line between their neighbors. */
 export function simplifyPolygon(corners: readonly Point2[], toleranceM: number): Point2[] {
   const kept = [...corners];
   for (let i = 0; i < kept.length && kept.length > 3; ) {

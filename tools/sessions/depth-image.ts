@@ -2,14 +2,14 @@ import { decode, encode } from 'fast-png';
 import type { Intrinsics } from '../../export/runtime/sessions/session-format.ts';
 import { cross, dot, normalize, subtract, type Vector } from './vector.ts';
 
-/** Depth of one frame: meters along the camera's axis, row-major from the top, 0 where unknown. */
+/** Depth of a frame: meters along the optical axis, rows from the top, 0 for unknown. */
 export interface DepthImage {
   readonly widthPx: number;
   readonly heightPx: number;
   readonly meters: Float32Array;
 }
 
-/** @throws Error when the PNG is no 16-bit picture of one channel. */
+/** @throws Error if the PNG is not a 16-bit image with one channel */
 export function decodeDepthPng(png: Uint8Array, metresPerUnit: number): DepthImage {
   const { width, height, data, depth, channels } = decode(png);
   if (depth !== 16 || channels !== 1) throw new Error(`a depth picture has one channel of 16 bits; this one has ${channels} of ${depth}`);
@@ -20,10 +20,10 @@ export function decodeDepthPng(png: Uint8Array, metresPerUnit: number): DepthIma
   };
 }
 
-/** Sensors' drivers write the largest number where they measured nothing (7-Scenes, Kinect); sessions write 0. */
+/** Value of unknown depth in some drivers (7-Scenes, Kinect). Sessions use 0. */
 const INVALID_UNIT = 65535;
 
-/** The same depth image with unknown depth as 0, or null where it holds no such pixel. */
+/** Replaces unknown depth by 0; null if there is none to replace. */
 export function withoutInvalid(png: Uint8Array): Uint8Array | null {
   const { width, height, data } = decode(png);
   if (!data.includes(INVALID_UNIT)) return null;
@@ -31,19 +31,19 @@ export function withoutInvalid(png: Uint8Array): Uint8Array | null {
   return encode({ width, height, data: units, depth: 16, channels: 1 });
 }
 
-/** A place on a surface, in camera space (looking down −z, y up). */
+/** A point on a surface in camera space (looking along −z, y up). */
 export interface SurfacePoint {
   readonly point: Vector;
-  /** Unit vector towards the camera's side. */
+  /** Unit normal toward the camera. */
   readonly normal: Vector;
 }
 
-/** Between the neighbors whose difference gives the normal, of the width: wide enough to stand above depth's millimeter steps. */
+/** Distance of the neighbors for the normal as a fraction of the width: large compared with depth steps of a millimeter. */
 const REACH = 1 / 130;
-/** On a plane, however slanted, 1 / depth changes evenly from pixel to pixel; where it does not, an edge runs between them. */
+/** On a plane, 1 / depth changes linearly between pixels. A larger deviation is an edge. */
 const MAX_BEND = 0.01;
 
-/** Points with normals, on a grid of every `stridePx` pixels; where depth is torn or unknown there is none. */
+/** Points with normals on a grid of every `stridePx` pixels, except at edges and unknown depth. */
 export function surfacePoints(depth: DepthImage, intrinsics: Intrinsics, stridePx: number): SurfacePoint[] {
   const out: SurfacePoint[] = [];
   const reachPx = Math.max(2, Math.round(depth.widthPx * REACH));
@@ -67,7 +67,7 @@ function surfaceAt(depth: DepthImage, intrinsics: Intrinsics, column: number, ro
     [column, row + reachPx],
   ] as const;
   const [toRight, toLeft, toAbove, toBelow] = neighbors.map(([c, r]) => center / at(c, r)) as [number, number, number, number];
-  // Infinite where a neighbor is unknown.
+  // Infinite if a neighbor is unknown.
   if (!(Math.abs(toRight + toLeft - 2) < MAX_BEND && Math.abs(toAbove + toBelow - 2) < MAX_BEND)) return null;
   const [right, left, above, below] = neighbors.map(([c, r]) => backProject(intrinsics, c, r, at(c, r))) as [
     Vector,
@@ -80,12 +80,12 @@ function surfaceAt(depth: DepthImage, intrinsics: Intrinsics, column: number, ro
   return dot(normal, point) < 0 ? { point, normal } : { point, normal: [-normal[0], -normal[1], -normal[2]] };
 }
 
-/** The point that the center of a pixel sees, in camera space. */
+/** The point in camera space that a pixel’s center shows. */
 export function backProject({ fxPx, fyPx, cxPx, cyPx }: Intrinsics, column: number, row: number, distanceM: number): Vector {
   return [((column + 0.5 - cxPx) / fxPx) * distanceM, -((row + 0.5 - cyPx) / fyPx) * distanceM, -distanceM];
 }
 
-/** Where a point in camera space is seen: pixels, (0.5, 0.5) is the center of the top left one. */
+/** Projects a point in camera space to pixels; (0.5, 0.5) is the center of the top left pixel. */
 export function project({ fxPx, fyPx, cxPx, cyPx }: Intrinsics, [x, y, z]: Vector): readonly [number, number] {
   return [cxPx - (fxPx * x) / z, cyPx + (fyPx * y) / z];
 }

@@ -5,17 +5,17 @@ import { add, cross, dot, normalize, scale, subtract, type Vector } from './vect
 export interface Floor {
   readonly normal: Vector;
   readonly offset: number;
-  /** What lies on it. */
+  /** Points on the floor. */
   readonly points: readonly Vector[];
 }
 
-/** The largest tilt at which people hold a camera for long. */
+/** Largest tilt at which people hold a camera for long. */
 const MAX_TILT = Math.cos((40 * Math.PI) / 180);
-/** Normals of one plane, computed from depth in whole millimeters. */
+/** Tolerance of normals of one plane, computed from depth in whole millimeters. */
 const SAME_DIRECTION = Math.cos((6 * Math.PI) / 180);
 const CANDIDATES = 400;
 const BIN_M = 0.02;
-/** A level is a floor when it holds this part of the largest level's points: tables are lower in number, the floor is lowest. */
+/** A level is the floor if it has this fraction of the points of the largest level. */
 const FLOOR_SHARE = 0.12;
 const NEAR_PLANE_M = 0.025;
 
@@ -45,7 +45,7 @@ export function findFloor(surface: readonly SurfacePoint[], upGuess: Vector, ran
   return floor;
 }
 
-/** The mean of the largest bundle of normals. */
+/** Mean of the largest cluster of normals. */
 function dominantDirection(points: readonly SurfacePoint[], random: () => number): Vector | null {
   let best: Vector | null = null;
   let most = 0;
@@ -68,19 +68,19 @@ function lowestLevel(heights: readonly number[]): number | null {
     const bin = Math.round(height / BIN_M);
     bins.set(bin, (bins.get(bin) ?? 0) + 1);
   }
-  // Over three bins, so that a level on the border between two is not halved.
+  // Sums three bins, so that a level between two bins is not split.
   const around = (bin: number): number => (bins.get(bin - 1) ?? 0) + (bins.get(bin) ?? 0) + (bins.get(bin + 1) ?? 0);
   const levels = [...bins.keys()].sort((a, b) => a - b);
   const most = Math.max(0, ...levels.map(around));
   const enough = levels.filter((bin) => around(bin) >= FLOOR_SHARE * most);
   const [lowest] = enough;
   if (lowest === undefined) return null;
-  // The fullest of the first few: the first may be the tail of the one above.
+  // Chooses the fullest of the lowest bins, because the lowest may be the edge of the next one.
   const nearby = enough.filter((bin) => bin <= lowest + 3);
   return nearby.reduce((a, b) => (around(b) > around(a) ? b : a)) * BIN_M;
 }
 
-/** Least squares of heights over the plane across `up`: right where the plane is nearly across it. */
+/** Least-squares fit of heights over the plane perpendicular to `up`. Valid if the floor is nearly perpendicular to it. */
 function fitPlane(points: readonly Vector[], up: Vector): Floor {
   const across = normalize(cross(up, Math.abs(up[0]) < 0.9 ? [1, 0, 0] : [0, 0, 1]));
   const along = cross(up, across);

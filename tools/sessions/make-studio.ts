@@ -15,12 +15,12 @@ const FRAMES = 36;
 const FRAME_RATE_HZ = 10;
 const METERS_PER_UNIT = 0.001;
 const COLOR = { widthPx: 480, heightPx: 360, intrinsics: { fxPx: 400, fyPx: 400, cxPx: 240, cyPx: 180 } } as const;
-/** Half the size, as phones have far fewer samples of depth than pixels. */
+/** Half the resolution, because phones measure depth at a lower resolution than color. */
 const DEPTH = { widthPx: 240, heightPx: 180, intrinsics: { fxPx: 200, fyPx: 200, cxPx: 120, cyPx: 90 } } as const;
 const NEAR_M = 0.1;
 const FAR_M = 50;
 
-/** Films the emulator's studio into `examples/sessions/studio`: a small recorded session with exact depth that starts where it ends. */
+/** Records the emulator’s studio in `examples/sessions/studio`: a short loop with exact depth. */
 export const main: ToolMain = async (_args, { root }) => {
   const folder = join(root, 'examples', 'sessions', 'studio');
   const poses = Array.from({ length: FRAMES }, (_, i) => poseAt(i / FRAMES));
@@ -64,7 +64,7 @@ function depthPath(i: number): string {
   return `depth/${String(i).padStart(3, '0')}.png`;
 }
 
-/** Once around a small loop, as someone sways who holds a phone and looks about; `turn` in [0, 1). */
+/** Camera pose on a small loop, like a person with a phone; `turn` in [0, 1). */
 function poseAt(turn: number): Matrix {
   const angle = 2 * Math.PI * turn;
   const eye: Vector = [0.8 - 0.3 * Math.cos(angle), 1.42 + 0.07 * Math.sin(angle + 0.6), 1.6 + 0.12 * Math.sin(angle)];
@@ -108,7 +108,7 @@ async function bundlePage(root: string): Promise<string> {
   return outputFiles[0]?.text ?? '';
 }
 
-/** The projection of a pinhole camera: what `docs/SESSION-FORMAT.md` gives in words. */
+/** Projection matrix of a pinhole camera; see `docs/SESSION-FORMAT.md`. */
 function projection({
   widthPx,
   heightPx,
@@ -147,6 +147,6 @@ function toUnits(base64: string): Uint16Array {
 }
 
 declare global {
-  /** In the browser: what `studio.page.ts` exports. */
+  /** In the browser: the exports of `studio.page.ts`. */
   var studio: typeof import('./studio.page.ts');
 }

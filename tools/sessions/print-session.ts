@@ -1,9 +1,9 @@
 import type { SessionFile } from '../../export/runtime/sessions/session-format.ts';
 
-/** A tenth of a millimeter in a pose is far below what any camera knows. */
+/** A tenth of a millimeter is far below the precision of any camera. */
 const DECIMALS = 6;
 
-/** The file's text: one frame a line, numbers without the noise of floating point. */
+/** Text of the file: one frame per line, without floating-point noise. */
 export function printSession(session: SessionFile): string {
   const { frames, ...head } = session;
   const lines = Object.entries(head).map(([name, value]) => `  ${JSON.stringify(name)}: ${print(value)}`);

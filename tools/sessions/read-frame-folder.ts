@@ -9,15 +9,15 @@ const INTRINSICS_FILE = 'camera-intrinsics.txt';
 const FRAME_RATE_HZ = 30;
 const METERS_PER_UNIT = 0.001;
 
-/** What a folder of frames does not say itself. */
+/** Options for facts that the folder does not contain. */
 export interface FrameFolderWishes {
-  /** Pixels, in OpenCV's convention; null where `camera-intrinsics.txt` tells them. */
+  /** Pixels, in OpenCV’s convention; null to read `camera-intrinsics.txt`. */
   readonly intrinsics: readonly [fx: number, fy: number, cx: number, cy: number] | null;
   readonly frameRateHz?: number;
   readonly metersPerUnit?: number;
 }
 
-/** Whether the folder holds `frame-*.pose.txt`. */
+/** Whether the folder contains `frame-*.pose.txt`. */
 export async function isFrameFolder(folder: string): Promise<boolean> {
   return (await readdir(folder)).some((name) => POSE.test(name));
 }
@@ -70,7 +70,7 @@ function imagesOf(id: string, names: ReadonlySet<string>): { readonly color: str
   return { color, depth };
 }
 
-/** A session has one camera for both images here. */
+/** Here color and depth must have the same size, because a session has one camera for both. */
 async function commonSize(folder: string, { color, depth }: PosedFrame): Promise<{ readonly widthPx: number; readonly heightPx: number }> {
   const [a, b] = await Promise.all([color, depth].map((name) => sharp(join(folder, name)).metadata()));
   if (a?.width === b?.width && a?.height === b?.height && a) return { widthPx: a.width, heightPx: a.height };
@@ -79,7 +79,7 @@ async function commonSize(folder: string, { color, depth }: PosedFrame): Promise
 
 async function readIntrinsics(folder: string, { intrinsics }: FrameFolderWishes): Promise<Intrinsics> {
   const [fx, fy, cx, cy] = intrinsics ?? (await findIntrinsics(folder));
-  // OpenCV counts from the center of the top left pixel, sessions count from its corner.
+  // OpenCV measures from the center of the top left pixel, sessions from its corner.
   return { fxPx: fx, fyPx: fy, cxPx: cx + 0.5, cyPx: cy + 0.5 };
 }
 
@@ -95,7 +95,7 @@ async function findIntrinsics(folder: string): Promise<readonly [number, number,
   throw new Error(`there is no ${INTRINSICS_FILE}. Give the camera with --intrinsics fx,fy,cx,cy (7-Scenes: 585,585,320,240)`);
 }
 
-/** Null where a number is not finite. */
+/** Null if a number is not finite. */
 function readMatrix(text: string, count: number, file: string): readonly number[] | null {
   const words = text.trim().split(/\s+/);
   if (words.length !== count) throw new Error(`${file} has to hold ${count} numbers, but holds ${words.length}`);

@@ -1,7 +1,7 @@
 import type { Intrinsics } from '../../export/runtime/sessions/session-format.ts';
 import { type Matrix, multiply } from './vector.ts';
 
-/** A recording with pinhole cameras and known poses, as Open3D's reconstruction system and its like leave them. */
+/** A recording with pinhole cameras and known poses, such as those of Open3D’s reconstruction system. */
 export interface PosedRecording {
   readonly title: string;
   readonly credit: string | null;
@@ -18,13 +18,13 @@ export interface PosedFrame {
   readonly timeS: number;
   readonly color: string;
   readonly depth: string;
-  /** In the recording's own world, but with our camera axes: looking down −z, y up. */
+  /** In the world space of the recording, with the camera axes of sessions: looking along −z, y up. */
   readonly worldFromCamera: Matrix;
 }
 
-/** OpenCV's cameras look down +z with y down. */
+/** OpenCV’s cameras look along +z with y down. */
 const OPENCV_FROM_CAMERA: Matrix = [1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1];
-/** OpenCV counts from the center of the top left pixel, we from its corner. */
+/** OpenCV measures from the center of the top left pixel, sessions from its corner. */
 const CENTER_SHIFT_PX = 0.5;
 
 type Json = Readonly<Record<string, unknown>>;
@@ -74,7 +74,7 @@ function readFrame(frame: Json, index: number, frameRateHz: number): PosedFrame 
   };
 }
 
-/** Our column-major `worldFromCamera` from a row-major pose whose camera has OpenCV's axes. */
+/** Converts a row-major pose with OpenCV’s axes to a column-major `worldFromCamera`. */
 export function fromOpenCv(rowMajor: readonly number[]): Matrix {
   const columnMajor = Array.from({ length: 16 }, (_, i) => Number(rowMajor[(i % 4) * 4 + Math.floor(i / 4)]));
   return multiply(columnMajor, OPENCV_FROM_CAMERA);
@@ -94,7 +94,7 @@ function text(value: unknown): string | null {
   return typeof value === 'string' && value !== '' ? value : null;
 }
 
-/** Inside the folder: what is copied must not lead out of it. */
+/** A path inside the folder. Copied files must not lie outside. */
 function path(value: unknown, what: string): string {
   if (typeof value !== 'string' || value === '' || /^[/\\]|\\|:/.test(value) || value.split('/').includes('..')) {
     throw new Error(`${what} has to be the path of a file inside the folder`);

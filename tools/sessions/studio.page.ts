@@ -6,7 +6,7 @@ import { measureLight } from '../../export/emulator/light/room-light.ts';
 import { createStudioRoom } from '../../export/emulator/rooms/studio/create-studio-room.ts';
 import type { SessionFileLight, SessionFileSurface } from '../../export/runtime/sessions/session-format.ts';
 
-/** Runs in the browser: films the studio. Called from `make-studio.ts` through `globalThis.studio`. */
+/** Page code that records the studio. `make-studio.ts` calls it through `globalThis.studio`. */
 export interface StudioCamera {
   readonly widthPx: number;
   readonly heightPx: number;
@@ -20,11 +20,11 @@ export interface StudioCamera {
 export interface StudioFrame {
   /** Base64. */
   readonly jpeg: string;
-  /** Base64 of 32-bit floats: meters, row-major from the top, 0 where there is nothing. */
+  /** Base64 of 32-bit floats: meters, rows from the top, 0 for nothing. */
   readonly meters: string;
 }
 
-/** Drawn larger and scaled down: the pictures are looked at. */
+/** Images are drawn larger and scaled down for better quality. */
 const OVERSAMPLING = 2;
 
 export async function film(camera: StudioCamera, poses: readonly (readonly number[])[]): Promise<StudioFrame[]> {

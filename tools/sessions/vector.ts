@@ -48,12 +48,12 @@ export function multiply(a: Matrix, b: Matrix): Matrix {
   return out;
 }
 
-/** From the images of the axes and of the origin. */
+/** The matrix with these images of the axes and of the origin. */
 export function fromAxes(x: Vector, y: Vector, z: Vector, origin: Vector): Matrix {
   return [...x, 0, ...y, 0, ...z, 0, ...origin, 1];
 }
 
-/** Of a rotation and a translation. */
+/** Inverts a rotation and translation. */
 export function invertRigid(m: Matrix): Matrix {
   const axis = (column: number): Vector => [m[column * 4] ?? 0, m[column * 4 + 1] ?? 0, m[column * 4 + 2] ?? 0];
   const [x, y, z, origin] = [axis(0), axis(1), axis(2), axis(3)];

@@ -1,6 +1,6 @@
 import { lineOf } from '../layers/syntax.ts';
 
-/** Phrases that readers stumble over, each with what to write. Common words do not belong here. */
+/** Phrases that readers have to read twice, each with a replacement. Common words do not belong here. */
 export const BANNED_PHRASES: readonly (readonly [phrase: string, instead: string])[] = [
   ['is to be had', 'is available'],
   ['are to be had', 'are available'],
@@ -44,7 +44,7 @@ export const BANNED_PHRASES: readonly (readonly [phrase: string, instead: string
 
 const PATTERN = new RegExp(`\\b(${BANNED_PHRASES.map(([phrase]) => phrase.replaceAll(' ', '\\s+(?:[*/]+\\s+)?')).join('|')})\\b`, 'gi');
 
-/** Line breaks within a comment do not hide a phrase. */
+/** Finds phrases also across line breaks in comments. */
 export function findPhrases(path: string, text: string): string[] {
   return [...text.matchAll(PATTERN)].map(({ 0: found, index }) => {
     const phrase = found.replace(/[\s*/]+/g, ' ').toLowerCase();

@@ -1,4 +1,4 @@
-/** What a measured page draws with. */
+/** The context and draw function of a measured page. */
 export interface Drawn {
   readonly gl: WebGLRenderingContext | WebGL2RenderingContext;
   draw(deltaS: number): void;

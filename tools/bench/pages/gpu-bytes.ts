@@ -1,10 +1,10 @@
-/** What a context's textures and buffers hold, counted as they are made and freed. */
+/** Bytes of all textures and buffers of a context, updated as they are created and deleted. */
 export interface GpuBytes {
   textures(): number;
   buffers(): number;
 }
 
-/** Bytes of a texel, for the formats that are drawn with here. */
+/** Bytes per texel of the used formats. */
 const TEXEL_BYTES: Readonly<Record<string, number>> = {
   R8: 1,
   RG8: 2,
@@ -30,7 +30,7 @@ const TEXEL_BYTES: Readonly<Record<string, number>> = {
 const TARGET_OF_FACE = (gl: WebGL2RenderingContext, target: number): number =>
   target >= gl.TEXTURE_CUBE_MAP_POSITIVE_X && target <= gl.TEXTURE_CUBE_MAP_NEGATIVE_Z ? gl.TEXTURE_CUBE_MAP : target;
 
-/** To be called before anything is made in the context. */
+/** Must be called before the context creates objects. */
 export function createGpuBytes(gl: WebGL2RenderingContext): GpuBytes {
   const names = new Map(Object.keys(TEXEL_BYTES).map((name) => [(gl as unknown as Record<string, number>)[name], name]));
   const texel = (format: number): number => {
@@ -38,7 +38,7 @@ export function createGpuBytes(gl: WebGL2RenderingContext): GpuBytes {
     if (name === undefined) throw new Error(`The texel size of the format 0x${format.toString(16)} is unknown.`);
     return TEXEL_BYTES[name] ?? 0;
   };
-  /** Of each texture, by what was given: an image of a face and level, or all of it. */
+  /** Bytes of each texture, by face and level. */
   const textures = new Map<WebGLTexture, Map<string, number>>();
   const buffers = new Map<WebGLBuffer, number>();
   const bound = (target: number): WebGLTexture | null => {

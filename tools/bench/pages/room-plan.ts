@@ -1,27 +1,27 @@
-/** What the benches of a real room draw, ours and by three.js alone: the same models, light and floor, seen from the same place. */
+/** The scene of the room benches, in Scrim and in plain three.js: the same models, light and floor from the same camera. */
 export interface RoomPlan {
   readonly count: number;
   readonly widthPx: number;
   readonly heightPx: number;
   readonly shadowMapPx: number;
-  /** Depth of the real room hides what is behind it; here nothing is, so that every pixel is both tested and drawn. */
+  /** Whether room depth hides objects. Here it hides nothing, so that every pixel is tested and drawn. */
   readonly occlusion: boolean;
   readonly shadow: boolean;
   /** How the edges of shadows are found; three.js alone always filters (`PCFShadowMap`), which is `pcf` here. */
   readonly filter: 'basic' | 'pcf' | 'soft' | 'vsm' | 'pcss';
-  /** One model and a node that copies it, instead of a node for each. */
+  /** One model and an array node, instead of one node per model. */
   readonly copies?: true;
 }
 
 /** The antique camera's file is about 7 units tall. */
 export const CAMERA_SCALE = 0.075;
-/** As in the paper, §3.5: the side of the area that has shadows. */
+/** Side of the area with shadows (§3.5 of the paper). */
 export const SHADOW_AREA_M = 5;
 export const EYE_M = [0, 2.3, 3] as const;
 export const LOOK_M = [0, 0.2, 0] as const;
 export const FOV_DEG = 60;
 export const FLOOR_M = [5, 5] as const;
-/** Of the light estimate: white from all sides, the sun from the left, before and above. */
+/** Light estimate: white ambient light, sun from the front left and above. */
 export const AMBIENT = 0.6;
 export const SUN_IRRADIANCE = [2.2, 2.1, 1.9] as const;
 export const TOWARDS_SUN = [-0.48, 0.8, 0.36] as const;
@@ -29,7 +29,7 @@ export const TOWARDS_SUN = [-0.48, 0.8, 0.36] as const;
 const COLUMNS = 14;
 export const SPACING_M = 0.33;
 
-/** Where each of them stands, on the floor, all in sight; few stand as close together as many. */
+/** Positions on the floor, all visible. The density does not depend on the number. */
 export function placesOf(count: number): (readonly [x: number, y: number, z: number])[] {
   const columns = Math.min(COLUMNS, Math.ceil(Math.sqrt(count * 1.75)));
   const rows = Math.ceil(count / columns);

@@ -7,7 +7,7 @@ import { createGpuBytes, type GpuBytes } from './gpu-bytes.ts';
 import { type MeasuredPlayer, openPlayer } from './measured-player.ts';
 import { AMBIENT, EYE_M, FOV_DEG, LOOK_M, type RoomPlan, SUN_IRRADIANCE, TOWARDS_SUN } from './room-plan.ts';
 
-/** Plays a program as a device in AR does whose depth and light stay as they are: what WebXR itself costs is measured apart. */
+/** Plays a program like an AR device with constant depth and light. The cost of WebXR itself is measured separately. */
 export async function open(program: Program, plan: RoomPlan): Promise<void> {
   const canvas = document.createElement('canvas');
   canvas.width = plan.widthPx;
@@ -20,7 +20,7 @@ export async function open(program: Program, plan: RoomPlan): Promise<void> {
   const { player } = measured;
   const frame = createRoomFrame(gl);
   player.setSession(ROOM);
-  // What its nodes wait for, the models among them, is there after this.
+  // After this, models and other assets have loaded.
   await player.drawSettled(frame);
   drawn = {
     gl,
@@ -60,7 +60,7 @@ function createRoomFrame(gl: WebGL2RenderingContext): ReturnType<typeof createSe
     worldFromDepth: view.worldFromView,
   };
   const sphericalHarmonics = new Float32Array(27);
-  // Of white from all sides, the mean alone: radiance × √(4π).
+  // Ambient white light has only the constant coefficient: radiance × √(4π).
   sphericalHarmonics.fill(AMBIENT * Math.sqrt(4 * Math.PI), 0, 3);
   frame.light = {
     sphericalHarmonics,
@@ -71,7 +71,7 @@ function createRoomFrame(gl: WebGL2RenderingContext): ReturnType<typeof createSe
   return frame;
 }
 
-/** As phones measure it. */
+/** Depth resolution of phones. */
 const DEPTH_PX = [160, 90] as const;
 
 /** A wall 20 m away. */
@@ -92,7 +92,7 @@ export function frameMs(count: number): number {
   return measureFrames(drawn, count);
 }
 
-/** What textures hold by now, bytes. */
+/** Bytes of all textures. */
 export function textureBytes(): number {
   return bytes?.textures() ?? 0;
 }
@@ -104,7 +104,7 @@ export function picture(): string {
   return (drawn.gl.canvas as HTMLCanvasElement).toDataURL();
 }
 
-/** Drivers lose the context when memory runs out. */
+/** Drivers lose the context when they run out of memory. */
 const LOST = 'The graphics were lost.';
 let drawn: Drawn | null = null;
 let measured: MeasuredPlayer | null = null;

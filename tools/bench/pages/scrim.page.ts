@@ -3,7 +3,7 @@ import { createOrbitSession } from '../../../export/runtime/sessions/orbit/orbit
 import { type Drawn, measureFrames } from './frame-ms.ts';
 import { type MeasuredPlayer, openPlayer } from './measured-player.ts';
 
-/** Plays a program as a page without AR does, at a clock of its own. */
+/** Plays a program like a page without AR, with a manual clock. */
 export async function open(program: Program, assetsUrl: string, widthPx: number, heightPx: number): Promise<void> {
   const canvas = document.createElement('canvas');
   canvas.style.width = `${widthPx}px`;
@@ -23,7 +23,7 @@ export async function open(program: Program, assetsUrl: string, widthPx: number,
   stage = { gl, measured, draw: clock.advance };
 }
 
-/** Plays another program in the place of the one that was opened. */
+/** Replaces the program. */
 export async function show(program: Program): Promise<void> {
   const result = await stage?.measured.player.replaceProgram(program);
   if (result?.outcome !== 'playing') throw new Error(`The program is not played: ${JSON.stringify(result)}`);

@@ -30,7 +30,7 @@ import {
   TOWARDS_SUN,
 } from './room-plan.ts';
 
-/** What somebody who knows three.js writes by hand for the same: models that share what they can, surroundings, sun, shadows, floor. */
+/** The same scene as an experienced developer writes it in three.js: shared geometry, environment, sun, shadows, floor. */
 export async function open(modelUrl: string, plan: RoomPlan): Promise<void> {
   const renderer = new WebGLRenderer({ antialias: true, alpha: true });
   renderer.setSize(plan.widthPx, plan.heightPx, false);
@@ -69,7 +69,7 @@ export async function open(modelUrl: string, plan: RoomPlan): Promise<void> {
   drawn = { gl: renderer.getContext(), draw: () => renderer.render(scene, camera) };
 }
 
-/** Surroundings of one brightness, filtered as three filters them. */
+/** An environment of constant brightness, filtered by three.js. */
 function white(renderer: WebGLRenderer): Scene['environment'] {
   const around = new Scene();
   around.add(new Mesh(new SphereGeometry(10), new MeshBasicMaterial({ color: new Color(AMBIENT, AMBIENT, AMBIENT), side: BackSide })));

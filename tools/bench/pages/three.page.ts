@@ -20,7 +20,7 @@ import { FullScreenQuad } from 'three/addons/postprocessing/Pass.js';
 import { clone } from 'three/addons/utils/SkeletonUtils.js';
 import { type Drawn, measureFrames } from './frame-ms.ts';
 
-/** Where a robot stands: meters, radians about the vertical. */
+/** Pose of a robot: meters, and radians about the vertical axis. */
 export interface Standing {
   readonly x: number;
   readonly z: number;
@@ -90,7 +90,7 @@ export async function open(
   };
 }
 
-/** As the examples of three.js do it: the scene into a picture of four samples, and a triangle over the screen that reads it. */
+/** As in the examples of three.js: renders the scene to a target with four samples, and draws it with a full-screen triangle. */
 function throughFilter(renderer: WebGLRenderer, scene: Scene, camera: PerspectiveCamera, widthPx: number, heightPx: number): () => void {
   const picture = new WebGLRenderTarget(widthPx, heightPx, { samples: 4 });
   const screen = new FullScreenQuad(

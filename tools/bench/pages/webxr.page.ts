@@ -1,6 +1,6 @@
 import { installEmulator } from '../../../export/emulator/install-emulator.ts';
 
-/** A part of WebXR that a page asks for in every frame. */
+/** A part of WebXR that a page requests in each frame. */
 export type Asked = 'nothing' | 'hit test' | 'depth, CPU' | 'depth, GPU' | 'light' | 'planes' | 'camera picture' | 'all';
 
 const FEATURES: Readonly<Record<Exclude<Asked, 'nothing' | 'all'>, string>> = {
@@ -12,7 +12,7 @@ const FEATURES: Readonly<Record<Exclude<Asked, 'nothing' | 'all'>, string>> = {
   'camera picture': 'camera-access',
 };
 
-/** Parts of the modules that @types/webxr does not know. */
+/** Parts of the WebXR modules that @types/webxr lacks. */
 type FullSession = XRSession & { requestLightProbe(): Promise<object> };
 type FullFrame = XRFrame & { getLightEstimate(probe: object): object | null };
 type FullView = XRView & { readonly camera: object | null };
@@ -70,7 +70,7 @@ export async function frameMs(count: number): Promise<number> {
   return ms;
 }
 
-/** How much was answered in a frame: nothing where nothing was asked. */
+/** Number of answers in a frame. */
 export function answered(): number {
   return answers;
 }

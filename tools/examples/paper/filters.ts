@@ -9,7 +9,7 @@ interface VideoFilter extends Pick<Recipe, 'folder' | 'figure' | 'title' | 'desc
   readonly bindings?: Readonly<Record<string, Binding>>;
 }
 
-/** The camera's picture through one filter. */
+/** The camera feed through one filter. */
 function videoThrough({ filter, params = {}, bindings = {}, ...about }: VideoFilter): Recipe {
   return {
     ...about,
@@ -19,7 +19,7 @@ function videoThrough({ filter, params = {}, bindings = {}, ...about }: VideoFil
   };
 }
 
-/** Examples of filters over the camera's picture. */
+/** Examples of filters on the camera feed. */
 export const FILTERS: readonly Recipe[] = [
   videoThrough({
     folder: 'warm-and-cold-light',

@@ -2,12 +2,12 @@ import { encode } from 'fast-png';
 
 const WIDTH_PX = 560;
 const HEIGHT_PX = 350;
-/** How finely edges are cut: samples along each side of a pixel. */
+/** Antialiasing: samples along each side of a pixel. */
 const SAMPLES = 2;
 
 type Color = readonly [r: number, g: number, b: number];
 
-/** From one end to the other, with the radius at each; in widths of a palm, y up, the wrist at 0. */
+/** Ends of a limb with their radii, in palm widths; y up, wrist at 0. */
 type Limb = readonly [x0: number, y0: number, r0: number, x1: number, y1: number, r1: number];
 
 const HAND: readonly Limb[] = [
@@ -27,13 +27,13 @@ const HAND: readonly Limb[] = [
 const SLEEVE: readonly Limb[] = [[0, -0.85, 0.42, 0, -2.6, 0.52]];
 
 interface Arm {
-  /** Of the wrist; parts of the width and of the height, from the top left. */
+  /** Position of the wrist as fractions of width and height, from the top left. */
   readonly x: number;
   readonly y: number;
-  /** Width of the palm, pixels. */
+  /** Width of the palm in pixels. */
   readonly sizePx: number;
   readonly turnRad: number;
-  /** -1 for the other hand. */
+  /** -1 for a left hand. */
   readonly side: 1 | -1;
   readonly skin: Color;
   readonly cloth: Color;
@@ -47,10 +47,10 @@ const ARMS: readonly Arm[] = [
   { x: 0.85, y: 0.63, sizePx: 80, turnRad: -0.16, side: -1, skin: [104, 66, 46], cloth: [120, 132, 160] },
 ];
 
-/** From the upper left, towards the light; x right, y up, z to the eye. */
+/** Direction of the light: from the upper left; x right, y up, z toward the viewer. */
 const LIGHT = [-0.42, 0.48, 0.77] as const;
 
-/** Four raised hands before a wall with a window and a plant, as opaque PNG. */
+/** Four raised hands in front of a wall with a window and a plant, as opaque PNG. */
 export function makeHands(): Uint8Array {
   const data = new Uint8Array(WIDTH_PX * HEIGHT_PX * 4);
   for (let y = 0; y < HEIGHT_PX; y++) {
@@ -91,7 +91,7 @@ function colorAt(x: number, y: number): Color {
   return wallAt(x / WIDTH_PX, y / HEIGHT_PX);
 }
 
-/** Where a pixel is on an upright hand. */
+/** Position of a pixel on an upright hand. */
 function placeOn({ x, y, sizePx, turnRad, side }: Arm, px: number, py: number): readonly [u: number, v: number] {
   const right = (px - x * WIDTH_PX) / sizePx;
   const up = (y * HEIGHT_PX - py) / sizePx;
@@ -100,7 +100,7 @@ function placeOn({ x, y, sizePx, turnRad, side }: Arm, px: number, py: number): 
   return [side * (right * cos - up * sin), right * sin + up * cos];
 }
 
-/** How far a round body stands out of the picture; limbs that meet run into each other. */
+/** Height of the rounded body at a position. Limbs that meet blend into each other. */
 function heightOf(limbs: readonly Limb[], u: number, v: number): number {
   let height = 0;
   for (const [x0, y0, r0, x1, y1, r1] of limbs) {
@@ -112,13 +112,13 @@ function heightOf(limbs: readonly Limb[], u: number, v: number): number {
   return height;
 }
 
-/** The greater of two heights, without a crease. */
+/** A smooth maximum of two heights. */
 function blend(a: number, b: number): number {
   const share = Math.max(0.06 - Math.abs(a - b), 0) / 0.06;
   return Math.max(a, b) + share * share * 0.015;
 }
 
-/** A blue-green wall, light from a window, and the leaves of a plant; nothing of it has the color of skin. */
+/** A blue-green wall, lit by a window, with leaves of a plant. Nothing has the color of skin. */
 function wallAt(u: number, v: number): Color {
   const light = 1.12 - 0.4 * Math.hypot(u - 0.2, v - 0.1);
   const [wu, wv] = [u - 0.5, v - 0.02];

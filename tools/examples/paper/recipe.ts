@@ -10,18 +10,18 @@ import { parseWire } from '../../../export/graph/wires.ts';
 import type { NodeLibrary, ParamValue } from '../../../nodes/kit/definition.ts';
 import { formatDiagnostic, hasErrors } from '../../../nodes/kit/diagnostics.ts';
 
-/** One node: its type, its column and row on the canvas, and its params. */
+/** A node: type, column and row on the canvas, and params. */
 export type RecipeNode = readonly [type: string, column: number, row: number, params?: Readonly<Record<string, ParamValue>>];
 
-/** A small project, written down. */
+/** A short description of a small project. */
 export interface Recipe {
-  /** Its folder in `examples/`. */
+  /** Folder in `examples/`. */
   readonly folder: string;
   /** Figure of "A Mixed-Reality Rendering Framework for Photorealistic and Non-Photorealistic Rendering" that it shows, such as `12e`. */
   readonly figure: string;
   readonly title: string;
   readonly description: string;
-  /** By a word each, which begins their ids. */
+  /** Nodes by a word that begins their ids. */
   readonly nodes: Readonly<Record<string, RecipeNode>>;
   /** `word.port -> word.port`. */
   readonly wires: readonly string[];
@@ -30,10 +30,14 @@ export interface Recipe {
   readonly assets?: Readonly<Record<string, Asset>>;
 }
 
-/** From one place on the canvas to the next. */
+/** Distance of positions on the canvas. */
 const PITCH_PX = { x: 250, y: 190 } as const;
 
-/** Puts the project together by the commands that the editor uses; what these refuse throws. */
+/**
+ * Builds the project with the commands of the editor.
+ *
+ * @throws If a command rejects a change.
+ */
 export function makeProject(library: NodeLibrary, recipe: Recipe): Project {
   const { figure, title, description, nodes, wires, bindings = {}, assets = {} } = recipe;
   const graph = MAIN_GRAPH;

@@ -1,7 +1,7 @@
 import type { Asset } from '../../../export/graph/project.ts';
 import type { RecipeNode } from './recipe.ts';
 
-/** Real things of the studio (`export/emulator/rooms/studio/furniture.ts`), which all examples stand in; meters. */
+/** Real objects of the studio (`export/emulator/rooms/studio/furniture.ts`), in which all examples take place; in meters. */
 const TABLE = { x: -0.2, z: -0.42, topM: 0.4225, widthM: 1.05, depthM: 0.56, thickM: 0.035 } as const;
 const STOOL = { x: 1.2, z: -0.55, widthM: 0.56, heightM: 0.38 } as const;
 
@@ -9,17 +9,17 @@ export const ROBOT: Readonly<Record<string, Asset>> = {
   'robot-tin1': { path: 'assets/robot.glb', kind: 'model', credit: 'Made by tools/examples/robot.ts', licence: 'MIT' },
 };
 
-/** A sheet of pencil strokes on nothing. */
+/** A transparent image of pencil strokes. */
 export const STROKES: Readonly<Record<string, Asset>> = {
   'strokes-pen1': { path: 'assets/strokes.png', kind: 'image', credit: 'Made by tools/examples/paper/strokes.ts', licence: 'MIT' },
 };
 
-/** Four hands before a wall. */
+/** An image of four hands in front of a wall. */
 export const HANDS: Readonly<Record<string, Asset>> = {
   'hands-up04': { path: 'assets/hands.png', kind: 'image', credit: 'Made by tools/examples/paper/hands.ts', licence: 'MIT' },
 };
 
-/** A robot on the rug before the table. `robot.objects` is where it stands. */
+/** A robot on the rug in front of the table. `robot.objects` outputs it. */
 export function robotOnRug(
   row: number,
   place: { readonly x?: number; readonly y?: number; readonly z?: number; readonly yawRad?: number } = {},
@@ -36,7 +36,7 @@ export const ROBOT_WIRES = ['model.objects -> robot.objects'] as const;
 /** From the window, over the left shoulder. */
 export const WINDOW_LIGHT = { azimuthRad: -1.2, elevationRad: 0.75, color: [1, 0.96, 0.9, 1], intensity: 0.85, areaM: 2 } as const;
 
-/** Floor, table and stool as phantoms: `floor.objects` and `table.objects` catch shadows, `stool.objects` casts them too. */
+/** Floor, table and stool as phantoms. `floor.objects` and `table.objects` receive shadows; `stool.objects` also casts them. */
 export function phantoms(row: number) {
   return {
     plane: ['objects/primitive', 0, row, { shape: 'plane', sizeM: [5, 0, 4.6] }],

@@ -2,7 +2,7 @@ import type { Recipe, RecipeNode } from './recipe.ts';
 import { PHANTOM_WIRES, phantoms, ROBOT, ROBOT_WIRES, robotOnRug, STROKES, WINDOW_LIGHT } from './room.ts';
 
 const EDGES = { strength: 5, lineColor: [0.1, 0.08, 0.06, 1], paperColor: [0.97, 0.95, 0.9, 1] } as const;
-/** Far enough for the robot to be seen from head to foot. */
+/** Far enough to show the whole robot. */
 const BACK = { x: 0.68, z: -0.85 } as const;
 const MODEL_SCENE = {
   ...robotOnRug(0),
@@ -14,7 +14,7 @@ const MODEL_WIRES = [...ROBOT_WIRES, 'robot.objects -> scene.objects', 'light.li
 
 const WAYS = ['gooch', 'toon', 'brick', 'hatching', 'charcoal'] as const;
 
-/** Balls in two rows of three, the first as it is. */
+/** Two rows of three balls; the first has no technique. */
 const BALLS: Record<string, RecipeNode> = Object.fromEntries([
   ['first', ['objects/transform', 1, 0, { positionM: ballAt(0) }] as const],
   ...WAYS.flatMap((way, i) => [
@@ -39,14 +39,14 @@ function ballAt(i: number): readonly [number, number, number] {
   return [(i % 3) * 0.56 - 0.5, i < 3 ? 1.12 : 0.58, 0.1];
 }
 
-/** The robot by one technique, with its shadow on the real floor. */
+/** The robot with one technique, and its shadow on the real floor. */
 function robotBy(technique: string, about: Pick<Recipe, 'folder' | 'figure' | 'title' | 'description'>): Recipe {
   return {
     ...about,
     nodes: {
       ...MODEL_SCENE,
       ...robotOnRug(0, { x: 0.54, z: -0.95 }),
-      // Higher than the window, so that the shadow ends before the stool.
+      // Higher than the window, so that the shadow does not reach the stool.
       light: ['light/directional', 1, 1, { ...WINDOW_LIGHT, elevationRad: 1.05 }],
       way: [`technique/${technique}`, 0, 1],
       plane: ['objects/primitive', 0, 2, { shape: 'plane', sizeM: [5, 0, 4.6] }],

@@ -2,13 +2,15 @@ import { encode } from 'fast-png';
 
 const WIDTH_PX = 480;
 const HEIGHT_PX = 360;
-/** From one stroke to the next, across them. */
+/** Distance of strokes. */
 const PITCH_PX = 7;
-/** Of strokes that lie one before the other. */
+/** Length of strokes. */
 const LENGTH_PX = 90;
 const INK = [38, 34, 40] as const;
 
-/** A sheet of loose pencil strokes on nothing, as PNG with straight alpha: each bends a little, and begins and ends where it likes. */
+/**
+ * A transparent image of loose pencil strokes as PNG with straight alpha. Strokes are slightly bent and vary in length and position.
+ */
 export function makeStrokes(): Uint8Array {
   const next = createChance();
   const alpha = new Float32Array(WIDTH_PX * HEIGHT_PX);
@@ -23,7 +25,7 @@ export function makeStrokes(): Uint8Array {
   return encode({ width: WIDTH_PX, height: HEIGHT_PX, data, channels: 4 });
 }
 
-/** The same numbers in [0, 1) every time (Lehmer 1951, with the factor of Park and Miller 1988). */
+/** Repeatable random numbers in [0, 1) (Lehmer 1951, with the factor of Park and Miller 1988). */
 function createChance(): () => number {
   let state = 20_071;
   return () => {
@@ -32,7 +34,7 @@ function createChance(): () => number {
   };
 }
 
-/** Along the diagonal, thin at both ends. */
+/** Draws a stroke along the diagonal, thin at both ends. */
 function drawStroke(alpha: Float32Array, across: number, along: number, lengthPx: number, next: () => number): void {
   const bend = 5 * (next() - 0.5);
   const tilt = 0.08 * (next() - 0.5);
