@@ -18,10 +18,12 @@ export interface SceneTools extends ModelTools {
 
 const FULL_AMBIENT: NumberView = { value: 1 };
 
-/** three.js for the player: scenes of flat proxies, shadow maps and models, on the player's own context and framebuffers. */
+/**
+ * The scene backend of the player by three.js: scenes of flat proxies, shadow maps and models, on the player's context and framebuffers.
+ */
 export const createScenes: CreateSceneBackend = (host) => create(host, { ...NO_TOOLS, readRadiance });
 
-/** The same, with decoders for compressed models, and for panoramas where there are any. */
+/** The same with decoders for compressed models and optionally for panoramas. */
 export function createScenesWith(tools: SceneTools): CreateSceneBackend {
   return (host) => create(host, tools);
 }
@@ -74,7 +76,7 @@ function create(host: SceneHost, tools: SceneTools): SceneBackend {
   };
 }
 
-/** The player hands back what `createShadowMaps` gave it. */
+/** The player passes only maps that `createShadowMaps` returned. */
 function rendered(maps: ShadowMaps): RenderedShadowMaps {
   if (!('mapOf' in maps)) throw new Error('These shadow maps come from another backend.');
   return maps as RenderedShadowMaps;

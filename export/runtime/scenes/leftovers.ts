@@ -1,15 +1,13 @@
-/** GPU objects that somebody made and will not free. */
+/** GPU objects that their creator does not delete. */
 export interface Leftovers<T> {
   readonly made: T;
-  /** Deletes them. */
+  /** Deletes the objects. */
   free(): void;
 }
 
 /**
- * Runs `make` and keeps the textures and framebuffers created meanwhile.
- *
- * three's renderer makes four empty textures and three framebuffers when it starts and deletes none of them in `dispose`, so a
- * context that outlives its players would gather them.
+ * Runs `make` and records the textures and framebuffers that it creates. The renderer of three.js creates four empty textures and three
+ * framebuffers and does not delete them in `dispose`, so they would accumulate in a context that outlives its players.
  */
 export function catchLeftovers<T>(gl: WebGL2RenderingContext, make: () => T): Leftovers<T> {
   const textures: WebGLTexture[] = [];
@@ -31,7 +29,7 @@ export function catchLeftovers<T>(gl: WebGL2RenderingContext, make: () => T): Le
   }
 }
 
-/** Puts every object that the method returns into `into`, until the returned function is called. */
+/** Adds every object that the method returns to `into` until the returned function is called. */
 function intercept(gl: WebGL2RenderingContext, method: 'createTexture' | 'createFramebuffer', into: object[]): () => void {
   const before = Object.getOwnPropertyDescriptor(gl, method);
   const original = gl[method].bind(gl);

@@ -18,10 +18,10 @@ export interface MaskSceneOptions {
   readonly occlusion: OcclusionPatch | null;
 }
 
-/** What hides white has no color to write over it, so it has to be there before. */
+/** Objects that hide have no color to write, so their depth must be drawn first. */
 const DEPTH_FIRST = -1;
 
-/** White where chosen objects are to be seen. What hides them lies a little behind, so that a thing does not hide itself. */
+/** Draws selected objects in white. Depth of hiding objects is a little behind, so that an object does not hide itself. */
 export function createMaskScene({ renderer, shows, occlusion }: MaskSceneOptions): DrawnScene {
   const scene = new Scene();
   scene.matrixWorldAutoUpdate = false;

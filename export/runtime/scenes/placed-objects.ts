@@ -3,19 +3,19 @@ import type { ObjectItem, ObjectList } from '../../../nodes/kit/scene-lists.ts';
 import type { NodeOperation, Operation } from '../../program/program.ts';
 import type { Inspected } from '../inspected.ts';
 
-/** What a tool of the editor knows of objects after a frame: `player.inspect` lets it look (`inspected.ts`). */
+/** The last frame, from `player.inspect` (`inspected.ts`). */
 type Seen = Pick<Inspected, 'program' | 'resources'>;
 
-// Each is filled and read within one call.
+// Each is valid within one call.
 const scratchMatrix = new Matrix4();
 const scratchPoint = new Vector3();
 const scratchPointer = new Vector2();
 const scratchRaycaster = new Raycaster();
 
 /**
- * What happens to objects after a node has placed them, as `worldFromParent`: the identity where nothing does, and for nodes that place
- * no objects. Where a node's objects go several ways, the first counts, or the one through the nodes of `way`. False, and `out` as it
- * was, where it cannot be told because the objects have no size.
+ * Writes the transform that later nodes apply to the objects of a node, as `worldFromParent`: the identity if there is none or the node
+ * places no objects. If the objects have several paths, the first counts, or that through the nodes of `way`. Returns false, and leaves
+ * `out` unchanged, if it cannot be determined because the objects have no size.
  */
 export function placedObjects(seen: Seen, node: string, way: readonly string[], out: Matrix4): boolean {
   const own = listsOf(seen).find(({ operation }) => operation.node === node);
@@ -35,14 +35,14 @@ export function placedObjects(seen: Seen, node: string, way: readonly string[], 
   return true;
 }
 
-/** An object under a point of the picture. */
+/** An object at a point of a view. */
 export interface PickedObject {
-  /** Ids of the nodes that it went through, from the one that made it to the one that drew it. */
+  /** Ids of the nodes on its path, from the one that created it to the one that drew it. */
   readonly way: readonly string[];
   readonly role: ObjectItem['role'];
 }
 
-/** The nearest object that is drawn at a point of a view, parts of its size from the bottom left; null where there is none. */
+/** The nearest object at a point of a view; `u` and `v` are fractions of its size from the bottom left. Null if there is none. */
 export function pickObject(inspected: Seen & Pick<Inspected, 'engine'>, viewIndex: number, u: number, v: number): PickedObject | null {
   const view = inspected.engine.state.frame.views[viewIndex];
   if (!view) return null;
@@ -57,7 +57,7 @@ export function pickObject(inspected: Seen & Pick<Inspected, 'engine'>, viewInde
     if (draw.kind !== 'draw') continue;
     for (const list of objectsInto(inspected, draw)) {
       for (const item of list.items) {
-        // Matrices of the subtree are as if it stood at the origin, so the ray goes there.
+        // The subtree is stored as if it were at the origin, so the ray is transformed.
         const objectFromWorld = scratchMatrix.copy(item.worldFromObject).invert();
         ray.origin.copy(from).applyMatrix4(objectFromWorld);
         ray.direction.copy(towards).transformDirection(objectFromWorld);
@@ -96,7 +96,7 @@ function objectsInto({ resources }: Seen, { inputs }: NodeOperation): ObjectList
   );
 }
 
-/** Where the item of a list comes to stand in a node after it: those that derive lists keep the subtree. */
+/** The item that a later node derives from an item. Derived lists share the subtree. */
 function nextOf(seen: Seen, list: ObjectList, item: ObjectItem, way: readonly string[]) {
   const readers = listsOf(seen).flatMap(({ operation, list: derived }) => {
     const index = objectsInto(seen, operation).indexOf(list);
@@ -108,7 +108,7 @@ function nextOf(seen: Seen, list: ObjectList, item: ObjectItem, way: readonly st
 
 function derivedFrom(derived: ObjectList, { root, key }: ObjectItem, index: number): ObjectItem | undefined {
   const candidates = derived.items.filter((item) => item.root === root);
-  // As `deriveObjects` names them, where one subtree stands in several places.
+  // The name that `deriveObjects` gives if a subtree occurs several times.
   return candidates.find((item) => item.key === `${index}/${key}`) ?? candidates[0];
 }
 

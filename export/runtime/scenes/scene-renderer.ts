@@ -12,45 +12,47 @@ import type { DrawView } from '../../../nodes/kit/runtime.ts';
 import type { SceneHost } from '../scene-backend.ts';
 import { catchLeftovers } from './leftovers.ts';
 
-/** three.js, tamed: it draws where it is told and clears, encodes and schedules nothing of its own. */
+/** The renderer of three.js without its own clearing, output encoding and scheduling. */
 export interface SceneRenderer {
   readonly three: ThreeRenderer;
-  /** Draws over what the view's framebuffer holds, and leaves that framebuffer bound. */
+  /** Draws over the content of the view's framebuffer and leaves it bound. */
   draw(view: DrawView, scene: Scene, camera: Camera): void;
-  /** Clears a target of three's own, or one face of a cube, to depth 1 and color 0, and draws into it; leaves no framebuffer bound. */
+  /** Clears a render target of three.js, or one face of a cube, to depth 1 and color 0, and draws to it; leaves no framebuffer bound. */
   drawDepth(target: WebGLRenderTarget, scene: Scene, camera: Camera, face?: number): void;
-  /** Clears a target of three's own without depth, or one face of a cube, to white and as far away as can be, and draws into it; leaves no framebuffer bound. */
+  /**
+   * Clears a render target of three.js without depth, or one face of a cube, to white and the largest distance, and draws to it; leaves no
+   * framebuffer bound.
+   */
   drawTranslucentShadow(target: WebGLRenderTarget, scene: Scene, camera: Camera, face?: number): void;
-  /** Draws over what a target of three's own holds, which has to be covered; leaves no framebuffer bound. */
+  /** Draws over the content of a render target of three.js, which must be covered; leaves no framebuffer bound. */
   drawOver(target: WebGLRenderTarget, scene: Scene, camera: Camera): void;
-  /** Clears the corner of a target of three's own, depth and stencil too, and draws into it; leaves no framebuffer bound. */
+  /** Clears a corner of a render target of three.js, including depth and stencil, and draws to it; leaves no framebuffer bound. */
   drawCorner(target: WebGLRenderTarget, widthPx: number, heightPx: number, scene: Scene, camera: Camera): void;
-  /** Lets three do other work on the GPU, at any time between draws; leaves no framebuffer bound. */
+  /** Runs other GPU work of three.js between draws; leaves no framebuffer bound. */
   work(task: (three: ThreeRenderer) => void): void;
-  /** Runs draws that compile what they need and draw nothing; resolves when the driver has done so, without waiting for it. */
+  /** Runs draws that only compile their shaders. Resolves when the driver has finished, without blocking. */
   prepare(draws: () => void): Promise<void>;
-  /** Others have drawn since three last did. */
+  /** Resets the state cache, because others have drawn. */
   invalidateState(): void;
   dispose(): void;
 }
 
-/** Part of three's WebXR path: in `WebGLRenderer.js`, but not in its published types. */
+/** Part of three.js' WebXR code: in `WebGLRenderer.js`, but not in its published types. */
 interface ExternalFramebuffers {
   setRenderTargetFramebuffer(target: WebGLRenderTarget, framebuffer: WebGLFramebuffer | null): void;
 }
 
 /**
- * The target through which three draws into framebuffers that the player owns (ADR 7). Two properties of three's WebXR path
- * carry it: `setRenderTargetFramebuffer` makes `setRenderTarget` bind a framebuffer from outside and take the viewport from the
- * target; `isXRRenderTarget` makes materials encode into the texture's color space, as they do for the canvas.
- * `tests/browser/scenes-three.test.ts` pins both.
+ * The target through which three.js draws to framebuffers of the player (ADR 7), using two features of its WebXR code:
+ * `setRenderTargetFramebuffer` makes `setRenderTarget` bind an external framebuffer with the target's viewport; `isXRRenderTarget` makes
+ * materials encode to the texture's color space, as for the canvas. `tests/browser/scenes-three.test.ts` tests both.
  */
 function createFramebufferTarget(): WebGLRenderTarget {
   const target = new WebGLRenderTarget(1, 1, { colorSpace: SRGBColorSpace, depthBuffer: true });
   return Object.assign(target, { isXRRenderTarget: true });
 }
 
-/** Alpha: the largest half float; three would multiply the color by it. */
+/** Alpha is the largest half float, by which three.js would multiply the color. */
 const NOTHING_TRANSLUCENT = [1, 1, 1, 65504] as const;
 
 export function createSceneRenderer(host: SceneHost): SceneRenderer {
@@ -61,7 +63,7 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
   three.autoClear = false;
   three.outputColorSpace = SRGBColorSpace;
   three.toneMapping = NoToneMapping;
-  // Receivers sample shadow maps with three's PCF; the maps are rendered by `shadow-maps.ts`, never by three.
+  // Receivers sample shadow maps by three.js' PCF; `shadow-maps.ts` renders them, not three.js.
   three.shadowMap.enabled = true;
   three.shadowMap.type = PCFShadowMap;
   three.shadowMap.autoUpdate = false;
@@ -70,14 +72,14 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
   const target = createFramebufferTarget();
   const external = three as unknown as ExternalFramebuffers;
   let stale = true;
-  /** While draws are run to be prepared. */
+  /** Collects compilations while `prepare` runs draws. */
   let compiling: Promise<unknown>[] | null = null;
 
   function restoreState(): void {
     if (!stale) return;
     stale = false;
     three.resetState();
-    // What that leaves out: its vertex array is reset only if it was one of three's own.
+    // `resetState` resets the vertex array only if it was one of three.js.
     gl.bindVertexArray(null);
     gl.disable(gl.RASTERIZER_DISCARD);
     gl.disable(gl.SAMPLE_COVERAGE);
@@ -90,7 +92,7 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
       const { x, y, widthPx, heightPx } = view.viewport;
       external.setRenderTargetFramebuffer(target, view.framebuffer);
       target.viewport.set(x, y, widthPx, heightPx);
-      // Wide points and lines may leave the viewport; the neighboring view is not theirs.
+      // Wide points and lines may leave the viewport and must not reach the neighboring view.
       target.scissor.set(x, y, widthPx, heightPx);
       target.scissorTest = true;
       three.setRenderTarget(target);
@@ -145,7 +147,7 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
       three.state.setScissorTest(false);
     },
     work: (task) => {
-      // Nobody announces passes that were drawn before it.
+      // Passes that were drawn before the first draw are not reported.
       stale = true;
       restoreState();
       task(three);

@@ -25,7 +25,7 @@ export interface ShadedSceneOptions {
   readonly renderer: SceneRenderer;
   readonly neutral: NeutralEnvironment;
   readonly panoramas: PanoramaStore;
-  /** Brightness of the neutral surroundings; 1 makes a white matt surface white by them alone. */
+  /** Brightness of the neutral environment; with 1 it alone renders a white matte surface white. */
   readonly ambient: NumberView;
   readonly shadowMaps: RenderedShadowMaps | null;
   readonly occlusion: OcclusionPatch | null;
@@ -34,8 +34,8 @@ export interface ShadedSceneOptions {
 }
 
 /**
- * Phantoms before all, so that what they hide costs nothing; then the depth of surfaces that fade at a soft border. After all the
- * depth of what is blended, which those who read the layer's depth find there.
+ * Render orders. Phantoms come first, so that hidden fragments cost nothing; then the depth of surfaces that fade at a soft border; last
+ * the depth of blended materials, for readers of the layer's depth.
  */
 const PHANTOMS_FIRST = -2e9;
 const DEPTH_FIRST = -1e9;
@@ -43,7 +43,7 @@ const BLENDED_DEPTH_LAST = 1e9;
 
 type Side = LayerTwinOptions['side'];
 
-/** Virtual objects with their own materials, lit and shadowed; phantoms as depth alone. */
+/** Draws virtual objects with their own materials, lights and shadows, and the depth of phantoms. */
 export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
   const { renderer, shadowMaps, occlusion, watchLimits, textureLimits } = options;
   const scene = new Scene();
@@ -80,7 +80,7 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
     const colors = isTwoPass(master.material) ? [draw(BackSide), draw(FrontSide)] : [draw(null)];
     if (materialsOf(master).some(blendsWithoutDepth)) return [...colors, blendedDepth(master, features)];
     if (!occlusion || !materialsOf(master).every(isOpaque)) return colors;
-    // A fading surface lets through what is already drawn; with its depth first, that is never a surface behind it.
+    // A fading surface shows what is already drawn; drawing its depth first prevents that this is a surface behind it.
     return [{ material: depth(), renderOrder: DEPTH_FIRST, shows: occlusion.isSoft }, ...colors];
   }
 
@@ -121,7 +121,7 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
   };
 }
 
-/** three draws these back faces first, then front faces, compiling in between; two proxies do without. */
+/** three.js draws these in two passes, back faces first, and recompiles in between; two proxies avoid that. */
 function isTwoPass(material: Material | Material[]): boolean {
   return !Array.isArray(material) && material.transparent && material.side === DoubleSide && !material.forceSinglePass;
 }

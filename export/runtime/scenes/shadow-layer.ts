@@ -22,7 +22,7 @@ export interface ShadowLayerOptions {
   readonly report: DrawBinding['report'];
 }
 
-/** The scene of a shadow layer, by the method that its look asks for. Nothing else depends on the method. */
+/** The scene of a shadow layer for the method of its look. Nothing else depends on the method. */
 export function createShadowLayer({ renderer, look, maps, occlusion, limits, report }: ShadowLayerOptions): DrawnScene {
   const { strength, color, volumesOf, room } = look;
   const catches = (item: ObjectItem): boolean => look.on === 'everything' || item.role === 'phantom';

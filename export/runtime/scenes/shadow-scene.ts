@@ -17,17 +17,17 @@ import { createViewCamera } from './view-camera.ts';
 export interface ShadowSceneOptions {
   readonly renderer: SceneRenderer;
   readonly catcher: ShadowCatcher;
-  /** What takes part. Where it is phantoms alone, virtual objects hide nothing: what they stand before is covered by the layer above. */
+  /** Which objects are drawn. If only phantoms are, virtual objects hide nothing; the layer above covers the shadows behind them. */
   readonly catches: (item: ObjectItem) => boolean;
   readonly occlusion: OcclusionPatch | null;
-  /** What room depth shows catches shadows where nothing else does, and hides what lies behind it. */
+  /** Surfaces of room depth, which catch shadows where nothing else does and hide what is behind them. */
   readonly surface: RoomSurface | null;
   readonly watchLimits: LightLimits;
 }
 
 const receivesShadow = (item: ObjectItem): boolean => item.receivesShadow;
 
-/** Objects as shadow catchers. */
+/** Draws objects as shadow catchers. */
 export function createShadowScene({ renderer, catcher, catches, occlusion, surface, watchLimits }: ShadowSceneOptions): DrawnScene {
   const scene = new Scene();
   scene.matrixWorldAutoUpdate = false;
@@ -80,10 +80,10 @@ export function createShadowScene({ renderer, catcher, catches, occlusion, surfa
   };
 }
 
-/** After the depth of all that catches shadows. */
+/** After the depth of all objects that catch shadows. */
 const ROOM_LAST = 1;
 
-/** One quad over the whole view; null where the method of shadows cannot do it. */
+/** A quad over the whole view; null if the shadow method does not support it. */
 function createRoomMesh(scene: Scene, catcher: ShadowCatcher, surface: RoomSurface): { readonly mesh: Mesh; dispose(): void } | null {
   const material = catcher.createRoomMaterial(surface.uniforms);
   if (!material) return null;

@@ -1,7 +1,7 @@
 import { Camera } from 'three';
 import type { ViewFrame } from '../../../nodes/kit/session.ts';
 
-/** A camera that takes a view's matrices as they are: off-center projections stay what the session says. */
+/** A three.js camera with the matrices of a view; off-center projections stay exact. */
 export interface ViewCamera {
   readonly camera: Camera;
   set(view: ViewFrame): void;

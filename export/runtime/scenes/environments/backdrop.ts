@@ -2,20 +2,20 @@ import { BackSide, BoxGeometry, type Euler, Matrix3, Matrix4, Mesh, NoBlending, 
 import type { EnvironmentAsset } from '../../../../nodes/kit/assets.ts';
 import { PANORAMA_UV } from './panorama-uv.ts';
 
-/** The panorama behind everything, as far away as the sky: it has no depth. */
+/** Draws the panorama behind all objects, infinitely far away and without depth. */
 export interface Backdrop {
   show(environment: EnvironmentAsset, intensity: number, rotation: Euler): void;
   hide(): void;
   dispose(): void;
 }
 
-/** Before phantoms, which come before all objects (`shaded-scene.ts`). */
+/** Render order before phantoms, which come before all objects (`shaded-scene.ts`). */
 const BEHIND_ALL = -3e9;
 
-// Read by the call that fills it, before anything else can.
+// Valid within one call.
 const scratchRotation = new Matrix4();
 
-/** three's own backdrop makes a cube map of the panorama first: six times its memory, for a softer picture. */
+/** Creates the backdrop. three.js' own converts the panorama to a cube map, which takes six times the memory and looks softer. */
 export function createBackdrop(scene: Scene): Backdrop {
   const uniforms = {
     panorama: { value: null as EnvironmentAsset['texture'] | null },
@@ -55,7 +55,7 @@ export function createBackdrop(scene: Scene): Backdrop {
   };
 }
 
-/** About the camera, whatever its place, and cut by neither near nor far. */
+/** Draws around the camera independent of its position and of near and far plane. */
 const VERTEX = /* glsl */ `
 uniform mat3 panoramaFromWorld;
 varying vec3 vDirection;
@@ -74,7 +74,7 @@ varying vec3 vDirection;
 ${PANORAMA_UV}
 void main() {
   vec3 direction = normalize( vDirection );
-  // Of two ways to measure, the one without the jump at the seam is the smaller.
+  // Of two computed derivatives, the one without the jump at the seam is smaller.
   vec2 uv = panoramaUv( direction );
   vec2 other = vec2( fract( uv.x + 0.5 ), uv.y );
   bool far = fwidth( uv.x ) > fwidth( other.x );

@@ -11,14 +11,14 @@ import type { LoadedEnvironment } from '../../scene-backend.ts';
 import { PanoramaError, type RadianceHeader, readRadianceHeader } from './radiance-header.ts';
 import type { ReadRadiance } from './read-radiance.ts';
 
-/** At 4096 rows, 16-bit floats with their mipmaps take 350 MB. */
+/** At 4096 rows, 16-bit floats with mipmaps take 350 MB. */
 const MAX_WIDTH_PX = 8192;
 
 /**
- * Decodes an equirectangular picture: Radiance HDR and OpenEXR as they are, linear, in 16-bit floats; what else the browser shows as
- * display-referred sRGB, whose white is 1. A picture that is too large is made smaller, as other pictures are.
+ * Decodes an equirectangular image: Radiance HDR and OpenEXR as linear 16-bit floats, other formats as display-referred sRGB with white at
+ * 1. An image above the size limit is reduced.
  *
- * @throws PanoramaError, by rejection
+ * @throws PanoramaError, as a rejection, if the file is invalid.
  */
 export async function loadPanorama(bytes: ArrayBuffer, maxTexturePx: number, readRadiance: ReadRadiance): Promise<LoadedEnvironment> {
   const maxPx = Math.min(MAX_WIDTH_PX, maxTexturePx);

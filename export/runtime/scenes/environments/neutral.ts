@@ -9,18 +9,18 @@ export interface NeutralEnvironment {
   dispose(): void;
 }
 
-/** Wide lobes need no more: 1.4 degrees a pixel. */
+/** Size of the sharpest level; the lobes are wide, so 1.4° per pixel suffice. */
 const FACE_PX = 64;
-/** The roughest level holds irradiance; three makes it of this size too. */
+/** Size of the roughest level, which holds irradiance; three.js uses the same. */
 const ROUGHEST_FACE_PX = 8;
 
 /**
- * A colorless studio: light from above, four soft boxes, so that nothing is black without a light and metals have something
- * to mirror. Its mean radiance is 1: it alone renders a white matte surface as white, on average over all directions.
+ * A colorless studio with light from above and four soft boxes, so that objects without lights are not black and metals have something to
+ * reflect. Its mean radiance is 1: on average over all directions it renders a white matte surface white.
  *
- * All of it is given as spherical Gaussians, whose blur by a rough surface has a closed form, so each level of three's
- * prefiltered cube map is drawn directly. Filtering a rendered room instead (`RoomEnvironment` through `PMREMGenerator`) took 2.5 s
- * on SwiftShader; this takes 25 ms.
+ * It consists of spherical Gaussians, whose convolution with a rough surface has a closed form, so each level of three.js' prefiltered cube
+ * map is drawn directly. Filtering a rendered room (`RoomEnvironment` through `PMREMGenerator`) took 2.5 s on SwiftShader; this takes 25
+ * ms.
  */
 export function createNeutralEnvironment(renderer: SceneRenderer): NeutralEnvironment {
   let target: PmremTarget | null = null;
@@ -45,29 +45,29 @@ const FRAGMENT = /* glsl */ `
 uniform float roughness;
 varying vec3 vDirection;
 
-// Mean radiance of the light from all around, how much more of it comes from above, and the lobes below, sum up to 1.
+// Mean radiances of the ambient term, its gradient and the lobes below; they add up to 1.
 #define AROUND 0.62
 #define FROM_ABOVE 0.3
 
-// A surface gathers light in a lobe: the clamped cosine about its normal, fitted by a Gaussian of sharpness 2.133, times GGX seen
-// head on, of sharpness 1 / (2 alpha^2) about the mirrored direction (Wang et al. 2009, section 4), taken flat at alpha = 1.
+// A surface gathers light in a lobe: the clamped cosine about its normal, fitted by a Gaussian of sharpness 2.133, times GGX seen head on,
+// of sharpness 1 / (2 alpha^2) about the mirrored direction (Wang et al. 2009, section 4), treated as constant at alpha = 1.
 float gatheringSharpness() {
   float alpha = max( roughness * roughness, 0.01 );
   return 2.133 + 0.5 / ( alpha * alpha ) - 0.5;
 }
 
-// Integral over the sphere of exp( sharpness * ( cos - 1 ) ), over 4 pi.
+// Integral of exp( sharpness * ( cos - 1 ) ) over the sphere, divided by 4 pi.
 float meanOf( float sharpness ) {
   return ( 1.0 - exp( -2.0 * sharpness ) ) / ( 2.0 * sharpness );
 }
 
-// Of a lobe with the direction to its middle: what blurring by it leaves of a linear gradient. (tanh overflows for sharp lobes.)
+// Factor of a linear gradient after the convolution with a lobe. (tanh overflows for sharp lobes.)
 float meanCosine( float sharpness ) {
   float tail = exp( -2.0 * sharpness );
   return ( 1.0 + tail ) / ( 1.0 - tail ) - 1.0 / sharpness;
 }
 
-// A soft box of the given mean radiance, after the blur: sharpnesses add like resistors in parallel, and the mean stays.
+// A soft box of the given mean radiance after the convolution: sharpnesses combine like resistors in parallel, and the mean is constant.
 float softBox( vec3 at, vec3 center, float sharpness, float mean, float gathering ) {
   float blurred = sharpness * gathering / ( sharpness + gathering );
   return mean / meanOf( blurred ) * exp( blurred * ( dot( at, normalize( center ) ) - 1.0 ) );

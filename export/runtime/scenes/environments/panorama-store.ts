@@ -6,15 +6,15 @@ import { loadPanorama } from './load-panorama.ts';
 import { type Prefiltered, prefilter } from './prefilter.ts';
 import type { ReadRadiance } from './read-radiance.ts';
 
-/** Panoramas that are loaded, with what their light is read from: filtered once, for all scenes. */
+/** Loaded panoramas with their prefiltered environments, shared by all scenes. */
 export interface PanoramaStore {
-  /** Rejects with an `Error` that says what is wrong with the file. */
+  /** Rejects with an `Error` whose message is text for the user. */
   load(bytes: ArrayBuffer): Promise<LoadedEnvironment>;
   prefiltered(environment: EnvironmentAsset): Texture;
   dispose(): void;
 }
 
-/** `readRadiance` null: of a page without panoramas. */
+/** `readRadiance` is null for pages without panoramas. */
 export function createPanoramaStore(renderer: SceneRenderer, readRadiance: ReadRadiance | null): PanoramaStore {
   const filtered = new Map<EnvironmentAsset, Prefiltered>();
   return {
@@ -29,7 +29,7 @@ export function createPanoramaStore(renderer: SceneRenderer, readRadiance: ReadR
           panorama.dispose();
         },
       };
-      // While the page loads, rather than in a frame.
+      // Filtered during loading instead of in a frame.
       filtered.set(loaded, prefilter(renderer, loaded));
       return loaded;
     },

@@ -15,22 +15,22 @@ import {
 } from 'three';
 
 /**
- * A cube map in the layout that three's materials light with: one level per step of roughness, from a mirror to roughness 1, which
- * holds irradiance too (`PMREMGenerator.fromScene`, r187).
+ * A cube map in the layout that three.js' materials read: one level per roughness, from a mirror to roughness 1, which is used for
+ * irradiance too (`PMREMGenerator.fromScene`, r187).
  */
 export interface PmremTarget {
   readonly texture: Texture;
-  /** Draws all levels from this one on; `materialFor` gives the material of `createCubeMaterial` for the roughness of each. */
+  /** Draws all levels from `fromLevel` on. `materialFor` returns a material of `createCubeMaterial` for a roughness. */
   draw(three: WebGLRenderer, materialFor: (roughness: number, level: number) => ShaderMaterial, fromLevel?: number): void;
   dispose(): void;
 }
 
-/** Both sides are powers of two; there are as many levels as halvings lead from the one to the other. */
+/** Both sides are powers of two; the number of levels is that of the halvings between them plus one. */
 export function createPmremTarget(facePx: number, roughestFacePx: number): PmremTarget {
   const target = createCubeTarget(facePx, false);
   const sizes: number[] = [];
   for (let size = facePx; size >= roughestFacePx; size /= 2) sizes.push(size);
-  // Sizes are all that three reads of a target's levels.
+  // three.js reads only the sizes of a target's levels.
   target.texture.mipmaps = sizes.map((size) => ({ width: size, height: size })) as unknown as CubeTexture[];
   target.texture.isPMREMTexture = true;
   const box = new Mesh(new BoxGeometry(2, 2, 2));
@@ -54,7 +54,7 @@ export function createPmremTarget(facePx: number, roughestFacePx: number): Pmrem
   };
 }
 
-/** `PMREMGenerator.lodToRoughness`, which the published types lack. */
+/** `PMREMGenerator.lodToRoughness`, which is not in the published types. */
 function roughnessOf(level: number, lastLevel: number): number {
   return 1 - Math.sqrt(1 - level / lastLevel);
 }
@@ -69,7 +69,7 @@ export function createCubeTarget(facePx: number, generateMipmaps: boolean): WebG
   });
 }
 
-/** Fills cube maps: the fragment finds the direction that it is for in `vDirection`. */
+/** Creates a material that draws cube maps; `vDirection` is the direction of the fragment. */
 export function createCubeMaterial(name: string, fragmentShader: string, uniforms: ShaderMaterial['uniforms']): ShaderMaterial {
   return new ShaderMaterial({
     name,

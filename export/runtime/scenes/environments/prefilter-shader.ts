@@ -6,18 +6,18 @@ uniform float level;
 varying vec3 vDirection;
 ${PANORAMA_UV}
 void main() {
-  // The level is given, because the seam of the panorama has no derivative.
+  // An explicit level, because derivatives are invalid at the seam of the panorama.
   gl_FragColor = vec4( textureLod( panorama, panoramaUv( normalize( vDirection ) ), level ).rgb, 1.0 );
 }
 `;
 
 /**
- * GGX seen along the normal, sampled where the mirrored lobe is dense, each sample as wide as its share of the lobe
- * (Křivánek and Colbert 2008, "Real-time shading with filtered importance sampling").
+ * Convolution with GGX seen along the normal by importance sampling; each sample covers its share of the lobe (Křivánek and Colbert 2008,
+ * “Real-time shading with filtered importance sampling”).
  */
 export const SAMPLED_FRAGMENT = /* glsl */ `
 #define SAMPLES 64
-// Samples that lie apart by the golden ratio, in sequence and in angle, cover the lobe evenly.
+// Samples at golden-ratio distances, along the sequence and in angle, cover the lobe evenly.
 #define GOLDEN_ANGLE 2.399963229728653
 #define TAU 6.283185307179586
 
@@ -40,7 +40,7 @@ void main() {
   float weights = 0.0;
   for ( int i = 0; i < SAMPLES; i ++ ) {
     float u = ( float( i ) + 0.5 ) / float( SAMPLES );
-    // Half vectors by the distribution's own cosine: cos² = (1 - u) / (1 + (α² - 1) u).
+    // Half vectors by the cosine of the distribution: cos² = (1 - u) / (1 + (α² - 1) u).
     float denominator = 1.0 + ( alpha2 - 1.0 ) * u;
     float halfCosine2 = ( 1.0 - u ) / denominator;
     float facing = 2.0 * halfCosine2 - 1.0;
@@ -61,7 +61,9 @@ void main() {
 }
 `;
 
-/** The same for lobes as wide as half the sky: every texel of a small cube, weighted. At roughness 1 the weight is the cosine. */
+/**
+ * The same for lobes as wide as a hemisphere: a weighted sum of all texels of a small cube map. At roughness 1 the weight is the cosine.
+ */
 export const SUMMED_FRAGMENT = /* glsl */ `
 uniform samplerCube cube;
 uniform float roughness;
@@ -89,7 +91,7 @@ void main() {
         float shorter = inversesqrt( dot( towards, towards ) );
         float facing = dot( normal, towards ) * shorter;
         if ( facing <= 0.0 ) continue;
-        // The half vector's cos² is (1 + facing) / 2; a texel's solid angle falls with the cube of its distance.
+        // cos² of the half vector is (1 + facing) / 2; the solid angle of a texel decreases with the cube of its distance.
         float spread = ( 1.0 + facing ) * 0.5 * ( alpha2 - 1.0 ) + 1.0;
         float weight = facing * shorter * shorter * shorter / ( spread * spread );
         sum += textureLod( cube, towards, level ).rgb * weight;

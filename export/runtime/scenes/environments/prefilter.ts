@@ -4,28 +4,28 @@ import type { SceneRenderer } from '../scene-renderer.ts';
 import { createCubeMaterial, createCubeTarget, createPmremTarget } from './pmrem-target.ts';
 import { SAMPLED_FRAGMENT, SUMMED_FRAGMENT, UNFOLD_FRAGMENT } from './prefilter-shader.ts';
 
-/** A panorama as rough surfaces mirror it, one level per roughness, and as matt ones receive it, in the last. */
+/** A panorama convolved for rough surfaces, one level per roughness; the last level is for matte surfaces. */
 export interface Prefiltered {
   readonly texture: Texture;
   dispose(): void;
 }
 
-/** Sharpest level: the smallest serves small pictures, the largest is 0.35° a pixel. */
+/** Limits of the sharpest level: small ones suit small images, the largest has 0.35° per pixel. */
 const MIN_FACE_PX = 64;
 const MAX_FACE_PX = 256;
-/** The roughest level holds irradiance; three makes it of this size too. */
+/** Size of the roughest level, which holds irradiance; three.js uses the same. */
 const ROUGHEST_FACE_PX = 8;
-/** So many of the roughest levels sum up the whole surroundings, texel by texel; lobes of the others are narrow enough to sample. */
+/** Number of rough levels that sum all texels; the lobes of the others are narrow enough to sample. */
 const SUMMED_LEVELS = 2;
-/** Side of the faces that are summed up. */
+/** Size of the faces that are summed. */
 const SUMMED_FACE_PX = 16;
 
 /**
- * Filters a panorama for image-based lighting, in the layout that three's materials read.
+ * Filters a panorama for image-based lighting, in the layout that three.js' materials read.
  *
- * three's own `PMREMGenerator` (r187) gives the same picture (`tests/slow/panoramas.test.ts` compares them), but for at least 256
- * pixels a face and with 256 samples each: 37 million in all, which took 10 s on a busy machine without a graphics processor. This
- * takes a third of them for large panoramas and a tenth for small ones.
+ * three.js' `PMREMGenerator` (r187) gives the same image (`tests/slow/panoramas.test.ts` compares them), but uses at least 256 pixels per
+ * face and 256 samples each: 37 million in total, which took 10 s on a busy machine without a GPU. This takes a third of the samples for
+ * large panoramas and a tenth for small ones.
  */
 export function prefilter(renderer: SceneRenderer, { texture, widthPx }: EnvironmentAsset): Prefiltered {
   const facePx = Math.min(Math.max(2 ** Math.floor(Math.log2(widthPx / 4)), MIN_FACE_PX), MAX_FACE_PX);
@@ -34,7 +34,7 @@ export function prefilter(renderer: SceneRenderer, { texture, widthPx }: Environ
   const target = createPmremTarget(facePx, ROUGHEST_FACE_PX);
   const unfold = createCubeMaterial('panorama to cube', UNFOLD_FRAGMENT, {
     panorama: { value: texture },
-    // Texels of the panorama for one of the cube's, seen at its middle.
+    // Mip level whose texels have the size of the cube map's at its center.
     level: { value: Math.max(0, Math.log2(widthPx / (4 * facePx))) },
   });
   const filler = createCubeFiller(source, unfold);
@@ -54,7 +54,7 @@ export function prefilter(renderer: SceneRenderer, { texture, widthPx }: Environ
   return target;
 }
 
-/** What a rough surface mirrors of a cube map with mip levels, `facePx` a side. */
+/** Creates a material that convolves a cube map with mip levels, `facePx` per side. */
 export function createSampledMaterial(cube: { readonly value: Texture }, facePx: number): ShaderMaterial {
   return createCubeMaterial('sampled roughness', SAMPLED_FRAGMENT, { cube, roughness: { value: 0 }, facePx: { value: facePx } });
 }
@@ -65,13 +65,13 @@ export function withRoughness(material: ShaderMaterial, roughness: number): Shad
   return material;
 }
 
-/** Draws all faces of a cube map's sharpest level; the others follow by themselves. */
+/** Draws all faces of a cube map's sharpest level; the other levels are generated. */
 export interface CubeFiller {
   fill(three: WebGLRenderer): void;
   dispose(): void;
 }
 
-/** The target and the material stay their owner's. */
+/** The caller keeps owning target and material. */
 export function createCubeFiller(target: WebGLCubeRenderTarget, material: ShaderMaterial): CubeFiller {
   const box = new Mesh(new BoxGeometry(2, 2, 2), material);
   const camera = new CubeCamera(0.1, 10, target);

@@ -6,32 +6,32 @@ import { createCubeMaterial, createCubeTarget, createPmremTarget } from './pmrem
 import { createCubeFiller, createSampledMaterial, withRoughness } from './prefilter.ts';
 import { HARMONICS_FRAGMENT, REFLECTION_FRAGMENT } from './probe-shader.ts';
 
-/** A measured light in the form that three's materials are lit with. */
+/** A light estimate in the form that three.js' materials read. */
 export interface ProbeEnvironment {
   readonly texture: Texture;
-  /** Takes over what the light is now; draws only where it shows. */
+  /** Updates to the current estimate; draws only levels that changed visibly. */
   update(light: ProbeLightItem): void;
   dispose(): void;
 }
 
-/** What devices give has 16 to 64 pixels a face. */
+/** Devices provide 16 to 64 pixels per face. */
 const FACE_PX = 128;
 /**
- * Of the level that lights matt surfaces, read with linear filtering: at 8 pixels a face, a second-order harmonic is off by 2 % of
- * its size between texels, at 16 by 0.5 %, which is below one step of 255.
+ * Size of the level that lights matte surfaces, read with linear filtering. With 8 pixels per face a second-order harmonic has an error of
+ * 2 % between texels, with 16 of 0.5 %, which is below one step of 255.
  */
 const IRRADIANCE_FACE_PX = 16;
 const LAST_LEVEL = Math.log2(FACE_PX / IRRADIANCE_FACE_PX);
 
-/** Of the mean radiance: a change below it, in any coefficient, moves no pixel by a step of 255. */
+/** Threshold for a change of a coefficient, relative to the mean radiance: smaller changes alter no pixel by a step of 255. */
 const SEEN_PART = 1 / 1000;
 
-/** What the clamped cosine leaves of the bands, over π: its integral over radiance is irradiance (Ramamoorthi and Hanrahan 2001, eq. 8). */
+/** Factors of the clamped cosine on the bands, divided by π (Ramamoorthi and Hanrahan 2001, eq. 8). */
 const COSINE_BANDS = new Vector3(1, 2 / 3, 1 / 4);
 
 /**
- * The last level is the irradiance of the harmonics, and what is mirrored comes from the cube map, else from the harmonics too: so
- * nine numbers and a cube map of one light are not added up as if they were two.
+ * The last level holds the irradiance of the harmonics. The other levels come from the cube map, or from the harmonics without one, so that
+ * the same light is not added twice.
  */
 export function createProbeEnvironment(renderer: SceneRenderer): ProbeEnvironment {
   const target = createPmremTarget(FACE_PX, IRRADIANCE_FACE_PX);
@@ -70,7 +70,7 @@ export function createProbeEnvironment(renderer: SceneRenderer): ProbeEnvironmen
       drawn.set(sphericalHarmonics);
       for (let i = 0; i < 9; i++) harmonics[i]?.fromArray(drawn, i * 3);
       if (isOther) mirror(reflection);
-      // Coefficients change in every frame, and say nothing of what a cube map shows.
+      // Coefficients change in every frame and do not affect levels of a cube map.
       const fromLevel = isOther || drawnVersion === 0 ? 0 : LAST_LEVEL;
       renderer.work((three) => target.draw(three, materialFor, fromLevel));
     },
@@ -82,7 +82,7 @@ export function createProbeEnvironment(renderer: SceneRenderer): ProbeEnvironmen
   };
 }
 
-/** A surface that mirrors in a lobe of GGX, taken as a spherical Gaussian of sharpness 1 / (2 α²): Wang et al. 2009, section 4. */
+/** Factors for a GGX lobe, approximated by a spherical Gaussian of sharpness 1 / (2 α²): Wang et al. 2009, section 4. */
 function setLobeBands(bands: Vector3, roughness: number): void {
   const spread = 2 * roughness ** 4;
   bands.set(1, Math.exp(-spread), Math.exp(-3 * spread));
@@ -91,13 +91,13 @@ function setLobeBands(bands: Vector3, roughness: number): void {
 function differs(drawn: Float32Array, now: Float32Array): boolean {
   const step = SEEN_PART * Math.max(Math.abs(drawn[0] ?? 0), Math.abs(drawn[1] ?? 0), Math.abs(drawn[2] ?? 0));
   for (let i = 0; i < now.length; i++) {
-    // Nothing has been drawn where it is not a number.
+    // NaN means that nothing was drawn.
     if (!(Math.abs((now[i] ?? 0) - (drawn[i] ?? 0)) <= step)) return true;
   }
   return false;
 }
 
-/** The session's cube map with mip levels of ours. */
+/** The session's cube map, copied to one with mip levels. */
 interface MirroredCube {
   readonly sampled: ShaderMaterial;
   fill(renderer: SceneRenderer, reflection: ReflectionCube): void;
@@ -106,7 +106,7 @@ interface MirroredCube {
 
 function createMirroredCube(): MirroredCube {
   const source: WebGLCubeRenderTarget = createCubeTarget(FACE_PX, true);
-  // three uploads nothing into a texture of version 0, and binds what it finds at it.
+  // three.js uploads nothing to a texture of version 0 and binds its GL texture.
   const given = new CubeTexture();
   const cubeFromWorld = new Matrix3();
   const unfold = createCubeMaterial('reflection', REFLECTION_FRAGMENT, {

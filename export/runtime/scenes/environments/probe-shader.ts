@@ -1,11 +1,11 @@
 /**
- * Radiance of spherical harmonics after a blur that turns with the direction: each band is scaled by what the blur leaves of it
- * (Ramamoorthi and Hanrahan 2001, eq. 3 and 5). Where nine coefficients ring below zero there is no light.
+ * Radiance of spherical harmonics after a rotationally symmetric blur, which scales each band (Ramamoorthi and Hanrahan 2001, eq. 3 and 5).
+ * Negative values of nine coefficients are clamped to 0.
  */
 export const HARMONICS_FRAGMENT = /* glsl */ `
 // Linear-sRGB radiance, in the order of WebXR Lighting Estimation, section 3.2.
 uniform vec3 harmonics[ 9 ];
-// Factors on the three bands.
+// Factors of the three bands.
 uniform vec3 bands;
 varying vec3 vDirection;
 

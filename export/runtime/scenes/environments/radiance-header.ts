@@ -1,21 +1,21 @@
-/** Says what is wrong with a panorama and what to do, going on after "cannot be decoded: ". */
+/** A problem of a panorama. The message has problem and remedy and follows “cannot be decoded: ”. */
 export class PanoramaError extends Error {}
 
 export interface RadianceHeader {
   readonly format: 'hdr' | 'exr';
   readonly widthPx: number;
   readonly heightPx: number;
-  /** Where the pixels begin, of an HDR file. */
+  /** Offset of the pixels in an HDR file. */
   readonly start: number;
 }
 
 const EXR_MAGIC = 0x01312f76;
 
 /**
- * What the beginning of a Radiance HDR (G. Ward, "RADIANCE file formats") or OpenEXR file (openexr.com, "OpenEXR File Layout") says of
- * its size; null for files of other kinds. Three's loaders allocate what it says before they look further.
+ * Reads the size from the header of a Radiance HDR (G. Ward, “RADIANCE file formats”) or OpenEXR file (openexr.com, “OpenEXR File Layout”);
+ * null for other files. It is checked first, because three.js' loaders allocate this size.
  *
- * @throws PanoramaError where the beginning is damaged
+ * @throws PanoramaError if the header is damaged.
  */
 export function readRadianceHeader(bytes: ArrayBuffer): RadianceHeader | null {
   const view = new DataView(bytes);
@@ -24,7 +24,7 @@ export function readRadianceHeader(bytes: ArrayBuffer): RadianceHeader | null {
   return isHdr ? readHdrHeader(new Uint8Array(bytes)) : null;
 }
 
-/** Headers are a few lines of text; this is ten times what any program writes. */
+/** Maximum size of a header, which is a few lines of text. */
 const MAX_HDR_HEADER = 8192;
 
 function readHdrHeader(bytes: Uint8Array): RadianceHeader {
@@ -38,8 +38,8 @@ function readHdrHeader(bytes: Uint8Array): RadianceHeader {
 }
 
 /**
- * Whether an HDR file ends before its picture does: three's loader takes what is missing for black. Rows are runs of each of four
- * channels, or plain pixels of four bytes.
+ * Whether an HDR file is truncated, because three.js' loader reads missing pixels as black. Rows are run-length encoded per channel, or
+ * plain pixels of four bytes.
  */
 export function isCutOff(file: ArrayBuffer, { format, widthPx, heightPx, start }: RadianceHeader): boolean {
   if (format !== 'hdr') return false;
@@ -51,7 +51,7 @@ export function isCutOff(file: ArrayBuffer, { format, widthPx, heightPx, start }
     at += 4;
     for (let left = widthPx * 4; left > 0; ) {
       const count = bytes[at] ?? 0;
-      // An empty run is damage, which the loader tells.
+      // An empty run is damage, which the loader reports.
       if (count === 0) return at >= bytes.length;
       left -= count > 128 ? count - 128 : count;
       at += count > 128 ? 2 : count + 1;
@@ -60,7 +60,7 @@ export function isCutOff(file: ArrayBuffer, { format, widthPx, heightPx, start }
   return at > bytes.length;
 }
 
-/** Version in the first byte after the magic number, flags in the next three; then attributes: name, type, size, value. */
+/** Reads the version in the first byte after the magic number, flags in the next three, then attributes: name, type, size, value. */
 function readExrHeader(view: DataView): RadianceHeader {
   try {
     for (let at = 8; view.getUint8(at) !== 0; ) {

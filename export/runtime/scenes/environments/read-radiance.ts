@@ -4,10 +4,10 @@ import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
 import { isCutOff, PanoramaError, type RadianceHeader } from './radiance-header.ts';
 
 /**
- * Decodes Radiance HDR and OpenEXR to 16-bit floats. Handed in from outside, so that pages without panoramas do without three's
- * loaders, which are 15 KB of a compressed page.
+ * Decodes Radiance HDR and OpenEXR to 16-bit floats. It is injected, so that pages without panoramas do not bundle three.js' loaders (15 KB
+ * compressed).
  *
- * @throws PanoramaError
+ * @throws PanoramaError if the file is invalid.
  */
 export type ReadRadiance = (bytes: ArrayBuffer, header: RadianceHeader) => DataTexture;
 
@@ -31,7 +31,10 @@ function parse(bytes: ArrayBuffer, format: RadianceHeader['format']): ReturnType
   }
 }
 
-/** One infinite or negative pixel would spread over all that is filtered: infinity becomes the largest number, what is no radiance 0. */
+/**
+ * Limits pixels, because one infinite or negative pixel would spread in filtering: infinity becomes the largest number, NaN and negative
+ * values 0.
+ */
 function tame(halves: Uint16Array): void {
   for (let i = 0; i < halves.length; i++) {
     const half = halves[i] ?? 0;

@@ -8,9 +8,9 @@ import type { NeutralEnvironment } from './neutral.ts';
 import type { PanoramaStore } from './panorama-store.ts';
 import { createProbeEnvironment, type ProbeEnvironment } from './probe-environment.ts';
 
-/** Lights one scene from all sides: by its first environment light, once loaded, or light estimate; else by the neutral studio. */
+/** Environment light of one scene: that of its first environment light, if loaded, or light estimate; otherwise the neutral studio. */
 export interface SceneEnvironment {
-  /** `lit`: whether anything in the scene is lit by the environment. */
+  /** `lit`: whether any object in the scene is lit by the environment. */
   update(lists: readonly LightList[], lit: boolean): void;
   dispose(): void;
 }

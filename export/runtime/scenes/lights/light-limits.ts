@@ -5,15 +5,18 @@ import { isDirectLight } from './is-direct-light.ts';
 import { MAX_VSM_PX, type MapLimits, mapSizeOf, needsFloats, shadowOf } from './light-map.ts';
 
 /**
- * Lights of one set of maps that cast shadows, the first ones in their order. WebGL 2 promises 16 texture units and 15 varyings;
- * three takes one of each per shadow, and the richest of its materials ten.
+ * Maximum number of lights with shadows in one set of maps; the first ones count. WebGL 2 guarantees 16 texture units and 15 varyings;
+ * three.js needs one of each per shadow, and ten textures for its largest material.
  */
 export const MAX_SHADOWS = 6;
 
-/** Tells the node that draws when it is wired more lights than can be drawn; every frame, because shadows are switched while running. */
+/**
+ * Reports at the drawing node if more lights are connected than can be drawn. It is called every frame, because shadows can be switched at
+ * run time.
+ */
 export type LightLimits = (lists: readonly LightList[]) => void;
 
-/** `shadows`: of a layer that shows nothing else. */
+/** `shown` is `shadows` for a shadow layer. */
 export function createLightLimits(report: DrawBinding['report'], shown: 'all' | 'shadows', limits: MapLimits): LightLimits {
   return (lists) => {
     if (!report) return;
@@ -75,7 +78,7 @@ function isCutForVariance(light: LightItem, limits: MapLimits): boolean {
 
 /** Reports at the drawing node that the device has too few texture units for all shadows. */
 export interface TextureLimits {
-  /** Lights whose filter falls back to `soft`, and lights that transparent objects do not dim. */
+  /** Reports the number of lights that use the filter `soft` instead, and of lights that transparent objects do not dim. */
   tell(softened: number, undimmed: number): void;
 }
 

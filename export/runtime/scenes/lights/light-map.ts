@@ -25,35 +25,35 @@ import { createMoments } from './moments.ts';
 import { createShadowFit, fitShadow, type ShadowFit } from './shadow-fit.ts';
 import { createTranslucentShadow, TRANSLUCENT_SHADOW, type TranslucentShadow } from './translucent-shadow.ts';
 
-/** One light's depth map of this frame. */
+/** The depth map of one light in this frame. */
 export interface ShadowMap {
   /**
-   * `flat`: `target` has one depth texture, and `mapFromWorld` gives its UV and depth, homogeneous. `cube`: it has six faces about
-   * the light, and `mapFromWorld` gives the vector from the light. Both compare: 1 where lit.
+   * `flat`: `target` has one depth texture; `mapFromWorld` gives homogeneous UV and depth. `cube`: it has six faces around the light;
+   * `mapFromWorld` gives the vector from the light. Samplers of both compare: 1 where lit.
    */
   readonly kind: 'flat' | 'cube';
   readonly target: WebGLRenderTarget;
   readonly mapFromWorld: Matrix4;
-  /** Normalized depth by which receivers are pulled towards the light. */
+  /** Normalized depth by which receivers are moved towards the light. */
   readonly bias: number;
-  /** Meters along the receiver's normal; of spot and point lights, per meter of distance. */
+  /** Offset along the receiver's normal in meters; for spot and point lights, per meter of distance. */
   readonly normalBias: number;
   readonly filter: ShadowFilter;
-  /** Of `pcss`: 1 less the depth, in red, not filtered; else null. */
+  /** For `pcss`: 1 minus the depth in the red channel, unfiltered; else null. */
   readonly depths: Texture | null;
-  /** Of `vsm`: see `moments.ts`; else null. */
+  /** For `vsm`: see `moments.ts`; else null. */
   readonly moments: Texture | null;
   /**
-   * What is left of the light, in red, beyond what is see-through, and how far away the nearest of that is, in alpha: meters along
-   * the light's axis. Null where nothing is.
+   * The fraction of light behind transparent casters in the red channel, and the distance of the nearest of these in alpha, meters along
+   * the light's axis. Null if there are none.
    */
   readonly translucent: Texture | null;
-  /** Of spot and point lights, meters; 0 and the whole range for parallel light. */
+  /** Near and far distance of spot and point lights, meters; 0 and the whole range for directional lights. */
   readonly nearM: number;
   readonly farM: number;
   /**
-   * Of `pcss`: x, half the size of the light: of parallel light the radius of the penumbra in UV per meter between what casts and what
-   * receives, else meters. y: UV per meter across the map, one meter away from a spot or point light; 0 for parallel light.
+   * For `pcss`. x: half the size of the light; for directional lights the radius of the penumbra in UV per meter between caster and
+   * receiver, else meters. y: UV per meter across the map at a distance of 1 m from a spot or point light; 0 for directional lights.
    */
   readonly source: Vector2;
 }
@@ -61,31 +61,34 @@ export interface ShadowMap {
 /** A light with a shadow, and its map. */
 export interface LightMap {
   readonly light: LightItem;
-  /** Made for these settings; other ones need another map. */
+  /** The settings that the map was created for; other settings need another map. */
   readonly shadow: object;
   readonly map: ShadowMap;
   readonly askedSizePx: number;
-  /** Draws the casters as the light sees them; `translucentShadows`: those that are see-through, null where none is. */
+  /** Draws the casters from the light. `translucentShadows` contains the transparent ones; null if there are none. */
   render(renderer: SceneRenderer, scene: Scene, translucentShadows: Scene | null, castersWorld: readonly Sphere[]): void;
   dispose(): void;
 }
 
-/** What the device can make of what a light asks for. */
+/** Capabilities of the device for shadow maps. */
 export interface MapLimits {
   readonly maxSizePx: number;
-  /** Draws and filters 32-bit floats; without, maps that would need them are filtered as `soft`. */
+  /** Whether 32-bit floats can be rendered and filtered; without, filters that need them fall back to `soft`. */
   readonly floats: boolean;
 }
 
-/** With moments and what they are blurred by, 670 MB; a map twice as wide takes 2.7 GB, for which browsers drop the whole context. */
+/**
+ * Maximum size of `vsm` maps. With moments and blur targets it takes 670 MB; twice the size would take 2.7 GB, for which browsers drop the
+ * whole context.
+ */
 export const MAX_VSM_PX = 4096;
 
-/** Side of the map that a light gets. */
+/** Size of a light's map, limited by the device. */
 export function mapSizeOf({ mapSizePx, filter }: LightShadow | LocalLightShadow, { maxSizePx, floats }: MapLimits): number {
   return Math.min(mapSizePx, maxSizePx, filter === 'vsm' && floats ? MAX_VSM_PX : maxSizePx);
 }
 
-/** Null where the light casts no shadow. */
+/** Null if the light casts no shadow. */
 export function createLightMap(light: LightItem, limits: MapLimits): LightMap | null {
   if (!isDirectLight(light) || light.shadow === null) return null;
   switch (light.kind) {
@@ -98,7 +101,7 @@ export function createLightMap(light: LightItem, limits: MapLimits): LightMap | 
   }
 }
 
-/** Settings that the map was made for, as they are now; null where the light casts none any more. */
+/** The current shadow settings of the light; null if it casts none. */
 export function shadowOf(light: LightItem): DirectionalLightItem['shadow'] | PointLightItem['shadow'] {
   return isDirectLight(light) ? light.shadow : null;
 }
@@ -227,7 +230,7 @@ function createCubeMap(light: PointLightItem, shadow: LocalLightShadow, limits: 
   };
 }
 
-// Every draw sets all of it before it is read.
+// Set before it is read in every draw.
 const scratchCamera = createCamera();
 
 function cameraOf(fit: LocalShadowFit | ShadowFit): Camera {
@@ -244,7 +247,7 @@ function createCamera(): Camera {
   return camera;
 }
 
-/** Where a color buffer is of no use, three insists on one: the smallest. */
+/** three.js requires a color buffer; this is the smallest. */
 const COLOR = { format: RedFormat, minFilter: NearestFilter, magFilter: NearestFilter, generateMipmaps: false } as const;
 
 interface FlatTarget {
@@ -254,7 +257,7 @@ interface FlatTarget {
   dispose(): void;
 }
 
-/** With whatever the filter reads beside depth that compares. */
+/** Creates the target with the textures that the filter reads besides depth. */
 function createFlatTarget(shadow: LightShadow | LocalLightShadow, limits: MapLimits): FlatTarget {
   const asked = shadow.filter ?? 'soft';
   const sizePx = mapSizeOf(shadow, limits);
@@ -279,7 +282,7 @@ function createFlatTarget(shadow: LightShadow | LocalLightShadow, limits: MapLim
   };
 }
 
-/** Of depth that is read, and not compared alone. */
+/** Whether the filter reads depth values instead of comparing only. */
 export function needsFloats(filter: ShadowFilter | undefined): boolean {
   return filter === 'vsm' || filter === 'pcss';
 }
@@ -288,12 +291,12 @@ function createCubeTarget(sizePx: number): WebGLCubeRenderTarget {
   const target = new WebGLCubeRenderTarget(sizePx, COLOR);
   const depthTexture = new CubeDepthTexture(sizePx, UnsignedIntType);
   comparing(depthTexture);
-  // Its published type differs in what its images are, which nobody reads.
+  // Its published type requires images, which are not used.
   target.depthTexture = depthTexture as unknown as DepthTexture;
   return target;
 }
 
-/** 24 bits of depth that compare and filter in hardware. */
+/** Configures 24-bit depth with hardware comparison and filtering. */
 function comparing<T extends Pick<DepthTexture, 'compareFunction' | 'minFilter' | 'magFilter'>>(texture: T): T {
   texture.compareFunction = LessEqualCompare;
   texture.minFilter = LinearFilter;

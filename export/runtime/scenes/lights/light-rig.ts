@@ -5,25 +5,25 @@ import type { TranslucentShadowPatch } from '../materials/translucent-shadow-pat
 import type { ShadowMap } from './light-map.ts';
 import type { RenderedShadowMaps } from './shadow-maps.ts';
 
-/** The three.js lights for the light lists of one scene. Environments are not among them: see `scene-environment.ts`. */
+/** The three.js lights of one scene's light lists, except environments: see `scene-environment.ts`. */
 export interface LightRig {
-  /** Takes over changed lists and this frame's places and colors. */
+  /** Applies changed lists, and this frame's positions and colors. */
   update(lists: readonly LightList[]): void;
   /**
-   * Hands three the maps rendered this frame, or takes them away, and to `translucentShadows` what dims. Returns how many lights should be dimmed
-   * and are not, because there are no texture units left for it.
+   * Sets or removes the maps rendered in this frame, and passes translucent shadow maps to `translucentShadows`. Returns how many lights
+   * are not dimmed for lack of texture units.
    */
   bindShadows(maps: RenderedShadowMaps | null, translucentShadows: TranslucentShadowPatch, maxTextures: number): number;
   dispose(): void;
 }
 
-/** Below this, the two cosines between which three fades the edge of a cone would be one. */
+/** Below this, the two cosines between which three.js fades the edge of a cone would be equal. */
 export const MIN_PENUMBRA = 1e-3;
 
-// Read by the call that fills it, before anything else can.
+// Valid within one call.
 const scratchPoint = new Vector3();
 
-/** The richest of three's materials takes so many besides shadows. */
+/** Textures of three.js' largest material besides shadows. */
 const MATERIAL_TEXTURES = 10;
 
 type Textures = (Texture | null)[];
@@ -45,7 +45,7 @@ export function createLightRig(scene: Scene): LightRig {
   function clear(): void {
     for (const { light } of rig) {
       scene.remove(light);
-      // The map belongs to the shadow maps.
+      // The shadow maps own the map.
       light.shadow.map = null;
       light.dispose();
     }
@@ -79,7 +79,7 @@ export function createLightRig(scene: Scene): LightRig {
         if (map === null) continue;
         shadows++;
         if (map.translucent !== null) dimmed++;
-        // three goes through lights of one kind in this order, those with a shadow first.
+        // three.js visits lights of one kind in this order, those with a shadow first.
         texturesBy[item.kind as keyof typeof texturesBy].push(map.translucent);
         if (item.kind === 'directional') directionalFarM.push(map.farM);
       }
@@ -105,7 +105,7 @@ function createLight(item: LightItem): RigLight | null {
   }
 }
 
-/** three takes the direction from the light's place to its target's, which stays at the origin. */
+/** three.js computes the direction from the light's position to its target, which stays at the origin. */
 function createDirectional(item: DirectionalLightItem): RigLight {
   const light = new DirectionalLight();
   return {
@@ -149,7 +149,7 @@ function createSpot(item: SpotLightItem): RigLight {
   };
 }
 
-/** Nothing is computed behind our back. */
+/** Disables automatic updates. */
 function setUp(light: DirectLight): void {
   light.matrixAutoUpdate = false;
   light.matrixWorldAutoUpdate = false;
@@ -168,7 +168,7 @@ function bindShadow(light: DirectLight, map: ShadowMap | null): void {
   if (map === null) return;
   shadow.matrix = map.mapFromWorld;
   shadow.mapSize.setScalar(map.target.width);
-  // three adds its bias to the receiver's depth; ours pulls the receiver towards the light.
+  // three.js adds its bias to the receiver's depth; here the bias moves the receiver towards the light.
   shadow.bias = -map.bias;
   shadow.normalBias = map.normalBias;
   if ('isPointLight' in light) {
@@ -177,7 +177,7 @@ function bindShadow(light: DirectLight, map: ShadowMap | null): void {
   }
 }
 
-/** Without conversion: the list holds linear-sRGB, which is three's working space. */
+/** Without conversion: the list has linear-sRGB, three.js' working space. */
 function setLinear(color: Color, radiance: Float32Array): void {
   color.r = radiance[0] ?? 0;
   color.g = radiance[1] ?? 0;

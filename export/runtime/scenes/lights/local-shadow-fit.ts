@@ -3,7 +3,7 @@ import { placeCamera, REACH_M, type ShadowFit, setLevelAxes, UV_FROM_CLIP } from
 
 const MIN_NEAR_M = 0.01;
 
-/** The shadow camera of a spot or point light: it stands at the light and looks along its -z axis. */
+/** The shadow camera of a spot or point light: at the light, looking along its -z axis. */
 export interface LocalShadowFit extends Omit<ShadowFit, 'mapFromWorld'> {
   nearM: number;
 }
@@ -18,15 +18,15 @@ export function createLocalShadowFit(): LocalShadowFit {
   };
 }
 
-// Read by the call that fills them, before anything else can.
+// Valid within one call.
 const scratchRight = new Vector3();
 const scratchUp = new Vector3();
 const scratchBack = new Vector3();
 const scratchPosition = new Vector3();
 
 /**
- * Near and far planes of a light: from the nearest caster to far behind the farthest, or to where its light ends. 24 bits of
- * perspective depth from 1 cm on tell apart 0.15 mm at 5 m.
+ * Sets near and far plane: from the nearest caster to far behind the farthest, or to the range of the light. 24-bit perspective depth from
+ * 1 cm on resolves 0.15 mm at 5 m.
  */
 export function fitReach(fit: LocalShadowFit, positionWorld: ArrayLike<number>, castersWorld: readonly Sphere[], rangeM: number): void {
   scratchPosition.fromArray(positionWorld);
@@ -37,12 +37,12 @@ export function fitReach(fit: LocalShadowFit, positionWorld: ArrayLike<number>, 
     near = Math.min(near, distance - radius);
     far = Math.max(far, distance + radius);
   }
-  // Depth is taken along a face's axis, at most √3 shorter than the distance in the corners of a cube.
+  // Depth is measured along a face's axis, which at the corners of a cube is shorter than the distance by up to √3.
   fit.nearM = Number.isFinite(near) ? Math.max(near / Math.sqrt(3), MIN_NEAR_M) : MIN_NEAR_M;
   fit.farM = Math.max(rangeM > 0 ? rangeM : far + REACH_M, fit.nearM * 2);
 }
 
-/** A camera that sees the whole cone. `towardsLightWorld`: unit vector against the beam. */
+/** Sets a camera that sees the whole cone. `towardsLightWorld` is a unit vector against the beam. */
 export function aimCone(
   fit: LocalShadowFit,
   positionWorld: ArrayLike<number>,
@@ -57,7 +57,7 @@ export function aimCone(
   mapFromWorld.multiplyMatrices(UV_FROM_CLIP, fit.clipFromLight).multiply(fit.lightFromWorld);
 }
 
-/** Right, up and back of the camera per face, as GL reads cube maps (OpenGL ES 3.0 §3.8.10, table 3.21). */
+/** Right, up and back axis of the camera per face, as in GL (OpenGL ES 3.0 §3.8.10, table 3.21). */
 const FACES: readonly (readonly [right: Vector3, up: Vector3, back: Vector3])[] = [
   [new Vector3(0, 0, -1), new Vector3(0, -1, 0), new Vector3(-1, 0, 0)],
   [new Vector3(0, 0, 1), new Vector3(0, -1, 0), new Vector3(1, 0, 0)],
@@ -69,7 +69,7 @@ const FACES: readonly (readonly [right: Vector3, up: Vector3, back: Vector3])[] 
 
 export const FACE_COUNT = FACES.length;
 
-/** A camera that sees one face of a cube around the light: +x, -x, +y, -y, +z, -z. */
+/** Sets a camera that sees one face of a cube around the light: +x, -x, +y, -y, +z, -z. */
 export function aimFace(fit: LocalShadowFit, positionWorld: ArrayLike<number>, face: number): void {
   const axes = FACES[face];
   if (!axes) throw new Error(`A cube has no face ${face}.`);

@@ -15,20 +15,19 @@ import {
 import type { SceneRenderer } from '../scene-renderer.ts';
 
 /**
- * Blurred moments of a shadow map (Donnelly and Lauritzen 2006), of what casts alone: red is how much of the blur's window casts,
- * green its depth in meters along the light's axis, and blue its depth squared, both times red. Perspective depth would not do:
- * with a caster close to the light, all others lie within the last thousandth of it, which squares of 32 bits do not tell apart.
- * What does not cast counts for nothing: receivers need not be in the map, and an empty background would pull the mean behind them,
- * where nothing is ever in shadow.
+ * Blurred moments of a shadow map (Donnelly and Lauritzen 2006), of casters only: red is the fraction of the blur window with casters,
+ * green their depth in meters along the light's axis, blue the squared depth, both times red. Perspective depth is not suitable: with a
+ * caster near the light, all others are within its last thousandth, whose squares 32 bits do not resolve. Empty texels are excluded,
+ * because the background would move the mean behind the receivers.
  */
 export interface Moments {
   readonly texture: Texture;
-  /** After the map was drawn; near and far of it, meters, near 0 for parallel light. */
+  /** Called after the map was drawn, with its near and far distance in meters; near is 0 for directional lights. */
   update(renderer: SceneRenderer, nearM: number, farM: number): void;
   dispose(): void;
 }
 
-/** `depths`: 1 less the depth, in red. */
+/** `depths`: 1 minus the depth in the red channel. */
 export function createMoments(depths: Texture, sizePx: number): Moments {
   const across = createTarget(sizePx);
   const both = createTarget(sizePx);
@@ -100,7 +99,7 @@ void main() {
 }
 `;
 
-/** Nothing was drawn where it is still 0: depth 1. */
+/** 0 means that no caster was drawn (depth 1). */
 const FIRST = /* glsl */ `
   float stored = texture2D( source, at ).r;
   float meters = reach.x > 0.0 ? reach.x * reach.y / ( reach.x + stored * ( reach.y - reach.x ) ) : ( 1.0 - stored ) * reach.y;
@@ -108,7 +107,7 @@ const FIRST = /* glsl */ `
 `;
 const SECOND = 'return texture2D( source, at ).rgb;';
 
-/** Nine texels by a Gaussian of two: about as wide as three of the `soft` filter. */
+/** A Gaussian blur over nine texels with a standard deviation of two, about as wide as three texels of the `soft` filter. */
 function fragment(read: string): string {
   const weights = [-4, -3, -2, -1, 0, 1, 2, 3, 4].map((i) => Math.exp(-(i * i) / 8));
   const sum = weights.reduce((total, weight) => total + weight, 0);

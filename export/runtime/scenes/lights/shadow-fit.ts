@@ -1,20 +1,20 @@
 import { Matrix4, type Sphere, Vector3 } from 'three';
 
 /**
- * How far behind the casters a map reaches, meters: beyond any room. The depth of a directional light is linear in it, and its 24 bits
- * still tell apart 4 µm.
+ * Distance that a map covers behind the casters, meters: beyond any room. The depth of a directional light is linear in it, and 24 bits
+ * resolve 4 µm.
  */
 export const REACH_M = 60;
 
-/** A light's view of the casters. The camera looks from the light; depth 0 is just before the nearest caster. */
+/** The shadow camera of a directional light. Depth 0 is in front of the nearest caster. */
 export interface ShadowFit {
-  /** Light view from world: rigid, looking down -z, away from the light. */
+  /** Light view from world: rigid, looking along -z, away from the light. */
   readonly lightFromWorld: Matrix4;
   readonly worldFromLight: Matrix4;
   readonly clipFromLight: Matrix4;
-  /** Map UV and depth, each in [0, 1], from world. */
+  /** UV and depth of the map, each in [0, 1], from world space. */
   readonly mapFromWorld: Matrix4;
-  /** How far from the camera depth is 1, meters. */
+  /** Distance from the camera at which depth is 1, meters. */
   farM: number;
 }
 
@@ -28,22 +28,22 @@ export function createShadowFit(): ShadowFit {
   };
 }
 
-// Read by the call that fills them, before anything else can.
+// Valid within one call.
 const scratchRight = new Vector3();
 const scratchUp = new Vector3();
 const scratchBack = new Vector3();
 const scratchCenter = new Vector3();
-/** Texture coordinates and depth, each in [0, 1], from clip space. */
+/** UV and depth, each in [0, 1], from clip space. */
 export const UV_FROM_CLIP = new Matrix4().set(0.5, 0, 0, 0.5, 0, 0.5, 0, 0.5, 0, 0, 0.5, 0.5, 0, 0, 0, 1);
 
 /**
- * Lays a square map of `areaM` meters around the middle of the casters.
+ * Centers a square map of `areaM` meters on the casters.
  *
- * The middle moves in whole texels of the map, so that the shadow's edge does not crawl while an object moves or an animation
- * plays. Casters outside the square cast no shadow; those before it are kept, however far they stand towards the light.
+ * The center moves by whole texels, so that the shadow's edge does not flicker while objects move. Casters outside the square cast no
+ * shadow; those in front of it are kept, however near to the light.
  *
- * @param towardsLightWorld unit vector
- * @param castersWorld spheres around the casters, world space; without any the map lies around the origin
+ * @param towardsLightWorld Unit vector.
+ * @param castersWorld Bounding spheres of the casters; without any, the map is centered at the origin.
  */
 export function fitShadow(
   fit: ShadowFit,
@@ -54,7 +54,7 @@ export function fitShadow(
 ): void {
   scratchBack.fromArray(towardsLightWorld);
   setLevelAxes(scratchBack, scratchRight, scratchUp);
-  // The casters' extent along the light's own axes, seen from the world's origin.
+  // Extent of the casters along the light's axes, relative to the world's origin.
   let minX = Infinity;
   let maxX = -Infinity;
   let minY = Infinity;
@@ -78,7 +78,7 @@ export function fitShadow(
     .set(0, 0, 0)
     .addScaledVector(scratchRight, snap((minX + maxX) / 2, texelM))
     .addScaledVector(scratchUp, snap((minY + maxY) / 2, texelM))
-    // The camera stands just before the nearest caster.
+    // The camera is in front of the nearest caster.
     .addScaledVector(scratchBack, maxZ + NEAR_M);
 
   placeCamera(fit, scratchRight, scratchUp, scratchBack, scratchCenter);

@@ -11,9 +11,9 @@ import type { SceneRenderer } from '../scene-renderer.ts';
 import { MAX_SHADOWS, mapLimitsOf } from './light-limits.ts';
 import { createLightMap, type LightMap, type ShadowMap, shadowOf } from './light-map.ts';
 
-/** The maps of one set of casters, by light. */
+/** The shadow maps of one set of casters, by light. */
 export interface RenderedShadowMaps extends ShadowMaps {
-  /** Null where the light casts none, or is one too many. */
+  /** Null if the light casts no shadow or exceeds the limit. */
   mapOf(light: LightItem): ShadowMap | null;
 }
 
@@ -41,7 +41,7 @@ export function createShadowMaps(
     const material = mapMaterials(master, (part) => translucentTwins.get(part, features, () => createTranslucentShadowTwin(part)));
     return [{ material, renderOrder: 0, shows: castsShadow }];
   });
-  /** Materials may become see-through while running. */
+  /** Number of transparent casters; it may change at run time. */
   let translucentCount = 0;
 
   function updateTranslucent(rebuilt: boolean): Scene | null {
@@ -68,7 +68,7 @@ export function createShadowMaps(
       const sphere = bounds[i];
       if (!sphere || !proxy?.object.visible) continue;
       boundsInObject(proxy.master, sphere);
-      // Neither empty nor of broken vertices.
+      // Excludes empty geometries and invalid vertices.
       if (sphere.radius >= 0) shown.push(sphere.applyMatrix4(proxy.item.worldFromObject));
     }
   }
@@ -92,7 +92,7 @@ export function createShadowMaps(
     maps.splice(maps.indexOf(map), 1);
   }
 
-  /** The first lights that cast a shadow keep their maps; those that are gone, or are too many, lose them. */
+  /** Keeps the maps of the first lights that cast a shadow and disposes those of other lights. */
   function dropUnused(): void {
     for (let i = maps.length - 1; i >= 0; i--) {
       const map = maps[i];
@@ -100,7 +100,7 @@ export function createShadowMaps(
     }
   }
 
-  /** How many lights cast shadows before this one; beyond all where it is not among the lights. */
+  /** Number of lights with shadows before this one; larger than the limit if it is not among the lights. */
   function rankOf(light: LightItem): number {
     let rank = 0;
     for (const list of lights) {
@@ -148,7 +148,7 @@ function countTranslucent(proxies: readonly FlatProxy[]): number {
   return count;
 }
 
-/** Whether a map is the one that its light asks for now. */
+/** Whether the map still matches the settings of its light. */
 function isCurrent({ light, shadow, askedSizePx }: LightMap): boolean {
   const wanted = shadowOf(light);
   return wanted === shadow && wanted.mapSizePx === askedSizePx;

@@ -4,12 +4,15 @@ import type { SceneRenderer } from '../scene-renderer.ts';
 /** The translucent shadow map of one light: how transparent casters dim it. It exists only while there is such a caster. */
 export interface TranslucentShadow {
   texture(): Texture | null;
-  /** `translucentShadows`: what is see-through as `translucent-shadow-twin.ts` draws it; null where nothing is. `face`: of a cube. */
+  /**
+   * `translucentShadows` contains the transparent casters as `translucent-shadow-twin.ts` draws them; null if there are none. `face` is the
+   * face of a cube.
+   */
   render(renderer: SceneRenderer, translucentShadows: Scene | null, camera: Camera, face?: number): void;
   dispose(): void;
 }
 
-/** Half floats: meters in alpha, precise to 1/2048. Not filtered, because depths of different objects have no mean. */
+/** Half floats: meters in alpha with a precision of 1/2048. Unfiltered, because depths of different objects have no mean. */
 export const TRANSLUCENT_SHADOW = {
   format: RGBAFormat,
   type: HalfFloatType,
@@ -20,8 +23,8 @@ export const TRANSLUCENT_SHADOW = {
 } as const;
 
 /**
- * Whether a point lies far enough behind a transparent caster to be dimmed by it. The margin is 3 mm, for decals, plus the rounding
- * of half floats. Meters along the light's axis.
+ * Whether a point is far enough behind a transparent caster to be dimmed by it. The margin is 3 mm, for decals, plus the rounding of half
+ * floats. Meters along the light's axis.
  */
 export const BEHIND_TRANSLUCENT = /* glsl */ `
 bool isBehindTranslucent( const in float meters, const in float translucentM ) {

@@ -11,39 +11,39 @@ import { patchMaterial, type ShaderPatch } from './shader-patch.ts';
 import { castsTranslucentShadow } from './translucent-shadow-twin.ts';
 import { setMap, type Twin } from './twins.ts';
 
-/** Below this, a surface that is blended lets light through rather than stopping it. */
+/** Alpha below which a blended surface lets light pass. */
 const SOLID_ALPHA = 0.5;
 
-/** Below this, of what is blended nothing is to be seen. */
+/** Alpha below which a blended surface is invisible. */
 const SEEN_ALPHA = 1 / 255;
 
 /**
- * Draws the master's shape into depth alone: holes cut by its alpha test, moved by its displacement map.
+ * Creates a material that draws only depth of the master, including holes by alpha test and displacement.
  *
- * - `surface`: for what stands for a real thing or is drawn again in its colors. It lies a little behind the surface itself, so
- *   that what lies on the surface wins over it.
- * - `shadow`: both sides, because a single-sided wall casts a shadow whichever way it faces; what is see-through dims the light instead
- *   (`translucent-shadow-twin.ts`).
- * - `solid`: as `surface`, but what is blended is there where its alpha is above one half.
- * - `blended`: what is blended and writes no depth with its colors, after all of these: so that its layer has it.
+ * - `surface`: for phantoms, and for objects whose colors are drawn afterwards. It is a little behind the surface, so that colors on the
+ * surface pass the depth test.
+ * - `shadow`: both sides, because a single-sided wall casts a shadow in either direction. Transparent materials are excluded; they dim the
+ * light (`translucent-shadow-twin.ts`).
+ * - `solid`: as `surface`, and blended materials count where alpha exceeds one half.
+ * - `blended`: adds the depth of blended materials that write none with their colors, after all others, so that the layer contains it.
  */
 export function createDepthTwin(master: Material, use: 'surface' | 'shadow' | 'solid' | 'blended', clip: ShaderPatch | null = null): Twin {
   const material = new MeshDepthMaterial();
-  // In a shadow map, some filters read what it writes: 1 less the depth.
+  // Some shadow filters read the color that it writes: 1 minus the depth.
   material.depthPacking = BasicDepthPacking;
   material.colorWrite = use === 'shadow';
   material.polygonOffset = use === 'surface' || use === 'solid';
   material.polygonOffsetFactor = 1;
   material.polygonOffsetUnits = 1;
   if (use === 'blended') {
-    // three draws whatever is transparent after all that is not.
+    // three.js draws transparent materials last.
     material.transparent = true;
     material.blending = NoBlending;
   }
   if (clip) patchMaterial(material, null, [clip]);
   const leastAlpha = use === 'solid' ? SOLID_ALPHA : use === 'blended' ? SEEN_ALPHA : 0;
   function sync(): void {
-    // Materials that lack one of these, such as lines, have no such holes.
+    // Materials without one of these, such as lines, have no such holes.
     const from = master as Partial<MeshStandardMaterial> & Material;
     const alphaTest = from.alphaTest > 0 ? from.alphaTest : from.transparent ? leastAlpha : 0;
     material.visible =
@@ -62,7 +62,7 @@ export function createDepthTwin(master: Material, use: 'surface' | 'shadow' | 's
   return { material, sync, dispose: () => material.dispose() };
 }
 
-/** Whether a material covers what is behind it and writes no depth. What only adds light covers nothing. */
+/** Whether a material covers its background without writing depth. Additive materials cover nothing. */
 export function blendsWithoutDepth({ transparent, depthWrite, blending }: Material): boolean {
   return transparent && !depthWrite && blending === NormalBlending;
 }

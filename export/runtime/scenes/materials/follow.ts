@@ -1,6 +1,6 @@
 import type { Color, Euler, Material, Matrix3, Vector2, Vector3 } from 'three';
 
-/** What belongs to one material object and is no value of it, and what depends on the scene: see `layer-blending.ts`. */
+/** Properties that belong to one material object or depend on the scene (`layer-blending.ts`), and are not copied. */
 const OWN = new Set([
   ...['uuid', 'id', 'name', 'type', 'version', 'userData', '_listeners', 'defines', 'onBeforeCompile', 'customProgramCacheKey'],
   ...['blending', 'blendSrc', 'blendDst', 'blendEquation', 'blendSrcAlpha', 'blendDstAlpha', 'blendEquationAlpha'],
@@ -10,11 +10,11 @@ type Values = Record<string, unknown>;
 type Copyable = { copy(from: Copyable): void };
 
 /**
- * Makes `material` follow every value of `master`: numbers, switches and textures by reference, colors and vectors by copy.
- * three's protocol holds: code that changes what a program is compiled from sets the master's `needsUpdate`, and the returned
- * function then sets the follower's and returns true. Keys in `fixed` are left alone.
+ * Makes `material` follow every value of `master`: numbers, booleans and textures by reference, colors and vectors by copy. As in three.js,
+ * code that changes something compiled sets the master's `needsUpdate`; the returned function then sets it on the follower and returns
+ * true. Keys in `fixed` are skipped.
  *
- * `Material.copy` would do, but it clones user data, planes and defines at every call.
+ * `Material.copy` clones user data, planes and defines in each call.
  */
 export function follow(material: Material, master: Material, fixed: readonly string[] = []): () => boolean {
   const from = master as unknown as Values;
@@ -34,7 +34,7 @@ export function follow(material: Material, master: Material, fixed: readonly str
   };
 }
 
-/** Textures have a `copy` too, but are shared. */
+/** Textures have a `copy` method too, but are shared. */
 function isCopyable(value: unknown): value is Copyable {
   if (typeof value !== 'object' || value === null) return false;
   const kind = value as Partial<Color & Vector2 & Vector3 & Euler & Matrix3>;

@@ -2,12 +2,12 @@ import { ShaderChunk, type Texture } from 'three';
 import type { ShaderPatch } from './shader-patch.ts';
 
 /**
- * Lets the layer's background show through transmissive materials.
+ * Makes the layer's background visible through transmissive materials.
  *
- * three renders what stands behind glass into a buffer that it clears to half-covered white (`renderTransmissionPass`), so
- * that glass over nothing becomes a white haze. The buffer's content is opaque, so a sample's alpha tells how much of it is
- * clear color: with coverage k, alpha = k + (1 - k) / 2 and color = k · content + (1 - k) · white. Taking the white out
- * gives premultiplied content with coverage k; glass over nothing is then as transparent as its transmittance.
+ * three.js renders what is behind glass to a buffer that it clears to half-covered white (`renderTransmissionPass`), so that glass over
+ * nothing becomes a white haze. The content of the buffer is opaque, so the alpha of a sample tells how much of it is clear color: with
+ * coverage k, alpha = k + (1 - k) / 2 and color = k · content + (1 - k) · white. Subtracting the white gives premultiplied content with
+ * coverage k; glass over nothing is then as transparent as its transmittance.
  */
 export function createGlassPatch(): ShaderPatch & { dispose(): void } {
   const chunk = ShaderChunk.transmission_pars_fragment;
@@ -26,7 +26,7 @@ export function createGlassPatch(): ShaderPatch & { dispose(): void } {
       shader.fragmentShader = shader.fragmentShader.replace('#include <transmission_pars_fragment>', patched);
       if (shader.uniforms.transmissionSamplerMap) uniforms.push(shader.uniforms.transmissionSamplerMap);
     },
-    // three makes the buffer for a scene and never frees it; the uniform is the only way to it.
+    // three.js creates the buffer per scene and never disposes it; it is reachable only by the uniform.
     dispose: () => {
       for (const uniform of uniforms) uniform.value?.renderTarget?.dispose();
       uniforms.length = 0;

@@ -2,19 +2,19 @@ import { BufferAttribute, type BufferGeometry, Vector3 } from 'three';
 
 const NAME = 'scrimHullNormal';
 
-/** A vertex moves at most this many times as far as its faces do: where faces fold back onto each other it would fly off. */
+/** Maximum length of a hull normal; between faces that fold back on each other it would be unlimited. */
 const LONGEST = 2;
 
-// Read by the loop that fills them, before anything else can.
+// Valid within one iteration.
 const scratchCorners = [new Vector3(), new Vector3(), new Vector3()] as const;
 const scratchEdge = new Vector3();
 const scratchOther = new Vector3();
 const scratchFace = new Vector3();
 
 /**
- * Adds the attribute `scrimHullNormal` to a geometry, once. Moving a vertex along its hull normal moves all faces that meet there
- * outwards by one. Vertices at equal positions share it, so that the hull has no gaps at hard edges.
- * Faces count by their angle there (Thürmer and Wüthrich 1998), so that it does not matter how a flat side is cut into triangles.
+ * Adds the attribute `scrimHullNormal` to a geometry, once. Moving a vertex along its hull normal moves all adjacent faces outward by one.
+ * Vertices at equal positions share it, so that the hull has no gaps at hard edges. Faces are weighted by their angle at the vertex
+ * (Thürmer and Wüthrich 1998), so the result does not depend on how a flat side is triangulated.
  */
 export function ensureHullNormals(geometry: BufferGeometry): void {
   const { position } = geometry.attributes;
@@ -25,7 +25,7 @@ export function ensureHullNormals(geometry: BufferGeometry): void {
     const at = (placeOf[vertex] ?? 0) * 3;
     for (let c = 0; c < 3; c++) sums[at + c] = (sums[at + c] ?? 0) + normal.getComponent(c) * weight;
   });
-  // How far each face moves by the mean direction; the vector is made longer by as much as they fall short.
+  // Distance by which the mean direction moves each face; the vector is scaled by its inverse.
   const facing = new Float32Array(position.count);
   const weights = new Float32Array(position.count);
   eachCorner(geometry, (vertex, normal, weight) => {
@@ -44,7 +44,7 @@ export function ensureHullNormals(geometry: BufferGeometry): void {
   geometry.setAttribute(NAME, new BufferAttribute(outward, 3));
 }
 
-/** Of each vertex, the first one at the same place. */
+/** For each vertex, the first one at the same position. */
 function findPlaces(count: number, read: (index: number, into: Vector3) => void): Uint32Array {
   const first = new Map<string, number>();
   const places = new Uint32Array(count);

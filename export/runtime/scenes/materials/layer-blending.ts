@@ -15,22 +15,22 @@ export function isTransmissive(material: Material): boolean {
   return ((material as Partial<MeshPhysicalMaterial>).transmission ?? 0) > 0;
 }
 
-/** Whether three draws the material with alpha 1 and without blending. */
+/** Whether three.js draws the material with alpha 1 and without blending. */
 export function isOpaque(material: Material): boolean {
   return !material.transparent && material.blending === NormalBlending && !material.alphaToCoverage && !isTransmissive(material);
 }
 
 /**
- * Sets the twin's blending and defines so that a layer over transparent black comes out premultiplied (docs/ARCHITECTURE.md, “Drawing”).
+ * Sets blending and defines of a twin so that a layer over transparent black is premultiplied (docs/ARCHITECTURE.md, “Drawing”).
  *
- * - Opaque, normally blended: as three has them. Its factors for normal blending give color × alpha and the right alpha.
- * - Additive: three also adds the alpha, which would cover what lies behind the layer; light that is only added covers nothing.
- * - Glass, and opaque surfaces that `occlusion-patch.ts` fades: their shaders write premultiplied color, blended over.
+ * - Opaque and normal blending: as in three.js, whose factors give color × alpha and the right alpha.
+ * - Additive: three.js also adds the alpha, which would cover the background; added light covers nothing.
+ * - Glass, and opaque surfaces that `occlusion-patch.ts` fades: their shaders write premultiplied color.
  */
 export function applyLayerBlending(twin: Material, master: Material, fades: boolean): void {
   twin.defines = { ...master.defines };
   if (!master.transparent && (isTransmissive(master) || (isOpaque(master) && fades))) {
-    // Another blending than three's normal one keeps it from ignoring the texture's alpha by itself.
+    // With another blending than normal, three.js does not ignore the alpha of textures by itself.
     twin.defines.OPAQUE = '';
     twin.defines.PREMULTIPLIED_OUTPUT = '';
     setBlending(twin, OneFactor, OneMinusSrcAlphaFactor, OneFactor, OneMinusSrcAlphaFactor);

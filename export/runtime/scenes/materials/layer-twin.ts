@@ -10,14 +10,14 @@ import type { Twin } from './twins.ts';
 export interface LayerTwinOptions {
   /** Draws only this side of a double-sided master. */
   readonly side: typeof BackSide | typeof FrontSide | null;
-  /** Fades fragments behind the room, or null. */
+  /** Fades fragments behind the room; null without occlusion. */
   readonly occlusion: ShaderPatch | null;
   readonly translucentShadows: TranslucentShadowPatch;
-  /** Called when the master began to need another way of drawing, such as having become transparent. */
+  /** Called when the master needs to be drawn differently, such as after it became transparent. */
   readonly onChange: () => void;
 }
 
-/** The master as it is drawn into a layer: its own shading, premultiplied output (see `layer-blending.ts`). */
+/** The material that draws the master into a layer: its own shading with premultiplied output (see `layer-blending.ts`). */
 export function createLayerTwin(master: Material, options: LayerTwinOptions): Twin {
   const material = master.clone();
   const glass = 'isMeshPhysicalMaterial' in master ? createGlassPatch() : null;

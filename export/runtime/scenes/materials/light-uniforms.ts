@@ -2,7 +2,7 @@ import { Vector3, Vector4 } from 'three';
 import type { DirectLightItem } from '../../../../nodes/kit/scene-lists.ts';
 import { MIN_PENUMBRA } from '../lights/light-rig.ts';
 
-/** Direct lights as `shadow-catcher-shader.ts` reads them. */
+/** Direct lights in the form that `shadow-catcher-shader.ts` reads. */
 export interface LightUniforms {
   readonly lightPlace: { readonly value: Vector4[] };
   readonly lightCone: { readonly value: Vector4[] };
@@ -12,7 +12,7 @@ export interface LightUniforms {
 // Rec. 709 luminance of linear-sRGB.
 const LUMINANCE = new Vector3(0.2126, 0.7152, 0.0722);
 
-// Read by the call that fills it, before anything else can.
+// Valid within one call.
 const scratchColor = new Vector3();
 
 const NO_CONE = -2;

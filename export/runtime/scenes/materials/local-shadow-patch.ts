@@ -3,7 +3,7 @@ import type { ShaderPatch } from './shader-patch.ts';
 
 const INCLUDE = '#include <shadowmap_vertex>';
 
-/** What three writes, and what takes its place. */
+/** Shader text of three.js and its replacement. */
 const REPLACEMENTS = [
   [
     'shadowWorldNormal * pointLightShadows[ i ].shadowNormalBias',
@@ -16,8 +16,8 @@ const REPLACEMENTS = [
 ] as const;
 
 /**
- * Reads the normal bias of spot and point lights as meters per meter of distance from the light: a pixel of their maps covers the more the farther
- * away it lies, and one distance for all either leaves stripes far off or lifts shadows off their objects nearby.
+ * Scales the normal bias of spot and point lights by the distance from the light, because pixels of their maps grow with it. A constant
+ * bias leaves stripes far away or detaches shadows nearby.
  */
 export function createLocalShadowPatch(): ShaderPatch {
   let chunk = ShaderChunk.shadowmap_vertex;

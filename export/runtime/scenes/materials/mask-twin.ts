@@ -3,7 +3,7 @@ import { createDepthTwin } from './depth-twin.ts';
 import { patchMaterial, type ShaderPatch, wrapMain } from './shader-patch.ts';
 import type { Twin } from './twins.ts';
 
-/** Instead of the depth that three writes as a color. */
+/** Replaces the depth that three.js writes as color. */
 const WHITE: ShaderPatch = {
   key: 'white',
   apply: (shader) => {
@@ -11,7 +11,7 @@ const WHITE: ShaderPatch = {
   },
 };
 
-/** The master's shape in white. At a soft border of the room it fades. */
+/** Draws the shape of the master in white, faded at a soft border of the room. */
 export function createMaskTwin(master: Material, occlusion: ShaderPatch | null): Twin {
   const twin = createDepthTwin(master, 'solid');
   const { material } = twin;

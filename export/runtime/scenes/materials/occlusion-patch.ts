@@ -8,19 +8,19 @@ import { type ShaderPatch, wrapMain } from './shader-patch.ts';
  * Hides fragments behind the room while a scene is drawn: the early form of `layer/depth-occlusion`, with the formula of its
  * `occlusion.fs`.
  *
- * The two forms give the same picture, but for what the layer form cannot know: it hides a pixel by the depth of its nearest
- * surface, seen through or not; here each fragment is hidden by its own depth. So the compiler takes the layer form only where a
- * layer is not as it was drawn (ADR 26). At a soft border the layer form fades the finished pixel. So that a surface which fades here lets through nothing of those behind it, soft scenes
- * draw the depth of opaque surfaces first (`shaded-scene.ts`).
+ * Both forms give the same image, except that the layer form hides a pixel by the depth of its nearest surface, transparent or not, while
+ * here each fragment is tested by its own depth. The compiler uses the layer form only for layers that were changed after drawing (ADR 26).
+ * At a soft border the layer form fades the finished pixel. To match it, soft scenes draw the depth of opaque surfaces first
+ * (`shaded-scene.ts`), so that a fading surface does not show those behind it.
  */
 export interface OcclusionPatch extends ShaderPatch {
   /** Whether the border is soft, so that surfaces fade. */
   readonly isSoft: () => boolean;
-  /** Takes over the view's room depth and the params; before every draw. */
+  /** Applies the view's room depth and the params; called before every draw. */
   bind(view: DrawView): void;
 }
 
-/** The clip position tells the view UV whatever the viewport, and its w is the depth in view space: sessions are in perspective. */
+/** The clip position gives the view UV in any viewport, and its w is the view-space depth, because sessions use perspective. */
 const VERTEX = {
   before: 'varying vec4 scrimPositionClip;',
   start: '',
@@ -31,8 +31,8 @@ const FRAGMENT = {
   before: /* glsl */ `
 uniform sampler2D scrimRoomDepth;
 uniform mat3 scrimRoomUvFromViewUv;
-// x: 1 where there is room depth, 2 where it is blended; y: soft border, meters; z: how far behind the room something may be and
-// still show, meters; w: radius of the border, pixels.
+// x: 1 with room depth, 2 with interpolation; y: soft border, meters; z: tolerance behind the room, meters; w: radius of the border,
+// pixels.
 uniform vec4 scrimOcclusion;
 uniform vec2 scrimViewPx;
 varying vec4 scrimPositionClip;
@@ -40,7 +40,7 @@ ${ROOM_DEPTH_CHUNK}
 float scrimVisibilityAt( vec2 viewUv ) {
   vec3 uv = scrimRoomUvFromViewUv * vec3( clamp( viewUv, 0.0, 1.0 ), 1.0 );
   vec2 at = uv.xy / uv.z;
-  // What is unknown hides nothing, and so does what the depth camera does not see.
+  // Unknown depth hides nothing, nor does the area outside of the depth image.
   if ( any( greaterThan( abs( at - 0.5 ), vec2( 0.50001 ) ) ) ) return 1.0;
   float roomM = scrim_roomM( scrimRoomDepth, scrimOcclusion.x > 1.5, at );
   if ( roomM <= 0.0 ) return 1.0;
@@ -52,7 +52,7 @@ float scrimVisibilityAt( vec2 viewUv ) {
 float scrimVisibility() {
   if ( scrimOcclusion.x == 0.0 ) return 1.0;
   vec2 here = scrimPositionClip.xy / scrimPositionClip.w * 0.5 + 0.5;
-  // The middle of the pixel, to the last bit, as a pass over the finished layer has it.
+  // The exact center of the pixel, as a pass over the finished layer has it.
   here = ( floor( here * scrimViewPx ) + 0.5 ) / scrimViewPx;
   if ( scrimOcclusion.w <= 0.0 ) return scrimVisibilityAt( here );
   float seen = 0.0;
@@ -74,7 +74,7 @@ float scrimVisibility() {
   #endif`,
 };
 
-/** All materials of one scene share the uniforms, so that binding a view is a few assignments. */
+/** All materials of a scene share the uniforms, so that setting a view is a few assignments. */
 export function createOcclusionPatch({ roomDepth, params }: OcclusionBinding): OcclusionPatch {
   const texture = new ExternalTexture();
   const uniforms = {

@@ -1,6 +1,6 @@
 import { ROOM_DEPTH_TEXT } from '../../../program/room-depth.ts';
 
-/** `scrim_roomM` for materials, several of whose patches may need it. */
+/** Declares `scrim_roomM` in materials once, because several patches may need it. */
 export const ROOM_DEPTH_CHUNK = /* glsl */ `
 #ifndef SCRIM_ROOM_DEPTH
 #define SCRIM_ROOM_DEPTH

@@ -17,12 +17,12 @@ import { ROOM_DEPTH_CHUNK } from './room-depth-chunk.ts';
 import { type ShaderPatch, wrapMain } from './shader-patch.ts';
 import type { CatcherSurface } from './shadow-catcher-shader.ts';
 
-/** What the depth of the room says of the view's pixels. */
+/** The surface of the room from room depth. */
 export interface RoomSurface {
   readonly uniforms: RoomUniforms;
-  /** Discards what lies farther behind the room than a tolerance, and so would lie on something nearer. */
+  /** Discards fragments farther behind the room than the tolerance, which would appear on a nearer surface. */
   readonly clip: ShaderPatch;
-  /** Takes over the view's room depth; before every draw. False where there is none. */
+  /** Applies the view's room depth; called before every draw. Returns false without room depth. */
   bind(view: DrawView): boolean;
 }
 
@@ -30,7 +30,7 @@ export interface RoomUniforms {
   readonly [uniform: string]: { value: unknown };
 }
 
-// Read by the call that fills it, before anything else can.
+// Valid within one call.
 const scratchInverse = new Matrix3();
 
 export function createRoomSurface(roomDepth: RoomDepthOutput, toleranceM: NumberView): RoomSurface {
@@ -38,13 +38,13 @@ export function createRoomSurface(roomDepth: RoomDepthOutput, toleranceM: Number
   const uniforms = {
     roomDepth: { value: texture },
     roomUvFromViewUv: { value: new Matrix3() },
-    // One texel along each axis of the depth picture, in UV of the view.
+    // One texel along each axis of the depth image, in view UV.
     roomStepX: { value: new Vector2() },
     roomStepY: { value: new Vector2() },
-    // What the projection scales x and y by, and how far it shifts them.
+    // Scale and shift of x and y in the projection.
     roomLens: { value: new Vector4() },
     roomWorldFromView: { value: new Matrix4() },
-    // x: 1 where there is room depth, 2 where it is blended; y: tolerance, meters.
+    // x: 1 with room depth, 2 with interpolation; y: tolerance, meters.
     roomClip: { value: new Vector2() },
   };
   return {
@@ -92,9 +92,9 @@ bool behindRoom() {
   if ( roomClip.x == 0.0 ) return false;
   vec3 uv = roomUvFromViewUv * vec3( vRoomClip.xy / vRoomClip.w * 0.5 + 0.5, 1.0 );
   vec2 at = uv.xy / uv.z;
-  // What is unknown clips nothing, and so does what the depth camera does not see.
+  // Unknown depth clips nothing, nor does the area outside of the depth image.
   if ( any( greaterThan( abs( at - 0.5 ), vec2( 0.50001 ) ) ) ) return false;
-  // As an occlusion reads it, so that shadows end where things are hidden.
+  // Read as an occlusion reads it, so that shadows end where objects are hidden.
   float roomM = scrim_roomM( roomDepth, roomClip.x > 1.5, at );
   return roomM > 0.0 && vRoomClip.w > roomM + roomClip.y;
 }`,
@@ -103,10 +103,9 @@ bool behindRoom() {
 };
 
 /**
- * The surface that room depth shows, found pixel by pixel: the plane through the samples around that are close in depth, by least
- * squares. Depth of sensors is coarse and noisy, and a normal from its differences points anywhere: shadows had cracks beside every
- * step and grains elsewhere. A plane is linear in the picture by the inverse of its depth, which is what is fitted; samples beyond a
- * step have no part in it. Where all others lie beyond one, the surface faces the eye.
+ * Finds the surface of room depth per pixel: the plane through nearby samples of similar depth, by least squares. Depth of sensors is
+ * coarse and noisy, so normals from differences have random directions, and shadows would have cracks and grain. The inverse depth of a
+ * plane is linear in the image, so it is fitted; samples beyond a depth step are excluded. If no samples remain, the surface faces the eye.
  */
 export const ROOM_SURFACE: CatcherSurface = {
   declarations: /* glsl */ `
@@ -118,19 +117,19 @@ uniform vec4 roomLens;
 uniform mat4 roomWorldFromView;
 varying vec2 vViewUv;
 
-// Part of the depth by which samples differ at most that are one surface.
+// Maximum relative difference in depth between samples of one surface.
 #define SAME_SURFACE 0.03
-// Samples to each side, and how many of the shorter side lie between them at least: a footprint of a thirtieth of the view.
+// Samples to each side, and their minimum number along the shorter side of the view: a footprint of a thirtieth.
 #define REACH 2
 #define ROWS 120
-// Draws the plane towards one that faces the eye, where the samples do not say: square steps.
+// Biases the plane towards one that faces the eye, for places where the samples are ambiguous: square steps.
 #define UPRIGHT 0.02
 
 float roomTexel( const in ivec2 at, const in ivec2 last ) {
   return texelFetch( roomDepth, clamp( at, ivec2( 0 ), last ), 0 ).r;
 }
 
-// The plane, in meters along the view's axis: here, and one sample farther along either axis of the depth picture; 0 where unknown.
+// The plane, in meters along the view's axis: here, and one sample farther along each axis of the depth image; 0 where unknown.
 vec3 roomPlane( const in vec2 viewUv ) {
   vec3 uv = roomUvFromViewUv * vec3( viewUv, 1.0 );
   vec2 at = uv.xy / uv.z;
@@ -142,7 +141,7 @@ vec3 roomPlane( const in vec2 viewUv ) {
   float middleM = roomTexel( middle, size - 1 );
   if ( middleM <= 0.0 ) return vec3( 0.0 );
   float weights = 0.0;
-  // Of places (steps from here), of inverse depths (as parts of the middle's, less 1), and of their products.
+  // Sums of offsets (steps from here), of inverse depths (relative to the center's, minus 1), and of their products.
   vec3 sums = vec3( 0.0 );
   vec3 squares = vec3( 0.0 );
   vec2 products = vec2( 0.0 );
@@ -161,7 +160,7 @@ vec3 roomPlane( const in vec2 viewUv ) {
       products += weight * place * found.z;
     }
   }
-  // The middle itself always counts.
+  // The center sample always counts.
   vec3 mean = sums / weights;
   vec3 spread = squares / weights - vec3( mean.xy * mean.xy, mean.x * mean.y ) + vec3( UPRIGHT, UPRIGHT, 0.0 );
   vec2 along = products / weights - mean.xy * mean.z;
@@ -181,11 +180,11 @@ vec3 roomPoint( const in vec2 viewUv, const in float meters ) {
   vec3 tangentX = roomPoint( vViewUv + roomStepX, plane.y ) - positionWorld;
   vec3 tangentY = roomPoint( vViewUv + roomStepY, plane.z ) - positionWorld;
   vec3 normal = normalize( cross( tangentX, tangentY ) );
-  // Whichever way the picture lies, what is seen faces the eye.
+  // A visible surface faces the eye, whatever the orientation of the image.
   normal *= sign( dot( normal, roomWorldFromView[ 3 ].xyz - positionWorld ) );`,
 };
 
-/** As far away as can be: it shows where nothing else of the layer does. */
+/** At the far plane, so that it appears only where the layer has nothing else. */
 const VERTEX = /* glsl */ `
 varying vec2 vViewUv;
 

@@ -1,13 +1,13 @@
 import type { Material, WebGLProgramParametersWithUniforms } from 'three';
 
-/** A change to the shaders that three makes for a material. */
+/** A change to the shaders of a three.js material. */
 export interface ShaderPatch {
-  /** Tells programs apart: three shares them between materials by key. */
+  /** Cache key, because three.js shares programs between materials. */
   readonly key: string;
   apply(shader: WebGLProgramParametersWithUniforms): void;
 }
 
-/** Installs patches, after whatever the master's own `onBeforeCompile` does. */
+/** Applies patches after the master's own `onBeforeCompile`. */
 export function patchMaterial(material: Material, master: Material | null, patches: readonly ShaderPatch[]): void {
   const key = patches.map((patch) => patch.key).join();
   material.onBeforeCompile = (shader, renderer) => {
@@ -20,8 +20,8 @@ export function patchMaterial(material: Material, master: Material | null, patch
 const MAIN = 'void main() {';
 
 /**
- * Puts GLSL before `main`, at its start and at its end. All of three's shaders write `main` once, last, and in one way
- * (`src/renderers/shaders/ShaderLib`); a shader that does not is a fault here.
+ * Inserts GLSL before `main`, at its start and at its end. All shaders of three.js define `main` once, last, and in the same form
+ * (`src/renderers/shaders/ShaderLib`); another form is a programming error.
  */
 export function wrapMain(source: string, parts: { readonly before: string; readonly start: string; readonly end: string }): string {
   const main = source.indexOf(MAIN);

@@ -2,13 +2,12 @@ import { BEHIND_TRANSLUCENT } from '../lights/translucent-shadow.ts';
 import { type CubeLight, cubeLit, cubeParts, type FlatLight, flatLit, flatParts } from './shadow-filter-shader.ts';
 
 /**
- * The surface of a phantom as a shadow: premultiplied color, whose alpha is the blocked part of the light that would reach it.
+ * Draws the surface of a phantom as a shadow: premultiplied color whose alpha is the blocked fraction of the light that would reach it.
  *
- * Light is weighted as a matt surface receives it, by its luminance, its distance and the cosine to the normal, so that a light
- * behind a wall neither darkens nor lightens it, and one of two lights alone makes half a shadow. Where light only grazes the surface
- * the real one is dim by itself, and the shadow fades.
+ * Lights are weighted by luminance, distance and the cosine to the normal, as a matte surface receives them, so that a light behind a wall
+ * has no effect, and one of two equal lights gives half a shadow. At grazing light the real surface is dim, so the shadow fades.
  *
- * Normals are those of the triangles (screen-space derivatives): scanned and detected surfaces come without.
+ * Normals are those of the triangles (screen-space derivatives), because scanned and detected surfaces have none.
  */
 export const CATCHER_VERTEX = /* glsl */ `
 #include <common>
@@ -37,13 +36,13 @@ uniform float strength;
 uniform vec4 shadowColor;`;
 
 const ARRIVING = /* glsl */ `
-// Cosine below which light counts as grazing: 6 degrees.
+// Cosine below which light is grazing: 6 degrees.
 #define GRAZING 0.1
 
 // Of the surface.
 vec3 positionWorld;
 
-// x: light that a matt surface receives; y: cosine to its normal.
+// x: light that a matte surface receives; y: cosine to its normal.
 vec2 arriving( const in vec3 normal, const in vec4 place, const in vec4 cone, const in vec3 fall ) {
   vec3 way = place.xyz - place.w * positionWorld;
   float distanceM = length( way );
@@ -81,17 +80,17 @@ function writeShadow(blockedPart: string): string {
   gl_FragColor = vec4( shadowColor.rgb * alpha, alpha );`;
 }
 
-/** Lights that a catcher is written for: those with a map of one side, with a cube of six, and with none, in this order. */
+/** Numbers of lights in the shader: with a flat map, with a cube map, and without a map, in this order. */
 export interface CatcherLights {
   readonly flat: readonly FlatLight[];
   readonly cube: readonly CubeLight[];
   readonly plain: number;
 }
 
-/** How a catcher finds the point and the normal of its surface: declarations, and statements that set `positionWorld` and `normal`. */
+/** How a catcher finds its surface: declarations, and statements that set `positionWorld` and `normal`. */
 export type CatcherSurface = typeof GEOMETRY;
 
-/** Written out light by light, because samplers in arrays take constant indices only. */
+/** The code is unrolled per light, because arrays of samplers require constant indices. */
 export function catcherFragment({ flat, cube, plain }: CatcherLights, { declarations, find }: CatcherSurface = GEOMETRY): string {
   const count = flat.length + cube.length + plain;
   const extras = flat.filter(({ extra }) => extra >= 0).length + flat.filter(({ translucent }) => translucent >= 0).length;
@@ -122,7 +121,7 @@ void main() {
 `;
 }
 
-/** What one of so many lights gives a surface, as a part of all: what is missing where it is blocked, in the red channel. */
+/** The contribution of one light as a fraction of all, in the red channel: the part that is missing where it is blocked. */
 export function blockedFragment(count: number, light: number): string {
   return /* glsl */ `
 ${lightUniforms(count)}
@@ -139,10 +138,10 @@ void main() {
 `;
 }
 
-/** A shadow whose blocked part is known per pixel of the view. */
+/** A shadow whose blocked fraction is read per pixel of the view. */
 export const KNOWN_SHADOW_FRAGMENT = /* glsl */ `
 ${SHADOW_COLOR}
-// Red: the blocked part of the light, pixel by pixel of the viewport, which begins here.
+// Red: the blocked fraction of the light per pixel of the viewport.
 uniform sampler2D blockedPart;
 uniform ivec2 viewportStart;
 
@@ -153,10 +152,10 @@ void main() {
 
 function lightUniforms(count: number): string {
   return /* glsl */ `
-// xyz: unit vector towards the light, or with w = 1 its place; world.
+// xyz: unit vector towards the light, or with w = 1 its position; world.
 uniform vec4 lightPlace[ ${count} ];
 // xyz: unit vector against the beam, world; w: cosine at the cone's edge, -2 without a cone.
 uniform vec4 lightCone[ ${count} ];
-// x: luminance; y: range in meters, 0 without end; z: cosine where the cone is in full light.
+// x: luminance; y: range in meters, 0 for infinite; z: cosine of the fully lit cone.
 uniform vec3 lightFall[ ${count} ];`;
 }

@@ -26,14 +26,17 @@ import { CATCHER_VERTEX, catcherFragment } from './shadow-catcher-shader.ts';
 import type { CubeLight, FlatLight } from './shadow-filter-shader.ts';
 import type { Twin } from './twins.ts';
 
-/** The materials of one shadow layer: they share lights, strength and color, and differ in what three compiles per object. */
+/** The materials of one shadow layer, which share lights, strength and color, and differ in what three.js compiles per object. */
 export interface ShadowCatcher {
   createTwin(master: Material): Twin;
-  /** Takes over strength and color, changed lists, and this frame's matrices and lights. */
+  /** Applies strength, color, changed lists, and this frame's matrices and lights. */
   update(receivers: readonly ObjectList[], lights: readonly LightList[]): void;
-  /** Before a view is drawn; leaves no framebuffer bound. */
+  /** Called before a view is drawn; leaves no framebuffer bound. */
   beforeDraw(view: DrawView): void;
-  /** For what room depth shows; its uniforms say where that is. The caller disposes it. Null where the method cannot do it. */
+  /**
+   * Creates a material for surfaces of room depth, which its uniforms describe. The caller disposes it. Null if the method does not support
+   * it.
+   */
   createRoomMaterial(room: RoomUniforms): ShaderMaterial | null;
   dispose(): void;
 }
@@ -42,15 +45,15 @@ export interface MapCatcherOptions {
   readonly strength: NumberView;
   readonly color: VectorView;
   readonly maps: RenderedShadowMaps | null;
-  /** Hides what lies behind the room. */
+  /** Hides fragments behind the room. */
   readonly occlusion: readonly ShaderPatch[];
   readonly textureLimits: TextureLimits;
 }
 
-/** Texture units that catchers take at most, of sixteen: those left are for room depth. */
+/** Maximum number of texture units of a catcher; the remaining two of sixteen are for room depth. */
 const MAX_TEXTURES = 14;
 
-/** Catches shadows by shadow maps, with the filter of each light; edges follow what pictures cut out. */
+/** Catches shadows by shadow maps with the filter of each light. Edges follow cutouts by alpha. */
 export function createMapCatcher({ strength, color, maps, occlusion, textureLimits }: MapCatcherOptions): ShadowCatcher {
   let lightLists: readonly LightList[] = [];
   const lightUniforms = createLightUniforms();
@@ -81,7 +84,7 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
   let fragmentShader = catcherFragment(lights);
   let roomFragment = catcherFragment(lights, ROOM_SURFACE);
   const written = new Map<ShaderMaterial, 'geometry' | 'room'>();
-  /** `textures`: units that are taken; `softened` and `undimmed`: lights that found none left. */
+  /** `textures`: units in use; `softened`, `undimmed`: lights for which no unit was left. */
   const counts = { flat: 0, cube: 0, plain: 0, extras: 0, cubeTranslucent: 0, textures: 0, softened: 0, undimmed: 0 };
   let outdated = false;
 
@@ -91,7 +94,7 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
     return count;
   }
 
-  /** The shader is written for its lights; another one is needed when one comes, goes, or is filtered in another way. */
+  /** Adds a light to the shader. It is recompiled when lights are added or removed or their filter changes. */
   function addFlat(map: ShadowMap): void {
     const i = counts.flat++;
     flatMaps[i] = map.target.depthTexture;
@@ -101,7 +104,7 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
     flatReach[i] ??= new Vector4();
     flatReach[i].set(map.nearM, map.farM, map.source.x, map.source.y);
     const extra = addExtra(map.depths ?? map.moments);
-    // Without its texture a filter of the last two is the soft one.
+    // Without its texture, the filters `vsm` and `pcss` fall back to `soft`.
     const filter = extra < 0 && needsFloats(map.filter) ? 'soft' : map.filter;
     if (filter !== map.filter) counts.softened++;
     const translucent = addExtra(map.translucent);
@@ -111,7 +114,7 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
     outdated = true;
   }
 
-  /** Its place; -1 where there is none, or no texture unit for it. */
+  /** Index of the texture, or -1 if there is none or no unit is left. */
   function addExtra(texture: Texture | null): number {
     if (texture === null || counts.textures >= MAX_TEXTURES) return -1;
     counts.textures++;
@@ -132,7 +135,7 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
     outdated = true;
   }
 
-  /** In three rounds, because the shader takes lights by the kind of their map. */
+  /** Called three times, because the shader groups lights by the kind of their map. */
   function addLights(wanted: ShadowMap['kind'] | null): void {
     for (const list of lightLists) {
       for (const light of list.items) {
@@ -209,12 +212,12 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
   };
 }
 
-/** Phantoms and opaque objects do. Through glass and other transparent materials, shadows reach what lies behind. */
+/** Phantoms and opaque objects catch shadows; through transparent materials, shadows reach the surfaces behind. */
 export function catchesShadows(master: Drawable, item: ObjectItem): boolean {
   return item.role === 'phantom' || materialsOf(master).every(isOpaque);
 }
 
-/** Draws a surface as a shadow. */
+/** Creates a material that draws a surface as a shadow. */
 export function createCatcherMaterial(
   fragmentShader: string,
   uniforms: ShaderMaterial['uniforms'],
@@ -223,7 +226,7 @@ export function createCatcherMaterial(
   const material = new ShaderMaterial({ name: 'shadow catcher', vertexShader: CATCHER_VERTEX, fragmentShader });
   material.uniforms = uniforms;
   material.defines = { PREMULTIPLIED_OUTPUT: '' };
-  // After the depth pass of all phantoms, which lies a little behind: each pixel belongs to the nearest phantom, once.
+  // Drawn after the depth of all phantoms, which is a little behind, so that each pixel belongs to the nearest phantom.
   material.transparent = true;
   material.depthFunc = LessDepth;
   material.blending = CustomBlending;
@@ -233,7 +236,7 @@ export function createCatcherMaterial(
   return material;
 }
 
-/** What a catcher follows of the material whose place it takes. */
+/** Copies the properties of the replaced material that decide which sides are visible. */
 export function followSides(material: Material, master: Material): void {
   material.side = master.side;
   material.visible = master.visible;

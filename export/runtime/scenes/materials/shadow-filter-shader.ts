@@ -1,9 +1,9 @@
 import type { ShadowFilter } from '../../../../nodes/kit/light-shadow.ts';
 
-/** Of the functions below, those that filters need: name, and what it takes. */
+/** The function of each filter. */
 const FILTERS: Readonly<Record<ShadowFilter, string>> = {
   basic: /* glsl */ `
-// One texel: at its middle, hardware compares with it alone.
+// At the center of a texel, hardware compares with this texel only.
 float litByBasic( const in sampler2DShadow map, const in vec3 at, const in float texel ) {
   return texture( map, vec3( ( floor( at.xy / texel ) + 0.5 ) * texel, at.z ) );
 }
@@ -25,14 +25,14 @@ float litBySoft( const in sampler2DShadow map, const in vec3 at, const in float 
 }
 `,
   vsm: /* glsl */ `
-// Standard deviation of depth that counts as none, meters: what rounding and the slope within a texel make; and beyond 8 m, where
-// squares of 32 bits tell less apart, per meter.
+// Minimum standard deviation of depth, meters: rounding and the slope within a texel; beyond 8 m, per meter, because squares in 32 bits
+// resolve less.
 #define LEAST_SPREAD 0.004
 #define LEAST_SPREAD_PART 0.0005
-// Light that the bound lets through at most where nothing arrives: cut off, and the rest stretched (Lauritzen 2007, section 8.4.3).
+// Light leaking below this bound is cut off and the rest rescaled (Lauritzen 2007, section 8.4.3).
 #define BLEEDING 0.2
 
-// Of what casts around here, how much may lie behind the receiver, at most (Chebyshev's inequality).
+// Upper bound of the fraction of casters behind the receiver (Chebyshev's inequality).
 float litByVsm( const in sampler2D moments, const in vec3 at, const in vec4 reach ) {
   vec3 m = texture2D( moments, at.xy ).rgb;
   if ( m.x <= 0.0 ) return 1.0;
@@ -48,10 +48,10 @@ float litByVsm( const in sampler2D moments, const in vec3 at, const in vec4 reac
   pcss: /* glsl */ `
 #define SEARCH_TAPS 16
 #define PENUMBRA_TAPS 32
-// Of the map's side: beyond, taps lie too far apart.
+// Maximum radius relative to the map's side; beyond it, samples would be too sparse.
 #define WIDEST 0.35
 
-// Evenly over a disc, turned pixel by pixel (Vogel 1979; Jimenez 2014, interleaved gradient noise).
+// Evenly distributed over a disc, rotated per pixel (Vogel 1979; Jimenez 2014, interleaved gradient noise).
 vec2 inDisc( const in int tap, const in float taps, const in float turn ) {
   float angle = float( tap ) * 2.399963229728653 + turn;
   return sqrt( ( float( tap ) + 0.5 ) / taps ) * vec2( cos( angle ), sin( angle ) );
@@ -85,12 +85,12 @@ float litByPcss( const in sampler2DShadow map, const in sampler2D depths, const 
 `,
 };
 
-/** A light with a map of one side, as a catcher is written for it. */
+/** A light with a flat map, as the shader needs it. */
 export interface FlatLight {
   readonly filter: ShadowFilter;
-  /** Its place among the textures beside those that compare: depths or moments; -1 without. */
+  /** Index among the textures that do not compare (depths or moments); -1 without. */
   readonly extra: number;
-  /** The place among these of what see-through things leave of it; -1 where nothing is see-through. */
+  /** Index of its translucent shadow map among these; -1 without. */
   readonly translucent: number;
 }
 
@@ -100,17 +100,17 @@ export interface CubeLight {
   readonly translucent: number;
 }
 
-/** Along the light's axis. */
+/** Distance along the light's axis. */
 const METERS = /* glsl */ `
 float metersFromLight( const in float depth, const in vec4 reach ) {
-  // Parallel light measures evenly from the nearest caster on.
+  // Directional lights measure linearly from the nearest caster.
   return reach.w <= 0.0 ? depth * reach.y : reach.x * reach.y / ( reach.y - depth * ( reach.y - reach.x ) );
 }
 `;
 
 /**
- * Of nine texels: what is before the nearest thing that dims is not dimmed. Receivers are where they are, not moved along their
- * normals: nothing here is see-through itself.
+ * Averages nine texels. Receivers in front of the nearest transparent caster are not dimmed. No normal bias is needed, because receivers
+ * are not transparent themselves.
  */
 const TRANSLUCENT_SHADOW = /* glsl */ `
 float metersToPoint( const in mat4 fromWorld, const in vec4 reach, const in vec3 positionWorld ) {
@@ -139,27 +139,27 @@ float throughCubeTranslucent( const in samplerCube translucent, const in vec3 po
 }
 `;
 
-/** Declarations and functions for so many lights with a map of one side. */
+/** Declarations and functions for lights with a flat map. */
 export function flatParts(lights: readonly FlatLight[], extras: number): string {
   if (lights.length === 0) return '';
   const filters = [...new Set(lights.map(({ filter }) => filter))].sort();
   return /* glsl */ `
 uniform sampler2DShadow flatMaps[ ${lights.length} ];
 uniform mat4 mapFromWorld[ ${lights.length} ];
-// x: texel in UV, y: depth bias, z: along the normal, times the map's w: meters, or per meter of distance.
+// x: texel in UV; y: depth bias; z: normal bias, times the map's w: meters, or per meter of distance.
 uniform vec3 flatBias[ ${lights.length} ];
 // x: near, y: far, meters; z and w as \`ShadowMap.source\`.
 uniform vec4 flatReach[ ${lights.length} ];
 ${extras > 0 ? `uniform sampler2D flatExtras[ ${extras} ];` : ''}
-// Where the receiver is in a map, and its depth; a negative x where the map says nothing, which is lit.
+// UV and depth of the receiver in a map; a negative x where the map has no data, which is lit.
 vec3 inFlat( const in mat4 fromWorld, const in vec3 bias, const in vec3 positionWorld, const in vec3 normal ) {
   float reach = ( fromWorld * vec4( positionWorld, 1.0 ) ).w;
-  // A spot light does not shine backwards.
+  // A spot light has no light behind it.
   if ( reach <= 0.0 ) return vec3( -1.0 );
   vec4 at = fromWorld * vec4( positionWorld + normal * bias.z * reach, 1.0 );
   at.xyz /= at.w;
   if ( at.x < 0.0 || at.x > 1.0 || at.y < 0.0 || at.y > 1.0 ) return vec3( -1.0 );
-  // Beyond the map's far end everything in it still stands before.
+  // Beyond the far end, everything in the map is in front.
   return vec3( at.xy, min( at.z - bias.y, 1.0 ) );
 }
 ${METERS}${filters.map((filter) => FILTERS[filter]).join('')}${lights.some(({ translucent }) => translucent >= 0) ? TRANSLUCENT_SHADOW : ''}`;
@@ -189,7 +189,7 @@ function call(filter: ShadowFilter, i: number, extra: number): string {
   }
 }
 
-/** Lights with a cube of six maps: how many comparisons to each side of the middle, and how wide apart. */
+/** Comparisons to each side of the center for lights with a cube map. */
 const CUBE_SIDE: Readonly<Record<ShadowFilter, number>> = { basic: 0, pcf: 0, soft: 1, vsm: 1, pcss: 1 };
 
 export function cubeParts(lights: readonly CubeLight[]): string {
@@ -197,13 +197,13 @@ export function cubeParts(lights: readonly CubeLight[]): string {
   const translucentShadows = lights.filter(({ translucent }) => translucent >= 0).length;
   return /* glsl */ `
 uniform samplerCubeShadow cubeMaps[ ${lights.length} ];
-// x: near, y: far, meters; z: texel at one meter; w: along the normal per meter of distance.
+// x: near, y: far, meters; z: texel at one meter; w: normal bias per meter of distance.
 uniform vec4 cubeReach[ ${lights.length} ];
 ${translucentShadows > 0 ? `uniform samplerCube cubeTranslucent[ ${translucentShadows} ];${CUBE_TRANSLUCENT_SHADOW}` : ''}
 ${TEXEL_OF_CUBE}
 
-// As with one map. A face holds depth along its own axis, so each comparison is with the point at the receiver's distance in its
-// own direction.
+// As with a flat map. A face has depth along its own axis, so each comparison uses the point at the receiver's distance in its own
+// direction.
 float litByCube( const in samplerCubeShadow map, const in vec3 positionWorld, const in vec3 place, const in vec4 reach, const in vec3 normal, const in int taps, const in bool snaps ) {
   vec3 offset = positionWorld - place;
   offset += normal * reach.w * length( offset );
@@ -228,7 +228,7 @@ float litByCube( const in samplerCubeShadow map, const in vec3 positionWorld, co
 `;
 }
 
-/** The middle of the texel that lies in a direction, on the face of the cube around 0 at 1. */
+/** The center of the texel in a direction, on the face of the unit cube. */
 const TEXEL_OF_CUBE = /* glsl */ `
 vec3 texelOfCube( const in vec3 direction, const in float texel ) {
   vec3 size = abs( direction );

@@ -12,15 +12,15 @@ import { createTechniqueUniforms, type TechniqueUniforms } from './technique-uni
 import type { TranslucentShadowPatch } from './translucent-shadow-patch.ts';
 import type { TwinCache } from './twins.ts';
 
-/** Plans for the meshes of one scene that are drawn by techniques. */
+/** Proxy plans of meshes that techniques draw. */
 export interface TechniquePlans {
-  /** Null for what no technique is for. `own` makes the material of parts that keep their own. */
+  /** Null if no technique applies. `own` creates the material of parts that keep theirs. */
   plan(master: Drawable, item: ObjectItem, depthFirst: number, own: (part: Material) => Material): readonly ProxyPlan[] | null;
-  /** Forgets techniques that no `plan` has asked for since the last call. */
+  /** Disposes techniques that no `plan` has requested since the last call. */
   sweep(): void;
-  /** Takes over this frame's values. */
+  /** Applies this frame's values. */
   update(): void;
-  /** Takes over what belongs to the view; before every draw. */
+  /** Applies values of the view; called before every draw. */
   bind(view: DrawView): void;
 }
 
@@ -32,16 +32,16 @@ export interface TechniquePlansOptions {
   readonly onChange: () => void;
 }
 
-/** Where a technique's text asks for it, which most do not. */
+/** Text of a technique that reads hull normals, which most do not. */
 const OUTWARD = '.outward';
 
 /**
- * The first pass of all objects is drawn before the second of any: hulls around objects are mostly hidden by then, and what lets
- * through what is behind it finds that drawn.
+ * The first pass of all objects is drawn before the second of any: hulls are then mostly hidden, and transparent passes find their
+ * background drawn.
  */
 const PASS_AFTER_PASS = 1e-3;
 
-/** Of a mesh with several materials, those that have no such pass. three leaves out what is not visible. */
+/** Material for parts of a mesh without such a pass; three.js skips invisible materials. */
 const NOTHING = new Material();
 NOTHING.visible = false;
 
@@ -58,7 +58,7 @@ export function createTechniquePlans({ twins, ambient, occlusion, translucentSha
     const known = ofTechniques.get(technique);
     if (known?.key === technique.key) return known;
     const made = { key: technique.key, ...createTechniqueUniforms(technique) };
-    // Plans are made after the frame's values came.
+    // Plans are created after the values of the frame were set.
     made.update();
     ofTechniques.set(technique, made);
     return made;
@@ -89,7 +89,7 @@ export function createTechniquePlans({ twins, ambient, occlusion, translucentSha
       const plans: ProxyPlan[] = [];
       for (let i = 0; i < passes; i++) {
         plans.push({ material: draw(i, false), renderOrder: master.renderOrder + i * PASS_AFTER_PASS });
-        // A fading surface lets through what is already drawn; with its depth first, that is never a surface behind it.
+        // A fading surface shows what is already drawn; drawing its depth first prevents that this is a surface behind it.
         if (occlusion && !materialsOf(master).some((part) => part.transparent))
           plans.push({ material: draw(i, true), renderOrder: depthFirst, shows: occlusion.isSoft });
       }

@@ -26,22 +26,22 @@ import type { Twin } from './twins.ts';
 export interface TechniqueTwinOptions {
   readonly technique: TechniqueView;
   readonly passIndex: number;
-  /** Depth alone, before the colors; a little behind them. */
+  /** Whether it draws only depth, before the colors and a little behind them. */
   readonly depthOnly: boolean;
-  /** Values that several materials share: of the technique, and of the view. */
+  /** Uniforms that materials share: of the technique and of the view. */
   readonly shared: Readonly<Record<string, IUniform>>;
   readonly occlusion: ShaderPatch | null;
   readonly translucentShadows: TranslucentShadowPatch;
-  /** Called when the master began to need another way of drawing, such as having become transparent. */
+  /** Called when the master needs to be drawn differently, such as after it became transparent. */
   readonly onChange: () => void;
 }
 
 const SIDES = { front: FrontSide, back: BackSide, both: DoubleSide } as const;
 
-/** What techniques follow of a master: its color and what cuts it out. Materials of other kinds lack some of it. */
+/** The properties that techniques copy from a master; some materials lack some of them. */
 type Master = Material & Partial<Pick<MeshStandardMaterial, 'color' | 'map' | 'flatShading'>>;
 
-/** One pass of a technique in the place of the master. Its output is premultiplied and encoded as other twins' are. */
+/** Draws one pass of a technique instead of the master. Output is premultiplied and encoded as that of other twins. */
 export function createTechniqueTwin(master: Master, options: TechniqueTwinOptions): Twin {
   const { technique, passIndex, depthOnly, shared, occlusion, translucentShadows, onChange } = options;
   const color = new Vector4();
@@ -61,7 +61,7 @@ export function createTechniqueTwin(master: Master, options: TechniqueTwinOption
       mapTransform: { value: mapTransform },
     },
   });
-  // Both stages write premultiplied color, and what fades at a soft border of the room is blended, opaque or not.
+  // Both stages write premultiplied color, and surfaces that fade at a soft border of the room are blended even if opaque.
   material.defines = { PREMULTIPLIED_OUTPUT: '' };
   material.blending = CustomBlending;
   material.blendSrc = OneFactor;
@@ -76,7 +76,7 @@ export function createTechniqueTwin(master: Master, options: TechniqueTwinOption
   const side = technique.passes[passIndex]?.side ?? 'object';
   let version = master.version;
 
-  /** What three compiles by. */
+  /** Updates what three.js compiles. */
   function follow(): void {
     if (master.transparent) delete material.defines.OPAQUE;
     else material.defines.OPAQUE = '';
@@ -121,7 +121,7 @@ export function createTechniqueTwin(master: Master, options: TechniqueTwinOption
 
 const WHITE = new Color(1, 1, 1);
 
-/** `back` of what shows its back faces alone is its front. */
+/** The back of a material that shows only back faces is its front. */
 function sideOf(pass: TechniqueView['passes'][number]['side'], own: Side): Side {
   if (pass === 'object') return own;
   return own === BackSide && pass === 'back' ? FrontSide : SIDES[pass];

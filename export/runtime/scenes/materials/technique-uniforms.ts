@@ -2,19 +2,19 @@ import { Color, ExternalTexture, type IUniform, Matrix3, SRGBColorSpace, Vector2
 import type { DrawView } from '../../../../nodes/kit/runtime.ts';
 import type { TechniqueImageView, TechniqueUniformView, TechniqueView } from '../../../../nodes/kit/technique-view.ts';
 
-/** Values and images of one technique, shared by all materials that one scene draws with it. */
+/** Values and images of one technique, shared by all of its materials in a scene. */
 export interface TechniqueUniforms {
   readonly uniforms: Readonly<Record<string, IUniform>>;
-  /** Takes over this frame's values. */
+  /** Applies this frame's values. */
   update(): void;
-  /** Takes over what the view's images are; before every draw. */
+  /** Applies the view's images; called before every draw. */
   bind(view: DrawView): void;
 }
 
-// Read by the call that fills it, before anything else can.
+// Valid within one call.
 const scratchColor = new Color();
 
-/** Leads outside of any picture, where everything is transparent: an unbound texture would be black. */
+/** A UV matrix that leads outside of the image, which is transparent; an unbound texture would be black. */
 const NOWHERE = Float32Array.of(0, 0, 0, 0, 0, 0, 9, 9, 1);
 
 export function createTechniqueUniforms(technique: TechniqueView): TechniqueUniforms {
@@ -27,7 +27,7 @@ export function createTechniqueUniforms(technique: TechniqueView): TechniqueUnif
   }
   return {
     uniforms,
-    // The lists are new ones after a recompile, with the same names.
+    // The lists are replaced after a recompile, with the same names.
     update: () => {
       for (let i = 0; i < technique.uniforms.length; i++) {
         const source = technique.uniforms[i];
@@ -57,7 +57,7 @@ function emptyValue(kind: TechniqueUniformView['kind']): unknown {
   }
 }
 
-/** Colors are linearized: techniques shade in linear light. */
+/** Colors are converted to linear, because techniques shade in linear light. */
 function setValue(uniform: IUniform, source: TechniqueUniformView): void {
   switch (source.kind) {
     case 'number':

@@ -1,8 +1,8 @@
 /**
- * What stands around the text of a technique. It defines the names of `export/glsl/technique/interface.ts`, so that whatever
- * draws the object's own material draws a technique too: skins, morph targets, instances, three's lights and shadow maps.
+ * GLSL around the text of a technique. It defines the names of `export/glsl/technique/interface.ts` by three.js' chunks, so that a
+ * technique supports what the object's own material does: skins, morph targets, instances, lights and shadow maps.
  *
- * The author's text comes before three's chunks, whose macros would otherwise reach into it.
+ * The author's text comes before the chunks, because their macros would affect it.
  */
 export function techniqueVertex(text: string, passIndex: number): string {
   return /* glsl */ `
@@ -26,7 +26,7 @@ varying vec3 vTechniqueRest;
 varying vec3 vTechniqueRestNormal;
 ${text.includes('.outward') ? 'attribute vec3 scrimHullNormal;' : '#define scrimHullNormal normal'}
 
-// How long a unit is along each axis of the matrix.
+// Length of a unit along each axis of the matrix.
 vec3 scrimScale( const in mat3 m ) {
   return vec3( length( m[ 0 ] ), length( m[ 1 ] ), length( m[ 2 ] ) );
 }
@@ -46,7 +46,7 @@ void main() {
   vec3 outward = scrimHullNormal;
   vec3 restScale = vec3( 1.0 );
   #ifdef USE_SKINNING
-    // Bones that turn against each other do not change the scale, as their sum would.
+    // Averaged lengths, because the sum of bone matrices that rotate differently would shrink.
     vec4 boneScales = vec4( length( boneMatX[ 0 ].xyz ), length( boneMatY[ 0 ].xyz ), length( boneMatZ[ 0 ].xyz ), length( boneMatW[ 0 ].xyz ) );
     restScale = scrimScale( mat3( bindMatrix ) ) * length( bindMatrixInverse[ 0 ].xyz ) * dot( skinWeight, boneScales );
     outward = mat3( skinMatrix ) * outward;
@@ -71,7 +71,7 @@ void main() {
     vertex.color = vColor;
   #endif
   vertex.rest = rest * restScale;
-  // Lengths are those of the object at rest: only the direction is turned.
+  // Keeps the length in rest position: only the direction is transformed.
   vec3 hullNormalWorld = transpose( inverse( mat3( worldFromVertex ) ) ) * outward;
   float hullNormalLength = length( hullNormalWorld );
   vertex.outward = hullNormalLength > 0.0 ? hullNormalWorld * ( length( scrimHullNormal ) / hullNormalLength ) : vertex.normal;
@@ -92,12 +92,12 @@ void main() {
 `;
 }
 
-/** Values and positions that both stages have. three sets `projectionMatrix` in every shader that declares it. */
+/** Values and positions for both stages. three.js sets `projectionMatrix` in every shader that declares it. */
 const OF_BOTH = `uniform float a_TIME;
 uniform vec2 a_RENDERSIZE;
 vec2 scrim_uv;`;
 
-/** After the author's text, which knows them by their prototypes. */
+/** After the author's text, which has their prototypes. */
 const FUNCTIONS = `vec2 a_VIEW_UV( const in vec3 position ) {
   vec4 clip = projectionMatrix * ( viewMatrix * vec4( position, 1.0 ) );
   return clip.w > 0.0 ? clip.xy / clip.w * 0.5 + 0.5 : vec2( - 1.0 );
@@ -109,7 +109,7 @@ float a_PIXEL_M( const in vec3 position ) {
   return 2.0 * max( a_VIEW_DEPTH( position ), 0.0 ) / ( projectionMatrix[ 1 ][ 1 ] * a_RENDERSIZE.y );
 }`;
 
-/** There are none while vertices are placed, and the linker lets nobody ask. */
+/** The vertex stage has no lights, and the linker rejects texts that use them there. */
 const WITHOUT_LIGHTS = `#define a_AMBIENT vec3( 0.0 )
 #define a_LIGHT_COUNT 0`;
 
@@ -150,7 +150,7 @@ a_Light scrimLight( const in IncidentLight light, const in float lit ) {
   return a_Light( inverseTransformDirection( light.direction, viewMatrix ), light.color, lit );
 }
 
-// As lights_fragment_begin of three.js goes through them, with the shadow kept apart from the light.
+// Iterates over lights as lights_fragment_begin of three.js does, but keeps shadow and light separate.
 void scrimGatherLights() {
   vec3 positionView = ( viewMatrix * vec4( vTechniquePosition, 1.0 ) ).xyz;
   IncidentLight light;

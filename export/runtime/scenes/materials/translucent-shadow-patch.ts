@@ -2,14 +2,14 @@ import { type IUniform, type Material, ShaderChunk, type Texture } from 'three';
 import { BEHIND_TRANSLUCENT } from '../lights/translucent-shadow.ts';
 import type { ShaderPatch } from './shader-patch.ts';
 
-/** Multiplies the shadows of three.js materials by the translucent shadow maps of their lights. */
+/** Multiplies the shadows of three.js' materials by the translucent shadow maps of their lights. */
 export interface TranslucentShadowPatch extends ShaderPatch {
   /** Recompiles the material whenever the lights start or stop to have translucent shadow maps. */
   attach(material: Material): void;
   detach(material: Material): void;
   /**
-   * Textures of the lights with a shadow, by kind and in the order of three.js; null dims nothing. `directionalFarM`: the distance at
-   * which depth is 1. `fits`: whether there are enough texture units.
+   * Sets the textures of the lights with a shadow, by kind and in the order of three.js; null dims nothing. `directionalFarM` is the
+   * distance at depth 1. `fits`: whether there are enough texture units.
    */
   bind(
     directional: readonly (Texture | null)[],
@@ -23,14 +23,14 @@ export interface TranslucentShadowPatch extends ShaderPatch {
 const DEFINE = 'SCRIM_VEILS';
 
 /**
- * Functions and textures for lights with a shadow, where the define is set. Nine texels, as wide as the edge of a shadow; what lies
- * before the nearest that dims is not dimmed.
+ * Functions and textures for lights with a shadow, if the define is set. They average nine texels, as wide as the edge of a shadow;
+ * receivers in front of the nearest transparent caster are not dimmed.
  */
 export const TRANSLUCENT_SHADOW_PARS = /* glsl */ `
 #ifdef ${DEFINE}
   #if NUM_DIR_LIGHT_SHADOWS > 0
     uniform sampler2D scrimDirTranslucent[ NUM_DIR_LIGHT_SHADOWS ];
-    // Meters at which depth is 1.
+    // Meters at depth 1.
     uniform float scrimDirFar[ NUM_DIR_LIGHT_SHADOWS ];
   #endif
   #if NUM_SPOT_LIGHT_SHADOWS > 0
@@ -40,7 +40,7 @@ export const TRANSLUCENT_SHADOW_PARS = /* glsl */ `
     uniform samplerCube scrimPointTranslucent[ NUM_POINT_LIGHT_SHADOWS ];
   #endif
 ${BEHIND_TRANSLUCENT}
-  // far: 0 for a spot or point light, whose w is meters.
+  // far: 0 for a spot or point light, whose w is in meters.
   float scrimTranslucent( const in sampler2D translucent, const in vec4 coord, const in float far ) {
     vec3 at = coord.xyz / coord.w;
     if ( coord.w <= 0.0 || any( greaterThan( abs( at.xy - 0.5 ), vec2( 0.5 ) ) ) ) return 1.0;
@@ -68,7 +68,7 @@ ${BEHIND_TRANSLUCENT}
 #endif
 `;
 
-/** What three writes where it looks shadows up, and what that is multiplied by. */
+/** Shader text of three.js that reads shadows, and the factor to add. */
 const ADDED = [
   ['vDirectionalShadowCoord[ i ] ) : 1.0', 'SCRIM_VEIL( scrimDirTranslucent[ i ], vDirectionalShadowCoord[ i ], scrimDirFar[ i ] )'],
   ['vSpotLightCoord[ i ] ) : 1.0', 'SCRIM_VEIL( scrimSpotTranslucent[ i ], vSpotLightCoord[ i ], 0.0 )'],

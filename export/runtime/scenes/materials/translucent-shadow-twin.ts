@@ -14,7 +14,7 @@ import { isTransmissive } from './layer-blending.ts';
 import { patchMaterial, type ShaderPatch, wrapMain } from './shader-patch.ts';
 import { setMap, type Twin } from './twins.ts';
 
-/** Of a master: how much of the light it stops where its alpha is 1, and whether its alpha counts beyond the alpha test. */
+/** A master's opacity at alpha 1, and whether its alpha counts beyond the alpha test. */
 interface Solid {
   readonly part: { value: number };
   readonly blends: { value: boolean };
@@ -42,8 +42,8 @@ function createThrough({ part, blends }: Solid): ShaderPatch {
 }
 
 /**
- * Draws transparent casters as a light sees them, over white. Red is the part of the light that passes all of them, alpha the distance
- * of the nearest. Sides are those of the master, so that a closed body dims once.
+ * Draws transparent casters from a light, over white. Red is the fraction of light that passes all of them, alpha the distance of the
+ * nearest. Sides are those of the master, so that a closed body dims once.
  */
 export function createTranslucentShadowTwin(master: Material): Twin {
   const material = new MeshDepthMaterial();

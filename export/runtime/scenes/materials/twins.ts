@@ -1,12 +1,12 @@
 import type { Material, MeshDepthMaterial, Texture } from 'three';
 
 /**
- * A material made for one scene from a master's: scenes differ in blending, occlusion and lights, and three compiles a material
- * for one set of lights at a time. Textures are shared; values follow the master's every frame.
+ * A material derived from a master for one scene, because scenes differ in blending, occlusion and lights, and three.js compiles a material
+ * for one set of lights. Textures are shared; values follow the master's every frame.
  */
 export interface Twin {
   readonly material: Material;
-  /** Takes over the master's values; allocates nothing unless the master's version changed. */
+  /** Copies the master's values; allocates nothing unless the master's version changed. */
   sync(): void;
   dispose(): void;
 }
@@ -17,16 +17,16 @@ export function setMap(
   texture: Texture | null | undefined,
 ): void {
   const next = texture ?? null;
-  // With or without a map are two programs.
+  // Programs differ with and without a map.
   if ((material[name] === null) !== (next === null)) material.needsUpdate = true;
   material[name] = next;
 }
 
-/** Keeps twins over rebuilds of a scene, so that a moved wire recompiles nothing. */
+/** Keeps twins when a scene is rebuilt, so that a changed wire recompiles nothing. */
 export interface TwinCache {
-  /** The same material for the same master and variant, made by `create` the first time. */
+  /** Returns the material of a master and variant, created by `create` at the first call. */
   get(master: Material, variant: string, create: () => Twin): Material;
-  /** Drops twins that no `get` has asked for since the last call. */
+  /** Disposes twins that no `get` has requested since the last call. */
   sweep(): void;
   sync(): void;
   dispose(): void;

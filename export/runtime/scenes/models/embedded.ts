@@ -3,24 +3,24 @@ import type { GLTFLoaderPlugin, GLTFParser } from 'three/addons/loaders/GLTFLoad
 import { type GltfDocument, ModelError } from '../../../gltf/document.ts';
 import type { ModelDecoder } from './decoders/decoder.ts';
 
-/** A cache of three's parser, which it asks before it loads a picture; not in its published types. */
+/** The cache of three.js' parser, which it reads before it loads an image; not in its published types. */
 interface ParserCache {
   readonly sourceCache: Record<number, Promise<Texture>>;
 }
 
 export interface EmbeddedPictures {
   readonly document: GltfDocument;
-  /** Every decoded image is added, so that the owner of the model can close it. */
+  /** Receives every decoded image, so that the owner of the model can close it. */
   readonly bitmaps: ImageBitmap[];
   readonly decodeKtx2: ModelDecoder['decodePicture'];
 }
 
 /**
- * Decodes the pictures of a GLB file without fetching anything.
+ * Decodes the images of a GLB file without fetching.
  *
- * three turns them into `blob:` URLs and fetches those, which a page with a strict content security policy refuses. Here they are
- * decoded from their bytes, and handed to the parser through its own cache. `tests/browser/scenes-models.test.ts` loads a model
- * under `default-src 'none'`, so that an upgrade that no longer asks it fails.
+ * three.js converts them to `blob:` URLs and fetches these, which a strict content security policy blocks. This decodes their bytes and
+ * passes them to the parser through its cache. `tests/browser/scenes-models.test.ts` loads a model under `default-src 'none'` and fails if
+ * an upgrade of three.js does not read the cache.
  */
 export function embeddedPictures({ document, bitmaps, decodeKtx2 }: EmbeddedPictures, parser: GLTFParser): GLTFLoaderPlugin {
   const { sourceCache } = parser as unknown as ParserCache;
@@ -29,7 +29,7 @@ export function embeddedPictures({ document, bitmaps, decodeKtx2 }: EmbeddedPict
     const image = document.images?.[index];
     const bytes: ArrayBuffer = await parser.getDependency('bufferView', image?.bufferView ?? -1);
     if (image?.mimeType !== 'image/ktx2') return decodeBitmap(index, new Blob([bytes], { type: image?.mimeType ?? '' }));
-    // With a plain picture beside it for those without a decoder, or the file would have been refused.
+    // The file has a fallback image, or it would have been rejected.
     if (!decodeKtx2) return null;
     return decodeKtx2(bytes).catch(() => {
       throw new ModelError(`image ${index + 1} in it is a broken KTX2 texture. Export it again.`);
@@ -38,7 +38,7 @@ export function embeddedPictures({ document, bitmaps, decodeKtx2 }: EmbeddedPict
 
   async function decodeBitmap(index: number, blob: Blob): Promise<Texture> {
     const bitmap = await createImageBitmap(blob, {
-      // As three decodes them: values stay those of the file, whatever the screen.
+      // As three.js decodes them: values of the file without color conversion.
       colorSpaceConversion: 'none',
       premultiplyAlpha: 'none',
     }).catch(() => {

@@ -13,15 +13,15 @@ import { embeddedPictures } from './embedded.ts';
 export interface ModelTools {
   readonly decoders: ModelDecoders;
   readonly files: DecoderFiles;
-  /** What to tell designers of a model that loads well; pages for visitors have none. */
+  /** Returns warnings about a valid model for designers; absent in exported pages. */
   readonly inspect?: (gltf: Gltf, path: string, fileBytes: number) => readonly ModelFinding[];
 }
 
 export const NO_TOOLS: ModelTools = { decoders: {}, files: () => Promise.reject(new Error('this page has none')) };
 
 /**
- * Makes the backend's `loadModel`: reads a glTF 2.0 model, `.glb` or `.gltf`. Its first scene counts; its cameras and lights are
- * not used. It rejects with `ModelError`.
+ * Creates `loadModel` of the backend, which reads glTF 2.0 models, `.glb` or `.gltf`. It uses the first scene, without its cameras and
+ * lights. Rejects with `ModelError`.
  */
 export function createModelLoader({ decoders, files, inspect }: ModelTools, renderer: WebGLRenderer): SceneBackend['loadModel'] {
   const pool = createDecoderPool(decoders, files, renderer);
@@ -67,14 +67,14 @@ async function parse(loader: GLTFLoader, bytes: ArrayBuffer): Promise<GLTF> {
   }
 }
 
-/** Decoders answer from their workers with messages, which are no errors. */
+/** Decoders reject with messages of their workers, which are not errors. */
 function reasonOf(error: unknown): string {
   if (error instanceof Error) return error.message;
   if (typeof error === 'object' && error !== null && 'error' in error) return String(error.error);
   return String(error);
 }
 
-/** Geometries, materials and textures: what `instantiate` shares between its subtrees. */
+/** Geometries, materials and textures, which instances of the model share. */
 function collectFreeable(root: Object3D): Set<BufferGeometry | Material | Texture> {
   const found = new Set<BufferGeometry | Material | Texture>();
   root.traverse((object) => {

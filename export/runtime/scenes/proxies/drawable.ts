@@ -10,10 +10,10 @@ import {
   Vector3,
 } from 'three';
 
-/** What can be drawn: lines and points too, skinned and instanced meshes among the meshes. */
+/** Objects that can be drawn: meshes (skinned and instanced ones too), lines and points. */
 export type Drawable = Mesh | Line | Points;
 
-// Read by the call that fills it, before anything else can.
+// Valid within one call.
 const scratchBone = new Vector3();
 
 export function isDrawable(object: Object3D): object is Drawable {
@@ -28,7 +28,7 @@ export function isInstanced(object: Object3D): object is InstancedMesh {
   return 'isInstancedMesh' in object;
 }
 
-/** Whether neither the object nor an ancestor up to and including `root` is hidden. */
+/** Whether the object and its ancestors up to `root` are visible. */
 export function isShown(object: Object3D, root: Object3D): boolean {
   for (let at: Object3D | null = object; at !== null; at = at.parent) {
     if (!at.visible) return false;
@@ -41,14 +41,14 @@ export function materialsOf(object: Drawable): readonly Material[] {
   return Array.isArray(object.material) ? object.material : [object.material];
 }
 
-/** One material of the object's, or several by geometry group, each turned into another. */
+/** Maps each material of the object, one or several by geometry group. */
 export function mapMaterials(object: Drawable, turn: (material: Material) => Material): Material | Material[] {
   return Array.isArray(object.material) ? object.material.map(turn) : turn(object.material);
 }
 
 /**
- * Everything about an object that three compiles into a program beside the material. Objects that differ here get materials of
- * their own: one material drawn both skinned and not would look up its program anew at every draw (`setProgram`).
+ * Features of an object that three.js compiles into a program, apart from the material. Objects that differ here get separate materials;
+ * otherwise three.js would look up the program at every draw (`setProgram`).
  */
 export function programFeatures(object: Drawable): string {
   const { attributes, morphAttributes } = object.geometry;
@@ -63,8 +63,8 @@ export function programFeatures(object: Drawable): string {
 }
 
 /**
- * A sphere around what the object draws, in object space. A skinned mesh is where its bones are, wherever its vertices rest:
- * exporters scale the two differently. Half the bones' extent is added for the flesh around them.
+ * Bounding sphere of an object in its local space. For a skinned mesh it encloses the bones, because exporters scale vertices and bones
+ * differently, plus half their extent.
  */
 export function boundsInObject(object: Drawable, into: Sphere): Sphere {
   if (isSkinned(object)) return skeletonBounds(object, into);

@@ -6,10 +6,10 @@ import { createProxy, type FlatProxy, type ProxyPlan } from './proxy.ts';
 
 export type PlanProxies = (master: Drawable, item: ObjectItem) => readonly ProxyPlan[];
 
-/** The proxies of several lists in one scene: rebuilt when a list's version changed, else only moved. */
+/** The proxies of several lists in one scene: rebuilt if a list's version changed, otherwise only moved. */
 export interface ProxySet {
   readonly proxies: readonly FlatProxy[];
-  /** Returns whether proxies were built anew. `force` builds them in any case. */
+  /** Returns whether the proxies were rebuilt. `force` rebuilds them in any case. */
   update(lists: readonly ObjectList[], force: boolean): boolean;
   dispose(): void;
 }

@@ -2,29 +2,29 @@ import { type Material, Matrix4, Sphere } from 'three';
 import type { ObjectItem } from '../../../../nodes/kit/scene-lists.ts';
 import { boundsInObject, type Drawable, isInstanced, isShown, isSkinned } from './drawable.ts';
 
-/** How one master is to be drawn in a scene. A master may need several: a depth pass before its colors, two sides. */
+/** How to draw a master in a scene. A master may need several: a depth pass before its colors, or one per side. */
 export interface ProxyPlan {
   readonly material: Material | Material[];
-  /** Draws before others of a higher order; within one order three sorts. */
+  /** Lower values are drawn first; three.js sorts objects with equal ones. */
   readonly renderOrder: number;
-  /** Asked every frame; absent means always. */
+  /** Evaluated every frame; absent means always visible. */
   readonly shows?: (item: ObjectItem) => boolean;
 }
 
 /**
- * A flat stand-in for a master (ADR 6): the same geometry, skeleton and morph weights, another material, and a world matrix that
- * is set from the item instead of a hierarchy.
+ * A flat copy of a master (ADR 6): the same geometry, skeleton and morph weights, with another material and a world matrix that is set from
+ * the item instead of a hierarchy.
  */
 export interface FlatProxy {
   readonly object: Drawable;
   readonly master: Drawable;
   readonly item: ObjectItem;
-  /** Takes over this frame's matrix and flags. */
+  /** Applies this frame's matrix and flags. */
   update(): void;
   dispose(): void;
 }
 
-// Read by the call that fills it, before anything else can.
+// Valid within one call.
 const scratchInverse = new Matrix4();
 
 export function createProxy(master: Drawable, item: ObjectItem, plan: ProxyPlan): FlatProxy {
@@ -36,7 +36,7 @@ export function createProxy(master: Drawable, item: ObjectItem, plan: ProxyPlan)
   const { shows } = plan;
   let placed = isInstanced(object) ? object.instanceMatrix.version : 0;
 
-  /** three leaves out what its sphere says is out of sight, and makes that once. */
+  /** Updates the bounding sphere that three.js uses for frustum culling, which it computes only once. */
   function followInstances(): void {
     if (!isInstanced(object) || object.instanceMatrix.version === placed) return;
     placed = object.instanceMatrix.version;
@@ -55,22 +55,22 @@ export function createProxy(master: Drawable, item: ObjectItem, plan: ProxyPlan)
     },
     dispose: () => {
       object.removeFromParent();
-      // Frees three's record of the instance buffers; it uploads them again for other proxies that share them.
+      // Removes three.js' record of the instance buffers, which it uploads again for other proxies that share them.
       if (isInstanced(object)) object.dispose();
     },
   };
 }
 
-/** three's own copy, so that any subclass keeps what it is, with the copied per-frame data swapped for the master's. */
+/** Clones by three.js, so that subclasses keep their type, and shares the master's data that changes per frame. */
 function cloneSharing(master: Drawable): Drawable {
   const object = master.clone(false) as Drawable;
   if (master.morphTargetInfluences) object.morphTargetInfluences = master.morphTargetInfluences;
   if (isSkinned(master) && isSkinned(object)) {
-    // The skeleton stands in object space: undoing the master's own matrix gives vertices in the space that `matrixWorld` of
-    // the proxy maps to the world, whatever the placement.
+    // The skeleton is in local space. Undoing the master's matrix gives vertices in the space that the proxy's `matrixWorld` maps to the
+    // world.
     object.bindMatrix = master.bindMatrix;
     object.bindMatrixInverse = master.bindMatrixInverse;
-    // Vertices move with the bones, out of any sphere made once. Sorting still asks for one.
+    // The bones move vertices beyond any precomputed sphere. Sorting still needs one.
     object.frustumCulled = false;
     object.boundingSphere = boundsInObject(master, new Sphere()).applyMatrix4(scratchInverse.copy(master.matrixWorld).invert());
   }

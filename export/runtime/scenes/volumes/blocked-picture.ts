@@ -30,11 +30,11 @@ import { createInfiniteCamera } from './infinite-camera.ts';
 import { createVolumeLight, type VolumeLight } from './volume-light.ts';
 import { createVolumeSet, type VolumeLimits } from './volume-set.ts';
 
-/** The blocked part of the light at what a view sees, pixel by pixel, by shadow volumes. */
+/** The blocked fraction of the light per pixel of a view, computed by shadow volumes. */
 export interface BlockedPicture {
-  /** Takes over changed lists and this frame's matrices. */
+  /** Applies changed lists and this frame's matrices. */
   update(receivers: readonly ObjectList[], lights: readonly LightList[]): void;
-  /** Draws it for a view; its red channel is 1 where all light is blocked. Its corner is that of the viewport. */
+  /** Draws the image for a view. Its red channel is 1 where all light is blocked. Its corner is that of the viewport. */
   draw(view: DrawView): Texture;
   dispose(): void;
 }
@@ -42,21 +42,24 @@ export interface BlockedPicture {
 export interface BlockedPictureOptions {
   readonly renderer: SceneRenderer;
   readonly casters: readonly ObjectList[];
-  /** What hides; shadows are caught by those of it that receive them. */
+  /** Objects that hide others; those that receive shadows catch them. */
   readonly catches: (item: ObjectItem) => boolean;
   readonly limits: VolumeLimits;
 }
 
-/** Edges of shadows are smooth by it, as edges of objects are. */
+/** Samples for antialiased edges of shadows, as for edges of objects. */
 const SAMPLES = 4;
 
-/** Per light, after the depth of all receivers: backs of volumes, fronts of them, then what the light gives where they left a mark. */
+/**
+ * Draws per light after the depth of all receivers: backs of volumes, fronts, then the light's contribution at pixels marked in the
+ * stencil.
+ */
 const STEPS = 3;
 
 /**
- * All in one draw of three's, because its multisampled targets keep no depth from one to the next. Light by light, volumes leave a
- * mark in the stencil, and receivers with a mark add what is blocked there and wipe it out. WebXR's framebuffers may have no stencil;
- * this target has one.
+ * Uses a single render call of three.js, because its multisampled targets do not keep depth between calls. For each light, volumes mark
+ * pixels in the stencil; receivers add what is blocked there and reset the marks. The target has its own stencil, because WebXR's
+ * framebuffers may have none.
  */
 export function createBlockedPicture({ renderer, casters, catches, limits }: BlockedPictureOptions): BlockedPicture {
   const scene = new Scene();
@@ -109,8 +112,8 @@ export function createBlockedPicture({ renderer, casters, catches, limits }: Blo
     material.transparent = true;
     material.depthWrite = false;
     material.depthFunc = LessEqualDepth;
-    // What it draws is there already, by another shader whose depth may differ in its last digits. Not by its slope: what is seen
-    // edge-on would come out from behind the surface before it.
+    // The depth was drawn by another shader and may differ in its last digits. The offset does not depend on the slope, because surfaces
+    // seen edge-on would otherwise appear in front of others.
     material.polygonOffset = true;
     material.polygonOffsetFactor = 0;
     material.polygonOffsetUnits = -4;
@@ -149,7 +152,7 @@ export function createBlockedPicture({ renderer, casters, catches, limits }: Blo
       volumes.update(volumeLights, relit);
     },
     draw: ({ view, viewport: { widthPx, heightPx } }) => {
-      // Views of several sizes take turns in the largest.
+      // Views of different sizes share the largest target.
       if (widthPx > target.width || heightPx > target.height)
         target.setSize(Math.max(widthPx, target.width), Math.max(heightPx, target.height));
       camera.set(view);
@@ -166,14 +169,14 @@ export function createBlockedPicture({ renderer, casters, catches, limits }: Blo
   };
 }
 
-/** Where the surface itself is: volumes begin in it. */
+/** Depth exactly at the surface, where volumes start. */
 function createExactDepth(master: Material, role: ObjectItem['role']): Twin {
   const twin = createDepthTwin(master, role === 'phantom' ? 'surface' : 'solid');
   twin.material.polygonOffset = false;
   return twin;
 }
 
-/** Volumes have sharp edges: a light that is there for its wide ones has no part in them. */
+/** Volumes have sharp edges, so lights with soft shadows are excluded. */
 function isSharp(light: LightItem): light is DirectLightItem {
   return isDirectLight(light) && !(light.kind === 'directional' && light.onlyShadows);
 }

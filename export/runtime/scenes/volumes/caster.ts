@@ -7,14 +7,14 @@ import type { MeshShape } from './mesh-shape.ts';
 import { isDeformed, poseVertices, restVertices } from './pose-vertices.ts';
 import type { VolumeLight } from './volume-light.ts';
 
-/** One mesh that casts, or one instance of it, and its volumes, light by light. */
+/** A mesh, or an instance of one, that casts shadow volumes, one per light. */
 export interface Caster {
-  /** Takes over this frame's pose, vertices and lights. */
+  /** Applies this frame's pose, vertices and lights. */
   update(): void;
   dispose(): void;
 }
 
-// Read by the call that fills them, before anything else can.
+// Valid within one call.
 const scratchMatrix = new Matrix4();
 const scratchLight = new Vector4();
 
@@ -57,11 +57,11 @@ export function createCaster(
   };
 }
 
-/** Vertices of all volumes of a caster: all of them as they are, and all of them once more to be moved away. */
+/** Vertices of all volumes of a caster: each vertex twice, in place and to be moved away from the light. */
 interface Vertices {
   readonly positions: Float32Array;
   readonly attributes: { readonly position: BufferAttribute; readonly away: BufferAttribute };
-  /** Goes up when vertices moved. */
+  /** Increases when vertices moved. */
   readonly version: number;
   update(): void;
 }
@@ -140,7 +140,7 @@ function createSide(scene: Scene, geometry: BufferGeometry, material: Mesh['mate
   const mesh = new Mesh(geometry, material);
   mesh.matrixAutoUpdate = false;
   mesh.matrixWorldAutoUpdate = false;
-  // It reaches to infinity.
+  // Volumes are infinite.
   mesh.frustumCulled = false;
   mesh.renderOrder = renderOrder;
   scene.add(mesh);

@@ -1,6 +1,6 @@
 import type { MeshShape } from './mesh-shape.ts';
 
-/** Where a light stands in the space of a mesh: a place with `w` 1, or with `w` 0 the direction towards it. */
+/** A light in the local space of a mesh: a position with `w` 1, or the direction towards it with `w` 0. */
 export interface LightPlace {
   readonly x: number;
   readonly y: number;
@@ -8,27 +8,27 @@ export interface LightPlace {
   readonly w: number;
 }
 
-/** Numbers that `extrude` writes at most. */
+/** Maximum number of indices that `extrude` writes. */
 export function maxExtrusion({ triangles }: MeshShape): number {
-  // Two caps per triangle, and per use of an edge one side of two triangles.
+  // Two caps per triangle, and one side of two triangles per use of an edge.
   return 8 * triangles.length;
 }
 
-// Filled by the call that reads it; grows to the largest mesh.
+// Valid within one call; grows to the largest mesh.
 let scratchWeight = new Int8Array(0);
 
 /**
- * The space behind a mesh, seen from a light: a surface without borders, of triangles that face outwards. Vertex i is where it is;
- * vertex i + n, with n the number of welded vertices, stands for the same one moved away from the light to infinity.
+ * Computes the shadow volume of a mesh: a closed surface of triangles that face outward. Vertex i is in place; vertex i + n, where n is the
+ * number of welded vertices, is the same vertex moved from the light to infinity.
  *
- * The cap is made of the triangles that face the light, the sides stand on their outline, and the far end closes it; light that comes
- * from infinity needs none, for there all points are one. A mesh with borders or triangles that disagree has no inside: there all
- * triangles count, each turned towards the light, and an edge gets as many sides as the triangles at it do not cancel out. Then the
- * shadow may count twice, which is still a shadow. (Bergeron 1986, "A general version of Crow's shadow volumes".)
+ * The near cap consists of the triangles that face the light, the sides start at their outline, and the far cap closes the volume;
+ * directional lights need none, because all points at infinity coincide. A mesh with borders or inconsistent triangles has no inside: there
+ * all triangles count, each oriented towards the light, and an edge gets as many sides as its triangles do not cancel out. The volume may
+ * then count twice, which is still a shadow. (Bergeron 1986, “A general version of Crow's shadow volumes”.)
  *
- * @param positions three numbers per welded vertex
- * @param into gets the indices; `maxExtrusion` tells its length
- * @returns how many indices were written
+ * @param positions Three numbers per welded vertex.
+ * @param into Receives the indices; `maxExtrusion` is its maximum length.
+ * @returns Number of indices written.
  */
 export function extrude(shape: MeshShape, positions: Float32Array, light: LightPlace, into: Uint32Array): number {
   const { triangles, edges, usesOf, uses } = shape;
@@ -58,7 +58,7 @@ export function extrude(shape: MeshShape, positions: Float32Array, light: LightP
       sides += use > 0 ? weight : -weight;
     }
     if (sides === 0) continue;
-    // Against the way that the triangles of the cap go along the edge.
+    // Opposite to the direction in which triangles of the cap traverse the edge.
     const from = edges[e * 2 + (sides > 0 ? 1 : 0)] ?? 0;
     const to = edges[e * 2 + (sides > 0 ? 0 : 1)] ?? 0;
     for (let i = Math.abs(sides); i > 0; i--) {
@@ -74,7 +74,7 @@ export function extrude(shape: MeshShape, positions: Float32Array, light: LightP
   return n;
 }
 
-/** Into `scratchWeight`: 1 for triangles that face the light; for others 0, or -1 where the mesh has no inside. */
+/** Writes `scratchWeight`: 1 for triangles that face the light, for others 0, or -1 if the mesh has no inside. */
 function weigh({ triangles, closed }: MeshShape, positions: Float32Array, light: LightPlace): void {
   const count = triangles.length / 3;
   if (scratchWeight.length < count) scratchWeight = new Int8Array(count);

@@ -1,10 +1,10 @@
 import type { ViewFrame } from '../../../../nodes/kit/session.ts';
 import { createViewCamera, type ViewCamera } from '../view-camera.ts';
 
-/** Keeps what is infinitely far just before the far end, in 32-bit floats too (Lengyel 2007, "Projection matrix tricks"). */
+/** Keeps points at infinity in front of the far plane, also in 32-bit floats (Lengyel 2007, “Projection matrix tricks”). */
 const EPSILON = 2 ** -20;
 
-/** A view's camera that sees to infinity: shadow volumes have no end, and may not be cut off behind. */
+/** A camera with an infinite far plane, because shadow volumes are infinite and must not be clipped. */
 export function createInfiniteCamera(): ViewCamera {
   const { camera, set } = createViewCamera();
   return {

@@ -1,26 +1,26 @@
 import type { BufferGeometry } from 'three';
 
-/** Triangles of a mesh over welded vertices, and the edges between them. */
+/** Triangles of a mesh over welded vertices, and their edges. */
 export interface MeshShape {
-  /** Per welded vertex, one vertex of the geometry that stands there. */
+  /** For each welded vertex, one vertex of the geometry. */
   readonly vertices: Uint32Array;
-  /** Three welded vertices per triangle, counter-clockwise seen from outside. */
+  /** Three welded vertices per triangle, counterclockwise from outside. */
   readonly triangles: Uint32Array;
   /** Two welded vertices per edge, the lower one first. */
   readonly edges: Uint32Array;
-  /** Uses of edge i stand in `uses` from `usesOf[i]` to before `usesOf[i + 1]`. */
+  /** Uses of edge i are in `uses` from `usesOf[i]` to before `usesOf[i + 1]`. */
   readonly usesOf: Uint32Array;
-  /** Triangles at an edge: t + 1 where t goes from the lower vertex to the higher one, -(t + 1) where it goes back. */
+  /** Triangles at an edge: t + 1 if t traverses it from the lower to the higher vertex, -(t + 1) otherwise. */
   readonly uses: Int32Array;
-  /** Every edge is passed as often one way as the other: the surface has an inside and no border. */
+  /** Whether every edge is traversed equally often in both directions, so that the surface has an inside and no border. */
   readonly closed: boolean;
 }
 
 /**
- * Finds the edges of a mesh. Vertices are one where they agree in place, skin and morphs: a seam in normals or UVs is no border, while
- * lips that only touch at rest may open.
+ * Finds the edges of a mesh. Vertices are welded if position, skin and morph targets are equal: a seam in normals or UVs is not a border,
+ * but lips that only touch at rest may open.
  *
- * @param isUsed whether the material of this index takes part; geometries without groups ask for 0
+ * @param isUsed Whether the material with this index takes part; for geometries without groups the index is 0.
  */
 export function createMeshShape(geometry: BufferGeometry, isUsed: (materialIndex: number) => boolean): MeshShape {
   const welded = weld(geometry);
@@ -28,7 +28,7 @@ export function createMeshShape(geometry: BufferGeometry, isUsed: (materialIndex
   return { vertices: welded.vertices, triangles, ...collectEdges(triangles, welded.vertices.length) };
 }
 
-/** Parts of a mesh's radius below which two places are one: the seam of a computed ball closes to 17 digits only. */
+/** Tolerance for equal positions relative to the radius of the mesh, because computed seams differ by rounding. */
 const SAME = 2 ** -20;
 
 function weld(geometry: BufferGeometry): { vertices: Uint32Array; indexOf: Uint32Array } {
@@ -43,7 +43,7 @@ function weld(geometry: BufferGeometry): { vertices: Uint32Array; indexOf: Uint3
   const grid = 1 / ((geometry.boundingSphere?.radius || 1) * SAME);
   for (let i = 0; i < count; i++) {
     key.length = 0;
-    // Adding 0 makes -0 the same as 0.
+    // Adding 0 converts -0.
     for (const part of parts) {
       const scale = part === skinIndex || part === skinWeight ? 1 / SAME : grid;
       for (let c = 0; c < part.itemSize; c++) key.push(Math.round(part.getComponent(i, c) * scale) + 0);

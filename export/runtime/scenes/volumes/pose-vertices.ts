@@ -2,16 +2,16 @@ import type { SkinnedMesh } from 'three';
 import { type Drawable, isSkinned } from '../proxies/drawable.ts';
 import type { MeshShape } from './mesh-shape.ts';
 
-/** Whether skin or morph targets may move the vertices of a mesh from frame to frame. */
+/** Whether skin or morph targets may move the vertices of a mesh per frame. */
 export function isDeformed(master: Drawable): boolean {
   return isSkinned(master) || (master.morphTargetInfluences?.length ?? 0) > 0;
 }
 
 /**
- * Where the welded vertices of a mesh are now, in its own space: as three's `morphtarget_vertex` and `skinning_vertex` place them.
+ * Computes the current positions of welded vertices in local space, as three.js' `morphtarget_vertex` and `skinning_vertex` do.
  *
- * @param rest as the geometry has them, three numbers each
- * @param into gets three numbers each
+ * @param rest Positions of the geometry, three numbers each.
+ * @param into Receives three numbers per vertex.
  */
 export function poseVertices(master: Drawable, shape: MeshShape, rest: Float32Array, into: Float32Array): void {
   into.set(rest);
@@ -19,7 +19,7 @@ export function poseVertices(master: Drawable, shape: MeshShape, rest: Float32Ar
   if (isSkinned(master)) skin(master, shape, into);
 }
 
-/** Vertices of the geometry at rest, three numbers per welded one. */
+/** Positions of the geometry at rest, three numbers per welded vertex. */
 export function restVertices({ geometry }: Drawable, { vertices }: MeshShape): Float32Array {
   const rest = new Float32Array(vertices.length * 3);
   const { position } = geometry.attributes;
@@ -52,7 +52,7 @@ function morph({ geometry, morphTargetInfluences }: Drawable, { vertices }: Mesh
   }
 }
 
-/** Elements of the matrix that moves one vertex, first three rows. Read by the call that fills it. */
+/** First three rows of the matrix of one vertex. Valid within one call. */
 const scratchMatrix = new Float64Array(12);
 
 function skin({ geometry, skeleton, bindMatrix, bindMatrixInverse }: SkinnedMesh, { vertices }: MeshShape, into: Float32Array): void {
@@ -82,7 +82,7 @@ function skin({ geometry, skeleton, bindMatrix, bindMatrixInverse }: SkinnedMesh
   }
 }
 
-/** Moves the point at `at` by a column-major affine matrix whose columns have this many elements. */
+/** Transforms the point at `at` by a column-major affine matrix whose columns have `rows` elements. */
 function apply(matrix: ArrayLike<number>, rows: 3 | 4, points: Float32Array, at: number): void {
   const x = points[at] ?? 0;
   const y = points[at + 1] ?? 0;

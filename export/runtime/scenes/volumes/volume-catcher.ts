@@ -11,7 +11,7 @@ export interface VolumeCatcherOptions extends BlockedPictureOptions {
   readonly occlusion: readonly ShaderPatch[];
 }
 
-/** Catches shadows by shadow volumes: their edges are sharp and lie where the edges of the triangles say. */
+/** Catches shadows by shadow volumes, whose edges are sharp and follow the triangles. */
 export function createVolumeCatcher(options: VolumeCatcherOptions): ShadowCatcher {
   const { strength, color, occlusion } = options;
   const blocked = createBlockedPicture(options);

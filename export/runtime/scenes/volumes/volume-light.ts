@@ -2,15 +2,15 @@ import { type ShaderMaterial, Vector4 } from 'three';
 import type { DirectLightItem } from '../../../../nodes/kit/scene-lists.ts';
 import { createVolumeMaterial } from './volume-material.ts';
 
-/** A light, as its shadow volumes need it. */
+/** A light and the materials of its shadow volumes. */
 export interface VolumeLight {
-  /** Place with w 1, or with w 0 the unit vector towards the light; world. */
+  /** Position with w 1, or unit vector towards the light with w 0; world space. */
   readonly lightWorld: { readonly value: Vector4 };
-  /** For the backs of volumes and for their fronts, drawn at `renderOrder` and the next. */
+  /** For back faces and front faces of volumes, drawn at `renderOrder` and the next. */
   readonly materials: readonly [ShaderMaterial, ShaderMaterial];
   readonly renderOrder: number;
   casts(): boolean;
-  /** Takes over the light's place. */
+  /** Applies the light's position or direction. */
   update(): void;
   dispose(): void;
 }

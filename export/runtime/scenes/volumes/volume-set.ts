@@ -7,17 +7,17 @@ import { castsAsSolid, isSeeThrough, isShapedByPicture } from './casting-materia
 import { createMeshShape, type MeshShape } from './mesh-shape.ts';
 import type { VolumeLight } from './volume-light.ts';
 
-/** The volumes of all casters in one scene: built when a list or the lights changed, else only moved. */
+/** The volumes of all casters in one scene: rebuilt if a list or the lights changed, otherwise only moved. */
 export interface VolumeSet {
   update(lights: readonly VolumeLight[], relit: boolean): void;
   dispose(): void;
 }
 
-/** Told the name of something that casts and whose shadow is not as it should be, every frame. */
+/** Receives, every frame, the name of a caster whose shadow is inexact. */
 export interface VolumeLimits {
-  /** A picture makes its shape. */
+  /** An image defines its shape. */
   tellShaped(name: string): void;
-  /** Light comes through it. */
+  /** It lets light pass. */
   tellSeeThrough(name: string): void;
 }
 
@@ -34,7 +34,7 @@ export function createVolumeSet(scene: Scene, lists: readonly ObjectList[], limi
     meshes.length = 0;
   }
 
-  /** Materials turn see-through while running. */
+  /** Finds transparent casters, which may become so at run time. */
   function findSeeThrough(): string | null {
     for (let i = 0; i < meshes.length; i++) {
       const { mesh, item } = meshes[i] ?? {};
@@ -43,7 +43,7 @@ export function createVolumeSet(scene: Scene, lists: readonly ObjectList[], limi
     return null;
   }
 
-  /** Of a geometry with one material, found once: it does not depend on what the material is like. */
+  /** The shape of a geometry with one material; cached, because it does not depend on the material's values. */
   function shapeOf(mesh: Mesh): MeshShape {
     const { geometry } = mesh;
     const materials = materialsOf(mesh);
@@ -54,7 +54,7 @@ export function createVolumeSet(scene: Scene, lists: readonly ObjectList[], limi
   }
 
   function add(object: Object3D, item: ObjectItem, lights: readonly VolumeLight[]): void {
-    // Lines and points have no inside, and hardly a shadow.
+    // Lines and points have no inside.
     if (!isMesh(object)) return;
     const shape = shapeOf(object);
     meshes.push({ mesh: object, item });

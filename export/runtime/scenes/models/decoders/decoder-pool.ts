@@ -3,9 +3,9 @@ import type { DecoderName } from '../../../../gltf/decoders.ts';
 import { ModelError } from '../../../../gltf/document.ts';
 import type { DecoderFiles, ModelDecoder, ModelDecoders } from './decoder.ts';
 
-/** Decoders while models load: opened by the first that needs one, closed after the last, since their memory is worth more. */
+/** Decoders during loading: opened for the first model that needs one and closed after the last, to free their memory. */
 export interface DecoderPool {
-  /** Rejects with `ModelError` where the page has no such decoder, or its files are out of reach. */
+  /** Rejects with `ModelError` if the page does not have the decoder or its files cannot be read. */
   use<T>(names: readonly DecoderName[], work: (decoders: readonly ModelDecoder[]) => Promise<T>): Promise<T>;
 }
 
@@ -28,7 +28,7 @@ export function createDecoderPool(decoders: ModelDecoders, files: DecoderFiles, 
   const release = (name: DecoderName, entry: Entry): void => {
     if (--entry.users > 0) return;
     open.delete(name);
-    // Where the decoder failed to open, `use` has already rejected.
+    // If opening failed, `use` has already rejected.
     entry.opening.then((decoder) => decoder.dispose()).catch(() => {});
   };
   return {

@@ -1,7 +1,7 @@
 import type { DecoderFiles, ModelDecoder } from './decoder.ts';
 import { preloaded } from './preloaded.ts';
 
-/** `KHR_draco_mesh_compression`: Google's decoder as WebAssembly, in workers. */
+/** `KHR_draco_mesh_compression`: Google's WebAssembly decoder, in workers. */
 export async function openDraco(files: DecoderFiles): Promise<ModelDecoder> {
   const { DRACOLoader } = await import('three/addons/loaders/DRACOLoader.js');
   const draco = new DRACOLoader();

@@ -1,10 +1,10 @@
 import { Cache } from 'three';
 
 /**
- * Runs `load`, which asks three's `FileLoader` for files at once, with their contents at hand: nothing is fetched by three, so
- * that a page may keep these files wherever it likes, in itself too.
+ * Runs `load`, which requests files from three.js' `FileLoader` synchronously, with their contents in its cache. three.js then fetches
+ * nothing, so a page can store these files anywhere, even in itself.
  *
- * @param contents by address, as `load` will ask for them
+ * @param contents By the URL that `load` requests.
  */
 export function preloaded(contents: Readonly<Record<string, string | ArrayBuffer>>, load: () => unknown): void {
   const wasEnabled = Cache.enabled;

@@ -1,7 +1,7 @@
 /**
- * three's Basis transcoder makes the functions that lead into its WebAssembly from texts (Emscripten's embind), which a page's policy
- * refuses: `'wasm-unsafe-eval'` allows none, and `'unsafe-eval'` would allow any. Emscripten has a second way, chosen when the transcoder is
- * built (`-sDYNAMIC_EXECUTION=0`): closures over the same tables. Here the two places that make texts are given such closures.
+ * Replaces code of three.js' Basis transcoder that creates functions from text (Emscripten's embind), which a page's policy blocks:
+ * `'wasm-unsafe-eval'` does not allow it, and `'unsafe-eval'` would allow any. Emscripten's alternative (`-sDYNAMIC_EXECUTION=0`) uses
+ * closures over the same tables, but must be chosen when the transcoder is built. This inserts such closures.
  */
 const REPLACEMENTS: readonly (readonly [text: string, closure: string])[] = [
   [
@@ -32,7 +32,7 @@ const REPLACEMENTS: readonly (readonly [text: string, closure: string])[] = [
   ],
 ];
 
-/** Throws where the script is laid out in another way, as a later three.js may bring it. */
+/** @throws Error if the script does not contain the expected text, such as after an upgrade of three.js. */
 export function withoutEval(script: string): string {
   return REPLACEMENTS.reduce((text, [made, closure]) => {
     const [before, after, ...more] = text.split(made);
