@@ -117,7 +117,7 @@ function unusedNodes({ nodes }: FlatGraph, live: readonly { readonly id: string 
   return [...nodes.keys()].sort().flatMap((nodeId): Diagnostic[] => {
     if (used.has(nodeId)) return [];
     return [
-      { code: 'SCR021', severity: 'info', nodeId, message: `Nothing on screen depends on ${nodeId}.`, fix: 'Connect it, or delete it.' },
+      { code: 'SCR021', severity: 'info', nodeId, message: `The output does not depend on ${nodeId}.`, fix: 'Connect it, or delete it.' },
     ];
   });
 }

@@ -11,7 +11,7 @@ import { isTechnique } from './technique/technique-shader.ts';
 import { isTransition } from './transition/is-transition.ts';
 import { readTransition } from './transition/read-transition.ts';
 
-/** The node type that a shader file is: an ISF file, or by its ending and content a technique or a transition. */
+/** Reads the node type of a shader file: an ISF shader, or a technique or transition by its extension and content. */
 export function readDefinition(source: string, file: string): Result<NodeDefinition> {
   if (isTechnique(source, file)) {
     const { output, diagnostics } = readTechnique(source, file);
@@ -21,7 +21,7 @@ export function readDefinition(source: string, file: string): Result<NodeDefinit
   return { output: output && isfDefinition(output, shaderName(file)), diagnostics };
 }
 
-/** What can be said of the GLSL below a header that cannot be used. */
+/** Syntax errors of the GLSL below an invalid header. */
 function syntaxErrors(source: string, file: string, told: readonly Diagnostic[]): Diagnostic[] {
   try {
     parseShader(source);
@@ -33,7 +33,7 @@ function syntaxErrors(source: string, file: string, told: readonly Diagnostic[])
   }
 }
 
-/** An ISF file, with the vertex shader beside it where it has one (`companionOf`), or a transition. */
+/** Reads an ISF file with its vertex shader, if any (`companionOf`), or a transition. */
 export function readImageShader(source: string, file: string, vertex: string | null = null): Result<IsfShader> {
   if (isTransition(source, file)) return readTransition(source, file);
   const { output, diagnostics } = readIsf(source, file, vertex);

@@ -13,8 +13,8 @@ import { partsOf } from '../syntax/walk.ts';
 import { createPositions, type Position } from './here.ts';
 
 /**
- * What a shader reads of its images, found in its text; `neighborhood` wherever that cannot be told, because the
- * compiler may then assume nothing. A file with several passes reads several pixels by way of its buffers.
+ * Finds out from the text how a shader reads its images: `neighborhood` if unknown, because the compiler may then assume nothing. A file
+ * with several passes reads several pixels through its buffers.
  */
 export function findAccess(shader: IsfShader): Access {
   if (shader.passes.some((pass) => pass.persistent)) return 'persistent';
@@ -23,7 +23,7 @@ export function findAccess(shader: IsfShader): Access {
   if (shader.passes.filter((pass, i) => pass.target !== null || i === passIndex).length > 1) return 'neighborhood';
   try {
     const { checked } = checkIsf(shader);
-    // What a vertex shader hands on may stand for any place.
+    // A varying of a vertex shader may be any position.
     return varyingsOf(checked).size > 0 || shader.vertex !== null ? 'neighborhood' : accessOf(checked, passIndex);
   } catch (error) {
     if (error instanceof GlslError) return 'neighborhood';
@@ -31,7 +31,7 @@ export function findAccess(shader: IsfShader): Access {
   }
 }
 
-/** Pixels read per image; what an `if` excludes counts all the same. */
+/** Pixels read per image; branches that are not taken count too. */
 interface Reads {
   here: number;
   elsewhere: number;
@@ -39,7 +39,7 @@ interface Reads {
 
 type ReadsByImage = ReadonlyMap<string, Reads>;
 
-/** They look at the pixels around. */
+/** Derivatives read neighboring pixels. */
 const DERIVATIVES: ReadonlySet<string> = new Set(['dFdx', 'dFdy', 'fwidth']);
 
 function accessOf(shader: CheckedShader, passIndex: number): Access {
@@ -54,7 +54,7 @@ function accessOf(shader: CheckedShader, passIndex: number): Access {
   return access;
 }
 
-/** Null where an image is handed to a function or a derivative is taken. */
+/** Null if an image is passed to a function or a derivative is computed. */
 function countReads(shader: CheckedShader, passIndex: number, positionOf: (expression: Expression) => Position): ReadsByImage | null {
   const known = new Map<FunctionSymbol, ReadsByImage | null>();
   let unclear = false;
@@ -75,7 +75,7 @@ function countReads(shader: CheckedShader, passIndex: number, positionOf: (expre
   function countIn(part: Statement | Expression, times: number, into: Map<string, Reads>): void {
     const isLoop = part.kind === 'for' || part.kind === 'while' || part.kind === 'do';
     if (part.kind === 'call') countCall(part, times, into);
-    // The initializer of a global runs once, before `main`, so its uses do not count.
+    // The initializer of a global runs once, before `main`, so its calls do not count.
     for (const inner of taken(part, passIndex)) countIn(inner, isLoop ? Number.POSITIVE_INFINITY : times, into);
   }
 
@@ -122,7 +122,7 @@ function isHere(call: CallExpression, read: ImageCall, positionOf: (expression: 
   return read.position === 'pixel' && position === 'here-pixel';
 }
 
-/** Every call of every function, in whatever function it stands. */
+/** All calls by function, wherever they are. */
 function collectCalls(shader: CheckedShader, passIndex: number): Map<FunctionSymbol, CallExpression[]> {
   const calls = new Map<FunctionSymbol, CallExpression[]>();
 

@@ -1,20 +1,20 @@
 import type { CallExpression, Expression, FunctionSymbol, VariableSymbol } from '../syntax/ast.ts';
 
-/** What a position is known to be: the pixel that is being drawn, from 0 to 1 or in pixels, or anything else. */
+/** A known position: the current pixel, normalized or in pixels, or anything else. */
 export type Position = 'here-norm' | 'here-pixel' | 'elsewhere';
 
 const NORM_NAMES: ReadonlySet<string> = new Set(['isf_FragNormCoord', 'vv_FragNormCoord']);
 const PIXEL_NAMES: ReadonlySet<string> = new Set(['gl_FragCoord', 'isf_FragCoord', 'vv_FragCoord']);
 
-/** Deeper than any author writes a position. */
+/** Maximum nesting of an expression that is analyzed. */
 const MAX_DEPTH = 50;
 
-/** Variables and parameters that a position is handed on by, one after the other: more would be a matter of the stack. */
+/** Maximum number of variables and parameters to follow, to protect the stack. */
 const MAX_FOLLOWED = 100;
 
 /**
- * Finds out which positions are this pixel's. Variables that are set once and parameters that are given the same everywhere
- * are followed; what cannot be followed is elsewhere, which is the safe answer.
+ * Finds out which positions are the current pixel. It follows variables that are set once and parameters with the same argument in all
+ * calls; any other position is `elsewhere`, which is always safe.
  */
 export function createPositions(calls: ReadonlyMap<FunctionSymbol, readonly CallExpression[]>): (expression: Expression) => Position {
   const known = new Map<VariableSymbol, Position>();
@@ -46,7 +46,7 @@ export function createPositions(calls: ReadonlyMap<FunctionSymbol, readonly Call
   function ofVariable(symbol: VariableSymbol): Position {
     const before = known.get(symbol);
     if (before !== undefined) return before;
-    // In place before the search goes on, so that what a broken text makes circular ends.
+    // Set before the recursion, so that circular definitions end.
     known.set(symbol, 'elsewhere');
     if (followed >= MAX_FOLLOWED) return 'elsewhere';
     followed += 1;
@@ -77,7 +77,7 @@ export function createPositions(calls: ReadonlyMap<FunctionSymbol, readonly Call
   return find;
 }
 
-/** A layer that is read and the layer that is made have the same size in pixels, see `PassSampler`. */
+/** Whether an expression is the size in pixels, which is equal for the layers read and drawn; see `PassSampler`. */
 function isSize(expression: Expression): boolean {
   if (expression.kind === 'group') return isSize(expression.inner);
   if (expression.kind === 'member') return expression.name.text === 'xy' && isSize(expression.object);

@@ -47,7 +47,7 @@ const TABLE: ReadonlyMap<string, readonly Signature[]> = readSignatures();
 
 const GENERIC_BASE = { G: 'float', I: 'int', U: 'uint', B: 'bool', V: 'float', J: 'int', W: 'uint', L: 'bool' } as const;
 
-/** Texture functions of all versions, and what reads a texel beside it: not constant, and handled by the printer. */
+/** Texture functions of all versions. They are not constant, and the printer handles them. */
 export const TEXTURE_FUNCTIONS: ReadonlySet<string> = new Set(
   (
     'texture textureProj textureLod textureOffset texelFetch texelFetchOffset textureProjOffset textureLodOffset textureProjLod textureProjLodOffset ' +
@@ -57,7 +57,7 @@ export const TEXTURE_FUNCTIONS: ReadonlySet<string> = new Set(
   ).split(' '),
 );
 
-/** Every function name that GLSL ES 3.00 defines, with `outerProduct`, whose type depends on both sizes. */
+/** Whether GLSL ES 3.00 defines a function of this name. `outerProduct` has no signature here, because its type depends on both sizes. */
 export function isBuiltinFunction(name: string): boolean {
   return TABLE.has(name) || TEXTURE_FUNCTIONS.has(name) || name === 'outerProduct';
 }
@@ -65,11 +65,11 @@ export function isBuiltinFunction(name: string): boolean {
 export interface BuiltinMatch {
   readonly returns: GlslType;
   readonly parameters: readonly GlslType[];
-  /** No argument needs a conversion. */
+  /** Whether no argument needs a conversion. */
   readonly exact: boolean;
 }
 
-/** The overload that fits the arguments, first without conversions, then with. An argument of unknown type fits anything. */
+/** Finds the overload for the arguments, first without conversions, then with. An argument of unknown type matches any parameter. */
 export function matchBuiltin(name: string, args: readonly GlslType[]): BuiltinMatch | null {
   if (name === 'outerProduct') return matchOuterProduct(args);
   const signatures = (TABLE.get(name) ?? []).filter((signature) => signature.parameters.length === args.length);
@@ -83,7 +83,7 @@ export function matchBuiltin(name: string, args: readonly GlslType[]): BuiltinMa
 }
 
 function matchSignature(signature: Signature, args: readonly GlslType[], exact: boolean): BuiltinMatch | null {
-  // The size that the letters stand for comes from the first argument whose type is known.
+  // The first argument of known type determines the size.
   const sized = signature.parameters.findIndex((parameter, i) => /^[A-Z]$/.test(parameter) && args[i] !== '');
   const rows = sized < 0 ? 0 : (numericOf(args[sized] ?? '')?.rows ?? 0);
   if (sized >= 0 && rows === 0) return null;
@@ -96,7 +96,7 @@ function matchSignature(signature: Signature, args: readonly GlslType[], exact: 
   return { returns: instantiate(signature.returns, rows), parameters, exact };
 }
 
-/** Empty where the size is not known, and for a vector letter with one component. */
+/** Empty if the size is unknown, or for a vector letter with one component. */
 function instantiate(type: string, rows: number): GlslType {
   if (type.length > 1) return canonicalType(type);
   if (rows === 0) return '';

@@ -1,14 +1,14 @@
 import type { CallExpression, FunctionSymbol, ParsedShader } from '../syntax/ast.ts';
 import { walkStatement } from '../syntax/walk.ts';
 
-/** The author's functions, in the order of their bodies; those without come where their heads stand. */
+/** The author's functions in the order of their bodies; those without a body are at their prototype. */
 export function functionsOf(declarations: ParsedShader['declarations']): FunctionSymbol[] {
   return declarations.flatMap((declaration) =>
     declaration.kind === 'function' && declaration.symbol?.declaration === declaration ? [declaration.symbol] : [],
   );
 }
 
-/** Calls of authors' functions in the body of one, in the order of the text. */
+/** Calls of the author's functions in a function's body, in the order of the text. */
 export function callsIn({ declaration: { body } }: FunctionSymbol): readonly CallExpression[] {
   const calls: CallExpression[] = [];
   if (body !== null) {
@@ -23,8 +23,8 @@ export function callsIn({ declaration: { body } }: FunctionSymbol): readonly Cal
 }
 
 /**
- * The functions and all that they call, each once and behind those that it calls. Without recursion of our own: chains of calls may be
- * longer than the stack. `onReturn` hears of a call, inside of `caller`, of a function that is being called already.
+ * The functions and all that they call, each once and after those that it calls. Iterative, because call chains may be longer than the
+ * stack. `onReturn` is called for a recursive call in `caller`.
  */
 export function calleesFirst(
   roots: Iterable<FunctionSymbol>,

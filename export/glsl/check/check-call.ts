@@ -5,13 +5,13 @@ import { convert, markWritten } from './convert.ts';
 import { canonicalType, converts } from './glsl-type.ts';
 import { type CheckContext, findStruct } from './scope.ts';
 
-/** Functions that ISF and Scrim add; the printer replaces them. Result, and type of the arguments after the image. */
+/** Functions of ISF and Scrim, which the printer replaces: result type, and types of the arguments after the image. */
 const IMAGE_FUNCTIONS: ReadonlyMap<string, readonly [returns: GlslType, ...args: GlslType[]]> = new Map([
   ['IMG_PIXEL', ['vec4', 'vec2']],
   ['IMG_NORM_PIXEL', ['vec4', 'vec2']],
   ['IMG_THIS_PIXEL', ['vec4']],
   ['IMG_THIS_NORM_PIXEL', ['vec4']],
-  // As docs.isf.video spells it.
+  // The spelling of docs.isf.video.
   ['IMG_NORM_THIS_PIXEL', ['vec4']],
   ['IMG_SIZE', ['vec2']],
   ['LAYER_DEPTH', ['float', 'vec2']],
@@ -23,7 +23,7 @@ export function isImageFunction(name: string): boolean {
   return IMAGE_FUNCTIONS.has(name);
 }
 
-/** Chooses among the author's functions, structs and the built-in ones; the arguments have been checked. */
+/** Resolves a call to an author's function, a struct or a built-in function. The arguments have been checked. */
 export function checkCall(call: CallExpression, context: CheckContext): GlslType {
   const name = call.token.text;
   if (TYPES.has(name)) return canonicalType(name);
@@ -55,8 +55,8 @@ export function checkCall(call: CallExpression, context: CheckContext): GlslType
 }
 
 /**
- * An exact fit wins, the author's before the built-in; then the author's after conversions, then the built-in. So an author
- * can add `round(float, float)` beside the built-in `round(float)`, or replace it, as older GLSL allows.
+ * Precedence: an exact match, the author's before the built-in; then the author's with conversions, then the built-in. So an author can add
+ * `round(float, float)` beside the built-in `round(float)`, or replace it, as older GLSL allows.
  */
 function choose(
   candidates: readonly FunctionSymbol[],
@@ -70,7 +70,7 @@ function choose(
   if (builtinExact) return null;
   const converted = sameCount.find((candidate) => fits(candidate, types, true));
   if (converted !== undefined) return converted;
-  // Nothing fits: the driver is to report it at the author's function.
+  // Without a match, the driver reports the mistake at the author's function.
   return builtinFits ? null : (sameCount[0] ?? candidates[0] ?? null);
 }
 

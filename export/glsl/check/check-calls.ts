@@ -3,12 +3,14 @@ import { GlslError } from '../syntax/token.ts';
 import { calleesFirst, callsIn, functionsOf } from './call-graph.ts';
 import type { CheckedShader } from './check-shader.ts';
 
-/** As deep as calls go in WebGL (`MaxCallStackDepth` of ANGLE). */
+/** Maximum call depth in WebGL (`MaxCallStackDepth` of ANGLE). */
 const MAX_CALLS = 256;
 
 /**
- * Refuses what drivers refuse without a word of where: functions that come back to themselves (GLSL ES 3.00 §6.1), calls that go too deep, and calls of
- * those that have no body, unless `isGiven` says that another one brings it. Throws `GlslError`.
+ * Rejects mistakes that drivers report without a line: recursion (GLSL ES 3.00 §6.1), calls that are nested too deeply, and calls of
+ * functions without a body, unless `isGiven` returns true.
+ *
+ * @throws GlslError at the first mistake.
  */
 export function checkCalls({ declarations }: CheckedShader, isGiven: (name: string) => boolean): void {
   const defined = functionsOf(declarations).filter(({ declaration }) => declaration.body !== null);
@@ -22,11 +24,7 @@ export function checkCalls({ declarations }: CheckedShader, isGiven: (name: stri
     const depth = callsIn(symbol).reduce((deepest, call) => Math.max(deepest, 1 + (depths.get(call.symbol as FunctionSymbol) ?? 0)), 1);
     depths.set(symbol, depth);
     if (depth > MAX_CALLS)
-      throw new GlslError(
-        declaration.name,
-        `From "${name}" on, functions call each other more than ${MAX_CALLS} deep, and WebGL goes no deeper.`,
-        'SCR043',
-      );
+      throw new GlslError(declaration.name, `Calls from "${name}" are nested more than ${MAX_CALLS} deep, the limit of WebGL.`, 'SCR043');
     if (declaration.body === null && !isGiven(name))
       throw new GlslError(declaration.name, `"${name}" is called, but has only this head: its body in braces is missing.`);
   }

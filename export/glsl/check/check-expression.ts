@@ -7,8 +7,8 @@ import { canonicalType, converts, elementType, floatLike, matrixType, numericOf,
 import { type CheckContext, findStruct, findVariable } from './scope.ts';
 
 /**
- * Fills in symbols and types, and marks what has to be converted because ES 3.00 converts nothing by itself. What cannot be
- * typed is left to the driver, which knows better and reports it: its type stays empty.
+ * Sets symbols and types, and marks implicit conversions, which ES 3.00 does not have. An expression that cannot be typed has an empty
+ * type; the driver reports the mistake.
  */
 export function checkExpression(expression: Expression, context: CheckContext): GlslType {
   expression.type = typeOf(expression, context);
@@ -101,7 +101,7 @@ function checkConditional(expression: Extract<Expression, { kind: 'conditional' 
   return printedType(expression.then) || printedType(expression.otherwise);
 }
 
-/** Makes floats of the side that is whole numbers where the other is floats; each keeps its size. */
+/** Converts the integer operand to float if the other one is float; sizes stay. */
 function unifyOperands(a: Expression, b: Expression): void {
   unifyBases(a, b.type);
   unifyBases(b, a.type);
@@ -148,7 +148,7 @@ function checkArray(of: TypeSpecifier, args: readonly Expression[], context: Che
   return of.type;
 }
 
-/** Finds out what a type stands for, and declares the struct that it may bring along. */
+/** Resolves a type, and declares the struct if it is defined there. */
 export function resolveType(specifier: TypeSpecifier, context: CheckContext): GlslType {
   checkDimensions(specifier.dimensions, context);
   specifier.type = arrayType(baseType(specifier, context), specifier.dimensions);

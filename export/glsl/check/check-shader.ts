@@ -16,20 +16,21 @@ import { isConstant } from './constant.ts';
 import { isImageType } from './glsl-type.ts';
 import { type CheckContext, createScope } from './scope.ts';
 
-/** A shader whose names are known. */
+/** A shader with resolved names. */
 export interface CheckedShader {
   /** In the order of the text. */
   readonly declarations: ParsedShader['declarations'];
   readonly main: FunctionDeclaration;
   readonly structs: ReadonlyMap<GlslType, StructSymbol>;
-  /** Images that the text declares and nobody brings: they are transparent. */
+  /** Images that the text declares but the header does not; they are transparent. */
   readonly strayImages: readonly VariableSymbol[];
 }
 
 /**
- * Resolves every name of a parsed shader and finds out the types, changing the tree in place. `given` are the variables that
- * the host declares: inputs, images, automatic uniforms. Throws `GlslError` for what cannot be linked at all; plain mistakes
- * are left to the driver, whose word counts in the end.
+ * Resolves every name of a parsed shader and its types, changing the tree in place. `given` are the variables that the host declares:
+ * inputs, images and automatic uniforms. Other mistakes are left to the driver.
+ *
+ * @throws GlslError if the shader cannot be linked.
  */
 export function checkShader(shader: ParsedShader, given: ReadonlyMap<string, VariableSymbol>): CheckedShader {
   const outermost = createScope(null);
@@ -72,7 +73,7 @@ function checkFunction(declaration: FunctionDeclaration, context: CheckContext):
   context.returnType = '';
 }
 
-/** A prototype and its body, or a body given twice, are one symbol. */
+/** A prototype and its body, or two bodies of the same function, are one symbol. */
 function declareFunction(
   declaration: FunctionDeclaration,
   returnType: GlslType,
@@ -118,7 +119,7 @@ function checkGlobals(declaration: VariableDeclaration, given: ReadonlyMap<strin
     const name = declarator.name.text;
     const same = given.get(name);
     if (same !== undefined && ['uniform', 'varying', 'in', 'out'].some((word) => words.has(word))) {
-      // What the host declares anyway, declared once more as some hosts want it.
+      // Another declaration of a variable of the host, as some hosts require.
       declarator.symbol = same;
     } else if (words.has('out') && given.has('gl_FragColor')) {
       declarator.symbol = outputVariable(declarator, type, given, context);
@@ -163,7 +164,7 @@ function declareStrayImage(declarator: Declarator, type: GlslType, context: Chec
   if (!context.strayImages.some(({ name }) => name === symbol.name)) context.strayImages.push(symbol);
 }
 
-/** `out vec4 color;` of ES 3.00 is the older `gl_FragColor`. */
+/** `out vec4 color;` of ES 3.00 is `gl_FragColor` of older versions. */
 function outputVariable(
   declarator: Declarator,
   type: GlslType,
@@ -171,7 +172,7 @@ function outputVariable(
   context: CheckContext,
 ): VariableSymbol {
   const output = given.get('gl_FragColor');
-  if (output === undefined || type !== 'vec4') throw new GlslError(declarator.name, 'The output of a shader has to be one vec4.', 'SCR043');
+  if (output === undefined || type !== 'vec4') throw new GlslError(declarator.name, 'The output of a shader must be one vec4.', 'SCR043');
   context.scope.variables.set(declarator.name.text, output);
   return output;
 }

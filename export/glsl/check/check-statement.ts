@@ -8,7 +8,7 @@ export function checkStatements(statements: readonly Statement[], context: Check
   for (const statement of statements) checkStatement(statement, context);
 }
 
-/** Runs `check` with names of its own. */
+/** Runs `check` in a new scope. */
 export function inScope(context: CheckContext, sharesWithParent: boolean, check: () => void): void {
   const outer = context.scope;
   context.scope = createScope(outer, sharesWithParent);
@@ -79,7 +79,7 @@ function checkHead(head: Expression | VariableDeclaration | null, context: Check
   else checkExpression(head, context);
 }
 
-/** The body of a loop is no scope apart from its head in ES 3.00. */
+/** In ES 3.00 the body of a loop shares the scope of its head. */
 function checkLoopBody(body: Statement, context: CheckContext): void {
   inScope(context, true, () => {
     if (body.kind === 'block') checkStatements(body.statements, context);
@@ -96,7 +96,10 @@ function checkLocals(declaration: VariableDeclaration, context: CheckContext): v
   }
 }
 
-/** Sizes and initializer; gives the variable's type. The name itself is declared after them, as it begins to count there. */
+/**
+ * Checks sizes and initializer and returns the variable's type. The caller declares the name afterwards, because it is not visible in its
+ * initializer.
+ */
 export function checkDeclarator(declarator: Declarator, element: GlslType, context: CheckContext): GlslType {
   checkDimensions(declarator.dimensions, context);
   const type = arrayType(element, declarator.dimensions);

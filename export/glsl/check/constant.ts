@@ -3,7 +3,7 @@ import { ASSIGNMENTS } from '../syntax/parse-expression.ts';
 import { isBuiltinFunction, TEXTURE_FUNCTIONS } from './builtin-functions.ts';
 import { numericOf } from './glsl-type.ts';
 
-/** Whether GLSL ES 3.00 §4.3.3 takes it for a constant expression. */
+/** Whether it is a constant expression by GLSL ES 3.00 §4.3.3. */
 export function isConstant(expression: Expression): boolean {
   switch (expression.kind) {
     case 'literal':
@@ -24,7 +24,7 @@ export function isConstant(expression: Expression): boolean {
         isConstant(expression.right)
       );
     case 'conditional':
-      // Of structs, it is printed as a call.
+      // Equality of structs is printed as a call.
       return (
         !expression.type.includes('#') &&
         isConstant(expression.condition) &&

@@ -1,10 +1,10 @@
 import type { Expression, GlslType } from '../syntax/ast.ts';
 import { converts } from './glsl-type.ts';
 
-/** Marks an expression to be printed as `to`, if desktop GLSL would convert it there by itself. */
+/** Marks an expression for conversion to `to`, if desktop GLSL converts it implicitly. */
 export function convert(expression: Expression, to: GlslType): void {
   if (!converts(expression.type, to)) return;
-  // `-(1)` becomes `-(1.0)`: a literal takes the conversion itself, which reads best.
+  // The literal is converted, because `-(1.0)` is more readable.
   const inner = innerLiteral(expression);
   if (inner === null) {
     expression.convertTo = to;
@@ -14,7 +14,7 @@ export function convert(expression: Expression, to: GlslType): void {
   }
 }
 
-/** The variable that `a`, `a.xy` or `a[1].b` is part of is written to; its type is found on the way. */
+/** Marks the variable of an assignment target such as `a`, `a.xy` or `a[1].b` as written, and sets the types on the way. */
 export function markWritten(target: Expression): void {
   let at = target;
   while (at.kind === 'member' || at.kind === 'index' || at.kind === 'group') at = at.kind === 'group' ? at.inner : at.object;

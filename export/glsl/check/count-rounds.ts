@@ -5,16 +5,16 @@ import { calleesFirst, functionsOf } from './call-graph.ts';
 import type { CheckedShader } from './check-shader.ts';
 
 /**
- * The greatest number of iterations of all loops of a shader together, for one pixel; infinite where the text does not bound it.
- * Counted are loops of the form `for (int i = 0; i < 8; i++)`, with any constants and step, whose body does not set `i`. Most
- * shaders have no other loops, so no trial on the GPU is needed to know that they end.
+ * Maximum number of iterations of all loops of a shader together, for one pixel; infinite if the text does not limit it. Counted are loops
+ * of the form `for (int i = 0; i < 8; i++)` with constant bounds and step whose body does not set `i`. Most shaders have no other loops, so
+ * they need no probe on the GPU.
  */
 export function countRounds({ main, declarations }: CheckedShader): number {
   const known = new Map<FunctionSymbol, number>();
 
   function ofPart(part: Statement | Expression): number {
     if (part.kind === 'while' || part.kind === 'do') return Number.POSITIVE_INFINITY;
-    // Not known yet is only what calls itself.
+    // A function that is not known yet calls itself.
     const called = part.kind === 'call' && part.symbol?.kind === 'function' ? (known.get(part.symbol) ?? Number.POSITIVE_INFINITY) : 0;
     const inside = partsOf(part).reduce((sum, inner) => sum + ofPart(inner), called);
     return part.kind === 'for' ? roundsOf(part) * (1 + inside) : inside;
@@ -29,7 +29,7 @@ export function countRounds({ main, declarations }: CheckedShader): number {
   return initial + (main.symbol === null ? Number.POSITIVE_INFINITY : (known.get(main.symbol) ?? Number.POSITIVE_INFINITY));
 }
 
-/** Below this part of what it is added to, a step may be lost in single precision. */
+/** A step smaller than this fraction of the counter may be lost in single precision. */
 const LEAST_STEP = 1e-5;
 
 function roundsOf(loop: ForStatement): number {
@@ -50,7 +50,7 @@ function roundsOf(loop: ForStatement): number {
   return Math.min(unknown, ...rounds);
 }
 
-/** Numbers that the counter is kept below, or above, by one side of each `&&`. */
+/** Upper or lower limits of the counter, from either side of each `&&`. */
 function limitsOf(condition: Expression, symbol: VariableSymbol, upwards: boolean): number[] {
   if (condition.kind === 'group') return limitsOf(condition.inner, symbol, upwards);
   if (condition.kind !== 'binary') return [];
@@ -61,7 +61,7 @@ function limitsOf(condition: Expression, symbol: VariableSymbol, upwards: boolea
   return end === null ? [] : [end];
 }
 
-/** What a step adds; null where that is not plain. */
+/** The increment of a step expression; null if it is not a constant. */
 function stepOf(step: Expression, symbol: VariableSymbol): number | null {
   if (step.kind === 'group') return stepOf(step.inner, symbol);
   if ((step.kind === 'prefix' || step.kind === 'postfix') && isName(step.operand, symbol)) {
@@ -73,10 +73,10 @@ function stepOf(step: Expression, symbol: VariableSymbol): number | null {
   return step.token.text === '+=' ? by : step.token.text === '-=' ? -by : null;
 }
 
-/** Constants that are made of constants are followed so far: further than any author goes, and not as far as the stack. */
+/** Maximum number of constants to follow, to protect the stack. */
 const MAX_FOLLOWED = 100;
 
-/** A number that stands in the text; null for all else. */
+/** The constant value of an expression; null if it has none. */
 function numberIn(expression: Expression, left = MAX_FOLLOWED): number | null {
   switch (expression.kind) {
     case 'literal':
@@ -105,7 +105,7 @@ function numberIn(expression: Expression, left = MAX_FOLLOWED): number | null {
   }
 }
 
-/** Octal numbers are left out. */
+/** Null for octal numbers. */
 function literalValue(text: string): number | null {
   if (/^0[0-9]/.test(text)) return null;
   const number = Number(/^0x/i.test(text) ? text.replace(/u$/i, '') : text.replace(/(?:lf|[fu])$/i, ''));
@@ -117,7 +117,7 @@ function isName(expression: Expression, symbol: VariableSymbol): boolean {
   return expression.kind === 'name' && expression.symbol === symbol;
 }
 
-/** Whether a statement may give the variable another value. */
+/** Whether a statement may write the variable. */
 function writes(statement: Statement, symbol: VariableSymbol): boolean {
   let found = false;
   walkStatement(statement, {
@@ -137,7 +137,7 @@ function changes(expression: Expression, symbol: VariableSymbol): boolean {
   return expression.kind === 'call' && isHandedOut(expression, symbol);
 }
 
-/** Of the built-in functions, these write to an argument. */
+/** Built-in functions that write to an argument. */
 const WRITING = new Set(['modf', 'frexp']);
 
 function isHandedOut({ args, token, symbol: callee }: CallExpression, symbol: VariableSymbol): boolean {

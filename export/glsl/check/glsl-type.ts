@@ -1,6 +1,6 @@
 import type { GlslType } from '../syntax/ast.ts';
 
-/** A number type taken apart: `vec3` is three floats in one column, `mat2x3` two columns of three. */
+/** The parts of a numeric type: `vec3` has three float rows in one column, `mat2x3` two columns of three rows. */
 export interface Numeric {
   readonly base: 'float' | 'int' | 'uint' | 'bool';
   readonly rows: number;
@@ -12,7 +12,7 @@ const BASES = { vec: 'float', ivec: 'int', uvec: 'uint', bvec: 'bool' } as const
 
 const NUMERICS: ReadonlyMap<GlslType, Numeric> = new Map(allNumerics());
 
-/** Null for structs, samplers, arrays, `void` and what is unknown. */
+/** Null for structs, samplers, arrays, `void` and unknown types. */
 export function numericOf(type: GlslType): Numeric | null {
   return NUMERICS.get(type) ?? null;
 }
@@ -21,7 +21,7 @@ export function vectorType(base: Numeric['base'], rows: number): GlslType {
   return rows === 1 ? base : `${PREFIXES[base]}${rows}`;
 }
 
-/** Type of one element: of an array, of a matrix (a column) or of a vector. */
+/** Type of an element of an array, of a column of a matrix, or of a component of a vector. */
 export function elementType(type: GlslType): GlslType {
   if (type.endsWith('[]')) return type.slice(0, -2);
   const numeric = numericOf(type);
@@ -29,14 +29,14 @@ export function elementType(type: GlslType): GlslType {
   return numeric.columns > 1 ? vectorType('float', numeric.rows) : numeric.base;
 }
 
-/** `v.xzy`; empty where the letters are none of a swizzle. */
+/** Type of a swizzle such as `v.xzy`; empty if the letters are invalid. */
 export function swizzleType(type: GlslType, letters: string): GlslType {
   const numeric = numericOf(type);
   if (numeric === null || numeric.columns > 1 || !/^(?:[xyzw]{1,4}|[rgba]{1,4}|[stpq]{1,4})$/.test(letters)) return '';
   return vectorType(numeric.base, letters.length);
 }
 
-/** Whether desktop GLSL converts by itself (GLSL 4.60 §4.1.10): whole numbers to floats, and signed to unsigned ones. */
+/** Whether desktop GLSL converts implicitly (GLSL 4.60 §4.1.10): integers to floats, signed to unsigned. */
 export function converts(from: GlslType, to: GlslType): boolean {
   const a = numericOf(from);
   const b = numericOf(to);
@@ -45,7 +45,7 @@ export function converts(from: GlslType, to: GlslType): boolean {
   return b.base === 'uint' && a.base === 'int';
 }
 
-/** The same shape, made of floats. */
+/** The float type with the same size. */
 export function floatLike(type: GlslType): GlslType {
   const numeric = numericOf(type);
   return numeric === null || numeric.columns > 1 ? type : vectorType('float', numeric.rows);
@@ -63,12 +63,12 @@ function allNumerics(): [GlslType, Numeric][] {
   return numerics;
 }
 
-/** What stands for an image and can only be handed on and read. */
+/** Whether the type is an image, which can only be passed and read. */
 export function isImageType(type: GlslType): boolean {
   return type === 'sampler2D' || type === 'samplerCube';
 }
 
-/** `mat2x2` is another name of `mat2`; a rectangle texture, which has pixels for coordinates, is an image like any other here. */
+/** `mat2x2` is another name of `mat2`. A rectangle texture, whose coordinates are pixels, is treated as any other image. */
 export function canonicalType(name: string): GlslType {
   if (name === 'sampler2DRect') return 'sampler2D';
   const square = /^mat([234])x\1$/.exec(name);

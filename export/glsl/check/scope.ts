@@ -1,13 +1,13 @@
 import type { FunctionSymbol, GlslType, StructSymbol, VariableSymbol } from '../syntax/ast.ts';
 
-/** Names of one block and, through `parent`, of those around it. */
+/** The names of a block. `parent` is the enclosing scope. */
 export interface Scope {
   readonly parent: Scope | null;
   readonly variables: Map<string, VariableSymbol>;
   readonly structs: Map<string, StructSymbol>;
   /**
-   * A block that in ES 3.00 shares its names with the parameters or loop variables around it (§4.2.2), while older GLSL lets
-   * it declare them anew: such names get a fresh one when printed.
+   * Whether the block shares its names with the parameters or loop variables around it in ES 3.00 (§4.2.2). Older GLSL allows to redeclare
+   * them; the printer then renames them.
    */
   readonly sharesWithParent: boolean;
 }
@@ -32,13 +32,13 @@ export function findStruct(scope: Scope | null, name: string): StructSymbol | nu
   return null;
 }
 
-/** What all parts of the check share. */
+/** State shared by all parts of the check. */
 export interface CheckContext {
   scope: Scope;
-  /** Declared so far: a call sees only what stands above it, as in GLSL. */
+  /** Functions declared so far, because a call only sees functions above it. */
   readonly functions: Map<string, FunctionSymbol[]>;
   readonly structs: Map<GlslType, StructSymbol>;
   readonly strayImages: VariableSymbol[];
-  /** Type that `return` gives; empty outside of functions. */
+  /** Return type of the current function; empty outside of functions. */
   returnType: GlslType;
 }

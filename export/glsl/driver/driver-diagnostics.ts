@@ -11,18 +11,18 @@ import { argumentsAt, statementAt } from './statement-at.ts';
 
 type TokensOf = (file: string) => readonly Token[];
 
-/** A line of the log with its place in the author's text. */
+/** A line of the log with its position in the author's text. */
 interface Told {
   readonly line: LogLine;
-  /** The word that the driver quotes, as the author wrote it; null where the text does not have it. */
+  /** The token that the driver quotes; null if the author's text does not have it. */
   readonly found: Token | null;
   readonly diagnostic: Diagnostic;
 }
 
 /**
- * Turns a driver's log into diagnostics on the author's lines (SCR042), in their order. `sourceOf` gives the text of a file by the
- * name that its header was read with; with it, the column is that of the token which the driver quotes, and of each statement
- * only what is wrong first is told; without it, the column is that of the statement. Says something for every log that is not empty.
+ * Converts a driver's log to diagnostics on the author's lines (SCR042), in order. With `sourceOf`, which returns the text of a file by
+ * name, the column is that of the quoted token, and only the first mistake of each statement is reported. Without it, the column is that of
+ * the statement. A log that is not empty gives at least one diagnostic.
  */
 export function driverDiagnostics(
   linked: LinkedShader,
@@ -36,7 +36,7 @@ export function driverDiagnostics(
   return uniqueDiagnostics(firstMistakes(told, tokens).map(({ diagnostic }) => diagnostic));
 }
 
-/** Passes of one file share most of their text, and so its mistakes: each is to be told once. Those of a file in order of its lines. */
+/** Removes duplicates, because passes of one file share most of their text. Sorts those of one file by line. */
 export function uniqueDiagnostics(diagnostics: readonly Diagnostic[]): Diagnostic[] {
   const seen = new Set<string>();
   const unique = diagnostics.filter((diagnostic) => {
@@ -73,8 +73,8 @@ function diagnose(map: SourceMap | undefined, line: LogLine, tokens: TokensOf): 
 }
 
 /**
- * The quoted token on the author's line, from the place on where the printed line begins: no printed line has it twice. What
- * selects a part stands behind a dot, and what does not exist does not.
+ * Finds the quoted token on the author's line, from the start of the printed line on; no printed line has it twice. Members follow a dot;
+ * undeclared names do not.
  */
 function findQuoted(tokens: readonly Token[], place: Place, { quoted, message }: LogLine): Token | null {
   const word = quoted ?? '';
@@ -83,7 +83,7 @@ function findQuoted(tokens: readonly Token[], place: Place, { quoted, message }:
   const onLine = tokens.flatMap((token, i) => {
     if (token.line !== place.line || !wanted(token, tokens[i + 1])) return [];
     if (isPart !== null && token.kind === 'word' && (tokens[i - 1]?.text === '.') !== isPart) return [];
-    // What reads an image is quoted by the image's name: authors wrote a function.
+    // Calls that read an image are quoted by the image's name.
     const isReading = /_(?:at|depthAt)$/.test(word) && tokens[i - 1]?.text === '(';
     return [(isReading ? tokens[i - 2] : undefined) ?? token];
   });
@@ -100,8 +100,8 @@ function wantedFor(quoted: string): (token: Token, next: Token | undefined) => b
 }
 
 /**
- * Leaves out what follows from what was told before: drivers read on with a number in the place of what they do not know. A name
- * that is not declared is told where it first stands, and of a statement only what is wrong first, from inside out.
+ * Removes consequential errors: drivers continue with a number in place of an unknown value. An undeclared name is reported at its first
+ * use, and of each statement only the innermost first mistake.
  */
 function firstMistakes(told: readonly Told[], tokens: TokensOf): readonly Told[] {
   const undeclared = new Set<string>();
@@ -131,13 +131,15 @@ function firstMistakes(told: readonly Told[], tokens: TokensOf): readonly Told[]
   return kept;
 }
 
-/** An operator that only the printed text has, as where IMG_PIXEL divides by the picture's size; the author's call is told next. */
+/**
+ * Whether an operator is only in the printed text, as the division by the size in IMG_PIXEL. The next diagnostic is at the author's call.
+ */
 function isPrintersOwn({ line, found, diagnostic }: Told, next: Told | undefined): boolean {
   const isOperator = line.quoted !== null && /^[^\w\s]+$/.test(line.quoted);
   return isOperator && found === null && next !== undefined && next.found !== null && next.diagnostic.line === diagnostic.line;
 }
 
-/** Of a `return;` that gives nothing drivers also say, of the head, that the function gives nothing. */
+/** For a `return;` without value, drivers also report that the function returns nothing. */
 function isToldByReturn({ line }: Told, before: Told | undefined): boolean {
   return /does not return a value/i.test(line.message) && before !== undefined && /must return a value/i.test(before.line.message);
 }

@@ -1,21 +1,21 @@
 export interface LogLine {
   readonly severity: 'error' | 'warning';
-  /** Printed line, from 1; null where the driver names none. */
+  /** Printed line from 1, or null if the driver gives none. */
   readonly line: number | null;
   readonly quoted: string | null;
   readonly message: string;
 }
 
-/** ANGLE, and with it every Chromium: `ERROR: 0:12: 'foo' : undeclared identifier`. */
+/** Format of ANGLE, which Chromium uses: `ERROR: 0:12: 'foo' : undeclared identifier`. */
 const ANGLE = /^(ERROR|WARNING):\s*(?:\d+:(\d+):\s*)?(?:'([^']*)'\s*:\s*)?(.*)$/;
 
-/** Mesa, and drivers like it: `0:12(5): error: …`. */
+/** Format of Mesa and similar drivers: `0:12(5): error: …`. */
 const MESA = /^\d+:(\d+)\(\d+\):\s*(error|warning):\s*(.*)$/;
 
-/** What drivers say before they say it better, of the same token. */
+/** Messages that drivers follow with a better one about the same token. */
 const FORERUNNERS = /^(?:dimension mismatch|array \/ non-array mismatch|Invalid operation for structs)/i;
 
-/** Says something for every log that is not empty. */
+/** Parses a log. One that is not empty gives at least one line. */
 export function readLog(log: string): readonly LogLine[] {
   const text = log.replaceAll('\0', '').trim();
   const lines = text

@@ -1,6 +1,6 @@
 import { authorsNames } from '../link/names.ts';
 
-/** What authors wrote for the names that the linker gave. */
+/** The author's names for the linker's functions and variables. */
 const AUTHORS_NAMES: ReadonlyMap<string, string> = new Map([
   ['scrim_uv', 'isf_FragNormCoord'],
   ['scrim_normCoord', 'isf_FragNormCoord'],
@@ -12,7 +12,7 @@ const AUTHORS_NAMES: ReadonlyMap<string, string> = new Map([
 
 const VECTORS: Readonly<Record<string, string>> = { float: 'vec', int: 'ivec', uint: 'uvec', bool: 'bvec' };
 
-/** What to do about what drivers of either kind say most often: their own words are those of people who write compilers. */
+/** Remedies for the most common driver messages. */
 const FIXES: readonly (readonly [words: RegExp, fix: string])[] = [
   [/undeclared/i, 'Check its spelling, capitals included, or declare it above.'],
   [/no matching (?:overloaded )?function/i, 'Check the number and types of the arguments.'],
@@ -34,7 +34,7 @@ export function authorsWord(printed: string): string {
   return AUTHORS_NAMES.get(printed) ?? authorsNames(printed)[0] ?? printed;
 }
 
-/** A driver's message with the author's names, and types as they are written. Precisions say nothing: everything is highp. */
+/** Replaces printed names by the author's in a driver's message. Precisions are removed, because all are highp. */
 export function inAuthorsWords(message: string): string {
   return message
     .trim()

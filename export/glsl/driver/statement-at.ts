@@ -2,7 +2,7 @@ import type { Place, Token } from '../syntax/token.ts';
 
 const ENDS = new Set([';', '{', '}']);
 
-/** The tokens of the author's statement that a place is in; none where the text is not known. */
+/** The tokens of the author's statement at a position; empty if the text is unknown. */
 export function statementAt(tokens: readonly Token[], place: Place): readonly Token[] {
   const behind = tokens.findIndex((token) => isBefore(place, token));
   const at = (behind < 0 ? tokens.length : behind) - 1;
@@ -13,7 +13,7 @@ export function statementAt(tokens: readonly Token[], place: Place): readonly To
   return at < 0 ? [] : tokens.slice(start, end);
 }
 
-/** The tokens in the brackets that follow the one at a place. */
+/** The tokens in the brackets after the token at a position. */
 export function argumentsAt(statement: readonly Token[], place: Place): readonly Token[] {
   const at = statement.findIndex((token) => token.line === place.line && token.column === place.column);
   if (at < 0 || statement[at + 1]?.text !== '(') return [];

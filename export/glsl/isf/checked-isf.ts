@@ -7,21 +7,22 @@ import { parseTransition } from '../transition/parse-transition.ts';
 import { givenSymbols } from './given-symbols.ts';
 import type { IsfShader } from './isf-shader.ts';
 
-/** The GLSL of an ISF file with all its names known, and the variables that the host gives it. */
+/** The checked GLSL of an ISF file and the variables that the host declares. */
 export interface CheckedIsf {
   readonly given: ReadonlyMap<string, VariableSymbol>;
   readonly checked: CheckedShader;
-  /** Of the vertex shader beside it; null where there is none. */
+  /** The vertex shader; null if there is none. */
   readonly vertex: { readonly given: ReadonlyMap<string, VariableSymbol>; readonly checked: CheckedShader } | null;
 }
 
-/**
- * Nobody changes a tree once it is checked, so the definition and every variant of the link share the one of a header that was
- * read once. It goes when the header goes.
- */
+/** Checked trees do not change, so the definition and every variant of the link share them as long as the header exists. */
 const known = new WeakMap<IsfShader, CheckedIsf>();
 
-/** Throws `GlslError`, with the file of what is wrong. `partial`: functions may lack their bodies. */
+/**
+ * Checks the GLSL of an ISF file. `partial`: functions may lack their bodies.
+ *
+ * @throws GlslError with the file of the mistake.
+ */
 export function checkIsf(shader: IsfShader, partial = false): CheckedIsf {
   const before = known.get(shader);
   if (before !== undefined) return before;
@@ -37,7 +38,7 @@ function checkWhole(parsed: ParsedShader, given: ReadonlyMap<string, VariableSym
   return checked;
 }
 
-/** Declared by authors for other hosts' sake, and given by the linker. */
+/** Prototypes that authors declare for other hosts; the linker defines them. */
 const VERTEX_STARTS: ReadonlySet<string> = new Set(['isf_vertShaderInit', 'vv_vertShaderInit']);
 
 function parse(shader: IsfShader): ParsedShader {

@@ -1,17 +1,17 @@
 export interface Terms {
-  /** Who is named in the comments; empty where nobody is. */
+  /** The author named in comments; empty if there is none. */
   readonly credit: string;
-  /** Empty where none is named. */
+  /** The license; empty if there is none. */
   readonly licence: string;
 }
 
 const COMMENT = /\/\/[^\r\n]*|\/\*[\s\S]*?\*\//g;
 
-/** Words by which people say whose work something is. */
+/** Words that introduce an author. */
 const CREDIT =
   /©|\(c\)|\bcopyright\b|\bauthors?\b|\bcredits?\b|\b(?:created|written|made|coded|designed|ported|modified|shader|original(?:ly)?)\s+(?:by|from)\b|\bport of\b|\bfork(?:ed)?\s+(?:of|from)\b|\bbased (?:on|off)\b|\badapted from\b|\bthanks to\b|\bshadertoy\.com\/(?:view|user)\b|^by\s+\S|\bby\s+\S.*\b(?:19|20)\d\d\b/i;
 
-/** First come, first served: what says more stands before what it contains. */
+/** The first match counts, so longer names come before those that they contain. */
 const LICENCES: readonly (readonly [RegExp, string])[] = [
   [/\bCC0\b|\bpublic domain\b/i, 'CC0 (public domain)'],
   [/\bunlicense\b/i, 'Unlicense (public domain)'],
@@ -37,10 +37,10 @@ const LICENCES: readonly (readonly [RegExp, string])[] = [
 const VERSION = /\b([1-4]\.0)\b/;
 const SPEAKS_OF_LICENCE = /\blicen[sc]ed?\b/i;
 
-/** Comments in the wild run to pages; a credit is a line. */
+/** Maximum lines of a credit, because comments may be long. */
 const MAX_CREDIT_LINES = 6;
 
-/** Whose work a source is and under which terms, as far as its comments say. A license that is not known is quoted. */
+/** Finds author and license in the comments of a source. An unknown license is quoted. */
 export function findTerms(source: string): Terms {
   const lines = commentLines(source);
   const credit = [...new Set(lines.filter((line) => CREDIT.test(line)))].slice(0, MAX_CREDIT_LINES).join('; ');
@@ -59,7 +59,7 @@ function licenceOf(lines: readonly string[]): string {
   return line === undefined ? '' : `As its source says: ${line}`;
 }
 
-/** The text of all comments, without what only decorates it. */
+/** The text of all comments without decoration. */
 function commentLines(source: string): string[] {
   return [...source.matchAll(COMMENT)]
     .flatMap(([comment]) => comment.replace(/^\/\*|\*\/$/g, '').split(/\r\n|\r|\n/))

@@ -4,7 +4,7 @@ import type { VariableSymbol } from '../syntax/ast.ts';
 import { IMAGE_PROPERTY_TYPES } from './image-properties.ts';
 import type { IsfInputType, IsfShader } from './isf-shader.ts';
 
-/** Type under which the GLSL sees an input; images, depth and curves stand only in functions that read them. */
+/** GLSL type of an input. Images, depth and curves are only arguments of functions that read them. */
 export const INPUT_TYPES: Readonly<Record<IsfInputType, string>> = {
   event: 'bool',
   bool: 'bool',
@@ -31,7 +31,7 @@ export const UNIFORM_TYPES: Readonly<Record<BuiltinUniform, PassUniform['type']>
   PASSINDEX: 'int',
 };
 
-/** Its variables in a vertex shader, with the names that version 1 and other hosts have for them, and GLSL's own. */
+/** Variables of the host in a vertex shader, including names of version 1 and of other hosts, and those of GLSL. */
 const VERTEX_BUILTINS: Readonly<Record<string, string>> = {
   ...UNIFORM_TYPES,
   isf_FragNormCoord: 'vec2',
@@ -39,7 +39,7 @@ const VERTEX_BUILTINS: Readonly<Record<string, string>> = {
   gl_Position: 'vec4',
 };
 
-/** The same in a fragment shader. */
+/** The same for a fragment shader. */
 const BUILTINS: Readonly<Record<string, string>> = {
   ...UNIFORM_TYPES,
   isf_FragNormCoord: 'vec2',
@@ -52,7 +52,7 @@ const BUILTINS: Readonly<Record<string, string>> = {
   gl_FragData: 'vec4[]',
 };
 
-/** The variables that a shader may use without declaring them. Each call returns new symbols, because the check writes into them. */
+/** The variables that a shader may use without declaring them. Each call returns new symbols, because the check changes them. */
 export function givenSymbols(shader: IsfShader, stage: 'vertex' | 'fragment' = 'fragment'): Map<string, VariableSymbol> {
   const given = new Map<string, VariableSymbol>();
 

@@ -1,9 +1,9 @@
-/** What hosts tell of an image beside its pixels, by the names that they give to uniforms: `_inputImage_imgSize`. */
+/** Properties of images that hosts provide as uniforms: `_inputImage_imgSize`. */
 const PROPERTY = /^_(\w+)_(imgRect|imgSize|flip)$/;
 
 export interface ImageProperty {
   readonly image: string;
-  /** `imgRect`: origin and size of the part that is used, from 0 to 1: all of it. `flip`: whether it stands on its head: never. */
+  /** `imgRect`: origin and size of the used part, normalized; always all of it. `flip`: whether the image is upside down; always false. */
   readonly property: 'imgRect' | 'imgSize' | 'flip';
 }
 

@@ -2,7 +2,7 @@ import type { ChoiceParam, InputPort, NodeDefinition, OutputPort, ParamDefinitio
 import { findAccess } from '../access/find-access.ts';
 import { findInput, type IsfInput, type IsfShader, imageInputs } from './isf-shader.ts';
 
-/** How the images of an operator are laid onto each other where their domains differ; added to every operator. */
+/** The param that fits images of another domain to the view; every composite has it. */
 export const FIT_PARAM = 'fit';
 
 const FIT: ChoiceParam = {
@@ -18,9 +18,7 @@ const FIT: ChoiceParam = {
   ],
 };
 
-/**
- * The node type that an ISF file is. `name` is the last part of its type: `sepia` gives `filter/sepia`.
- */
+/** Creates the node type of an ISF file. `name` is the last part of its type: `sepia` gives `filter/sepia`. */
 export function isfDefinition(shader: IsfShader, name: string): NodeDefinition {
   const access = findAccess(shader);
   const inputs = portsOf(shader.inputs);
@@ -48,7 +46,7 @@ export function shaderName(file: string): string {
   return file.slice(file.lastIndexOf('/') + 1).replace(/\.(fs|frag|glsl)$/, '');
 }
 
-/** Inputs that only a wire can fill, by name. */
+/** Inputs that only wires can provide, by name. */
 export function portsOf(inputs: readonly IsfInput[]): Record<string, InputPort> {
   return Object.fromEntries(
     inputs.flatMap((input) => {
@@ -152,7 +150,7 @@ function unit(input: IsfInput): { unit?: IsfInput['unit'] } {
   return input.unit === 'none' ? {} : { unit: input.unit };
 }
 
-/** A layer keeps its depth as long as its pixels stay where they are. */
+/** The output. A layer keeps its depth if its pixels are not moved. */
 function outputOf(shader: IsfShader, access: ReturnType<typeof findAccess>): OutputPort {
   const port = { type: 'layer', label: 'Layer', doc: 'The result.' } as const;
   if (imageInputs(shader).length === 0) return { ...port, domain: 'view', depth: false };

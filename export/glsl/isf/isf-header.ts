@@ -3,7 +3,7 @@ import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { Place } from '../syntax/token.ts';
 import { repairJson } from './repair-json.ts';
 
-/** The JSON at the top of a shader, with what is needed to say where in the file something stands. */
+/** The JSON at the top of a shader, and positions in the file. */
 export interface Header {
   readonly root: Node;
   place(offset: number): Place;
@@ -16,7 +16,7 @@ export interface HeaderReading {
   readonly diagnostics: Diagnostic[];
 }
 
-/** Mistakes that leave no doubt about what was meant: 25 of the 321 public ISF files have one. Keyed by jsonc-parser's codes. */
+/** Faults whose meaning is clear: 25 of the 321 public ISF files have one. Keyed by the codes of jsonc-parser. */
 /** No code of jsonc-parser's. */
 const LOOSE_JSON = 100;
 
@@ -24,7 +24,7 @@ const HARMLESS: ReadonlyMap<number, string> = new Map([
   [3, 'Expected a name here'],
   [4, 'Expected a value here'],
   [6, 'Expected a comma here'],
-  [9, 'Something follows the JSON'],
+  [9, 'Text follows the JSON'],
   [15, 'JSON does not know this escape, such as "\\n"'],
   [16, 'A text contains a line break or another control character'],
   [LOOSE_JSON, 'This is not valid JSON'],
@@ -52,7 +52,7 @@ const MAX_DEPTH = 100;
 
 const SYNTAX_FIX = 'Write the header as a JSON object in the first comment of the file: { "ISFVSN": "2", "INPUTS": [ … ] }.';
 
-/** Finds and reads the header. `header` is null where it cannot be read at all; `diagnostics` grows as the header is used. */
+/** Finds and reads the header. `header` is null if it cannot be read; `diagnostics` grows while the header is used. */
 export function readHeader(source: string, file: string): HeaderReading {
   const diagnostics: Diagnostic[] = [];
   const place = createPlaces(source);
@@ -102,7 +102,7 @@ export function readHeader(source: string, file: string): HeaderReading {
   };
 }
 
-/** Value of a key; where a key is written twice, the last, as JSON readers have it. Only own keys can be found. */
+/** Value of an own key; the last one if the key is duplicate, as in JSON. */
 export function property(object: Node | undefined, key: string): Node | undefined {
   return object?.type === 'object'
     ? object.children?.filter((child) => child.children?.[0]?.value === key).at(-1)?.children?.[1]
@@ -126,7 +126,9 @@ export function textOf(node: Node | undefined): string | null {
   return node?.type === 'string' ? (node.value as string) : null;
 }
 
-/** Numbers, numbers in quotes, and truth values as 0 or 1, as headers in the wild have them; all else, and what is not finite, is null. */
+/**
+ * Numbers, numbers in quotes, and booleans as 0 or 1, as in published headers; null for anything else and for values that are not finite.
+ */
 export function numberOf(node: Node | undefined): number | null {
   if (node?.type === 'boolean') return node.value === true ? 1 : 0;
   if (node?.type === 'string' && /^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*$/.test(node.value as string))
@@ -144,19 +146,19 @@ function finite(value: number): number | null {
   return Number.isFinite(value) ? value : null;
 }
 
-/** Of two bytes for each letter one is 0 in what people write in GLSL; read as UTF-8, these stand between the letters. */
+/** In UTF-16, one of the two bytes of ASCII characters is 0; read as UTF-8, NUL characters are between the letters. */
 function isUtf16(source: string): boolean {
   const start = source.slice(0, 1000);
   return start.split('\0').length - 1 > start.length / 4;
 }
 
-/** The first comment is to be the header; a license may stand before it, so the first that begins with a brace counts. */
+/** Offset of the header: the first comment that starts with a brace, because a license may come first. */
 export function findHeader(source: string): number {
   const brace = /\/\*\s*\{/.exec(source);
   return brace?.index ?? source.indexOf('/*');
 }
 
-/** A text that runs over a line break is read on its second try, with the break as a space, so that offsets stay. */
+/** A text with a line break is read in a second attempt, with a space instead, so that offsets stay. */
 function parseLeniently(text: string): { root: Node | undefined; errors: readonly Mistake[] } {
   const strict = parseOnce(text);
   const fatal = strict.errors.find(isFatal);
@@ -169,13 +171,13 @@ function parseLeniently(text: string): { root: Node | undefined; errors: readonl
   return { root: lenient.root, errors: [{ ...fatal, error: CONTROL_CHARACTER }, ...lenient.errors] };
 }
 
-/** As jsonc-parser has it, and with a code of our own. */
+/** An error of jsonc-parser, with its own code for text after the header. */
 interface Mistake {
   readonly error: number;
   readonly offset: number;
 }
 
-/** What is still wrong with the repaired text is of no more interest than that it had to be repaired. */
+/** Further errors of the repaired text are not reported. */
 function parseRepaired(text: string, fatal: Mistake): { root: Node | undefined; errors: readonly Mistake[] } | null {
   const repaired = repairJson(text);
   if (repaired === null || !isShallow(repaired.text)) return null;
@@ -189,7 +191,7 @@ function moved(node: Node, at: (offset: number) => number): Node {
   return { ...node, offset: at(node.offset), ...(node.children ? { children: node.children.map((child) => moved(child, at)) } : {}) };
 }
 
-/** Whatever stands behind the object is one mistake, and a harmless one. */
+/** Text after the object is one harmless mistake. */
 function parseOnce(text: string): { root: Node | undefined; errors: readonly ParseError[] } {
   const errors: ParseError[] = [];
   const root = parseTree(text, errors, { allowTrailingComma: true });
@@ -205,7 +207,7 @@ function isFatal(error: Mistake): boolean {
   return !HARMLESS.has(error.error);
 }
 
-/** The JSON reader calls itself for each level, so its stack has to be guarded. */
+/** Whether the nesting is limited, because the JSON parser is recursive. */
 function isShallow(text: string): boolean {
   let depth = 0;
   for (const [piece] of text.matchAll(/"(?:[^"\\\r\n]|\\.)*"?|[[\]{}]/g)) {
@@ -216,7 +218,7 @@ function isShallow(text: string): boolean {
   return true;
 }
 
-/** Line and column, from 1, of any offset; line ends are looked for once. */
+/** Line and column of an offset, both from 1; line ends are located once. */
 function createPlaces(source: string): (offset: number) => Place {
   const starts = [0];
   for (const lineBreak of source.matchAll(/\r\n|\r|\n/g)) starts.push(lineBreak.index + lineBreak[0].length);

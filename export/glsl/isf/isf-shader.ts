@@ -2,39 +2,39 @@ import type { NodeDefinition, Unit } from '../../../nodes/kit/definition.ts';
 import type { SizeToken } from '../../program/program.ts';
 
 /**
- * An ISF file as its header describes it (spec: github.com/mrRay/ISF_Spec, "The ISF Specification"). The GLSL below the
- * header is not read yet: `linkIsf` and `isfDefinition` do that.
+ * The header of an ISF file (spec: github.com/mrRay/ISF_Spec, “The ISF Specification”). The GLSL below it is read by `linkIsf` and
+ * `isfDefinition`.
  */
 export interface IsfShader {
   /** Name in the library or project: `filters/sepia.fs`. */
   readonly file: string;
-  /** The whole text, header included, so that lines count as the author sees them. */
+  /** The whole text with the header, so that line numbers are the author's. */
   readonly source: string;
-  /** The vertex shader beside it, `edge.vs` of `edge.fs`: it sets what the fragment shader declares as `varying`. */
+  /** The vertex shader of the file, `edge.vs` of `edge.fs`, which sets its varyings. */
   readonly vertex: VertexFile | null;
-  /** `transition`: a gl-transitions file, which has `vec4 transition(vec2 uv)` in the place of `main`; see `transition/`. */
+  /** `transition`: a gl-transitions file, which has `vec4 transition(vec2 uv)` instead of `main`; see `transition/`. */
   readonly dialect: 'isf' | 'transition';
-  /** 1 where the header has no `ISFVSN`. */
+  /** 1 without `ISFVSN`. */
   readonly version: 1 | 2;
   /** `operator` has two or more images, `filter` one, `generator` none. */
   readonly kind: 'filter' | 'operator' | 'generator';
   readonly title: string | null;
   readonly description: string;
   readonly credit: string;
-  /** `LICENSE`: under which terms the file may be used; empty where it does not say. */
+  /** `LICENSE`: the license of the file; empty if there is none. */
   readonly licence: string;
   readonly categories: readonly string[];
   readonly inputs: readonly IsfInput[];
-  /** At least one; the last makes the output. */
+  /** At least one; the last draws the output. */
   readonly passes: readonly IsfPass[];
   readonly imported: readonly IsfImport[];
   /** `SCRIM_ALPHA`: images are read and written as they are stored, premultiplied. */
   readonly premultiplied: boolean;
-  /** `SCRIM_DEPTH`: what becomes of the first layer's depth; `auto` goes by the access. */
+  /** `SCRIM_DEPTH`: depth of the output; `auto` depends on the access. */
   readonly depth: 'auto' | 'same' | 'none' | 'over';
-  /** `SCRIM_FIT`: how an operator lays pictures of another size onto the view, unless the node says otherwise. */
+  /** `SCRIM_FIT`: default for fitting images of another size to the view. */
   readonly fit: 'cover' | 'contain' | 'stretch';
-  /** `SCRIM_RENAMED`: what inputs were called in earlier versions. */
+  /** `SCRIM_RENAMED`: names of inputs in earlier versions. */
   readonly renamed: NonNullable<NodeDefinition['renamed']>;
 }
 
@@ -44,7 +44,7 @@ export interface VertexFile {
   readonly source: string;
 }
 
-/** `vector3` and `vector4` are no words of headers: only transitions have them. */
+/** `vector3` and `vector4` occur in transitions only. */
 export type IsfInputType =
   | 'event'
   | 'bool'
@@ -65,7 +65,10 @@ export interface IsfInput {
   readonly type: IsfInputType;
   readonly label: string;
   readonly doc: string;
-  /** One number for `bool` (0 or 1), `long` and `float`; two for `point2D`; four for `color`; a `curve`'s points; empty for all else. */
+  /**
+   * One number for `bool` (0 or 1), `long` and `float`; two for `point2D`; four for `color`; the points of a `curve`; empty for other
+   * types.
+   */
   readonly default: readonly number[];
   readonly min: readonly number[] | null;
   readonly max: readonly number[] | null;
@@ -75,35 +78,35 @@ export interface IsfInput {
   readonly choices: readonly { readonly value: number; readonly label: string }[];
   readonly unit: Unit;
   readonly step: number | null;
-  /** Of sound: how many samples or bins its picture is wide, if the header says (`MAX`). */
+  /** For sound: number of samples or bins (`MAX`), or null. */
   readonly sampleCount: number | null;
-  /** Images and depth: may be left without a wire; reads then give transparent black and 0. */
+  /** Whether images and depth may stay unconnected; reads then give transparent black and 0. */
   readonly optional: boolean;
-  /** `WRAP`: an image that repeats beyond its edges, where others continue with their edge. */
+  /** `WRAP`: whether the image repeats; otherwise its edge is extended. */
   readonly repeat: boolean;
-  /** Of the name in the header, from 1. */
+  /** Position of the name in the header, from 1. */
   readonly line: number;
   readonly column: number;
 }
 
 export interface IsfPass {
-  /** Buffer that the pass draws into; null for the node's output. */
+  /** Buffer that the pass draws to; null for the node's output. */
   readonly target: string | null;
   readonly persistent: boolean;
-  /** 32 bits per channel, as ISF has it; 16 where the author says that those do (SCRIM_HALF). */
+  /** 32 bits per channel, as ISF specifies; 16 with SCRIM_HALF. */
   readonly float: boolean;
   readonly half: boolean;
-  /** Null for the layer's own. */
+  /** Null for the size of the layer. */
   readonly width: NamedSize | null;
   readonly height: NamedSize | null;
 }
 
-/** A program's size expression (postfix), with inputs by name where the program has slots. */
+/** A size expression of a program (postfix), with inputs by name instead of slots. */
 export type NamedSize = readonly (number | Extract<SizeToken, { op: string }> | { readonly param: string })[];
 
 export interface IsfImport {
   readonly name: string;
-  /** As written: one file, or the six of a cube. */
+  /** As written: one file, or the six faces of a cube. */
   readonly paths: readonly string[];
   readonly cube: boolean;
   readonly line: number;

@@ -4,7 +4,7 @@ import type { Unit } from '../../../nodes/kit/definition.ts';
 import { flagOf, type Header, items, numberOf, property, textOf } from './isf-header.ts';
 import type { IsfInput, IsfInputType } from './isf-shader.ts';
 
-/** How many numbers a value of the type has; 0 for what only a wire can bring, and for curves, which may have more or fewer. */
+/** Numbers of a value by type; 0 for types that only wires provide, and for curves, whose number varies. */
 const SIZES: Readonly<Record<IsfInputType, number>> = {
   event: 0,
   bool: 1,
@@ -26,7 +26,7 @@ const NOT_IN_HEADERS: ReadonlySet<string> = new Set(['vector3', 'vector4'] satis
 
 const UNITS: ReadonlySet<string> = new Set(['m', 's', 'rad', 'px', 'K', 'Hz', 'cd', 'ratio', 'none'] satisfies Unit[]);
 
-/** Of a `long` without VALUES; more would be no list to choose from. */
+/** Maximum number of choices of a `long` without VALUES. */
 const MAX_CHOICES = 64;
 
 const IDENTIFIER = /^[A-Za-z_][A-Za-z0-9_]*$/;
@@ -35,7 +35,7 @@ export function isIdentifier(name: string): boolean {
   return IDENTIFIER.test(name);
 }
 
-/** Everything under `INPUTS`. An input that makes no sense is reported and left out. */
+/** Reads `INPUTS`. An invalid input is reported and left out. */
 export function readInputs(header: Header): IsfInput[] {
   const list = property(header.root, 'INPUTS');
   if (list !== undefined && list.type !== 'array' && list.type !== 'null')
@@ -108,7 +108,7 @@ function readInput(header: Header, node: Node): IsfInput | null {
   };
 }
 
-/** The default, inside of the range, or what is nearest to zero in it. */
+/** The default, clamped to the range, or the value in the range that is nearest to zero. */
 function readDefault(
   header: Header,
   node: Node,
@@ -134,7 +134,7 @@ function readDefault(
   return clamped;
 }
 
-/** `[[0, 0], [0.5, 0.7], [1, 1]]`, or the same numbers in one list. */
+/** Reads a curve: `[[0, 0], [0.5, 0.7], [1, 1]]`, or the same numbers in one list. */
 function readCurve(header: Header, node: Node, name: string): Curve {
   const written = property(node, 'DEFAULT');
   if (written === undefined) return DIAGONAL;
@@ -162,7 +162,7 @@ function readValue(header: Header, node: Node, key: string, type: IsfInputType, 
   return null;
 }
 
-/** A single number stands for all components of a point; a color may leave out its alpha. */
+/** A single number applies to all components of a point; a color may omit its alpha. */
 function expand(type: IsfInputType, numbers: readonly number[]): readonly number[] | null {
   const size = SIZES[type];
   const [first] = numbers;
@@ -193,7 +193,7 @@ function readChoices(header: Header, node: Node, name: string): IsfInput['choice
   return choices;
 }
 
-/** Hosts offer MIN to MAX where a `long` lists no VALUES. */
+/** A `long` without VALUES has the integers from MIN to MAX. */
 function rangeChoices(node: Node, labels: readonly string[]): IsfInput['choices'] {
   const min = numberOf(property(node, 'MIN')) ?? 0;
   const max = numberOf(property(node, 'MAX')) ?? (labels.length > 0 ? min + labels.length - 1 : Number.NaN);
@@ -201,7 +201,7 @@ function rangeChoices(node: Node, labels: readonly string[]): IsfInput['choices'
   return Array.from({ length: Math.trunc(max - min) + 1 }, (_, i) => ({ value: min + i, label: labels[i] ?? String(min + i) }));
 }
 
-/** `UNIT` of the input, else its entry in the header's `SCRIM_UNITS`. */
+/** `UNIT` of the input, or its entry in `SCRIM_UNITS`. */
 function readUnit(header: Header, node: Node, name: string): Unit {
   const unitNode = property(node, 'UNIT') ?? property(property(header.root, 'SCRIM_UNITS'), name);
   const unit = textOf(unitNode);
@@ -210,14 +210,14 @@ function readUnit(header: Header, node: Node, name: string): Unit {
   return 'none';
 }
 
-/** `MAX` of sound counts samples or bins; what is no number of them leaves it to us. */
+/** `MAX` of sound is the number of samples or bins; null if it is invalid. */
 function readSampleCount(node: Node, type: IsfInputType): number | null {
   if (type !== 'audio' && type !== 'audioFFT') return null;
   const count = Math.trunc(numberOf(property(node, 'MAX')) ?? 0);
   return count >= 1 ? count : null;
 }
 
-/** However it is capitalized. */
+/** Ignores upper and lower case. */
 function typeMeant(written: string): IsfInputType | null {
   const types = Object.keys(SIZES) as IsfInputType[];
   return types.find((type) => type.toLowerCase() === written.toLowerCase() && !NOT_IN_HEADERS.has(type)) ?? null;

@@ -7,10 +7,12 @@ import { readImported, readPasses } from './read-passes.ts';
 import { readRenamed } from './read-renamed.ts';
 
 /**
- * Reads the header of an ISF file, versions 1 and 2, as leniently as hosts do: it accepts trailing, doubled and missing commas,
- * control characters and comments. `file` is its name in the library or project. What is wrong comes as SCR040 with
- * line and column; `output` is null only where nothing can be done with the file. `vertex` is the text of the vertex shader
- * beside it, `companionOf(file)`.
+ * Reads the header of an ISF file, version 1 or 2, as leniently as other hosts: it accepts trailing, doubled and missing commas, control
+ * characters and comments.
+ *
+ * @param file Name in the library or project.
+ * @param vertex Text of the vertex shader (`companionOf(file)`), or null.
+ * @returns The shader, or null if the header cannot be used; mistakes as SCR040 with line and column.
  */
 export function readIsf(source: string, file: string, vertex: string | null = null): Result<IsfShader> {
   const { header, diagnostics } = readHeader(source, file);
@@ -26,7 +28,7 @@ export function readIsf(source: string, file: string, vertex: string | null = nu
     title: textOf(property(header.root, 'SCRIM_TITLE')),
     description: textOf(property(header.root, 'DESCRIPTION'))?.trim() ?? '',
     credit: textOf(property(header.root, 'CREDIT'))?.trim() ?? '',
-    // ISF has no key for it: files that have terms say so in comments.
+    // ISF has no standard key; most files name their license in comments.
     licence: textOf(property(header.root, 'LICENSE'))?.trim() ?? findTerms(source).licence,
     categories: items(property(header.root, 'CATEGORIES'))
       .map(textOf)
@@ -42,18 +44,18 @@ export function readIsf(source: string, file: string, vertex: string | null = nu
   return { output: hasErrors(diagnostics) ? null : shader, diagnostics };
 }
 
-/** Name of the vertex shader that may stand beside a file: `edge.vs` of `edge.fs`. */
+/** Name of the vertex shader of a file: `edge.vs` of `edge.fs`. */
 export function companionOf(file: string): string {
   return file.replace(/\.[^./\\]*$/, '.vs');
 }
 
-/** ISF's conventions say the same of files that keep to them: `inputImage` is a filter's only image, a transition has two. */
+/** The number of images gives the same result as ISF's conventions: `inputImage` is a filter's only image, a transition has two. */
 function kindOf(inputs: readonly IsfInput[]): IsfShader['kind'] {
   const images = inputs.filter((input) => input.type === 'image').length;
   return images === 0 ? 'generator' : images === 1 ? 'filter' : 'operator';
 }
 
-/** One of the words of a Scrim key; the first where the key is missing or says something else. */
+/** The value of a Scrim key among `words`; the first if the key is missing or invalid. */
 function readWord<const W extends string>(header: Header, key: string, words: readonly [W, ...W[]]): W {
   const node = property(header.root, key);
   const word = words.find((w) => w === textOf(node));

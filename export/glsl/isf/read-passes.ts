@@ -4,17 +4,14 @@ import type { IsfImport, IsfInput, IsfPass, NamedSize } from './isf-shader.ts';
 import { isIdentifier } from './read-inputs.ts';
 import { isSizeProblem, parseSizeExpression } from './size-expression.ts';
 
-/** No host draws more; each is a draw call per view and frame. */
+/** Maximum number of passes; each is a draw call per view and frame. */
 const MAX_PASSES = 64;
 
 const SIDES = 6;
 
 const OUTPUT_PASS: IsfPass = { target: null, persistent: false, float: false, half: false, width: null, height: null };
 
-/**
- * Everything under `PASSES`, with what version 1 says of its buffers under `PERSISTENT_BUFFERS`. One pass that makes the
- * output where the header lists none.
- */
+/** Reads `PASSES`, and `PERSISTENT_BUFFERS` of version 1. Without passes, one pass draws the output. */
 export function readPasses(header: Header, inputs: readonly IsfInput[]): IsfPass[] {
   const list = property(header.root, 'PASSES');
   if (list !== undefined && list.type !== 'array' && list.type !== 'null')
@@ -66,12 +63,12 @@ function readSize(header: Header, settings: readonly (Node | undefined)[], key: 
   }
   const size = parseSizeExpression(text, (name) => inputs.some((input) => input.name === name && /^(float|long|bool)$/.test(input.type)));
   if (!isSizeProblem(size)) return size.length === 1 && isWhole(size[0], key) ? null : size;
-  // One character further for the opening quote.
+  // Plus one for the opening quote.
   header.error(node.offset + 1 + size.offset, size.message);
   return null;
 }
 
-/** `"WIDTH": "$WIDTH"` says nothing. */
+/** Whether a size is that of the layer, as in `"WIDTH": "$WIDTH"`. */
 function isWhole(item: NamedSize[number] | undefined, key: string): boolean {
   return typeof item === 'object' && 'op' in item && item.op === key.toLowerCase();
 }
@@ -88,7 +85,7 @@ function readPersistentBuffers(header: Header): Map<string, Node | null> {
   return buffers;
 }
 
-/** `IMPORTED`: an object from name to `{ "PATH": … }`, or a list of `{ "NAME": …, "PATH": … }`; a cube has a list of six paths. */
+/** Reads `IMPORTED`: an object from name to `{ "PATH": … }`, or a list of `{ "NAME": …, "PATH": … }`; a cube has a list of six paths. */
 export function readImported(header: Header): IsfImport[] {
   const node = property(header.root, 'IMPORTED');
   if (node === undefined) return [];

@@ -4,8 +4,8 @@ import { entries, type Header, items, numberOf, property, textOf } from './isf-h
 type RenamedParams = NonNullable<NodeDefinition['renamed']>;
 
 /**
- * `SCRIM_RENAMED`: what inputs were called before, one entry for each time that the file was changed so, the oldest first:
- * `[{ "outlineM": { "TO": "outlinePx", "TIMES": 750 } }]`. Each is a step from one version of the node type to the next.
+ * Reads `SCRIM_RENAMED`: earlier names of inputs, one entry per change of the file, oldest first: `[{ "outlineM": { "TO": "outlinePx",
+ * "TIMES": 750 } }]`. Each is a migration to the next version of the node type.
  */
 export function readRenamed(header: Header): RenamedParams {
   const list = property(header.root, 'SCRIM_RENAMED');

@@ -1,4 +1,4 @@
-/** JSON as it was meant, and where in the author's text each character of it stands. */
+/** Valid JSON, and the offset of each of its characters in the author's text. */
 export interface RepairedJson {
   readonly text: string;
   readonly offsets: readonly number[];
@@ -19,9 +19,9 @@ const WORD = /[A-Za-z_$][\w$]*/y;
 const ESCAPE = /\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4})/y;
 
 /**
- * Rewrites a header as valid JSON. It repairs faults that other programs accept: numbers such as `.5`, `1.`, `+1` and `1.0f`, names
- * without quotes, `TRUE` and `YES`, other quotes, comments after `#`, semicolons for commas, backslashes that escape nothing. What
- * is missing, such as a bracket, is not added. Null where a text is not closed, or a value is invalid.
+ * Rewrites a header as valid JSON. It repairs faults that other programs accept: numbers such as `.5`, `1.`, `+1` and `1.0f`, unquoted
+ * names, `TRUE` and `YES`, other quotes, comments after `#`, semicolons for commas, invalid backslashes. Missing characters, such as a
+ * bracket, are not added. Returns null if a text is not closed or a value is invalid.
  */
 export function repairJson(source: string): RepairedJson | null {
   let text = '';
@@ -68,7 +68,7 @@ export function repairJson(source: string): RepairedJson | null {
     if (number !== null) emit(String(Number(number.replace(/[fF]$/, ''))), from);
     else if (word !== null) {
       const known = WORDS.get(word.toLowerCase());
-      // A name may do without quotes; a value that does may be anything.
+      // Keys may be unquoted, values may not.
       if (known === undefined && !/^\s*:/.test(source.slice(at, at + 100))) return null;
       emit(known ?? JSON.stringify(word), from);
     } else {

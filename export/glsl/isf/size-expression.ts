@@ -1,7 +1,7 @@
 import type { NamedSize } from './isf-shader.ts';
 
 export interface SizeProblem {
-  /** From 0, within the expression. */
+  /** Offset within the expression, from 0. */
   readonly offset: number;
   readonly message: string;
 }
@@ -9,9 +9,9 @@ export interface SizeProblem {
 type SizeOp = Extract<NamedSize[number], { op: string }>['op'];
 
 interface SizeFunction {
-  /** How many values it takes. */
+  /** Number of operands. */
   readonly takes: number;
-  /** What is done with them, one after the other. */
+  /** Operations to apply in order. */
   readonly does: readonly SizeOp[];
 }
 
@@ -30,7 +30,7 @@ const FUNCTIONS: ReadonlyMap<string, SizeFunction> = new Map([
 
 const POWER = 8;
 
-/** How tightly signs between two values bind, and what stands for them; powers bind from right to left, the others from left to right. */
+/** Binary operators with precedence and operations; powers associate from right to left, the others from left to right. */
 const SIGNS: ReadonlyMap<string, { readonly binds: number; readonly does: readonly SizeOp[] }> = new Map([
   ['||', { binds: 1, does: ['||'] }],
   ['&&', { binds: 2, does: ['&&'] }],
@@ -48,13 +48,13 @@ const SIGNS: ReadonlyMap<string, { readonly binds: number; readonly does: readon
   ['^', { binds: POWER, does: ['^'] }],
 ]);
 
-/** Of a sign before a value: below powers, so that `-2 ^ 2` is -4. */
+/** Precedence of unary signs: below powers, so that `-2 ^ 2` is -4. */
 const BEFORE = POWER - 1;
 
 const TOKEN =
   /\s+|(?<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)|\$(?<name>[A-Za-z_][A-Za-z0-9_]*)|(?<word>[A-Za-z_][A-Za-z0-9_]*)|(?<sign>[<>=!]=|&&|\|\||[-+*/%^(),<>!?:])/gy;
 
-/** Bounds the stack, whatever text comes in. */
+/** Maximum length, which limits the stack. */
 const MAX_LENGTH = 500;
 
 interface Lexeme {
@@ -64,9 +64,9 @@ interface Lexeme {
 }
 
 /**
- * Reads an ISF size expression such as `floor(max($WIDTH * 0.25, 1.0))`: numbers, `$WIDTH` and `$HEIGHT` of the layer, other
- * `$inputs`, the operators of C and `^` for powers, `? :`, brackets and the functions above. The specification names no grammar:
- * hosts take what their library for arithmetic does.
+ * Parses an ISF size expression such as `floor(max($WIDTH * 0.25, 1.0))`: numbers, `$WIDTH` and `$HEIGHT` of the layer, other `$inputs`,
+ * the operators of C and `^` for powers, `? :`, brackets and the functions above. The specification has no grammar; hosts use arithmetic
+ * libraries.
  */
 export function parseSizeExpression(text: string, isParam: (name: string) => boolean): NamedSize | SizeProblem {
   try {
@@ -112,7 +112,7 @@ function parse(lexemes: readonly Lexeme[], isParam: (name: string) => boolean): 
     for (const op of operations) output.push({ op });
   }
 
-  /** A whole value, with `? :`, which binds least and from right to left. */
+  /** Parses a complete expression with `? :`, which has the lowest precedence and associates from right to left. */
   function value(): void {
     operation(0);
     if (!accept('?')) return;
@@ -122,7 +122,7 @@ function parse(lexemes: readonly Lexeme[], isParam: (name: string) => boolean): 
     apply(['?:']);
   }
 
-  /** Whatever binds more tightly than `least`. */
+  /** Parses operators with at least the precedence `least`. */
   function operation(least: number): void {
     factor();
     for (;;) {

@@ -1,6 +1,6 @@
 import type { Token } from '../syntax/token.ts';
 
-/** Index of the bracket that closes the one at `index`; the end where none does. */
+/** Index of the bracket that closes the one at `index`; the number of tokens if there is none. */
 export function closingOf(tokens: readonly Token[], index: number): number {
   const open = tokens[index]?.text ?? '';
   const close = { '(': ')', '[': ']', '{': '}' }[open];
@@ -13,7 +13,7 @@ export function closingOf(tokens: readonly Token[], index: number): number {
   return tokens.length;
 }
 
-/** Index of the bracket that the one at `index` closes; -1 where there is none. */
+/** Index of the bracket that the one at `index` closes; -1 if there is none. */
 export function openingOf(tokens: readonly Token[], index: number): number {
   const close = tokens[index]?.text ?? '';
   const open = { ')': '(', ']': '[', '}': '{' }[close];

@@ -47,7 +47,7 @@ max | T max(T a, T b); T max(T a, float b); I max(I a, I b) | The greater of two
 clamp | T clamp(T x, T low, T high); T clamp(T x, float low, float high); I clamp(I x, I low, I high) | The value kept between two limits.
 mix | T mix(T a, T b, T share); T mix(T a, T b, float share); T mix(T a, T b, B choice) | Blends from a (share 0) to b (share 1) in a straight line; with truths, takes b where they are true.
 step | T step(T edge, T x); T step(float edge, T x) | 0 below the edge, 1 from it on.
-smoothstep | T smoothstep(T from, T to, T x); T smoothstep(float from, float to, T x) | 0 up to from, 1 beyond to, and a soft S-curve between; from has to be below to.
+smoothstep | T smoothstep(T from, T to, T x); T smoothstep(float from, float to, T x) | 0 up to from, 1 beyond to, and a soft S-curve between; from must be below to.
 isnan | B isnan(T x) | Whether the value is no number.
 isinf | B isinf(T x) | Whether the value is infinite.
 floatBitsToInt | I floatBitsToInt(T x) | The bits of a float, read as a whole number.
@@ -60,7 +60,7 @@ dot | float dot(T a, T b) | Dot product: for unit vectors the cosine of the angl
 cross | vec3 cross(vec3 a, vec3 b) | The vector at right angles to both.
 normalize | T normalize(T x) | The vector with a length of 1; undefined for one of length 0.
 faceforward | T faceforward(T normal, T incident, T reference) | The normal, turned to the side that the incident vector comes from.
-reflect | T reflect(T incident, T normal) | The incident direction, mirrored at a surface; the normal has to be of length 1.
+reflect | T reflect(T incident, T normal) | The incident direction, mirrored at a surface; the normal must have length 1.
 refract | T refract(T incident, T normal, float ratio) | The incident direction, bent at a surface by the ratio of the indices; 0 where all is reflected.
 matrixCompMult | mat3 matrixCompMult(mat3 a, mat3 b) | Product of two matrices component by component; a * b is the usual product.
 outerProduct | mat3 outerProduct(vec3 column, vec3 row) | The matrix of all products of two vectors.

@@ -1,4 +1,4 @@
-/** The comment that stands right above a line, without its marks; empty where there is none. `line` counts from 1. */
+/** The comment directly above a line, without its marks; empty if there is none. `line` counts from 1. */
 export function commentAbove(lines: readonly string[], line: number): string {
   const found: string[] = [];
   for (let at = line - 2; at >= 0; at -= 1) {

@@ -11,12 +11,12 @@ import { HEADER_KEYS, INPUT_TYPE_DOCS, ISF_FUNCTIONS } from './vocabulary.ts';
 export interface Completion {
   readonly label: string;
   readonly kind: NameKind | 'keyword' | 'type' | 'directive' | 'key' | 'value';
-  /** Type, or signature. */
+  /** Type or signature. */
   readonly detail: string;
   readonly doc: string;
-  /** What is put in; `$0` is where the caret goes then. */
+  /** Text to insert; `$0` is the position of the caret. */
   readonly insert: string;
-  /** What comes first among those that fit as well: lower ones do. */
+  /** Order among equal matches; lower values come first. */
   readonly rank: number;
 }
 
@@ -37,7 +37,7 @@ const QUALIFIER_WORDS = ['const', 'in', 'out', 'inout', 'struct', 'true', 'false
 
 const SWIZZLES = ['x', 'y', 'z', 'w', 'xy', 'xyz', 'r', 'g', 'b', 'a', 'rgb', 'rgba'];
 
-/** Everything that can stand at a place. The editor filters it by the characters already typed. */
+/** All completions at a position. The editor filters them by the typed characters. */
 export function completionsAt(document: ShaderDocument, place: Place): readonly Completion[] {
   const inside = commentAt(document.source, place);
   if (inside === 'header') return headerCompletions(document, place);
@@ -52,7 +52,7 @@ export function completionsAt(document: ShaderDocument, place: Place): readonly 
   const before = typing ? next - 2 : next - 1;
   if (tokens[before]?.text === '.') return memberCompletions(document, before);
   const { kind } = tokens[next - 1] ?? {};
-  // Inside of a number, and behind what is a number's dot to be.
+  // No completions inside of a number or after its dot.
   if (
     (kind === 'float' || kind === 'int') &&
     touched &&
@@ -68,9 +68,9 @@ export function completionsAt(document: ShaderDocument, place: Place): readonly 
 function nameCompletions({ names }: ShaderDocument, place: Place): Completion[] {
   const seen = new Set<string>();
   const found: Completion[] = [];
-  // The innermost of a name hides the others.
+  // Inner names hide outer ones.
   for (const name of [...names].reverse()) {
-    // Nobody calls what the host does.
+    // Functions that the host calls are not offered.
     if (seen.has(name.name) || name.name === 'main' || !isVisible(name, place)) continue;
     seen.add(name.name);
     found.push(ofName(name));
@@ -86,7 +86,7 @@ function nameCompletions({ names }: ShaderDocument, place: Place): Completion[] 
 function isVisible({ scope, declarations, file }: ShaderName, place: Place): boolean {
   if (scope !== null) return !isBefore(place, scope.from) && isBefore(place, scope.to);
   const [first] = declarations;
-  // What the text declares for all begins to count there; what the header and chunks bring counts everywhere.
+  // Global names of the text are visible from their declaration on; those of the header and of chunks everywhere.
   return first === undefined || file !== null || !isBefore(place, first);
 }
 

@@ -1,7 +1,7 @@
 import type { Place, Token } from '../syntax/token.ts';
 import type { NameKind, NameSignature, ShaderName } from './shader-name.ts';
 
-/** A name while the text is being read. */
+/** A name during the analysis. */
 export interface Draft extends ShaderName {
   readonly declarations: Token[];
   readonly uses: Token[];
@@ -15,9 +15,9 @@ export interface Frame {
   readonly parent: Frame | null;
   readonly names: Map<string, Draft>;
   readonly owned: Draft[];
-  /** Struct whose members stand here. */
+  /** The struct whose members are declared here. */
   readonly owner: Draft | null;
-  /** The head of `for` or of a function is closed: its body may begin. */
+  /** Whether the head of a `for` or function is closed, so that its body may begin. */
   headClosed: boolean;
 }
 
@@ -29,7 +29,7 @@ export function draftOf(kind: NameKind, { text }: Token, type: string, doc: stri
   return { kind, name: text, type, file: null, doc, declarations: [], uses: [], signatures: [], members: new Map(), scope: null };
 }
 
-/** A name from elsewhere, with no uses in this text yet. */
+/** A name from another text, without uses in this one. */
 export function adopted(name: ShaderName): Draft {
   const members = new Map([...name.members].map(([key, member]) => [key, adopted(member)]));
   return { ...name, declarations: [...name.declarations], uses: [], signatures: [...name.signatures], members, scope: null };

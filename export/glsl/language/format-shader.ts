@@ -4,19 +4,18 @@ import { TYPES } from '../syntax/words.ts';
 
 const INDENT = '  ';
 
-/** A token, or a comment; `breaks` are the line ends before it. */
+/** A token or a comment; `breaks` counts the line ends before it. */
 interface Piece {
   readonly text: string;
   readonly kind: Token['kind'] | 'comment' | 'directive';
   readonly breaks: number;
-  /** White space stood before it. */
+  /** Whether white space precedes it. */
   readonly spaced: boolean;
 }
 
 /**
- * Lays a shader out anew: indents by brackets, puts one space where one belongs, drops what stands at the ends of lines and more
- * than one empty line. Lines stay as their author broke them, and the header, comments and directives keep their text; no token
- * changes. Null where the text has a comment that never ends.
+ * Formats a shader: indents by brackets, normalizes spaces, and removes trailing spaces and repeated empty lines. Line breaks, the header,
+ * comments, directives and all tokens stay. Returns null if a comment is not closed.
  */
 export function formatShader(source: string): string | null {
   let pieces: readonly Piece[];
@@ -76,7 +75,7 @@ function readPieces(source: string): Piece[] {
   return pieces;
 }
 
-/** The end of its line, or of the last line that it goes on to; a comment in it may hold line ends of its own. */
+/** End of a directive with its continuation lines; a comment in it may contain line ends. */
 function directiveEnd(source: string, start: number): number {
   const rest = /(?:\/\*[\s\S]*?\*\/|\/\/(?:[^\r\n\\]|\\(?:\r\n|[\s\S]))*|\\(?:\r\n|\r|\n)|[^\r\n])*/y;
   rest.lastIndex = start;
@@ -95,11 +94,11 @@ function splitLines(pieces: readonly Piece[]): Piece[][] {
 function createLayout() {
   let braces = 0;
   let brackets = 0;
-  /** The line goes on with what an earlier one began. */
+  /** Whether the line continues a statement. */
   let goesOn = false;
   let ternaries = 0;
   let before: Piece | null = null;
-  /** A sign that belongs to what follows: nothing stands between them. */
+  /** Whether the last token is a unary operator, which no space follows. */
   let unary = false;
 
   function print(line: readonly Piece[]): string {
@@ -170,7 +169,7 @@ function createLayout() {
   return { print };
 }
 
-/** What a binary operator, or a suffix, can stand behind. */
+/** Whether a binary operator or a suffix may follow. */
 function endsOperand(piece: Piece | null): boolean {
   if (piece === null) return false;
   const { kind, text } = piece;
@@ -184,7 +183,7 @@ function isCallee({ kind, text }: Piece): boolean {
   return TYPES.has(text) || !['if', 'for', 'while', 'switch', 'return', 'case', 'else', 'do'].includes(text);
 }
 
-/** Whether two tokens are still two without a space between them. */
+/** Whether two tokens stay separate without a space. */
 function staysApart(left: Piece, right: Piece): boolean {
   const glued = lex(left.text + right.text);
   return glued.length === 3 && glued[0]?.text === left.text && glued[1]?.text === right.text;

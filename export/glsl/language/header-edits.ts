@@ -1,15 +1,15 @@
 import type { Node } from 'jsonc-parser';
 import { entries, items, property, readHeader, textOf } from '../isf/isf-header.ts';
 
-/** Where something stands in a header: `['INPUTS', 0, 'LABEL']`. */
+/** A path in a header: `['INPUTS', 0, 'LABEL']`. */
 export type HeaderPath = readonly (string | number)[];
 
-/** What a header can hold. */
+/** A value in a header. */
 export type HeaderValue = string | number | boolean | readonly HeaderValue[] | { readonly [key: string]: HeaderValue };
 
 /**
- * Sets one value of a shader's header, or takes its key out where the value is undefined; everything else stays as its author
- * wrote it, comments and unknown keys included. Null where the header cannot be read or has no such place.
+ * Sets a value in a shader's header, or removes its key if the value is undefined. Everything else stays as written, including comments and
+ * unknown keys. Returns null if the header cannot be read or the path does not exist.
  */
 export function setInHeader(source: string, path: HeaderPath, value: HeaderValue | undefined): string | null {
   const root = rootOf(source);
@@ -17,7 +17,7 @@ export function setInHeader(source: string, path: HeaderPath, value: HeaderValue
   if (root === null || key === undefined) return null;
   const parent = nodeAt(root, path.slice(0, -1));
   if (parent === undefined) {
-    // The list or object that is to hold it comes first.
+    // Creates the list or object that contains it first.
     if (value === undefined) return source;
     return setInHeader(source, path.slice(0, -1), typeof key === 'number' ? [value] : { [key]: value });
   }
@@ -25,7 +25,7 @@ export function setInHeader(source: string, path: HeaderPath, value: HeaderValue
   return edited !== null && rootOf(edited) !== null ? edited : null;
 }
 
-/** Puts an item of a list in another place of it. */
+/** Moves an item within a list. */
 export function moveInHeader(source: string, path: HeaderPath, from: number, to: number): string | null {
   const list = items(nodeAt(rootOf(source) ?? undefined, path));
   const [a, b] = [list[Math.min(from, to)], list[Math.max(from, to)]];
@@ -34,7 +34,7 @@ export function moveInHeader(source: string, path: HeaderPath, from: number, to:
   return source.slice(0, a.offset) + text(b) + source.slice(a.offset + a.length, b.offset) + text(a) + source.slice(b.offset + b.length);
 }
 
-/** Says of imported pictures where they are now, by where the header says that they are. A header that cannot be read stays as it is. */
+/** Updates paths of imported images. A header that cannot be read stays unchanged. */
 export function moveImported(source: string, moved: ReadonlyMap<string, string>): string {
   const imported = property(rootOf(source) ?? undefined, 'IMPORTED');
   const values = imported?.type === 'object' ? [...entries(imported)].map(([, value]) => value) : items(imported);
@@ -77,7 +77,7 @@ function setItem(source: string, list: Node, index: number, value: HeaderValue |
   return insert(source, list, printValue(value));
 }
 
-/** Behind the last child, on a line of its own where the children have lines of their own. */
+/** Inserts after the last child, on a separate line if the children have separate lines. */
 function insert(source: string, parent: Node, text: string): string {
   const last = parent.children?.at(-1);
   if (last === undefined) {
@@ -90,7 +90,7 @@ function insert(source: string, parent: Node, text: string): string {
   return `${source.slice(0, end)},${lead === null ? ' ' : `${lead[1]}${lead[2]}`}${text}${source.slice(end)}`;
 }
 
-/** With the comma that stands between it and its neighbor. */
+/** Removes a child with the comma next to it. */
 function remove(source: string, parent: Node, child: Node): string {
   const children = parent.children ?? [];
   const index = children.indexOf(child);
@@ -102,7 +102,7 @@ function remove(source: string, parent: Node, child: Node): string {
     const start = before.offset + before.length;
     const comma = commaIn(source, start, child.offset) ?? start - 1;
     const between = source.slice(start, comma) + source.slice(comma + 1, child.offset);
-    // A comment between them belongs to what it stands behind, and to a line of its own.
+    // A comment in between belongs to the preceding child, and stays.
     return source.slice(0, start) + (between.trim() === '' ? '' : between) + source.slice(end);
   }
   const comma = commaIn(source, end, after.offset) ?? end - 1;
@@ -116,7 +116,7 @@ function commaIn(source: string, from: number, to: number): number | null {
   return null;
 }
 
-/** JSON as authors of headers write it: on one line, a space where one belongs. A text never ends the comment around it. */
+/** Prints JSON on one line with spaces. Text that would end the surrounding comment is escaped. */
 export function printValue(value: HeaderValue): string {
   if (typeof value === 'string') return JSON.stringify(value).replaceAll('*/', '*\\/');
   if (typeof value !== 'object') return JSON.stringify(value);
@@ -129,7 +129,7 @@ function isList(value: HeaderValue): value is readonly HeaderValue[] {
   return Array.isArray(value);
 }
 
-/** What a form shows of a header: its values as they stand there, before anything is made of them. */
+/** The values of a header as written, for a form. */
 export interface HeaderForm {
   readonly description: string;
   readonly credit: string;
@@ -138,10 +138,10 @@ export interface HeaderForm {
   readonly passes: readonly HeaderFields[];
 }
 
-/** The plain values of an object, by key; for a list of numbers or texts, the list. */
+/** The plain values of an object by key; the list for a list of numbers or texts. */
 export type HeaderFields = Readonly<Record<string, string | number | boolean | readonly (string | number)[]>>;
 
-/** Null while the header cannot be read. */
+/** Null if the header cannot be read. */
 export function readHeaderForm(source: string): HeaderForm | null {
   const root = rootOf(source);
   if (root === null) return null;

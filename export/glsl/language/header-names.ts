@@ -2,7 +2,7 @@ import type { Node } from 'jsonc-parser';
 import { entries, type Header, items, property, textOf } from '../isf/isf-header.ts';
 import type { TextRange } from './source-text.ts';
 
-/** A place in the header that names something of the GLSL's: an input, a buffer, a picture. */
+/** A place in the header that refers to a name of the GLSL: an input, a buffer, an image. */
 export interface HeaderName {
   readonly name: string;
   readonly range: TextRange;
@@ -10,13 +10,13 @@ export interface HeaderName {
   readonly role: 'input' | 'target' | 'imported' | 'size' | 'unit';
 }
 
-/** All of them, in no order. */
+/** All of them, unordered. */
 export function readHeaderNames(header: Header): readonly HeaderName[] {
   const found: HeaderName[] = [];
   const rangeAt = (offset: number, length: number): TextRange => ({ start: header.place(offset), end: header.place(offset + length) });
   const addText = (node: Node | undefined, role: HeaderName['role']) => {
     const name = textOf(node);
-    // One with an escape in it is longer than what it says.
+    // A name with an escape is longer than its value, so it is skipped.
     if (node && name !== null && node.length === name.length + 2) found.push({ name, range: rangeAt(node.offset + 1, name.length), role });
   };
   for (const input of items(property(header.root, 'INPUTS'))) addText(property(input, 'NAME'), 'input');

@@ -5,26 +5,29 @@ import { lexLeniently, rangeOf, type TextRange, touches } from './source-text.ts
 
 export type Color = readonly [red: number, green: number, blue: number, alpha: number];
 
-/** A color that the text holds as numbers. Components from 0 to 1, as they stand there. */
+/** A color in the text. Components from 0 to 1, as written. */
 export interface ColorLiteral {
   readonly range: TextRange;
   readonly color: Color;
-  /** `vec3` and lists of three numbers have no alpha. */
+  /** False for `vec3` and lists of three numbers. */
   readonly hasAlpha: boolean;
-  /** Text of another color in its place. */
+  /** How to print another color in its place. */
   readonly form: 'call' | 'list';
 }
 
 export interface NumberLiteral {
-  /** With its sign, where it has one. */
+  /** Includes its sign, if it has one. */
   readonly range: TextRange;
   readonly value: number;
   readonly isInt: boolean;
-  /** How it was written: digits behind the point. */
+  /** Number of decimal digits. */
   readonly decimals: number;
 }
 
-/** `vec3` and `vec4` of literals, such as `vec3(0.2, 0.4, 1.0)`, and the DEFAULT of color inputs. All numbers of a color are 0 to 1. */
+/**
+ * Colors in a text: `vec3` and `vec4` of literals, such as `vec3(0.2, 0.4, 1.0)`, and the DEFAULT of color inputs. All components are
+ * between 0 and 1.
+ */
 export function colorsOf(source: string, outline: Pick<Outline, 'tokens'> = { tokens: lexLeniently(source) }): readonly ColorLiteral[] {
   const found: ColorLiteral[] = [...headerColors(source)];
   const { tokens } = outline;
@@ -71,19 +74,19 @@ function unitValue({ kind, text }: Token): number | null {
   return value >= 0 && value <= 1 ? value : null;
 }
 
-/** What to write in the place of a color. */
+/** The text of a color. */
 export function printColor({ form, hasAlpha }: Pick<ColorLiteral, 'form' | 'hasAlpha'>, color: Color): string {
   const numbers = (hasAlpha ? color : color.slice(0, 3)).map((value) => printNumber(value, 3)).join(', ');
   return form === 'list' ? `[${numbers}]` : `vec${hasAlpha ? 4 : 3}(${numbers})`;
 }
 
-/** Never a whole number, which GLSL would take for an int. */
+/** Always with a decimal point, because GLSL would read an integer. */
 function printNumber(value: number, decimals: number): string {
   const text = value.toFixed(decimals).replace(/0+$/, '');
   return text.endsWith('.') ? `${text}0` : text;
 }
 
-/** The number that a place touches, in the GLSL; with a minus before it that can only be its sign. */
+/** The number at a position in the GLSL, with a minus if that can only be its sign. */
 export function numberAt(
   source: string,
   place: Place,
@@ -104,7 +107,7 @@ export function numberAt(
   return { range: { start, end: rangeOf(token).end }, value, isInt: token.kind === 'int', decimals };
 }
 
-/** Text of another value in the place of a number; as many digits as `step` needs, and never fewer than it had. */
+/** The text of another value, with as many digits as `step` needs, at least those it had. */
 export function printLiteral({ isInt, decimals }: Pick<NumberLiteral, 'isInt' | 'decimals'>, value: number, step: number): string {
   if (isInt) return String(Math.round(value));
   const digits = Math.max(decimals, Math.ceil(-Math.log10(step)), 1);
@@ -112,14 +115,14 @@ export function printLiteral({ isInt, decimals }: Pick<NumberLiteral, 'isInt' | 
   return Number(text) === 0 ? text.replace('-', '') : text;
 }
 
-/** A hundredth of the size of the number, as a power of ten; 1 for whole ones. */
+/** A hundredth of the number's magnitude as a power of ten; 1 for integers. */
 export function stepOf({ value, isInt }: Pick<NumberLiteral, 'value' | 'isInt'>): number {
   if (isInt) return 1;
   const size = Math.max(Math.abs(value), 0.1);
   return 10 ** (Math.floor(Math.log10(size)) - 2 + (size >= 1 ? 0 : 1));
 }
 
-/** Where a slider for it may go: to twice its size on its side of 0, at least from 0 to 1. */
+/** Range of a slider for it: from 0 to twice its value, at least from 0 to 1. */
 export function rangeOfSlider({ value, isInt }: Pick<NumberLiteral, 'value' | 'isInt'>): { readonly min: number; readonly max: number } {
   const size = Math.abs(value);
   const reach = size <= 1 ? 1 : 10 ** Math.ceil(Math.log10(size)) * (size * 2 <= 10 ** Math.ceil(Math.log10(size)) ? 1 : 2);

@@ -9,14 +9,14 @@ import { HEADER_KEYS, INPUT_TYPE_DOCS, ISF_FUNCTIONS } from './vocabulary.ts';
 
 export interface HoverText {
   readonly range: TextRange;
-  /** GLSL, to be shown as such. */
+  /** GLSL code. */
   readonly code: string;
   /** Markdown. */
   readonly doc: string;
 }
 
 export interface FoundPlace {
-  /** Null: in the text itself. */
+  /** Null for the text itself. */
   readonly file: string | null;
   readonly range: TextRange;
 }
@@ -24,7 +24,7 @@ export interface FoundPlace {
 export interface SignatureHelp {
   readonly signatures: readonly NameSignature[];
   readonly doc: string;
-  /** Which of them is meant by the number of arguments, and the argument that the place is in. */
+  /** Index of the signature that matches the number of arguments, and of the current argument. */
   readonly active: number;
   readonly parameter: number;
 }
@@ -88,7 +88,7 @@ function headerHover(document: ShaderDocument, place: Place): HoverText | null {
   return null;
 }
 
-/** The call that a place is inside of. */
+/** The call around a position. */
 export function signatureAt(document: ShaderDocument, place: Place): SignatureHelp | null {
   if (commentAt(document.source, place) !== null) return null;
   const { tokens } = document.outline;
@@ -131,7 +131,7 @@ function structSignature({ name, members }: ShaderName): NameSignature {
   return { label: `${name} ${name}(${parameters.join(', ')})`, returns: name, parameters };
 }
 
-/** Where the name at a place is declared: in the text, its header, or a chunk. An `#include` leads to its chunk. */
+/** Declarations of the name at a position: in the text, its header or a chunk. An `#include` leads to its chunk. */
 export function definitionsAt(document: ShaderDocument, place: Place): readonly FoundPlace[] {
   const start = { line: 1, column: 1 };
   const included = document.outline.includes.find(({ token }) => token.line === place.line);
@@ -153,14 +153,14 @@ function memberToken({ outline, structs }: ShaderDocument, token: Token): { file
   return struct && declared ? { file: struct.file, token: declared } : null;
 }
 
-/** Every place of the text that names the same, the header's first. */
+/** All uses of the name at a position in the text and header, those in the header first. */
 export function referencesAt(document: ShaderDocument, place: Place): readonly TextRange[] {
   const found = findName(document, place);
   if (found === null) return [];
   return [...headerUsesOf(document, found.name).map(({ range }) => range), ...usesOf(document, found.name).map(rangeOf)];
 }
 
-/** Of a name of the header, as the outline has it: its own copy has the places. */
+/** Uses of a name in the text, which the outline's own copy has. */
 export function usesOf({ outline }: ShaderDocument, name: ShaderName): readonly Token[] {
   if (name.uses.length > 0) return name.uses;
   return outline.tokens.filter((token) => {
@@ -169,7 +169,7 @@ export function usesOf({ outline }: ShaderDocument, name: ShaderName): readonly 
   });
 }
 
-/** TYPE of an input as the header writes it, for edits of the header. */
+/** TYPE of an input as written in the header. */
 export function typeOfInput(source: string, file: string, name: string): string | null {
   const { header } = readHeader(source, file);
   const input = property(header?.root, 'INPUTS')?.children?.find((one) => textOf(property(one, 'NAME')) === name);

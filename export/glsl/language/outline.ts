@@ -6,16 +6,15 @@ import { adopted, behind, byPlace, type Draft, draftOf, type Frame, frameOf, sco
 import type { NameKind, Outline, ShaderName } from './shader-name.ts';
 import { lexLeniently } from './source-text.ts';
 
-/** A declaration that is being read: where its list of variables goes on after a comma. */
+/** A declaration whose list of variables may continue after a comma. */
 interface Declaration {
   readonly type: string;
   readonly depth: number;
 }
 
 /**
- * Finds what every name of a text means, by scope and order of declaration as GLSL has them, without types: so it works on a text
- * that is half typed, on both sides of `#if`, and inside of macros, where the parser sees what is left after them. `given` are
- * the names that come from elsewhere: the header, the host, chunks.
+ * Resolves the names of a text by scope and order of declaration, without types. It works on incomplete text, in both branches of `#if` and
+ * in macros, which the parser does not see. `given` are names from elsewhere: the header, the host, chunks.
  */
 export function readOutline(source: string, given: readonly ShaderName[] = []): Outline {
   return createReader(source, lexLeniently(source), given).read();
@@ -32,12 +31,12 @@ function createReader(source: string, tokens: readonly Token[], given: readonly 
   const lines = source.split(/\r\n|\r|\n/);
   for (const name of given) file.names.set(name.name, adopted(name));
   for (const name of given) if (name.kind === 'macro') macros.set(name.name, file.names.get(name.name) as Draft);
-  /** Of the text itself: a name of its own hides a given one. */
+  /** Names of the text hide given ones. */
   let frame: Frame = frameOf('file', file);
   const outermost = frame;
   let depth = 0;
   let declaration: Declaration | null = null;
-  /** Declared, but not yet there for its own initializer. */
+  /** A declared name that its own initializer does not see. */
   let pending: Draft | null = null;
   let lastStruct: Draft | null = null;
   let functionDepth = -1;
@@ -82,7 +81,7 @@ function createReader(source: string, tokens: readonly Token[], given: readonly 
     frame = frame.parent;
   }
 
-  /** A body has ended here: so have the loops whose only statement it was, unless an `else` goes on. */
+  /** Ends the loops whose only statement was this body, unless an `else` follows. */
   function endBodies(index: number): void {
     if (tokens[index + 1]?.text === 'else') return;
     const token = tokens[index];
@@ -148,7 +147,7 @@ function createReader(source: string, tokens: readonly Token[], given: readonly 
       if (token.kind !== 'word' || body[i - 1]?.text === '.' || KEYWORDS.has(token.text)) return;
       const own = frame.names.get(token.text) ?? macros.get(token.text);
       if (own) mark(token, own);
-      // A macro's names mean what they mean where it is used: those of the whole text at best.
+      // Names in a macro are resolved where it is used, at best for the whole text.
       else unresolved.push(token);
     });
     const own = frame.owned;
@@ -162,7 +161,7 @@ function createReader(source: string, tokens: readonly Token[], given: readonly 
     if (macro) mark(token, macro);
   }
 
-  /** Type that stands before a name, or null where none does: two words in a row are only ever a declaration. */
+  /** The type before a name, or null: two consecutive words are always a declaration. */
   function typeBefore(index: number): { type: string; at: Token } | null {
     let suffix = '';
     let at = index - 1;
@@ -178,7 +177,7 @@ function createReader(source: string, tokens: readonly Token[], given: readonly 
     if (before?.kind !== 'word') return null;
     if (TYPES.has(before.text)) return { type: before.text + suffix, at: before };
     if (KEYWORDS.has(before.text) || tokens[at - 1]?.text === '#') return null;
-    // A statement that is being typed above another one is no type of its name.
+    // An incomplete statement on the line above is not a type.
     const isType = find(before.text)?.kind === 'struct' || before.line === tokens[index]?.line;
     return isType ? { type: before.text + suffix, at: before } : null;
   }
@@ -254,13 +253,13 @@ function createReader(source: string, tokens: readonly Token[], given: readonly 
     const name = declare('variable', token, typeWithSize(type, index), frame);
     if (frame !== outermost) name.scope ??= scopeFrom(token);
     if (known === undefined && after?.text === '=') {
-      // Its own initializer does not see it.
+      // The initializer does not see the name.
       frame.names.delete(token.text);
       pending = name;
     }
   }
 
-  /** `uniform float amount;`: what the host declares anyway, declared once more as some hosts want it. */
+  /** `uniform float amount;`: another declaration of a variable of the host, as some hosts require. */
   function isHostVariable(index: number): boolean {
     for (let at = index - 1; at >= 0 && ![';', '}', ')'].includes(tokens[at]?.text ?? ';'); at -= 1) {
       if (['uniform', 'varying', 'in'].includes(tokens[at]?.text ?? '')) return true;
@@ -278,7 +277,7 @@ function createReader(source: string, tokens: readonly Token[], given: readonly 
     functionDepth = depth;
   }
 
-  /** `float weights[3]` is a `float[3]`. */
+  /** `float weights[3]` has the type `float[3]`. */
   function typeWithSize(type: string, index: number): string {
     if (tokens[index + 1]?.text !== '[') return type;
     const close = closingOf(tokens, index + 1);
@@ -349,7 +348,7 @@ function createReader(source: string, tokens: readonly Token[], given: readonly 
       } else if (token.text === ';') {
         settlePending();
         declaration = null;
-        // A prototype has no body to wait for.
+        // A prototype has no body.
         if (frame.kind === 'function' && frame.headClosed && !bodies.has(frame)) pop(token);
         if (frame.kind !== 'for' || frame.headClosed) endBodies(index);
       }

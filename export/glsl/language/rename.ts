@@ -12,7 +12,7 @@ export type RenameStart =
 
 export type Rename = { readonly ok: true; readonly edits: readonly TextEdit[] } | { readonly ok: false; readonly reason: string };
 
-/** Whether what stands at a place can have another name. */
+/** Whether the name at a position can be renamed. */
 export function renameStart(document: ShaderDocument, place: Place): RenameStart {
   const found = findName(document, place);
   if (found === null) return { ok: false, reason: 'Only what this file or its header declares can be renamed.' };
@@ -28,8 +28,8 @@ export function renameStart(document: ShaderDocument, place: Place): RenameStart
 }
 
 /**
- * Every edit that gives the name at a place another one, in the header too. Refused where the text would mean something else
- * afterwards: the new name is taken, hides another, or is hidden.
+ * The edits that rename the name at a position, also in the header. Refused if the meaning of the text would change: the new name is in
+ * use, hides another, or is hidden.
  */
 export function renameAt(document: ShaderDocument, place: Place, to: string, options: DocumentOptions): Rename {
   const start = renameStart(document, place);
@@ -51,8 +51,8 @@ export function renameAt(document: ShaderDocument, place: Place, to: string, opt
 }
 
 /**
- * The edits that the same renaming takes in the file beside it: a vertex shader and its fragment shader share what one hands on to
- * the other, and the header's inputs. None for all else. `options` are those that `beside` was read with.
+ * The edits of the same renaming in the related file: a vertex shader and its fragment shader share varyings and inputs. Empty for other
+ * names. `options` are those of `beside`.
  */
 export function renameBeside(document: ShaderDocument, place: Place, to: string, beside: ShaderDocument, options: DocumentOptions): Rename {
   const name = findName(document, place)?.name;
@@ -89,7 +89,7 @@ function isVarying({ outline }: ShaderDocument, { kind, scope, declarations, fil
   });
 }
 
-/** A new name changes no token's place in the row, so every one has to belong together with the same ones as before. */
+/** Renaming keeps the order of tokens, so each must resolve to the same group as before. */
 function meansTheSame(before: Outline, after: Outline): boolean {
   if (before.tokens.length !== after.tokens.length) return false;
   const groups = new Map<unknown, unknown>();

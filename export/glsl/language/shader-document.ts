@@ -12,17 +12,17 @@ import type { Outline, ShaderName } from './shader-name.ts';
 import { offsetOf, type TextRange, touches } from './source-text.ts';
 import { ISF_VARIABLES, TECHNIQUE_DOCS, VERTEX_VARIABLES } from './vocabulary.ts';
 
-/** A shader as its author's editor knows it. Lines and columns count from 1, in the text as it stands. */
+/** A shader as analyzed for the code editor. Lines and columns count from 1. */
 export interface ShaderDocument {
   readonly file: string;
   readonly source: string;
   readonly outline: Outline;
-  /** Names that the text may use, its own and those from elsewhere, the innermost last. */
+  /** All visible names, the innermost last. */
   readonly names: readonly ShaderName[];
   readonly structs: ReadonlyMap<string, ShaderName>;
   readonly inputs: readonly IsfInput[];
   readonly headerNames: readonly HeaderName[];
-  /** Where the JSON stands, without the marks of its comment; null without a header. */
+  /** Offsets of the JSON without its comment marks; null without a header. */
   readonly header: { readonly start: number; readonly end: number } | null;
   readonly isTechnique: boolean;
 }
@@ -30,9 +30,9 @@ export interface ShaderDocument {
 export interface DocumentOptions {
   /** Text of `chunks/NAME.glsl`. */
   readonly chunkOf: (name: string) => string | undefined;
-  /** The same file a moment ago: while its header is broken, its inputs are those that it had. */
+  /** The previous version of the file, whose inputs are used while the header is invalid. */
   readonly before?: ShaderDocument;
-  /** Of a vertex shader, `edge.vs`: the file that it belongs to, whose header counts for both. */
+  /** For a vertex shader `edge.vs`: its fragment shader, whose header applies to both. */
   readonly fragment?: NeighborFile | undefined;
 }
 
@@ -41,7 +41,7 @@ export interface NeighborFile {
   readonly source: string;
 }
 
-/** Reads what can be read of a text, however broken. */
+/** Analyzes a text, even if it is incomplete. */
 export function readShaderDocument(source: string, file: string, { chunkOf, before, fragment }: DocumentOptions): ShaderDocument {
   const { header, diagnostics } = readHeader(fragment?.source ?? source, fragment?.file ?? file);
   const read = header === null ? [] : readInputs(header);
@@ -86,7 +86,7 @@ function techniqueNames(): ShaderName[] {
     .map(documented);
 }
 
-/** Buffers and pictures. */
+/** Names of buffers and images. */
 function imageNames(headerNames: readonly HeaderName[], inputs: readonly IsfInput[]): ShaderName[] {
   const isInput = new Set(inputs.map(({ name }) => name));
   return headerNames
@@ -104,7 +104,7 @@ function inputName(input: IsfInput, headerNames: readonly HeaderName[]): ShaderN
   return place === undefined ? name : { ...name, declarations: [tokenAt(place)] };
 }
 
-/** `**Strength** · float, 0 to 1, starts at 0.5`, and what its DOC says. */
+/** `**Strength** · float, 0 to 1, starts at 0.5`, and its DOC. */
 export function describeInput({ label, type, min, max, default: start, doc, choices, unit }: IsfInput): string {
   const written = (numbers: readonly number[]) => (numbers.length === 1 ? String(numbers[0]) : `(${numbers.join(', ')})`);
   const facts = [type === 'long' && choices.length > 0 ? choices.map((choice) => `${choice.value} ${choice.label}`).join(', ') : type];
@@ -114,7 +114,7 @@ export function describeInput({ label, type, min, max, default: start, doc, choi
   return [`**${label}** · ${facts.join(' · ')}`, doc].filter(Boolean).join('\n\n');
 }
 
-/** Everything that the chunks which the text includes declare for all, each with its file. */
+/** Global names of the included chunks, each with its file. */
 function chunkNames(source: string, given: readonly ShaderName[], chunkOf: DocumentOptions['chunkOf']): ShaderName[] {
   const found: ShaderName[] = [];
   const seen = new Set<string>();
@@ -147,13 +147,13 @@ function findJson(source: string): ShaderDocument['header'] {
   return { start: open + 2, end: close < 0 ? source.length : close };
 }
 
-/** What stands at a place. */
+/** A name at a position. */
 export interface Found {
   readonly name: ShaderName;
   readonly range: TextRange;
 }
 
-/** The name at a place, in the GLSL or in the header. */
+/** The name at a position in the GLSL or in the header. */
 export function findName(document: ShaderDocument, place: Place): Found | null {
   const token = wordAt(document, place);
   const named = token && nameOf(document, token);
@@ -167,16 +167,16 @@ export function isFromHeader({ kind, file, declarations }: ShaderName): boolean 
   return file === null && (kind === 'input' || kind === 'image') && declarations.length > 0;
 }
 
-/** What a word of the GLSL names; members by the type of what stands before the dot are not known here. */
+/** The name of a token. Members after a dot are not resolved here. */
 export function nameOf({ outline, names }: ShaderDocument, token: Token): ShaderName | null {
   const meant = outline.nameAt(token);
   if (meant === null) return null;
-  // Names from elsewhere are copied for each reading: the one with its places in this text is the outline's.
+  // Names from elsewhere are copied for each analysis; the outline has the copy with the uses in this text.
   const known = names.find((name) => name.name === meant.name && name.file === meant.file && name.scope === null && meant.scope === null);
   return known && known.declarations.length > 0 && meant.declarations.length === 0 ? { ...meant, declarations: known.declarations } : meant;
 }
 
-/** The word that a place is in or at either end of. */
+/** The word around a position or next to it. */
 export function wordAt({ outline: { tokens } }: ShaderDocument, place: Place): Token | null {
   return (
     tokens.find(
@@ -189,12 +189,12 @@ export function wordAt({ outline: { tokens } }: ShaderDocument, place: Place): T
   );
 }
 
-/** Places in the header that name the same thing. */
+/** Uses of the name in the header. */
 export function headerUsesOf({ headerNames }: ShaderDocument, name: ShaderName): readonly HeaderName[] {
   return isFromHeader(name) ? headerNames.filter((one) => one.name === name.name) : [];
 }
 
-/** Whether a place is in a comment, the header included. */
+/** Whether a position is in the header or in another comment. */
 export function commentAt(source: string, place: Place): 'header' | 'comment' | null {
   const offset = offsetOf(source, place);
   const header = findJson(source);

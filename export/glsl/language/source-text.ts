@@ -1,18 +1,18 @@
 import { lex } from '../syntax/lexer.ts';
 import { GlslError, type Place, type Token } from '../syntax/token.ts';
 
-/** From its first character up to, and without, the one at the end. */
+/** `end` is exclusive. */
 export interface TextRange {
   readonly start: Place;
   readonly end: Place;
 }
 
-/** A piece of text to put in the place of another. */
+/** A replacement of a range. */
 export interface TextEdit extends TextRange {
   readonly text: string;
 }
 
-/** Tokens of a text that is being typed: what follows a comment that never ends is left out. */
+/** Tokens of an incomplete text; text after an unclosed comment is ignored. */
 export function lexLeniently(source: string): readonly Token[] {
   try {
     return lex(source);
@@ -30,12 +30,12 @@ export function isBefore(a: Place, b: Place): boolean {
   return a.line < b.line || (a.line === b.line && a.column < b.column);
 }
 
-/** Both ends count: a caret right behind a name is at the name. */
+/** Both ends count, because a caret after a name is at the name. */
 export function touches({ start, end }: TextRange, place: Place): boolean {
   return !isBefore(place, start) && !isBefore(end, place);
 }
 
-/** Offset of a place; the text's end for one behind it. */
+/** Offset of a position, at most the end of the text. */
 export function offsetOf(source: string, { line, column }: Place): number {
   let start = 0;
   for (let at = 1; at < line; at += 1) {
@@ -53,7 +53,7 @@ export function placeOf(source: string, offset: number): Place {
   return { line: before.length, column: (before.at(-1)?.length ?? 0) + 1 };
 }
 
-/** Edits that do not overlap, in any order. */
+/** Applies edits that do not overlap, in any order. */
 export function applyEdits(source: string, edits: readonly TextEdit[]): string {
   const placed = edits.map(({ start, end, text }) => ({ from: offsetOf(source, start), to: offsetOf(source, end), text }));
   placed.sort((a, b) => b.from - a.from);

@@ -6,7 +6,7 @@ import { BUILTIN_FUNCTIONS } from './builtin-docs.ts';
 import type { Outline, ShaderName } from './shader-name.ts';
 import { ISF_FUNCTIONS } from './vocabulary.ts';
 
-/** What the members of a value are taken from: a struct, or a vector by its type. */
+/** The type whose members can be accessed: a struct or a vector. */
 export interface ValueType {
   readonly type: string;
   readonly struct: ShaderName | null;
@@ -14,7 +14,7 @@ export interface ValueType {
 
 const UNKNOWN: ValueType = { type: '', struct: null };
 
-/** Type of the value whose last token stands at `index`, as far as the text tells it without working out expressions. */
+/** Type of the value whose last token is at `index`, as far as it is known without evaluating expressions. */
 export function typeOfValue(outline: Outline, index: number, structs: ReadonlyMap<string, ShaderName>): ValueType {
   const { tokens } = outline;
   const token = tokens[index];
@@ -40,7 +40,7 @@ export function typeOfValue(outline: Outline, index: number, structs: ReadonlyMa
     if (name?.kind === 'struct') return name.name;
     if (name !== null) return name.signatures[0]?.returns ?? '';
     const returns = (BUILTIN_FUNCTIONS.get(callee.text) ?? ISF_FUNCTIONS.get(callee.text))?.signatures[0]?.returns ?? '';
-    // A function of every size gives the size of what it is given; its first argument tells, where that is a single name.
+    // A function of all sizes returns the size of its argument; the first argument gives it if it is a single name.
     if (returns !== 'T') return returns;
     const first = tokens[open + 1];
     const alone = [',', ')'].includes(tokens[open + 2]?.text ?? '');

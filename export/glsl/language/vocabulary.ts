@@ -1,6 +1,6 @@
 import { type BuiltinFunction, readSignature } from './builtin-docs.ts';
 
-/** Variables that the host of an ISF file sets (docs.isf.video, "Automatically Created Uniforms"), and those of GLSL itself. */
+/** Variables of the host of an ISF file (docs.isf.video, “Automatically Created Uniforms”) and of GLSL. */
 export const ISF_VARIABLES: ReadonlyMap<string, { readonly type: string; readonly doc: string }> = new Map([
   ['TIME', { type: 'float', doc: 'Seconds since the first frame.' }],
   ['TIMEDELTA', { type: 'float', doc: 'Seconds since the last frame.' }],
@@ -18,14 +18,14 @@ export const ISF_VARIABLES: ReadonlyMap<string, { readonly type: string; readonl
   ['gl_FragData', { type: 'vec4[]', doc: 'gl_FragData[0] is gl_FragColor.' }],
 ]);
 
-/** The same in the vertex shader beside an ISF file. */
+/** The same for a vertex shader. */
 export const VERTEX_VARIABLES: typeof ISF_VARIABLES = new Map([
   ...[...ISF_VARIABLES].filter(([name]) => !/^gl_|FragCoord$/.test(name)),
   ['isf_FragNormCoord', { type: 'vec2', doc: 'This corner, from (0, 0) at the bottom left to (1, 1) at the top right.' }],
   ['gl_Position', { type: 'vec4', doc: 'Where this corner is drawn, from -1 to 1.' }],
 ]);
 
-/** What ISF and Scrim add for reading images; `image` is the name of an image of the header. */
+/** Functions of ISF and Scrim that read images; `image` is the name of an image in the header. */
 export const ISF_FUNCTIONS: ReadonlyMap<string, BuiltinFunction> = new Map(
   [
     ['vec4 IMG_PIXEL(image, vec2 pixel)', 'Color of an image at a place in pixels from its bottom left.'],
@@ -46,7 +46,7 @@ export const ISF_FUNCTIONS: ReadonlyMap<string, BuiltinFunction> = new Map(
   }),
 );
 
-/** What a technique is written against (design: `technique/interface.ts`). */
+/** Names that techniques use (`technique/interface.ts`). */
 export const TECHNIQUE_DOCS: ReadonlyMap<string, string> = new Map([
   ['Vertex', 'A corner of an object, in world space. “vertex” may move it.'],
   ['Surface', 'The point of an object that is drawn, in world space.'],
@@ -75,7 +75,7 @@ export const TECHNIQUE_DOCS: ReadonlyMap<string, string> = new Map([
   ['front', 'Whether the front face is visible.'],
 ]);
 
-/** Keys of a header, by where they stand. */
+/** Keys of a header by the object that contains them. */
 export const HEADER_KEYS: Readonly<Record<'root' | 'input' | 'pass', Readonly<Record<string, string>>>> = {
   root: {
     ISFVSN: 'Version of ISF that the file is written for: "2".',

@@ -1,6 +1,6 @@
 /**
- * 64 bits of a text as 16 hexadecimal digits, to name and compare texts by. Not for secrets. FNV-1a in two halves with
- * different starts and a final mix (murmur3's), so that it runs everywhere, at once, on any text.
+ * Hashes a text to 64 bits as 16 hexadecimal digits, for names and comparisons, not for security. FNV-1a in two halves with different seeds
+ * and a final mix (murmur3's); synchronous and without dependencies.
  */
 export function hashText(text: string): string {
   let a = 0x811c9dc5;

@@ -5,8 +5,8 @@ import { GlslError } from '../syntax/token.ts';
 import type { ImageUse } from './images.ts';
 
 /**
- * How the position is given: `here` is the pixel that is being drawn; `norm` is (0, 0) to (1, 1), or a direction where the image is
- * a cube; `pixel` is in pixels; `direction` is for cubes alone; the others are GLSL's own forms.
+ * Position argument: `here` is the current pixel; `norm` is (0, 0) to (1, 1), or a direction for cubes; `pixel` is in pixels; `direction`
+ * is for cubes only; the others are forms of GLSL.
  */
 export type ImageCall =
   | { readonly use: 'color'; readonly position: 'here' | 'norm' | 'pixel' | 'projected' | 'texel' | 'offset' | 'direction' }
@@ -18,7 +18,11 @@ const NORM = /^texture(2D)?(Lod|LodEXT|Grad|GradEXT)?$/;
 const CUBE = /^textureCube(Lod|LodEXT|GradEXT)?$/;
 const PROJECTED = /^texture(2D)?Proj(Lod|LodEXT|Grad|GradEXT)?$/;
 
-/** What a call reads of an image; null for a call that reads none. Throws for reads that have no meaning on a layer. */
+/**
+ * How a call reads an image; null if it reads none.
+ *
+ * @throws GlslError for reads that layers do not support.
+ */
 export function classifyImageCall(call: CallExpression): ImageCall | null {
   const name = call.token.text;
   if (call.symbol !== null || !(isImageFunction(name) || TEXTURE_FUNCTIONS.has(name))) return null;
@@ -55,13 +59,13 @@ export function classifyImageCall(call: CallExpression): ImageCall | null {
   }
 }
 
-/** A color given by its position needs the size too where that is in pixels. */
+/** Color at a position in pixels needs the size too. */
 export function usesOf(call: ImageCall): readonly ImageUse[] {
   if (call.use !== 'color') return [call.use];
   return call.position === 'pixel' || call.position === 'texel' || call.position === 'offset' ? ['color', 'size'] : ['color'];
 }
 
-/** How many arguments after the image the call needs. */
+/** Number of arguments after the image. */
 export function positionCount(call: ImageCall): number {
   if (call.use === 'size') return 0;
   if (call.use !== 'color') return 1;

@@ -2,30 +2,30 @@ import { CURVE_WIDTH_PX } from '../../program/curve-table.ts';
 import { ROOM_DEPTH_TEXT } from '../../program/room-depth.ts';
 import type { LinkedSampler, LinkedSound } from './linked-pass.ts';
 
-/** An image that a pass may read, and how. */
+/** An image that a pass may read. */
 export interface Image {
   readonly name: string;
   readonly kind: 'input' | 'room' | 'buffer' | 'sound' | 'picture' | 'cube' | 'curve' | 'absent';
-  /** Read by a direction, whether it is there or not. */
+  /** Whether it is read by a direction, also if it is absent. */
   readonly isCube: boolean;
-  /** Room depth, whether it is there or not. */
+  /** Whether it is room depth, also if it is absent. */
   readonly isRoom: boolean;
-  /** For buffers: the version of this pass, see `plan-passes.ts`. */
+  /** For buffers: the version in this pass, see `plan-passes.ts`. */
   readonly buffer: string;
   /** Name of its sampler in the printed text. */
   readonly sampler: string;
-  /** The layer behind an input has depth. */
+  /** Whether the layer of an input has depth. */
   readonly hasDepth: boolean;
-  /** Repeats beyond its edges. */
+  /** Whether it repeats beyond its edges. */
   readonly repeat: boolean;
-  /** Of sounds, whether there or not. */
+  /** For sounds, also if absent. */
   readonly sound: LinkedSound | null;
 }
 
-/** What is read of an image: its colors, how large it is, its depth, or the height of a curve. */
+/** What a shader reads of an image. */
 export type ImageUse = 'color' | 'size' | 'depth' | 'curve';
 
-/** What the names below add to that of a sampler. */
+/** Suffixes that the functions below add to the name of a sampler. */
 export const IMAGE_SUFFIXES = [
   '_at',
   '_size',
@@ -39,7 +39,7 @@ export const IMAGE_SUFFIXES = [
   '_heightAt',
 ] as const;
 
-/** The functions that the printed text reads images with. */
+/** The function that reads the color of an image in the printed text. */
 export function colorFunction(image: Image): string {
   return `${image.sampler}_at`;
 }
@@ -56,7 +56,7 @@ export function sizeUniform(image: Image): string {
   return `${image.sampler}_size`;
 }
 
-/** Samplers that a use of the image needs bound. */
+/** The sampler that a use of the image needs. */
 export function samplerFor(image: Image, use: ImageUse): LinkedSampler | null {
   if (image.kind === 'absent') return null;
   if (image.kind === 'curve') return { name: image.sampler, source: { kind: 'curve', param: image.name } };
@@ -73,8 +73,8 @@ export function samplerFor(image: Image, use: ImageUse): LinkedSampler | null {
 }
 
 /**
- * Declarations and functions for one image. All take a position on the image from (0, 0) at the bottom left to (1, 1), and
- * read the nearest edge beyond it. No mipmaps, so the level is given and no derivative is taken: reading is allowed anywhere.
+ * Declarations and functions of one image. All take a position from (0, 0) at the bottom left to (1, 1) and extend the edge. The mip level
+ * is explicit and there are no derivatives, so reads are allowed in any control flow.
  */
 export function imageText(image: Image, uses: ReadonlySet<ImageUse>, premultiplied: boolean): string {
   const parts: string[] = [];
@@ -98,7 +98,7 @@ function colorText(image: Image, premultiplied: boolean): string {
   const read = `textureLod(${image.sampler}, uv, 0.0)`;
   switch (image.kind) {
     case 'buffer':
-      // A node's own buffer: as it was written.
+      // A node's own buffer is read as written.
       return `vec4 ${colorFunction(image)}(vec2 uv) { return ${read}; }`;
     case 'sound':
       return `vec4 ${colorFunction(image)}(vec2 uv) { return vec4(${read}.rrr, 1.0); }`;
@@ -111,7 +111,7 @@ function colorText(image: Image, premultiplied: boolean): string {
   }
 }
 
-/** A layer: laid on the view, transparent outside of itself, with straight alpha unless the file wants it as it is stored. */
+/** A layer: fitted to the view, transparent outside of itself, with straight alpha unless the file reads it as stored. */
 function inputColor(image: Image, premultiplied: boolean): string {
   const { sampler } = image;
   return `uniform mat3 ${sampler}_uvFromViewUv;
@@ -122,7 +122,7 @@ vec4 ${colorFunction(image)}(vec2 uv) {
 }`;
 }
 
-/** The table has the curve's height at the middle of its pixels, the first at 0 and the last at 1, and is even beyond. */
+/** The texture has the heights at the centers of its texels, the first at 0 and the last at 1, and is constant beyond. */
 function curveText(image: Image): string {
   return `uniform sampler2D ${image.sampler};
 float ${curveFunction(image)}(float x) {
@@ -155,11 +155,11 @@ float ${depthFunction(image)}(vec2 uv) {
 /**
  * Shared by all images of a text.
  *
- * `scrim_meters` decodes what the red channel `d` of a depth sampler holds, with its `NAME_decode`:
+ * `scrim_meters` decodes the red channel `d` of a depth sampler with its `NAME_decode`:
  * - meters: `decode = (scale, offset, 0, 0)`, usually (1, 0, 0, 0); m = d scale + offset;
- * - a depth buffer drawn with the projection `P` (column-major): `decode = (P[10], P[14], 0, 1)`. Clip z = P10 z + P14 and
- *   clip w = -z, so with m = -z meters 2 d - 1 = P14 / m - P10, and m = P14 / (2 d - 1 + P10); that holds for off-axis and
- *   infinite projections alike. Where d is still 1 nothing was drawn, which is 0.
+ * - a depth buffer drawn with the projection `P` (column-major): `decode = (P[10], P[14], 0, 1)`. Clip z = P10 z + P14 and clip w = -z, so
+ * with m = -z meters 2 d - 1 = P14 / m - P10, and m = P14 / (2 d - 1 + P10); this holds for off-axis and infinite projections too. A d of 1
+ * means that nothing was drawn and gives 0.
  */
 const IMAGE_HELPERS = {
   scrim_place: `vec2 scrim_place(mat3 uvFromViewUv, vec2 uv) {
@@ -181,7 +181,7 @@ const IMAGE_HELPERS = {
 vec2 scrim_project(vec4 at) { return at.xy / at.w; }`,
 } as const;
 
-/** The helpers that the images' own text calls, in an order in which each is known before it is used. */
+/** The helpers that the images' text calls, ordered by dependency. */
 export function helpersFor(imageTexts: string, projects: boolean): string[] {
   return Object.entries(IMAGE_HELPERS)
     .filter(([name]) => imageTexts.includes(`${name}(`) || (projects && name === 'scrim_project'))

@@ -3,10 +3,14 @@ import { MAX_TEXT, TOO_LONG } from '../syntax/parse.ts';
 import { GlslError, type Place } from '../syntax/token.ts';
 import type { LinkedPass, LinkedSampler } from './linked-pass.ts';
 
-/** `MAX_TEXTURE_IMAGE_UNITS` of every WebGL 2 (§3.7.2): some devices have more, and a file is to run on all. */
+/** `MAX_TEXTURE_IMAGE_UNITS` that every WebGL 2 device supports (§3.7.2). */
 const MAX_IMAGES = 16;
 
-/** Refuses what would work on some devices only, or on none. Throws `GlslError` at the line of the header, where one is to blame. */
+/**
+ * Rejects shaders that exceed guaranteed limits of WebGL 2.
+ *
+ * @throws GlslError, at the line of the header if that is the cause.
+ */
 export function checkLimits(shader: IsfShader, pass: LinkedPass): void {
   const { samplers, passIndex } = pass;
   const [beyond] = samplers.slice(MAX_IMAGES);
@@ -14,7 +18,7 @@ export function checkLimits(shader: IsfShader, pass: LinkedPass): void {
     const what = shader.passes.length > 1 ? `Pass ${passIndex}` : 'The shader';
     throw new GlslError(
       placeOf(shader, beyond),
-      `${what} reads ${samplers.length} images, and WebGL 2 promises no more than ${MAX_IMAGES}: read fewer in one pass.`,
+      `${what} reads ${samplers.length} images, but WebGL 2 guarantees only ${MAX_IMAGES}: read fewer in one pass.`,
       'SCR043',
     );
   }

@@ -5,34 +5,34 @@ import { TYPES } from '../syntax/words.ts';
 
 type MappedLine = SourceMap['lines'][number];
 
-/** Builds a text line by line and remembers which author's line each one came from. */
+/** Builds a text line by line and records the author's line of each. */
 export interface LineWriter {
   /**
-   * Adds to the current line. With a place on another of the author's lines, a new line begins first, so that no printed line
-   * holds text of two: drivers report lines only. Where tokens are kept apart, one also begins before a token that the line has.
-   * `quoted`: as what drivers quote the token, where that is not as it is written.
+   * Adds text to the current line. If `place` is on another line of the author, a new line starts, so that no printed line contains text of
+   * two, because drivers report lines only. If tokens are kept apart, a line also ends before a token that it already contains. `quoted` is
+   * how drivers quote the token, if it differs from the text.
    */
   write(text: string, place?: Place, quoted?: string): void;
-  /** Ends the current line, if there is anything on it. */
+  /** Ends the current line if it is not empty. */
   endLine(): void;
-  /** Whole lines of the linker's own. */
+  /** Adds whole lines of the linker. */
   own(text: string): void;
   indent(by: 1 | -1): void;
   readonly lines: readonly string[];
   readonly map: readonly MappedLine[];
 }
 
-/** All assignments: drivers quote most by one word. */
+/** Token for all assignments, which most drivers quote alike. */
 export const ASSIGNMENT = 'assign';
 
-/** How drivers quote what is written: calls by their name, but those of types, and assignments, by what they are. */
+/** How drivers quote a text: calls by name, but constructors and assignments by kind. */
 function quotedAs(text: string): string {
   const word = text.trim().replace(/\($/, '');
   if (word !== text.trim() && TYPES.has(word)) return 'constructor';
   return ASSIGNMENTS.has(word) ? ASSIGNMENT : word;
 }
 
-/** `apart`: no printed line has a token twice, or two constructors or assignments, so that what a driver quotes is one of them. */
+/** `apart`: no printed line has a token twice, or two constructors or assignments, so that the token that a driver quotes is unique. */
 export function createLineWriter(source: number, apart = false): LineWriter {
   const lines: string[] = [];
   const map: MappedLine[] = [];

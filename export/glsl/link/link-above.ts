@@ -6,30 +6,33 @@ import type { Place } from '../syntax/token.ts';
 import { linkIsf } from './link-isf.ts';
 import type { LinkedPass, LinkOptions } from './linked-pass.ts';
 
-/** What can be linked of a file that has a mistake: the text above it. */
+/** The linked text above a mistake. */
 export interface Above<T> {
-  /** For the driver, which finds the mistakes above; null where nothing could be linked. Its loops say nothing: the rest of their bodies may be missing. */
+  /**
+   * For the driver, which finds the mistakes above; null if nothing could be linked. Its loops are not meaningful, because their bodies may
+   * be incomplete.
+   */
   readonly output: T | null;
   /** Mistakes above that were found without a driver. */
   readonly diagnostics: readonly Diagnostic[];
   readonly before: Before;
 }
 
-/** Only what is said of other files, or of places before this one, counts. */
+/** Only diagnostics of other files, or before this position, count. */
 export interface Before {
   readonly file: string;
   readonly place: Place;
 }
 
 /**
- * Links what stands above the mistake that `linkIsf` refused the file for, so that the mistakes above it can be told as well. Null where
- * there is nothing above.
+ * Links the text above the mistake for which `linkIsf` rejected the file, so that mistakes above it can be reported too. Returns null if
+ * there is no text above.
  */
 export function linkAbove(shader: IsfShader, options: LinkOptions, refused: Diagnostic): Above<readonly LinkedPass[]> | null {
   return findAbove(shader, refused, shaderAbove, (above) => linkIsf(above, { ...options, partial: true }));
 }
 
-/** `cut` gives what stands above a place, or null; of that, `link` may refuse a part again, whose mistake is above the first. */
+/** `cut` returns the text above a position, or null. `link` may reject it for an earlier mistake. */
 export function findAbove<S, T>(
   source: S,
   { file, line, column, message }: Diagnostic,
@@ -49,7 +52,7 @@ export function findAbove<S, T>(
   return further === null ? { output: null, diagnostics: told, before } : { ...further, diagnostics: [...further.diagnostics, refused] };
 }
 
-/** Whether something said of the text above a mistake counts: the end of that text is not the author's. */
+/** Whether a diagnostic of the text above a mistake is valid, because the end of that text is not the author's. */
 export function countsAbove({ file, line, column }: Diagnostic, { file: cut, place }: Before): boolean {
   if (line === undefined || column === undefined) return false;
   return file !== cut || line < place.line || (line === place.line && column < place.column);

@@ -9,13 +9,15 @@ import type { LinkedPass, LinkedUniform, LinkOptions } from './linked-pass.ts';
 import { planPasses } from './plan-passes.ts';
 import { FRAGMENT_HEAD } from './prelude.ts';
 
-/** A float input of this name fades the first image, and so what counts as its alpha. */
+/** A float input of this name scales the alpha of the first image. */
 const OPACITY = 'opacity';
 
 /**
- * The pass that makes the depth of a file with `"SCRIM_DEPTH": "over"`, in meters: that of the first image where its alpha,
- * times `opacity` if there is such an input, is above one half, else that of the second (docs/ARCHITECTURE.md, “Drawing”). To be drawn only where
- * something reads the depth. Throws where the file's depth is no computed one (`definition.outputs.layer.depth` is not `true`).
+ * Links the pass that computes the depth of a file with `"SCRIM_DEPTH": "over"`, in meters: that of the first image where its alpha, times
+ * `opacity` if there is such an input, exceeds one half, else that of the second (docs/ARCHITECTURE.md, “Drawing”). It is drawn only if the
+ * depth is read.
+ *
+ * @throws Error if the file's depth is not computed (`definition.outputs.layer.depth` is not `true`).
  */
 export function linkIsfDepth(shader: IsfShader, options: LinkOptions): LinkedPass {
   const [firstPass] = planPasses(shader);

@@ -13,8 +13,10 @@ import type { LinkedPass, LinkOptions } from './linked-pass.ts';
 import { type PlannedPass, planPasses } from './plan-passes.ts';
 
 /**
- * Makes GLSL ES 3.00 of an ISF file: the passes to draw, in order. SCR041 where the GLSL cannot be read, SCR043 where it asks
- * for what Scrim cannot give; everything else that is wrong with it the driver finds (`driverDiagnostics`).
+ * Links an ISF file to GLSL ES 3.00.
+ *
+ * @returns The passes to draw, in order; or null with SCR041 if the GLSL cannot be parsed or SCR043 if it needs unsupported features. The
+ * driver finds all other mistakes (`driverDiagnostics`).
  */
 export function linkIsf(shader: IsfShader, options: LinkOptions): Result<readonly LinkedPass[]> {
   try {
@@ -49,7 +51,7 @@ function linkPasses(unit: LinkUnit, passes: readonly PlannedPass[]): LinkedPass[
   });
 }
 
-/** Other hosts leave them at 0, or at what they are declared with, and so does Scrim. */
+/** Warns about uniforms that nothing sets. As in other hosts, they stay 0 or at their initializer. */
 function strayUniforms(unit: LinkUnit): Diagnostic[] {
   const diagnostics: Diagnostic[] = [];
   for (const declaration of unit.checked.declarations) {
@@ -66,7 +68,7 @@ function strayUniforms(unit: LinkUnit): Diagnostic[] {
   return diagnostics;
 }
 
-/** Other hosts refuse the file; what nobody sets is 0, and the rest of the picture is there. */
+/** Warns about varyings that nothing sets. Other hosts reject the file; here they are 0. */
 function strayVaryings(unit: LinkUnit): Diagnostic[] {
   const set = unit.vertex === null ? null : varyingsOf(unit.vertex.checked);
   return [...varyingsOf(unit.checked)].flatMap(([name, { token }]): Diagnostic[] => {

@@ -23,15 +23,12 @@ import { printAuthorsText, printHoistedGlobals } from './print-shader.ts';
 import { findReach, type Reach } from './reach.ts';
 import { builtinUniforms, paramUniforms, usesFragCoord } from './uniforms.ts';
 
-/** What `main` of this pass uses. */
+/** Everything that `main` uses in this pass. */
 export function reachOfPass(unit: LinkUnit, pass: PlannedPass): Reach {
   return findReach(unit.checked, { ...namePass(unit, pass), passIndex: pass.passIndex, also: [] });
 }
 
-/**
- * Prints one pass. `also` is what no pass uses: it is printed all the same, so that the driver reports its mistakes too, but
- * nothing has to be bound for it.
- */
+/** Prints one pass. `also` is what no pass uses: it is printed so that the driver reports its mistakes, but nothing is bound for it. */
 export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (FunctionSymbol | VariableSymbol)[]): LinkedPass {
   const passNames = namePass(unit, pass);
   const { names, images } = passNames;
@@ -90,7 +87,7 @@ export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (Func
   };
 }
 
-/** Shows a buffer as the node's layer. */
+/** Copies a buffer to the node's layer. */
 function linkCopy(unit: LinkUnit, pass: PlannedPass, images: ReadonlyMap<string, Image>): LinkedPass {
   const image = images.get(pass.copyFrom ?? '');
   if (image === undefined) throw new Error('A copy names the buffer that it shows.');
@@ -116,7 +113,7 @@ function printMain(unit: LinkUnit, pass: PlannedPass, context: PrintContext): vo
   writer.own('void main() {');
   writer.indent(1);
   if (context.loopBudget) writer.own(LOOP_BUDGET_START);
-  // `gl_FragCoord` counts from the corner of the target, and the viewport may lie anywhere in it. This value is exact at pixel centers.
+  // `gl_FragCoord` is relative to the target, in which the viewport may have any position. This value is exact at pixel centers.
   if (usesFragCoord(reach)) writer.own('scrim_fragCoord = vec4(floor(scrim_uv * RENDERSIZE) + 0.5, 0.5, 1.0);');
   writer.own('scrim_fragColor = vec4(0.0);');
   printHoistedGlobals(unit.checked, context);
@@ -130,7 +127,7 @@ function printMain(unit: LinkUnit, pass: PlannedPass, context: PrintContext): vo
 
 function samplersOf(reaches: readonly Pick<Reach, 'images'>[], images: ReadonlyMap<string, Image>): LinkedSampler[] {
   const samplers = new Map<string, LinkedSampler>();
-  // The sets may come from other walks, so images are found by name; the order is the header's.
+  // The sets may come from different walks, so images are matched by name; the order is that of the header.
   const used = reaches.flatMap((reach) => [...reach.images].map(([image, uses]) => ({ name: image.name, uses })));
   for (const image of images.values()) {
     for (const { uses } of used.filter(({ name }) => name === image.name)) {
@@ -143,7 +140,7 @@ function samplersOf(reaches: readonly Pick<Reach, 'images'>[], images: ReadonlyM
   return [...samplers.values()];
 }
 
-/** `vertex`: the author's, or one of ours. */
+/** `vertex` is the author's or a standard vertex shader. */
 export function linkedShader(
   unit: Omit<LinkSource, 'given'>,
   head: string,

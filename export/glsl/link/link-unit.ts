@@ -11,7 +11,7 @@ import { createNames, type Names } from './names.ts';
 import { passImages } from './pass-images.ts';
 import type { PlannedPass } from './plan-passes.ts';
 
-/** A file, the variables that it is given, and the node that it is linked for. */
+/** A file with its host variables and link options. */
 export interface LinkSource {
   readonly shader: IsfShader;
   readonly given: ReadonlyMap<string, VariableSymbol>;
@@ -19,7 +19,7 @@ export interface LinkSource {
   readonly checked?: CheckedShader;
 }
 
-/** `free`: there is nothing to look after. `counted`: they take long, but end. `bounded`: they have to be kept from never ending. */
+/** `free`: all loops are short. `counted`: they are long but end. `bounded`: they may be endless. */
 export type Loops = 'free' | 'counted' | 'bounded';
 
 export interface LinkUnit extends LinkSource, CheckedIsf {
@@ -27,7 +27,7 @@ export interface LinkUnit extends LinkSource, CheckedIsf {
   readonly loops: Loops;
 }
 
-/** What the text says of its loops, those of the vertex shader included (`export/program/loop-budget.ts`). */
+/** Classifies the loops, including those of the vertex shader (`export/program/loop-budget.ts`). */
 export function loopsOf({ checked, vertex }: CheckedIsf, { loopBudget }: LinkOptions): Loops {
   if (loopBudget !== true) return 'free';
   const rounds = Math.max(countRounds(checked), vertex === null ? 0 : countRounds(vertex.checked));
@@ -40,7 +40,7 @@ export interface PassNames {
   readonly images: ReadonlyMap<string, Image>;
 }
 
-/** Inputs and images get their names first, so that these do not depend on what else a pass uses. */
+/** Names inputs and images first, so that their names do not depend on the rest of a pass. */
 export function namePass(unit: LinkSource, pass: PlannedPass): PassNames {
   const names = createNames();
   for (const symbol of unit.given.values()) if (symbol.role === 'input') names.of(symbol);
@@ -48,7 +48,7 @@ export function namePass(unit: LinkSource, pass: PlannedPass): PassNames {
   return { names, images };
 }
 
-/** Functions and variables that can be printed without being called: those that take no image. */
+/** Functions and variables that can be printed without a call: those without image parameters. */
 export function usable({ declarations }: CheckedShader): (FunctionSymbol | VariableSymbol)[] {
   const symbols = new Set<FunctionSymbol | VariableSymbol>();
   for (const declaration of declarations) {

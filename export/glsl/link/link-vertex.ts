@@ -14,19 +14,19 @@ import { printAuthorsText, printHoistedGlobals } from './print-shader.ts';
 import { findReach, type Reach } from './reach.ts';
 import { builtinUniforms, paramUniforms } from './uniforms.ts';
 
-/** The author's vertex shader as one pass needs it. */
+/** The author's vertex shader, linked for one pass. */
 export interface LinkedVertex {
   readonly text: string;
   readonly map: SourceMap;
   readonly geometry: NonNullable<LinkedShader['geometry']>;
-  /** What of the host's it uses. */
+  /** The host's variables and functions that it uses. */
   readonly needed: Reach;
 }
 
-/** In which the place of a pixel travels beside the author's varyings: authors may move it. */
+/** Varying with the position of the pixel, which authors may change. */
 export const NORM_COORD = 'scrim_normCoord';
 
-/** What a vertex shader hands on, or a fragment shader is handed, by name. */
+/** Varyings of a stage by name. */
 export function varyingsOf({ declarations }: CheckedShader): ReadonlyMap<string, VariableSymbol> {
   const varyings = new Map<string, VariableSymbol>();
   for (const declaration of declarations) {
@@ -36,7 +36,7 @@ export function varyingsOf({ declarations }: CheckedShader): ReadonlyMap<string,
   return varyings;
 }
 
-/** Gives varyings the same names in both stages, whatever else a stage declares: call it right after `namePass`. */
+/** Gives varyings equal names in both stages. Call it right after `namePass`. */
 export function nameVaryings({ names }: PassNames, fragment: CheckedShader, own: CheckedShader): void {
   const symbols = varyingsOf(own);
   for (const name of varyingsOf(fragment).keys()) {
@@ -46,7 +46,11 @@ export function nameVaryings({ names }: PassNames, fragment: CheckedShader, own:
   }
 }
 
-/** `wanted`: the varyings that the fragment shader of the pass reads. Throws `GlslError` with the file. */
+/**
+ * `wanted` are the varyings that the fragment shader of the pass reads.
+ *
+ * @throws GlslError with the file.
+ */
 export function linkVertex(unit: LinkUnit, pass: PlannedPass, wanted: ReadonlySet<string>): LinkedVertex | null {
   const { vertex } = unit;
   const file = unit.shader.vertex?.file;
@@ -109,7 +113,7 @@ function printVertex(unit: LinkUnit, fragment: CheckedShader, pass: PlannedPass,
   };
 }
 
-/** As in fragment shaders (`export/program/loop-budget.ts`), but nobody is told which loop it was. */
+/** As in fragment shaders (`export/program/loop-budget.ts`), but without reporting the loop. */
 const LOOPS_END = `int scrim_roundsLeft = ${LOOP_BUDGET};
 bool scrim_spend(int line) {
   scrim_roundsLeft -= 1;

@@ -2,29 +2,29 @@ import type { BuiltinUniform, LinkedShader, PassUniform, TargetFormat } from '..
 import type { NamedSize } from '../isf/isf-shader.ts';
 
 /**
- * One full-screen draw of a linked shader, with inputs, params and buffers by name: the compiler puts resources and slots in
- * their place and has a `PassOperation`.
+ * One full-screen draw of a linked shader, with inputs, params and buffers by name. The compiler replaces them by resources and slots,
+ * which gives a `PassOperation`.
  */
 export interface LinkedPass {
   readonly shader: LinkedShader;
-  /** ISF `PASSINDEX`. Passes that nothing can see are left out, so the numbers may have gaps. */
+  /** ISF `PASSINDEX`. Passes without effect are left out, so the numbers may have gaps. */
   readonly passIndex: number;
-  /** What is drawn into. Size and format are the target's. */
+  /** Target of the pass with its size and format. */
   readonly target: PassTarget;
   readonly samplers: readonly LinkedSampler[];
   readonly uniforms: readonly LinkedUniform[];
 }
 
 export type PassTarget =
-  /** The node's layer, of the size of its first layer input, or of the view where it has none. */
+  /** The node's layer, with the size of its first layer input, or of the view. */
   | { readonly kind: 'output'; readonly format: TargetFormat }
-  /** A buffer of the node's own; several passes may draw into one. Persistent ones exist per view. */
+  /** A buffer of the node; several passes may draw to one. Persistent ones exist per view. */
   | {
       readonly kind: 'buffer';
       readonly name: string;
       readonly format: TargetFormat;
       readonly persistent: boolean;
-      /** Null for the node's size. `$WIDTH` and `$HEIGHT` in them are the node's. */
+      /** Null for the node's size, to which `$WIDTH` and `$HEIGHT` refer. */
       readonly width: NamedSize | null;
       readonly height: NamedSize | null;
     };
@@ -34,23 +34,23 @@ export interface LinkedSampler {
   readonly name: string;
   readonly source: /** Color of the layer at input port `input`. */
     | { readonly kind: 'input'; readonly input: string }
-    /** Depth of that layer. */
+    /** Depth of the layer at port `input`. */
     | { readonly kind: 'input-depth'; readonly input: string }
     /** Room depth at input port `input`. */
     | { readonly kind: 'room-depth'; readonly input: string }
-    /** What was heard last at the sound input `input`, as a picture: one row per channel. */
+    /** The most recent sound of the input `input` as a texture with one row per channel. */
     | ({ readonly kind: 'sound'; readonly input: string } & LinkedSound)
-    /** Heights of the curve that is the param `param`, as `export/program/curve-table.ts` says. */
+    /** Heights of the curve in param `param`, see `export/program/curve-table.ts`. */
     | { readonly kind: 'curve'; readonly param: string }
-    /** A picture of the shader's own, `IMPORTED` under this name. */
+    /** An image that the shader imports under this name. */
     | { readonly kind: 'import'; readonly import: string }
-    /** Buffer `target` of this node: this frame's picture if an earlier pass has drawn it, else the last frame's. */
+    /** Buffer `target` of this node: drawn in this frame by an earlier pass, else in the previous frame. */
     | { readonly kind: 'buffer'; readonly target: string };
 }
 
 export interface LinkedSound {
   readonly analysis: 'waveform' | 'spectrum';
-  /** How many samples or bins the picture is wide. */
+  /** Width of the texture: number of samples or bins. */
   readonly count: number;
 }
 
@@ -60,23 +60,23 @@ export interface LinkedUniform {
   readonly type: PassUniform['type'];
   readonly source:
     | { readonly param: string }
-    /** Whether there is a pulse at this input in this frame. */
+    /** Whether the input has a pulse in this frame. */
     | { readonly event: string }
     | { readonly builtin: BuiltinUniform };
 }
 
 export interface LinkOptions {
-  /** Node that the text belongs to, for source maps and diagnostics. */
+  /** Node of the text, for source maps and diagnostics. */
   readonly node: string;
   /**
-   * For previews and checks: bound every invocation's loops (`export/program/loop-budget.ts`), and print so that it is clear which
-   * token a driver quotes.
+   * For previews and checks: limits the loops of every invocation (`export/program/loop-budget.ts`), and prints so that the token that a
+   * driver quotes is unique.
    */
   readonly loopBudget?: boolean;
-  /** Optional image, depth and sound inputs without a wire: reads give transparent black, 0 and silence. */
+  /** Unconnected optional inputs of images, depth and sound: reads give transparent black, 0 and silence. */
   readonly absent?: readonly string[];
-  /** The text is what stands above a mistake (`linkAbove`): functions may have their bodies below. */
+  /** Whether the text ends above a mistake (`linkAbove`), so that functions may lack their bodies. */
   readonly partial?: boolean;
-  /** Image inputs whose layer has no depth: `LAYER_DEPTH` gives 0. */
+  /** Image inputs whose layer has no depth; `LAYER_DEPTH` gives 0. */
   readonly withoutDepth?: readonly string[];
 }

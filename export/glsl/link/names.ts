@@ -4,23 +4,23 @@ import { asWritten } from '../syntax/free-names.ts';
 import { KEYWORDS, RESERVED } from '../syntax/words.ts';
 
 /**
- * How symbols are called in the printed text.
+ * Names of symbols in the printed text.
  *
- * Everything global gets the prefix `a_`: so it meets neither GLSL ES 3.00's words and functions, nor ours, nor, once several
- * nodes share a pass, another node's. Locals keep their names, unless those are taken by the language or look like ours; then
- * they get the prefix too, which keeps hiding what they hid.
+ * Global names get the prefix `a_`, so that they differ from words and functions of GLSL ES 3.00, from the linker's, and from those of
+ * other nodes in the same text. Local names stay, unless they are reserved or look like the linker's; then they get the prefix too, which
+ * preserves hiding.
  */
 export interface Names {
   of(symbol: GlslSymbol): string;
-  /** A new global name, such as that of a sampler; with `suffixes`, the names that continue it are taken with it. */
+  /** Creates a new global name, as for a sampler. `suffixes` reserves the names that continue it. */
   fresh(name: string, suffixes?: readonly string[]): string;
   member(name: string): string;
 }
 
-/** Names with this look are ours; authors' are moved out of the way. */
+/** Names of this form belong to the linker; authors' names are changed. */
 const OURS = /^(?:[a-z]\d*|scrim|gl|webgl|_webgl)_/;
 
-/** Names that the linker itself uses without a prefix. */
+/** Names that the linker uses without a prefix. */
 const GLOBALS: ReadonlySet<string> = new Set(['TIME', 'TIMEDELTA', 'FRAMEINDEX', 'DATE', 'RENDERSIZE', 'PASSINDEX', 'main']);
 
 const GLOBAL_ROLES: ReadonlySet<string> = new Set(['global', 'varying', 'input', 'image']);
@@ -30,7 +30,7 @@ const PREFIX = 'a';
 export function createNames(): Names {
   const names = new Map<GlslSymbol, string>();
   const taken = new Set<string>();
-  // Overloads share their name.
+  // Overloads share a name.
   const functionNames = new Map<string, string>();
 
   function fresh(name: string, suffixes: readonly string[] = []): string {
@@ -67,14 +67,14 @@ export function createNames(): Names {
   };
 }
 
-/** What an author may have called a printed name, as drivers quote it; likeliest first. */
+/** Possible names of the author for a printed name, as drivers quote it; most likely first. */
 export function authorsNames(printed: string): readonly string[] {
   return [printed.replace(ADDED, ''), printed.replace(/_u(?=_)/g, '_').replace(ADDED, '')].map(asWritten);
 }
 
 const ADDED = /^[a-z]\d*_/;
 
-/** WebGL takes no name with two underscores side by side. */
+/** WebGL rejects names with two consecutive underscores. */
 function apart(name: string): string {
   return name.replace(/_(?=_)/g, '_u');
 }

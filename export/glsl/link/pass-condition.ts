@@ -1,8 +1,8 @@
 import type { Expression, IfStatement, Statement } from '../syntax/ast.ts';
 
 /**
- * What `PASSINDEX` decides. The branches of `if (PASSINDEX == 1) … else …` that a pass cannot take are left out of its text:
- * so each pass names only the images that it reads, which the order of passes depends on, and drivers compile less.
+ * Decides branches that depend on `PASSINDEX`. Branches of `if (PASSINDEX == 1) … else …` that a pass cannot take are left out of its text,
+ * so that each pass refers only to images that it reads, which affects the order of passes, and drivers compile less.
  */
 export function decideBranch(statement: IfStatement, passIndex: number): Statement | null | undefined {
   const value = evaluate(statement.condition, passIndex);
@@ -11,8 +11,8 @@ export function decideBranch(statement: IfStatement, passIndex: number): Stateme
 }
 
 /**
- * The statements of a block that a pass can get to: none after an `if` that `PASSINDEX` decides and that leaves the function,
- * as in `if (PASSINDEX == 0) return first(); return second();`.
+ * The statements of a block that a pass can reach: none after an `if` that depends on `PASSINDEX` and leaves the function, as in `if
+ * (PASSINDEX == 0) return first(); return second();`.
  */
 export function reachableStatements(statements: readonly Statement[], passIndex: number): readonly Statement[] {
   const end = statements.findIndex((statement) => statement.kind === 'if' && leaves(decideBranch(statement, passIndex), passIndex));
@@ -26,7 +26,7 @@ function leaves(statement: Statement | null | undefined, passIndex: number): boo
   return statement.kind === 'return' || (statement.kind === 'jump' && statement.word === 'discard');
 }
 
-/** A number where the expression is made of `PASSINDEX` and literals alone, or where one side of `&&` or `||` settles it. */
+/** The value of an expression of `PASSINDEX` and literals, or of `&&` and `||` if one side decides it; else null. */
 export function evaluate(expression: Expression, passIndex: number): number | null {
   switch (expression.kind) {
     case 'group':

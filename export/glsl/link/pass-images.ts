@@ -8,8 +8,8 @@ import type { Names } from './names.ts';
 import type { PlannedPass } from './plan-passes.ts';
 
 /**
- * Images of one pass by the author's name, in the header's order, with samplers named for its text. `stray`: those of the text that
- * the header does not have.
+ * Images of a pass by the author's name, in the header's order, with samplers named for its text. `stray` are images that the text declares
+ * but the header does not.
  */
 export function passImages(
   shader: IsfShader,
@@ -61,7 +61,7 @@ export function passImages(
   return images;
 }
 
-/** As wide as most shaders expect it where they do not say. */
+/** Default sizes that most shaders expect. */
 const DEFAULT_COUNTS = { waveform: 1024, spectrum: 512 } as const;
 
 function soundOf({ type, sampleCount }: IsfInput): LinkedSound {
@@ -69,10 +69,10 @@ function soundOf({ type, sampleCount }: IsfInput): LinkedSound {
   return { analysis, count: Math.min(sampleCount ?? DEFAULT_COUNTS[analysis], MAX_SOUND_COUNT) };
 }
 
-/** Which images the sampler parameters of a function stand for; empty for a function without. */
+/** The images that a function's sampler parameters refer to; empty if it has none. */
 export type ImageBinding = ReadonlyMap<VariableSymbol, Image>;
 
-/** The image that an expression names: an image itself, or a parameter that stands for one. Null for anything else. */
+/** The image that an expression refers to, directly or by a parameter; null otherwise. */
 export function imageOf(expression: Expression, images: ReadonlyMap<string, Image>, binding: ImageBinding): Image | null {
   if (expression.kind === 'group') return imageOf(expression.inner, images, binding);
   if (expression.kind !== 'name' || expression.symbol === null) return null;
@@ -80,7 +80,7 @@ export function imageOf(expression: Expression, images: ReadonlyMap<string, Imag
   return binding.get(expression.symbol) ?? null;
 }
 
-/** As `imageOf`, for a place where nothing else can stand. */
+/** As `imageOf`, but throws if it is not an image. */
 export function needImage(
   expression: Expression | undefined,
   at: Expression,
@@ -89,6 +89,6 @@ export function needImage(
 ): Image {
   const image = expression === undefined ? null : imageOf(expression, images, binding);
   if (image !== null) return image;
-  const what = expression?.kind === 'name' ? `"${expression.token.text}" is not an image` : 'The first value has to be an image';
+  const what = expression?.kind === 'name' ? `"${expression.token.text}" is not an image` : 'The first argument must be an image';
   throw new GlslError(expression?.token ?? at.token, `${what}: "${at.token.text}" reads an image input or the TARGET of a pass.`);
 }

@@ -1,22 +1,22 @@
 import type { IsfPass, IsfShader } from '../isf/isf-shader.ts';
 import type { PassTarget } from './linked-pass.ts';
 
-/** A pass as it will be drawn, and which version of each buffer it sees. */
+/** A pass to draw, and the version of each buffer that it reads. */
 export interface PlannedPass {
-  /** `copy`: shows the buffer `reads` as the output; all else runs the author's `main`. */
+  /** `copy` copies the buffer `copyFrom` to the output; `author` runs the author's `main`. */
   readonly kind: 'author' | 'copy';
   readonly passIndex: number;
   readonly target: PassTarget;
-  /** TARGET name → buffer to read. A name that is missing has nothing in it yet: it reads as transparent black. */
+  /** TARGET name → buffer to read. A missing name was not drawn yet and reads as transparent black. */
   readonly readable: ReadonlyMap<string, string>;
   readonly copyFrom: string | null;
 }
 
 /**
- * Sorts out who draws where. Buffers that do not persist get a new version with each pass that draws into them, so that no
- * pass reads what it is drawing into; a name stands for what an earlier pass of the frame drew. A pass without a target that
- * is not the last is seen by nobody and left out. Where the last pass has a buffer of its own that somebody else could see
- * (it persists, or has a size of its own), a copy of it makes the output.
+ * Plans the targets of passes. A buffer that is not persistent gets a new version with each pass that draws to it, so that no pass reads
+ * its own target; a name refers to the version that an earlier pass of the frame drew. A pass without target that is not the last has no
+ * effect and is left out. If the last pass draws to a buffer that others can read (it is persistent or has its own size), a copy of it is
+ * the output.
  */
 export function planPasses(shader: IsfShader): PlannedPass[] {
   const planned: PlannedPass[] = [];
@@ -37,7 +37,7 @@ export function planPasses(shader: IsfShader): PlannedPass[] {
     const target = pass.target ?? freeName(shader, 'result');
     const version = versions.get(target) ?? 0;
     versions.set(target, version + 1);
-    // "#" cannot stand in an author's name.
+    // Authors' names cannot contain “#”.
     const buffer = pass.persistent || version === 0 ? target : `${target}#${version}`;
     planned.push({ kind: 'author', passIndex, target: bufferTarget(pass, buffer), readable: seen, copyFrom: null });
     readable.set(target, buffer);
@@ -54,7 +54,7 @@ export function planPasses(shader: IsfShader): PlannedPass[] {
   return planned;
 }
 
-/** A persistent buffer is one texture, whichever of its passes says how large and how precise it is. */
+/** A persistent buffer is one texture, so it has the settings of whichever of its passes declares them. */
 function withBufferSettings(pass: IsfPass, shader: IsfShader): IsfPass {
   if (!pass.persistent) return pass;
   const same = shader.passes.filter((other) => other.target === pass.target);
@@ -75,7 +75,7 @@ function bufferFormat({ float, half }: IsfPass): PassTarget['format'] {
   return float && !half ? 'rgba32f' : outputFormat({ float });
 }
 
-/** What is handed on is a picture: colors, if bright ones, to which 16 bits do justice. */
+/** Format of the output. It contains colors, possibly above 1, for which 16 bits suffice. */
 function outputFormat({ float }: Pick<IsfPass, 'float'>): PassTarget['format'] {
   return float ? 'rgba16f' : 'rgba8';
 }

@@ -2,12 +2,12 @@ import { GATE_TEXT, LOOP_BUDGET, LOOP_BUDGET_UNIFORM, PROBE_ATTACHMENT } from '.
 import type { PassTarget } from './linked-pass.ts';
 
 /**
- * Three vertices, no attributes: draw 3 vertices as TRIANGLES. `scrim_uv` runs from (0, 0) at the bottom left of the viewport
- * to (1, 1) at its top right.
+ * Vertex shader of a full-screen triangle without attributes: draw 3 vertices as TRIANGLES. `scrim_uv` is (0, 0) at the bottom left of the
+ * viewport and (1, 1) at its top right.
  */
 export const VERTEX_SHADER = vertexShader('', 'vec4(corner * 2.0 - 1.0, 0.0, 1.0)');
 
-/** The same, behind a gate. */
+/** The same with a gate. */
 export const BOUNDED_VERTEX_SHADER = vertexShader(
   `${GATE_TEXT}\n`,
   'scrim_isShut() ? vec4(2.0, 2.0, 2.0, 1.0) : vec4(corner * 2.0 - 1.0, 0.0, 1.0)',
@@ -25,8 +25,8 @@ ${declarations}void main() {
 }
 
 /**
- * Before the text of an author's vertex shader. `scrim_uv` is as above, and `normCoord` holds `isf_FragNormCoord`. What authors
- * call first has been done already.
+ * Text before an author's vertex shader. `scrim_uv` is as above; `normCoord` contains `isf_FragNormCoord`. The initialization that authors
+ * call is already done.
  */
 export function vertexHead(normCoord: string): string {
   return `#version 300 es
@@ -59,8 +59,8 @@ in vec2 scrim_uv;
 layout(location = 0) out vec4 scrim_output;`;
 
 /**
- * What bounds the loops of a text (`export/program/loop-budget.ts`). Each round of each loop first calls `scrim_spend`; once the
- * budget is gone it says no, so every loop ends at its next round, and the invocation with them.
+ * Bounds the loops of a text (`export/program/loop-budget.ts`). Each iteration of each loop first calls `scrim_spend`; when the budget is
+ * used up, it returns false, so every loop ends at its next iteration, and then the invocation.
  */
 export const LOOP_BUDGET_TEXT = `uniform int ${LOOP_BUDGET_UNIFORM};
 layout(location = ${PROBE_ATTACHMENT}) out vec2 scrim_overrun;
@@ -73,20 +73,20 @@ bool scrim_spend(int line) {
   return false;
 }`;
 
-/** The same for loops that are known to end: one that exceeds the budget is reported, and continues. */
+/** The same for loops that are known to end: exceeding the budget is reported, and they continue. */
 export const COUNTED_LOOPS_TEXT = LOOP_BUDGET_TEXT.replace('return false', 'return true');
 
 export const LOOP_BUDGET_START = `scrim_roundsLeft = ${LOOP_BUDGET_UNIFORM} > 0 ? ${LOOP_BUDGET_UNIFORM} : ${LOOP_BUDGET};`;
 export const LOOP_BUDGET_END = 'scrim_overrun = vec2(scrim_endlessLine & 255, scrim_endlessLine >> 8) / 255.0;';
 
-/** The condition of a loop's next round; two bytes name the line. */
+/** Condition of a loop's next iteration; two bytes encode the line. */
 export function spend(line: number): string {
   return `scrim_spend(${Math.min(line, 0xffff)})`;
 }
 
 /**
- * How the author's color becomes what the target holds. Clamped before alpha is multiplied in: a bright color would outshine
- * its own alpha. A node's own buffers, and layers of files that ask for it, take the color as it is.
+ * Converts the author's color to the content of the target. It is clamped before premultiplication, because bright colors would exceed
+ * their alpha. The node's own buffers, and layers of premultiplied files, get the color as it is.
  */
 export function outputText(premultiplied: boolean, target: PassTarget): string {
   if (premultiplied || target.kind === 'buffer') return 'scrim_output = scrim_fragColor;';

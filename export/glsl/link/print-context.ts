@@ -5,7 +5,7 @@ import type { Names } from './names.ts';
 import type { ImageBinding } from './pass-images.ts';
 import type { Reach } from './reach.ts';
 
-/** What the printing functions of one pass share. */
+/** State shared by the printing functions of one pass. */
 export interface PrintContext {
   readonly writer: LineWriter;
   readonly names: Names;
@@ -15,13 +15,13 @@ export interface PrintContext {
   readonly structs: ReadonlyMap<GlslType, StructSymbol>;
   readonly loopBudget: boolean;
   readonly stage: 'vertex' | 'fragment';
-  /** Names of the varyings that the vertex shader hands on to the fragment shader; any other is a variable that nobody sets. */
+  /** Varyings that the vertex shader passes to the fragment shader; others are variables that nothing sets. */
   readonly varyings: ReadonlySet<string>;
-  /** What the place of this pixel, from (0, 0) to (1, 1), is called here. */
+  /** Name of the position of this pixel, from (0, 0) to (1, 1). */
   readonly normCoord: string;
-  /** Of the function that is being printed. */
+  /** Binding of the function that is being printed. */
   binding: ImageBinding;
   returnType: GlslType;
-  /** Found while printing. */
+  /** Set while printing. */
   readonly found: { discards: boolean; projects: boolean; returns: boolean };
 }

@@ -15,8 +15,8 @@ import { CHOOSE, printDimensions, printExpression, printTypeName } from './print
 import type { Instance } from './reach.ts';
 
 /**
- * A local declaration, without its semicolon. ES 3.00 wants constants in a `const`: where one is not, the word goes. `guard`
- * stands before the value, which is then in brackets.
+ * Prints a local declaration without its semicolon. ES 3.00 requires constant initializers of `const`; for others the qualifier is dropped.
+ * `guard` is printed before the value, which is then in brackets.
  */
 export function printVariables(declaration: VariableDeclaration, context: PrintContext, guard = ''): void {
   const { writer } = context;
@@ -31,7 +31,7 @@ export function printVariables(declaration: VariableDeclaration, context: PrintC
   });
 }
 
-/** Global variables, one per statement, and the struct that may be declared with them. */
+/** Prints global variables, one per statement, with a struct that is declared there. */
 export function printGlobals(declaration: VariableDeclaration, context: PrintContext): void {
   const { writer } = context;
   const { struct } = declaration.type;
@@ -62,7 +62,7 @@ export function printGlobals(declaration: VariableDeclaration, context: PrintCon
   }
 }
 
-/** What stands for `? :` between two of a struct. */
+/** The function that replaces `? :` between two structs. */
 export function choiceText(type: string): string {
   return `${type} ${CHOOSE}(const in bool first, const in ${type} a, const in ${type} b) {\n  if (first) return a;\n  return b;\n}`;
 }
@@ -74,20 +74,20 @@ function printGlobalQualifiers(
   { writer }: PrintContext,
 ): void {
   for (const qualifier of qualifiers) {
-    // A `uniform` that is given a value, as desktop GLSL allows, is a variable.
+    // A `uniform` with an initializer, which desktop GLSL allows, becomes a variable.
     const stays = qualifier.text === 'uniform' ? initializer === null : qualifier.text !== 'const' || constant;
     if (stays) writer.write(`${qualifier.text} `, qualifier);
   }
 }
 
-/** Whole numbers are not interpolated (GLSL ES 3.00 §4.3.6). */
+/** Integers are not interpolated (GLSL ES 3.00 §4.3.6). */
 function printVaryingQualifiers({ name, type }: VariableSymbol, { writer, stage, varyings }: PrintContext): void {
   if (!varyings.has(name)) return;
   const { base } = numericOf(type.replaceAll('[]', '')) ?? { base: 'float' };
   writer.write(`${base === 'int' || base === 'uint' ? 'flat ' : ''}${stage === 'vertex' ? 'out' : 'in'} `);
 }
 
-/** ES 3.00 allows only constants as initializers of globals; the others are assigned when `main` begins. */
+/** ES 3.00 allows only constant initializers of globals; others are assigned at the start of `main`. */
 export function needsHoisting(declarator: Declarator): boolean {
   return declarator.initializer !== null && !isConstant(declarator.initializer);
 }
@@ -101,13 +101,13 @@ export function printHoisted(declarator: Declarator, context: PrintContext): voi
   writer.endLine();
 }
 
-/** The head of a function, without what follows it. */
+/** Prints the head of a function. */
 export function printFunctionHead(declaration: FunctionDeclaration, instance: Instance, context: PrintContext): void {
   const { writer } = context;
   printTypeName(declaration.returnType, context);
   writer.write(' ');
   writer.write(`${instance.name}(`, declaration.name);
-  // A prototype's parameters have no symbols of their own: those that are images show by their type.
+  // Parameters of a prototype have no symbols; images are recognized by type.
   const values = declaration.parameters.filter((parameter) => !isImageType(parameter.type.type));
   values.forEach((parameter, i) => {
     if (i > 0) writer.write(', ');
@@ -118,11 +118,11 @@ export function printFunctionHead(declaration: FunctionDeclaration, instance: In
 
 function printParameter(parameter: Parameter, context: PrintContext): void {
   const { writer, names } = context;
-  // ES 3.00 has `const` before `in`, desktop GLSL either way.
+  // ES 3.00 requires `const` before `in`; desktop GLSL allows both orders.
   const constFirst = [...parameter.qualifiers].sort((a, b) => Number(b.text === 'const') - Number(a.text === 'const'));
   for (const qualifier of constFirst) writer.write(`${qualifier.text} `, qualifier);
   printTypeName(parameter.type, context);
-  // A prototype's parameters have no symbols, and need no names.
+  // Parameters of a prototype have no symbols and need no names.
   if (parameter.name !== null && parameter.symbol !== null) {
     writer.write(' ');
     writer.write(names.of(parameter.symbol), parameter.name);
@@ -160,7 +160,7 @@ function printStruct(struct: StructDeclaration, context: PrintContext): void {
 function printDeclarator(declarator: Declarator, context: PrintContext, guard = ''): void {
   const { writer, names } = context;
   const { equals, initializer } = declarator;
-  // Drivers tell of the value at the name.
+  // Drivers report mistakes of the value at the name.
   const quoted = equals === null ? undefined : ASSIGNMENT;
   writer.write(declarator.symbol === null ? declarator.name.text : names.of(declarator.symbol), declarator.name, quoted);
   printDimensions(declarator.dimensions, context);

@@ -7,7 +7,7 @@ import { evaluate } from './pass-condition.ts';
 import { imageOf, needImage } from './pass-images.ts';
 import type { PrintContext } from './print-context.ts';
 
-/** What the host's variables are in the printed text; `prelude.ts` declares them. */
+/** Names of the host's variables in the printed text, as `prelude.ts` declares them. */
 const BUILTIN_NAMES: Readonly<Record<string, string>> = {
   isf_FragCoord: 'scrim_fragCoord.xy',
   vv_FragCoord: 'scrim_fragCoord.xy',
@@ -36,14 +36,14 @@ function printList(expressions: readonly Expression[], context: PrintContext): v
   });
 }
 
-/** `vec3`, `a_Ray`, `float[4]`; a struct declared in place is printed by `print-declaration.ts`. */
+/** Prints `vec3`, `a_Ray` or `float[4]`; `print-declaration.ts` prints a struct that is declared there. */
 export function printTypeName(type: TypeSpecifier, context: PrintContext, length: number | null = null): void {
   const name = type.symbol === null ? type.name.text : context.names.of(type.symbol);
   context.writer.write(name, type.name);
   printDimensions(type.dimensions, context, length);
 }
 
-/** `length` is written where the author left the size of an array to its initializer. */
+/** `length` is printed if the initializer determines the size of the array. */
 export function printDimensions(dimensions: TypeSpecifier['dimensions'], context: PrintContext, length: number | null = null): void {
   for (const dimension of dimensions) {
     context.writer.write('[');
@@ -146,8 +146,8 @@ function printBinary(expression: Extract<Expression, { kind: 'binary' }>, contex
 }
 
 /**
- * WebGL 2.0 takes no `? :` of structs with arrays ("Disallowed variants of GLSL ES 3.00 operators"), and ANGLE none of any: each
- * struct that needs it gets a function of this name.
+ * Function that replaces `? :` of structs, one per struct: WebGL 2.0 does not allow it for structs with arrays (“Disallowed variants of
+ * GLSL ES 3.00 operators”), and ANGLE for no struct.
  */
 export const CHOOSE = 'scrim_choose';
 
@@ -172,7 +172,7 @@ function printConditional(expression: Extract<Expression, { kind: 'conditional' 
   printExpression(expression.otherwise, context);
 }
 
-/** `gl_FragData[0]` is the only output there is. */
+/** `gl_FragData[0]` is the only output. */
 function printIndex(expression: Extract<Expression, { kind: 'index' }>, context: PrintContext): void {
   const { object, index } = expression;
   if (object.kind === 'name' && object.symbol?.role === 'builtin' && object.symbol.name === 'gl_FragData') {
@@ -251,7 +251,7 @@ function printWrapped(before: string, expression: Expression, after: string, con
   context.writer.write(after);
 }
 
-/** ES 3.00 knows no `1f` and no `1.0lf`. */
+/** ES 3.00 does not allow `1f` and `1.0lf`. */
 function floatLiteral(text: string): string {
   const digits = text.replace(/(?:lf|LF|[fF])$/, '');
   return /[.eE]/.test(digits) ? digits : `${digits}.0`;

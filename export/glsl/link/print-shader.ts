@@ -6,7 +6,7 @@ import { needsHoisting, printFunctionHead, printGlobals, printHoisted } from './
 import { printBlock } from './print-statement.ts';
 import { zeroOf } from './zero.ts';
 
-/** The author's functions and variables, as far as `context.reach` goes. */
+/** Prints the author's functions and variables that `context.reach` contains. */
 export function printAuthorsText(checked: CheckedShader, context: PrintContext): void {
   const { writer, reach } = context;
   for (const declaration of checked.declarations) {
@@ -33,7 +33,7 @@ export function printAuthorsText(checked: CheckedShader, context: PrintContext):
   }
 }
 
-/** A function whose returns are all for other passes would be refused for want of one: it gives 0, which nobody looks at. */
+/** A return statement for a function whose other returns belong to other passes; it returns 0, which is not used. */
 function missingReturn(body: Block, context: PrintContext): string {
   if (context.found.returns || context.returnType === 'void' || !hasReturn(body)) return '';
   const zero = zeroOf(context.returnType, context);
@@ -51,7 +51,7 @@ function hasReturn(body: Block): boolean {
   return found;
 }
 
-/** Sets the variables that ES 3.00 does not let start with what the author gave them. */
+/** Assigns the initializers of globals that are not constant. */
 export function printHoistedGlobals(checked: CheckedShader, context: PrintContext): void {
   for (const declaration of checked.declarations) {
     if (declaration.kind !== 'variables') continue;

@@ -7,7 +7,7 @@ import { printVariables } from './print-declaration.ts';
 import { printExpression } from './print-expression.ts';
 import { zeroOf } from './zero.ts';
 
-/** One statement, beginning on a line of its own. */
+/** Prints one statement on a new line. */
 function printStatement(statement: Statement, context: PrintContext): void {
   const { writer } = context;
   writer.endLine();
@@ -56,7 +56,7 @@ function printStatement(statement: Statement, context: PrintContext): void {
       writer.write('switch (', statement.start);
       printExpression(statement.value, context);
       writer.write(') ');
-      // Older GLSL lets the last label stand before nothing.
+      // Older GLSL allows a last label without statement.
       printBlock(statement.body, context, statement.body.statements.at(-1)?.kind === 'case' ? () => 'break;' : undefined);
       return;
     case 'case':
@@ -82,7 +82,7 @@ function printStatement(statement: Statement, context: PrintContext): void {
   writer.endLine();
 }
 
-/** WebGL's comma takes nothing that gives no value: what `f(), g();` joins are two statements. */
+/** In WebGL, void expressions cannot be operands of a comma: `f(), g();` is printed as two statements. */
 function printExpressions(expression: Expression, context: PrintContext): void {
   if (expression.kind === 'binary' && expression.token.text === ',') {
     printExpressions(expression.left, context);
@@ -94,7 +94,7 @@ function printExpressions(expression: Expression, context: PrintContext): void {
   context.writer.write(';');
 }
 
-/** Goes on with the current line where there is one: what the block belongs to. `ending` gives a last statement of the linker's. */
+/** Prints a block, continuing the current line. `ending` returns a last statement of the linker. */
 export function printBlock(block: Block, context: PrintContext, ending?: () => string): void {
   const { writer } = context;
   writer.write('{');
@@ -107,7 +107,7 @@ export function printBlock(block: Block, context: PrintContext, ending?: () => s
   writer.endLine();
 }
 
-/** Always in braces: what belongs to an `if` or a loop may take several printed statements. */
+/** Prints a body in braces, because it may become several statements. */
 function printBody(body: Statement, context: PrintContext): void {
   const { writer } = context;
   writer.write(' ');
@@ -144,7 +144,7 @@ function printIf(first: Extract<Statement, { kind: 'if' }>, context: PrintContex
   }
 }
 
-/** A branch that is always taken keeps its braces, because of the names in it. */
+/** A branch that is always taken keeps its braces, which limit the scope of its names. */
 function printTaken(branch: Statement, context: PrintContext): void {
   if (branch.kind === 'block') {
     printStatement(branch, context);
@@ -163,7 +163,7 @@ function printHead(head: Expression | VariableDeclaration | null, context: Print
   else printExpression(head, context);
 }
 
-/** Under a budget every round of every loop is paid for first; see `prelude.ts`. */
+/** With a budget, every iteration of every loop is counted first; see `prelude.ts`. */
 function printCondition({ start, condition }: Extract<Statement, { kind: 'for' | 'while' | 'do' }>, context: PrintContext): void {
   const { writer } = context;
   if (!context.loopBudget) {
@@ -183,8 +183,8 @@ function printCondition({ start, condition }: Extract<Statement, { kind: 'for' |
 }
 
 /**
- * `discard` would leave what happens to be in the target. Elsewhere it means "nothing here", so the function returns, the
- * rest of the invocation runs on without effect, and the pixel becomes transparent.
+ * `discard` would keep the previous content of the target, which is undefined here. It means “transparent”: the function returns, the rest
+ * of the invocation has no effect, and the pixel becomes transparent.
  */
 function printJump(statement: { readonly start: Token; readonly word: string }, context: PrintContext): void {
   const { writer, returnType } = context;

@@ -10,40 +10,43 @@ import type { Names } from './names.ts';
 import { decideBranch, evaluate, reachableStatements } from './pass-condition.ts';
 import { type ImageBinding, imageOf, needImage } from './pass-images.ts';
 
-/** One printed version of a function: those that take images are printed once for each set of images they are called with. */
+/**
+ * A printed version of a function. Functions with image parameters are printed once for each combination of images that they are called
+ * with.
+ */
 export interface Instance {
   readonly symbol: FunctionSymbol;
   readonly name: string;
   readonly binding: ImageBinding;
 }
 
-/** What one pass uses of the author's text and of what the host gives. */
+/** Everything of the author's text and of the host that one pass uses. */
 export interface Reach {
-  /** In the order of first use. */
+  /** In order of first use. */
   readonly instances: ReadonlyMap<FunctionSymbol, readonly Instance[]>;
   readonly globals: ReadonlySet<VariableSymbol>;
   readonly params: ReadonlySet<string>;
   readonly builtins: ReadonlySet<string>;
   readonly images: ReadonlyMap<Image, ReadonlySet<ImageUse>>;
   readonly hasLoops: boolean;
-  /** The version that a call means, in the version of the function it stands in. */
+  /** The version that a call in a function's version refers to. */
   instanceFor(call: CallExpression, symbol: FunctionSymbol, binding: ImageBinding): Instance;
 }
 
 const NO_IMAGES: ImageBinding = new Map();
 
-/** A function with several images can be called with very many combinations of them; nobody means to. */
+/** Maximum number of versions, because combinations of images grow exponentially. */
 const MAX_VERSIONS = 64;
 
 export interface ReachOptions {
   readonly passIndex: number;
   readonly images: ReadonlyMap<string, Image>;
   readonly names: Names;
-  /** What to print beside what `main` uses. */
+  /** Symbols to print in addition to what `main` uses. */
   readonly also: readonly (FunctionSymbol | VariableSymbol)[];
 }
 
-/** Walks from `main`, along calls, through what `PASSINDEX` leaves of the text. */
+/** Walks from `main` along calls, through the branches that `PASSINDEX` allows. */
 export function findReach(shader: CheckedShader, options: ReachOptions): Reach {
   const { passIndex, images, names } = options;
   const instances = new Map<FunctionSymbol, Instance[]>();
@@ -85,7 +88,7 @@ export function findReach(shader: CheckedShader, options: ReachOptions): Reach {
     pendingGlobals.push(symbol);
   }
 
-  /** What variables start with, one by one: each may start with the next. */
+  /** Visits initializers of variables, which may use other variables. */
   function visitGlobals(): void {
     for (let symbol = pendingGlobals.pop(); symbol !== undefined; symbol = pendingGlobals.pop()) {
       const { dimensions = [], initializer = null } = symbol.declaration ?? {};
@@ -178,7 +181,7 @@ function checkKind(call: CallExpression, read: ImageCall, image: Image): void {
   );
 }
 
-/** Parts of an expression that a pass evaluates; images handed on are no values and are left out. */
+/** Parts of an expression that a pass evaluates, without images that are passed as arguments. */
 function takenParts(
   expression: Expression,
   passIndex: number,

@@ -17,7 +17,7 @@ export function usesFragCoord(reach: Reach): boolean {
   return ['gl_FragCoord', 'isf_FragCoord', 'vv_FragCoord'].some((name) => reach.builtins.has(name));
 }
 
-/** Inputs that are values, in the header's order: those that one reach or the other uses. */
+/** Inputs that are values and that one of the reaches uses, in the header's order. */
 export function paramUniforms(
   shader: IsfShader,
   reach: Reach,

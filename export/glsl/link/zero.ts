@@ -2,10 +2,12 @@ import { numericOf } from '../check/glsl-type.ts';
 import type { GlslType } from '../syntax/ast.ts';
 import type { PrintContext } from './print-context.ts';
 
-/** WebGL takes structs in structs four deep (ANGLE's limit), so that the text stays short and the walk ends. */
+/** Maximum nesting of structs, ANGLE's limit. */
 const MAX_STRUCTS = 4;
 
-/** A value of the type with all numbers 0; null for arrays, whose size the type does not say, and for what is unknown or too deep. */
+/**
+ * A value of the type with all numbers 0; null for arrays, whose size is not part of the type, and for unknown types and deeper structs.
+ */
 export function zeroOf(type: GlslType, context: PrintContext, left = MAX_STRUCTS): string | null {
   if (numericOf(type) !== null) return `${type}(0)`;
   const struct = context.structs.get(type);

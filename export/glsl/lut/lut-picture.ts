@@ -1,21 +1,21 @@
 import type { CubeTable } from './read-cube.ts';
 
-/** A color table as `operator/color-lut` reads it: squares of red (to the right) by green (down), blue from square to square. */
+/** A color table as an image for `operator/color-lut`: squares of red (to the right) by green (down), one per value of blue. */
 export interface LutPicture {
   readonly widthPx: number;
   readonly heightPx: number;
   /** Entries along each axis. */
   readonly size: number;
-  /** Squares in a row. */
+  /** Squares per row. */
   readonly columns: number;
   /** Top row first. */
   readonly rgba: Uint8Array;
 }
 
-/** One row of squares is 2,025 pixels wide at most: all devices with WebGL 2 hold 2,048. */
+/** Maximum size of tables in one row: 2,025 pixels, within the 2,048 that all WebGL 2 devices support. */
 const MAX_IN_A_ROW = 45;
 
-/** Larger tables, and curves, become 64 entries an axis in eight rows of eight, as most programs that grade by pictures have it. */
+/** Larger tables and 1D tables become 64 entries per axis, in eight rows of eight squares, the common layout. */
 const LARGE = 64;
 const LARGE_COLUMNS = 8;
 
@@ -40,7 +40,7 @@ export function lutPicture(table: CubeTable): LutPicture {
   return { widthPx, heightPx, size, columns, rgba };
 }
 
-/** What the table makes of a color: between entries in a straight line along each axis, beyond its domain as at its end. */
+/** The color that the table maps a color to: interpolated linearly along each axis, clamped to its domain. */
 export function lookUp(table: CubeTable, color: readonly [number, number, number]): number[] {
   const { kind, size, values, domainMin, domainMax } = table;
   const places = color.map((value, i) => {

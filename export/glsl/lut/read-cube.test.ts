@@ -42,8 +42,8 @@ describe('a .cube file', () => {
     ['a size that is too large', 'LUT_3D_SIZE 256', 1, 13, 'from 2 to 129'],
     ['two sizes', 'LUT_1D_SIZE 2\nLUT_3D_SIZE 2', 2, 1, 'two sizes'],
     ['a word among numbers', SAME.replace('1 1 0', '1 one 0'), 7, 3, '“one” is not a number'],
-    ['a number too few', SAME.replace('1 1 0', '1 1'), 7, 1, '3 numbers belong here, and 2 are here'],
-    ['an entry too few', SAME.replace('1 1 1\n', ''), 11, 1, 'There are 7 entries where the size asks for 8'],
+    ['a number too few', SAME.replace('1 1 0', '1 1'), 7, 1, 'The line has 2 numbers instead of 3'],
+    ['an entry too few', SAME.replace('1 1 1\n', ''), 11, 1, 'The table has 7 entries, but its size requires 8'],
     ['an entry too many', `${SAME}1 1 1`, 12, 1, 'more than 8 entries'],
     ['a domain upside down', SAME.replace('TITLE', 'DOMAIN_MAX -1 1 1\nTITLE'), 1, 1, 'DOMAIN_MIN is not below'],
   ])('with %s is refused at its place', (_, text, line, column, message) => {

@@ -1,18 +1,18 @@
 import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
 
-/** A color table as a .cube file has it (Adobe, Cube LUT Specification 1.0). */
+/** A color table from a .cube file (Adobe, Cube LUT Specification 1.0). */
 export interface CubeTable {
   readonly kind: '1D' | '3D';
   /** Entries along each axis. */
   readonly size: number;
-  /** Red, green and blue of every entry; red of the input counts fastest. */
+  /** Red, green and blue of every entry; red of the input varies fastest. */
   readonly values: Float32Array;
   /** Inputs of the first and of the last entry, per channel. */
   readonly domainMin: readonly number[];
   readonly domainMax: readonly number[];
 }
 
-/** What devices hold in one texture, and files in a reasonable time. */
+/** Maximum sizes, by textures of devices and reading time. */
 const MAX_SIZE: Readonly<Record<CubeTable['kind'], number>> = { '1D': 65_536, '3D': 129 };
 
 class CubeFault extends Error {
@@ -26,7 +26,7 @@ class CubeFault extends Error {
   }
 }
 
-/** What is wrong with the file comes as SCR032 with line and column. Keywords that others have added are passed by. */
+/** Reads a .cube file. Mistakes are SCR032 with line and column; unknown keywords are ignored. */
 export function readCube(text: string, file: string): Result<CubeTable> {
   try {
     return { output: parse(text), diagnostics: [] };
@@ -75,7 +75,7 @@ function parse(text: string): CubeTable {
   }
   if (shape === null) throw new CubeFault(1, 1, 'This is no .cube file: LUT_3D_SIZE and LUT_1D_SIZE are missing.');
   if (filled < shape.values.length) {
-    const message = `There are ${filled / 3} entries where the size asks for ${shape.values.length / 3}.`;
+    const message = `The table has ${filled / 3} entries, but its size requires ${shape.values.length / 3}.`;
     throw new CubeFault(lines.length, 1, message);
   }
   if (domainMin.some((low, i) => !(low < (domainMax[i] ?? low)))) throw new CubeFault(1, 1, 'DOMAIN_MIN is not below DOMAIN_MAX.');
@@ -85,12 +85,12 @@ function parse(text: string): CubeTable {
 function shapeOf(kind: CubeTable['kind'], content: string, line: number) {
   const [size = 0] = numbers(content, line, 1);
   if (!Number.isInteger(size) || size < 2 || size > MAX_SIZE[kind]) {
-    throw new CubeFault(line, content.search(/\S+$/) + 1, `The size has to be a whole number from 2 to ${MAX_SIZE[kind]}.`);
+    throw new CubeFault(line, content.search(/\S+$/) + 1, `The size must be a whole number from 2 to ${MAX_SIZE[kind]}.`);
   }
   return { kind, size, values: new Float32Array(3 * (kind === '3D' ? size ** 3 : size)) };
 }
 
-/** The numbers of a line, behind its keyword. */
+/** The numbers of a line after its keyword. */
 function numbers(content: string, line: number, count: number): number[] {
   const words = [...content.matchAll(/\S+/g)].filter(({ 0: word }, i) => i > 0 || !/^[A-Za-z_]/.test(word));
   const values = words.map(({ 0: word, index }) => {
@@ -98,6 +98,6 @@ function numbers(content: string, line: number, count: number): number[] {
     if (!Number.isFinite(value)) throw new CubeFault(line, index + 1, `“${word}” is not a number.`);
     return value;
   });
-  if (values.length !== count) throw new CubeFault(line, 1, `${count} numbers belong here, and ${values.length} are here.`);
+  if (values.length !== count) throw new CubeFault(line, 1, `The line has ${values.length} numbers instead of ${count}.`);
   return values;
 }

@@ -5,11 +5,11 @@ import { readShadertoyJson } from './read-json.ts';
 import { hasMain, readPasted } from './read-pasted.ts';
 import { type Shadertoy, tabName } from './shadertoy.ts';
 
-/** What shadertoy.com/terms says of works whose author names no license. */
+/** Default license of shadertoy.com/terms. */
 export const SITE_LICENCE = 'CC BY-NC-SA 3.0 (the default of shadertoy.com: the source names no license)';
 
 export interface ConvertedShader {
-  /** Empty where the source does not say. */
+  /** Empty if the source has no title. */
   readonly title: string;
   /** The ISF file. */
   readonly text: string;
@@ -17,16 +17,16 @@ export interface ConvertedShader {
   readonly licence: string;
 }
 
-/** Whether a text is meant for shadertoy.com: no ISF file, with its entry function, or its JSON. */
+/** Whether a text is from shadertoy.com: not an ISF file, with its entry function, or its JSON. */
 export function isShadertoy(source: string): boolean {
   if (/^\s*\/\*\s*\{/.test(source)) return false;
   return hasMain(source) || /^\s*[[{][\s\S]*"renderpass"\s*:/.test(source);
 }
 
 /**
- * A work of shadertoy.com as an ISF file: pasted tabs, or the site's JSON. Buffers become passes that keep their picture for the
- * next frame where somebody reads it then; pictures become layers; the pointer becomes a point from 0 to 1. Credit and license are
- * read from the source and its comments. What cannot be converted is SCR045; `file` is its name in messages.
+ * Converts a work of shadertoy.com, as pasted tabs or the site's JSON, to an ISF file. Buffers become passes, persistent if they are read
+ * in the next frame; images become layers; the pointer becomes a point from 0 to 1. Author and license are read from the source and its
+ * comments. What cannot be converted is SCR045; `file` is the name in messages.
  */
 export function convertShadertoy(source: string, file: string): Result<ConvertedShader> {
   const { output, diagnostics } = readShadertoyJson(source, file) ?? readPasted(source, file);

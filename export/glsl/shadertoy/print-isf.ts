@@ -3,7 +3,7 @@ import { wordsOf } from './rename-words.ts';
 import { fresh, separateTabs } from './separate-tabs.ts';
 import { type BufferLetter, CHANNEL_COUNT, type Channel, type Shadertoy, type Tab, tabName } from './shadertoy.ts';
 
-/** What the site's variables are in ISF, in the order in which they are printed; `MOUSE` is the name of the input. */
+/** ISF expressions for the site's variables, in printing order; `MOUSE` is the name of the input. */
 const VARIABLES: Readonly<Record<string, string>> = {
   iResolution: 'vec3(RENDERSIZE, 1.0)',
   iTime: 'TIME',
@@ -11,14 +11,14 @@ const VARIABLES: Readonly<Record<string, string>> = {
   iTimeDelta: 'TIMEDELTA',
   iFrame: 'FRAMEINDEX',
   iFrameRate: '(TIMEDELTA > 0.0 ? 1.0 / TIMEDELTA : 60.0)',
-  // Months count from 0 there, and from 1 in ISF.
+  // Months count from 0 there, from 1 in ISF.
   iDate: '(DATE - vec4(0.0, 1.0, 0.0, 0.0))',
   iMouse: 'vec4(MOUSE * RENDERSIZE, MOUSE * RENDERSIZE)',
   iSampleRate: '44100.0',
   iChannelTime: 'float[4](TIME, TIME, TIME, TIME)',
 };
 
-/** Hosts of ISF give these to every shader, so an input or a pass cannot have the name. */
+/** Names of ISF that no input or pass can have. */
 const ISF_WORDS = ['TIME', 'TIMEDELTA', 'RENDERSIZE', 'PASSINDEX', 'FRAMEINDEX', 'DATE', 'main'];
 
 export interface Terms {
@@ -32,7 +32,7 @@ interface Picture {
   readonly repeat: boolean;
 }
 
-/** The ISF file of a work whose tabs all have their `mainImage`. */
+/** Prints the ISF file of a work whose tabs each have a `mainImage`. */
 export function printIsf(shader: Shadertoy, terms: Terms): string {
   const tabs = shader.tabs.map((tab) => ({ ...tab, code: withoutChannelDirectives(tab.code) }));
   const words = new Set([shader.common, ...tabs.map(({ code }) => code)].flatMap((code) => [...wordsOf(code)]));
@@ -66,7 +66,7 @@ export function printIsf(shader: Shadertoy, terms: Terms): string {
   return `${parts.join('\n\n')}\n`;
 }
 
-/** Layers by what the tabs call the same: a picture that nobody reads is none. The first is the node's own. */
+/** Layers by name in the tabs, without unused images. The first is the node's input. */
 function picturesOf(
   { tabs, common }: Pick<Shadertoy, 'tabs' | 'common'>,
   buffers: ReadonlyMap<BufferLetter, string>,
@@ -90,13 +90,13 @@ function picturesOf(
   );
 }
 
-/** Whether the size of a channel is asked for; one whose number is worked out may be any. */
+/** Whether the size of a channel is read; a computed channel number may be any. */
 function isMeasured(code: string, channel: number): boolean {
   const asked = [...code.matchAll(/\biChannelResolution\s*\[\s*([^\]]*?)\s*\]/g)].map(([, index]) => index ?? '');
   return asked.some((index) => !/^\d+$/.test(index) || Number(index) === channel);
 }
 
-/** A buffer that is not there reads as a picture. */
+/** A missing buffer is read as an image. */
 function asPicture(channel: Channel, buffers: ReadonlyMap<BufferLetter, string>): (Channel & { kind: 'picture' }) | null {
   if (channel.kind === 'picture') return channel;
   return buffers.has(channel.buffer) ? null : { kind: 'picture', key: `Buffer ${channel.buffer}`, repeat: false };
@@ -112,7 +112,7 @@ interface SectionContext {
   readonly pictures: ReadonlyMap<string, Picture>;
 }
 
-/** A tab, between the names that are its own. */
+/** Prints a tab, with defines for its own names. */
 function section(tab: Tab, { code, macros, main, alone, words, buffers, pictures }: SectionContext): string {
   const images = tab.channels.map((channel) => {
     const picture = asPicture(channel, buffers);
@@ -138,7 +138,7 @@ interface PassText {
   readonly FLOAT?: true;
 }
 
-/** A buffer is persistent where its own pass or an earlier one reads it: that read gets the previous frame. */
+/** A buffer is persistent if its own pass or an earlier one reads it: that read gets the previous frame. */
 function passesOf(tabs: readonly Tab[], buffers: ReadonlyMap<BufferLetter, string>): PassText[] {
   return tabs.map(({ buffer }, place) => {
     const target = buffer === null ? undefined : buffers.get(buffer);
@@ -188,12 +188,12 @@ function block(key: string, entries: readonly unknown[]): string {
   return entries.length === 0 ? `"${key}": []` : `"${key}": [\n${entries.map((entry) => `    ${json(entry)}`).join(',\n')}\n  ]`;
 }
 
-/** JSON that does not end the comment it stands in. */
+/** JSON that does not end the surrounding comment. */
 function json(value: unknown): string {
   return JSON.stringify(value).replaceAll('*/', '*\\/');
 }
 
-/** The picture is opaque, as it is on the site; buffers hold four numbers. */
+/** The image is opaque, as on the site; buffers have four numbers. */
 function mainFunction(mains: readonly string[]): string {
   const calls = mains.map((main, i) => {
     const last = i === mains.length - 1;

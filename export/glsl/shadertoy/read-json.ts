@@ -3,12 +3,12 @@ import { BUFFER_LETTERS, type BufferLetter, CHANNEL_COUNT, type Channel, type Sh
 
 type Json = Readonly<Record<string, unknown>>;
 
-/** Kinds of inputs that a layer can stand for. */
+/** Kinds of inputs that a layer can replace. */
 const PICTURES = new Set(['texture', 'video', 'webcam', 'buffer']);
 
 /**
- * Reads a work as the site gives it: the answer of its API (`{ "Shader": … }`), the export of a profile (`{ "shaders": [ … ] }`),
- * or the bare work. Of several works the first is taken. Null where the text is no such JSON.
+ * Reads the JSON of the site: the answer of its API (`{ "Shader": … }`), the export of a profile (`{ "shaders": [ … ] }`), or a single
+ * work. Of several works it takes the first. Returns null for other text.
  */
 export function readShadertoyJson(source: string, file: string): Result<Shadertoy> | null {
   const work = workOf(source);

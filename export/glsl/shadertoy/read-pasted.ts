@@ -2,8 +2,8 @@ import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
 import { BUFFER_LETTERS, type BufferLetter, CHANNEL_COUNT, type Channel, type Shadertoy, type Tab, tabName } from './shadertoy.ts';
 
 /**
- * A line that says which tab follows, as people write it when they paste several: `// Buffer A`, `//==== Common ====`,
- * `// [Image tab]`, `Buf B:`. Alone on its line, so that ordinary comments are none.
+ * A heading that names the following tab, as in pasted texts: `// Buffer A`, `//==== Common ====`, `// [Image tab]`, `Buf B:`. It must be
+ * alone on its line, so that ordinary comments do not match.
  */
 const HEADING =
   /^[\s/*#=\-_~<>[\](){}|.]*(?:tab\s*:?\s*)?(common|image|buf(?:fer)?[\s_-]*([A-D]))(?:\s+(?:tab|code|pass))?[\s/*#:=\-_~<>[\](){}|.]*$/i;
@@ -11,7 +11,7 @@ const HEADING =
 /** `// iChannel0: Buffer A`, `#iChannel0 "file://buffer_a.glsl"`, `// iChannel1 = self`. */
 const CHANNEL_NOTE = /^[\s/*#-]*iChannel([0-3])\s*[:=\->]*\s*(?:is\s+)?["'<(]*(?:file:\/\/)?[./]*(self|buf(?:fer)?[\s_-]*([A-D]))\b/i;
 
-/** An image that an extension of an editor reads from a disk: no GLSL. */
+/** A directive of editor extensions that reads an image from a disk; not GLSL. */
 const CHANNEL_DIRECTIVE = /^\s*#iChannel[0-3]\b/;
 
 interface Section {
@@ -20,7 +20,7 @@ interface Section {
   readonly lines: string[];
 }
 
-/** Takes pasted text apart: one tab, or several with a line before each that says which it is. */
+/** Splits pasted text into tabs: one tab, or several with a heading before each. */
 export function readPasted(source: string, file: string): Result<Shadertoy> {
   const sections = cut(source);
   const common: string[] = [];
@@ -45,10 +45,10 @@ export function hasMain(code: string): boolean {
   return /\bvoid\s+mainImage\s*\(/.test(code);
 }
 
-/** Comments of several lines: a heading alone in one is brought onto one line; others are no place for headings. */
+/** Comments of several lines. One that contains only a heading is joined to one line; others contain no headings. */
 const BLOCK = /\/\*[\s\S]*?\*\//g;
 
-/** Text is never lost: a heading that is a comment stays as the first line of what it heads. */
+/** Keeps all text: a heading that is a comment stays as the first line of its section. */
 function cut(source: string): Section[] {
   const sections: Section[] = [{ tab: null, lines: [] }];
   const plain = source.replace(/\r\n|\r/g, '\n').replace(BLOCK, (block) => {
@@ -65,7 +65,7 @@ function cut(source: string): Section[] {
   return sections.filter(({ lines }) => lines.some((line) => line.trim() !== ''));
 }
 
-/** Whether a comment that takes several lines is still open after the line. */
+/** Whether a multi-line comment is still open after the line. */
 function isBlockOpen(line: string, before: boolean): boolean {
   const rest = (before ? `/*${line}` : line).replace(BLOCK, '').replace(/\/\/.*$/, (comment) => (before ? comment : ''));
   return rest.includes('/*');
@@ -83,7 +83,7 @@ interface ChannelContext {
   readonly diagnostics: Diagnostic[];
 }
 
-/** As notes in the text say; else the first channel is the first buffer, and so on, which is what most works do. */
+/** Channels by notes in the text; otherwise the first channel is the first buffer and so on, as in most works. */
 function channelsOf(code: string, { buffer, letters, file, diagnostics }: ChannelContext): Channel[] {
   const noted = new Map<number, BufferLetter>();
   for (const line of code.split('\n')) {
@@ -110,7 +110,7 @@ function channelsOf(code: string, { buffer, letters, file, diagnostics }: Channe
   });
 }
 
-/** Directives that only say what a channel is are kept as comments. */
+/** Keeps directives that describe a channel as comments. */
 export function withoutChannelDirectives(code: string): string {
   return code
     .split('\n')

@@ -2,9 +2,9 @@ import { lex } from '../syntax/lexer.ts';
 import { parseShader } from '../syntax/parse.ts';
 import { GlslError, type Token } from '../syntax/token.ts';
 
-/** What a piece of GLSL brings into the global scope. */
+/** Global declarations of a piece of GLSL. */
 export interface Declared {
-  /** Functions, variables, structs. */
+  /** Functions, variables and structs. */
   readonly names: ReadonlySet<string>;
   readonly macros: ReadonlySet<string>;
   /** Members of its structs. */
@@ -13,10 +13,7 @@ export interface Declared {
 
 const LINE_BREAK = /\r\n|\r|\n/;
 
-/**
- * What `code` declares, where it stands below `before`. Code that cannot be parsed declares nothing: the linker reports what is
- * wrong, and where.
- */
+/** The declarations of `code` after `before`. Code that cannot be parsed has none; the linker reports the mistake. */
 export function declaredIn(code: string, before: string): Declared {
   const names = new Set<string>();
   const macros = new Set<string>();
@@ -54,8 +51,8 @@ export function wordsOf(code: string): Set<string> {
 }
 
 /**
- * The text with words replaced wherever they stand as code, macros included. The same word means one thing throughout, so what
- * shadowed it before does so under its new name. Members keep their names, but those of the text's own structs.
+ * Replaces words in code, including macros, but not in comments. Each word has one meaning throughout, so hiding is preserved. Members keep
+ * their names, except those of the text's own structs.
  */
 export function renameWords(code: string, names: ReadonlyMap<string, string>, members: ReadonlySet<string>): string {
   if (names.size === 0) return code;
@@ -67,7 +64,7 @@ export function renameWords(code: string, names: ReadonlyMap<string, string>, me
     if (name !== undefined && (before?.text !== '.' || members.has(token.text))) uses.push({ token, name });
     before = token;
   }
-  // From the end, so that columns before stay true.
+  // From the end, so that earlier columns stay valid.
   for (const { token, name } of uses.reverse()) {
     const line = lines[token.line - 1] ?? '';
     lines[token.line - 1] = line.slice(0, token.column - 1) + name + line.slice(token.column - 1 + token.text.length);

@@ -2,18 +2,18 @@ import { type Declared, declaredIn, renameWords, wordsOf } from './rename-words.
 import { type Shadertoy, type Tab, tabName } from './shadertoy.ts';
 
 export interface Separated {
-  /** Stands before all tabs; empty where it has become part of each. */
+  /** Text before all tabs; empty if it was inserted into each. */
   readonly common: string;
   readonly codes: readonly string[];
-  /** Macros of each tab, which end with it. */
+  /** Macros of each tab, which are undefined at its end. */
   readonly macros: readonly (readonly string[])[];
 }
 
 const CHANNEL = /^iChannel[0-3]$/;
 
 /**
- * Tabs as parts of one text: names that two of them declare are changed in all but the last. `Common` is shared where nothing in
- * it depends on the tab that it is read with.
+ * Makes tabs parts of one text: names that two of them declare are changed in all but the last. `Common` is shared if it does not depend on
+ * the tab.
  */
 export function separateTabs({ tabs, common }: Pick<Shadertoy, 'tabs' | 'common'>): Separated {
   if (tabs.length < 2) return { common, codes: tabs.map(({ code }) => code), macros: tabs.map(() => []) };
@@ -35,7 +35,7 @@ export function separateTabs({ tabs, common }: Pick<Shadertoy, 'tabs' | 'common'
   return { common: isShared ? common : '', codes: renamed, macros: declared.map(({ macros }) => [...macros]) };
 }
 
-/** A macro that reads a channel means that of the tab where it is used. */
+/** Whether a macro reads a channel, which belongs to the tab that uses the macro. */
 function readsChannels(common: string): boolean {
   const code = common.replace(/^[ \t]*#(?:[^\n\\]|\\[\s\S])*/gm, '');
   return [...wordsOf(code)].some((word) => CHANNEL.test(word));
@@ -49,10 +49,10 @@ function freshName(name: string, tab: Tab, taken: Set<string>): string {
   return fresh(`${name}_${tabName(tab).replace(' ', '')}`, taken);
 }
 
-/** The wanted name, or one like it that the text does not use; taken from then on. */
+/** The requested name, or a similar one that the text does not use. Adds it to `taken`. */
 export function fresh(wanted: string, taken: Set<string>): string {
   let name = wanted;
-  // Two underscores in a row are GLSL's own.
+  // Two consecutive underscores are reserved in GLSL.
   for (let number = 2; taken.has(name); number++) name = `${wanted}${number}`;
   taken.add(name);
   return name;

@@ -1,14 +1,14 @@
-/** A work of shadertoy.com as its author sees it: tabs of code, each with up to four channels. */
+/** A work of shadertoy.com: tabs of code with up to four channels each. */
 export interface Shadertoy {
-  /** Empty where the source does not say. */
+  /** Empty if the source has none. */
   readonly title: string;
   readonly description: string;
   readonly tags: readonly string[];
-  /** Who made it, and where it is from; empty where the source does not say. */
+  /** Author and address; empty if the source has none. */
   readonly credit: string;
-  /** The last is the image; buffers come before it, in the order of their letters. */
+  /** Buffers in the order of their letters, then the image. */
   readonly tabs: readonly Tab[];
-  /** What every tab begins with; empty where there is no such tab. */
+  /** Text before every tab; empty without such a tab. */
   readonly common: string;
 }
 
@@ -24,12 +24,12 @@ export const BUFFER_LETTERS: readonly BufferLetter[] = ['A', 'B', 'C', 'D'];
 
 export const CHANNEL_COUNT = 4;
 
-/** What `iChannel0` to `iChannel3` are. Pictures of the same `key` are the same one, in whichever tab they stand. */
+/** Content of `iChannel0` to `iChannel3`. Images with equal `key` are the same in all tabs. */
 export type Channel =
   | { readonly kind: 'buffer'; readonly buffer: BufferLetter }
   | { readonly kind: 'picture'; readonly key: string; readonly repeat: boolean };
 
-/** As it stands in messages. */
+/** Name of the tab in messages. */
 export function tabName({ buffer }: Pick<Tab, 'buffer'>): string {
   return buffer === null ? 'Image' : `Buffer ${buffer}`;
 }

@@ -1,14 +1,14 @@
 import type { Token } from './token.ts';
 
 /**
- * A parsed shader. Nodes keep the tokens that errors and printing need; `type` and `symbol` are filled in by `check/`.
- * Brackets are kept as `group`, so that printing needs no rules of precedence.
+ * A parsed shader. Nodes keep the tokens for errors and printing; `check/` sets `type` and `symbol`. Brackets are `group` nodes, so that
+ * printing needs no precedence rules.
  */
 export interface ParsedShader {
   readonly declarations: readonly (FunctionDeclaration | VariableDeclaration)[];
 }
 
-/** Name of a GLSL type (`vec3`, `Ray#1` for a struct, `float[]` for an array), or empty where it could not be found out. */
+/** Name of a GLSL type (`vec3`, `Ray#1` for a struct, `float[]` for an array), or empty if unknown. */
 export type GlslType = string;
 
 export interface FunctionDeclaration {
@@ -25,7 +25,7 @@ export interface Parameter {
   /** `const`, `in`, `out`, `inout`; precision is dropped. */
   readonly qualifiers: readonly Token[];
   readonly type: TypeSpecifier;
-  /** Null where the author gave none. */
+  /** Null without a name. */
   readonly name: Token | null;
   readonly dimensions: readonly Dimension[];
   symbol: VariableSymbol | null;
@@ -37,7 +37,7 @@ export type Dimension = Expression | null;
 export interface TypeSpecifier {
   readonly name: Token;
   readonly dimensions: readonly Dimension[];
-  /** Set where the type is declared in place: `struct Ray { … }`. */
+  /** Set if the struct is declared here: `struct Ray { … }`. */
   readonly struct: StructDeclaration | null;
   type: GlslType;
   symbol: StructSymbol | null;
@@ -68,7 +68,7 @@ export interface VariableDeclaration {
 export interface Declarator {
   readonly name: Token;
   readonly dimensions: readonly Dimension[];
-  /** The `=`, where there is one. */
+  /** The `=` token, if any. */
   readonly equals: Token | null;
   readonly initializer: Expression | null;
   symbol: VariableSymbol | null;
@@ -120,12 +120,12 @@ export interface ReturnStatement {
 }
 
 interface ExpressionBase {
-  /** Where errors about it are shown: its first token, or its operator. */
+  /** Position of errors: its first token or its operator. */
   readonly token: Token;
   type: GlslType;
-  /** Print it converted to this type; empty for as it is. */
+  /** Type to convert to when printing; empty for none. */
   convertTo: GlslType;
-  /** Levels of the tree from here down. The parser bounds it, so that a recursive walk cannot exhaust the stack. */
+  /** Height of the tree below, which the parser limits to protect recursive walks. */
   readonly depth: number;
 }
 
@@ -137,7 +137,7 @@ export interface NameExpression extends ExpressionBase {
 export interface CallExpression extends ExpressionBase {
   readonly kind: 'call';
   readonly args: readonly Expression[];
-  /** A user's function or struct; null for a built-in or an unknown name. */
+  /** The author's function or struct; null for a built-in or unknown name. */
   symbol: FunctionSymbol | StructSymbol | null;
 }
 
@@ -169,17 +169,17 @@ export interface VariableSymbol {
   readonly kind: 'variable';
   readonly name: string;
   readonly type: GlslType;
-  /** `varying`: handed from the vertex shader to the fragment shader. */
+  /** `varying`: passed from the vertex shader to the fragment shader. */
   readonly role: 'global' | 'varying' | 'local' | 'parameter' | 'input' | 'image' | 'builtin';
   readonly token: Token | null;
-  /** Value known at compile time, as GLSL ES 3.00 §4.3.3 demands of `const` and of global initializers. */
+  /** Whether the value is known at compile time, as GLSL ES 3.00 §4.3.3 requires for `const` and global initializers. */
   constant: boolean;
-  /** Another variable of the name is in the same scope in ES 3.00, though not in older GLSL: print it under a fresh name. */
+  /** Whether another variable of this name is in the same scope in ES 3.00, though not in older GLSL: it is printed under a new name. */
   rename: boolean;
-  /** Written to after its declaration. */
+  /** Whether it is written after its declaration. */
   written: boolean;
   readonly declaration: Declarator | null;
-  /** Whose parameter it is, and which; null for anything else. */
+  /** The function and index of a parameter; null for others. */
   readonly parameterOf: { readonly owner: FunctionSymbol; readonly index: number } | null;
 }
 
@@ -188,7 +188,7 @@ export interface FunctionSymbol {
   readonly name: string;
   readonly returnType: GlslType;
   readonly parameterTypes: readonly GlslType[];
-  /** Whether an argument must be a variable of exactly the type: `out` and `inout`. */
+  /** Whether an argument must be a variable of exactly this type: `out` and `inout`. */
   readonly parameterOut: readonly boolean[];
   declaration: FunctionDeclaration;
 }
@@ -199,6 +199,6 @@ export interface StructSymbol {
   readonly type: GlslType;
   readonly members: ReadonlyMap<string, GlslType>;
   readonly global: boolean;
-  /** Some `? :` chooses between two of them. */
+  /** Whether a `? :` selects between two values of it. */
   chosen: boolean;
 }

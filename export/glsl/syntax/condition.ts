@@ -17,8 +17,8 @@ const LEVELS: readonly (readonly string[])[] = [
 const MAX_DEPTH = 100;
 
 /**
- * The value of an `#if` or `#elif` expression whose macros and `defined` have been replaced. A name that is no macro counts
- * as 0, as on most desktop drivers (GLSL ES makes it an error, but files in the wild rely on it).
+ * Evaluates an `#if` or `#elif` expression in which macros and `defined` are already replaced. An undefined name is 0, as on most desktop
+ * drivers; GLSL ES makes it an error, but published files rely on it.
  */
 export function evaluateCondition(tokens: readonly Token[], directive: Token): number {
   let position = 0;
@@ -55,7 +55,7 @@ export function evaluateCondition(tokens: readonly Token[], directive: Token): n
     }
     if (token.kind === 'int' || token.kind === 'uint') return integerValue(token.text);
     if (token.kind === 'word') return 0;
-    throw new GlslError(token, `"${token.text}" cannot stand in a condition: only whole numbers, macros and operators can.`);
+    throw new GlslError(token, `"${token.text}" is not allowed in a condition. Use whole numbers, macros and operators.`);
   }
 
   const value = binary(0, 0);

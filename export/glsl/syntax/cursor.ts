@@ -1,23 +1,23 @@
 import { GlslError, type Token } from './token.ts';
 import { KEYWORDS } from './words.ts';
 
-/** Deeper nesting than any author writes; far below what would overflow the stack of those that walk the tree. */
+/** Maximum nesting, which protects the stack of recursive walks. */
 const MAX_DEPTH = 250;
 
-/** Walks over the tokens of one source; the parser's functions share it. */
+/** A position in the tokens of a source, shared by the parser's functions. */
 export interface Cursor {
-  /** The token `ahead` places on; the end token for ever after the last. */
+  /** The token `ahead` places on; the end token after the last. */
   peek(ahead?: number): Token;
   next(): Token;
   at(text: string): boolean;
-  /** Takes the token if it is `text`. */
+  /** Consumes the token if it is `text`. */
   accept(text: string): Token | null;
-  /** Takes `text` or throws, saying what it belongs to: "after the condition". */
+  /** Consumes `text`, or throws with its context: “after the condition”. */
   expect(text: string, where: string): Token;
-  /** Takes a word that can be a name. `what` says what it would name. */
+  /** Consumes a word that can be a name. `what` describes what is named. */
   name(what: string): Token;
   unexpected(wanted: string): GlslError;
-  /** Runs `parse` one level deeper; throws where a source is nested beyond all reason. */
+  /** Runs `parse` one level deeper; throws if the nesting is too deep. */
   nested<T>(parse: () => T): T;
 }
 
@@ -46,10 +46,10 @@ export function createCursor(tokens: readonly Token[]): Cursor {
     const token = peek();
     const before = tokens[position - 1];
     if (token.kind === 'bad') {
-      return new GlslError(token, `The character "${token.text}" cannot stand in GLSL outside of comments.`);
+      return new GlslError(token, `The character "${token.text}" is not allowed in GLSL outside of comments.`);
     }
     const found = token.kind === 'end' ? 'the file ends' : `"${token.text}" follows`;
-    // What is missing at the end of a line is to be written there, not on the line where its absence is noticed.
+    // An error at the end of a line is reported there, not at the next token on another line.
     const place =
       before !== undefined && before.line < token.line ? { line: before.line, column: before.column + before.text.length } : token;
     return new GlslError(place, `${wanted}, but ${found}.`);

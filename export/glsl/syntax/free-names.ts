@@ -1,12 +1,12 @@
 import type { Token } from './token.ts';
 import { KEYWORDS, NEW_WORDS, QUALIFIERS, TYPES } from './words.ts';
 
-/** What may stand behind a name that is being declared. */
+/** Tokens that may follow a declared name. */
 const BEHIND_NAME: ReadonlySet<string> = new Set([';', ',', '=', '(', ')', '[']);
 
 /**
- * `case`, `uint` or `mat4x3` are plain names in GLSL ES 1.00. In a source that declares one, as in `float case`, it is a name
- * everywhere, and gets one that newer GLSL takes as well.
+ * Renames names that are keywords in newer GLSL: `case`, `uint` or `mat4x3` are plain names in GLSL ES 1.00. If a source declares one, as
+ * in `float case`, it is renamed everywhere.
  */
 export function freeNames(tokens: readonly Token[]): readonly Token[] {
   const declared = new Set<string>();
@@ -22,7 +22,7 @@ export function freeNames(tokens: readonly Token[]): readonly Token[] {
   });
 }
 
-/** A text about a source, with the names that were freed as their author wrote them. */
+/** Restores renamed names in a message. */
 export function asWritten(text: string): string {
   return text.replace(/\b(\w+)_es\d+\b/g, (name, word: string) => (NEW_WORDS.has(word) ? word : name));
 }
@@ -40,7 +40,7 @@ function isType({ kind, text }: Token, declared: ReadonlySet<string>): boolean {
   return kind === 'word' && ((TYPES.has(text) && !declared.has(text)) || !KEYWORDS.has(text));
 }
 
-/** Whether the comma stands between the variables of a declaration: `float a = f(1.0, 2.0), case`. */
+/** Whether the comma separates variables of a declaration: `float a = f(1.0, 2.0), case`. */
 function isInList(tokens: readonly Token[], comma: number): boolean {
   let depth = 0;
   let at = comma;
@@ -48,7 +48,7 @@ function isInList(tokens: readonly Token[], comma: number): boolean {
     const text = tokens[at - 1]?.text ?? '';
     if (text === ')' || text === ']') depth += 1;
     if (text === '(' || text === '[') depth -= 1;
-    // What opens before it encloses parameters or arguments, but in a loop's head.
+    // An opening bracket before it contains parameters or arguments, except in the head of a loop.
     if (depth < 0 && tokens[at - 2]?.text !== 'for') return false;
     if (depth < 0 || (depth === 0 && (text === ';' || text === '{' || text === '}'))) break;
   }

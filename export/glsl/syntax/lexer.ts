@@ -15,8 +15,10 @@ const OPERATOR = /<<=|>>=|<<|>>|<=|>=|==|!=|&&|\|\||\^\^|\+\+|--|\+=|-=|\*=|\/=|
 const LINE_BREAK = /\r\n|\r|\n/g;
 
 /**
- * Cuts a source into tokens, without white space and comments. A character that GLSL does not know becomes a `bad` token:
- * it matters only if it is still there after `#if` has been decided. Throws `GlslError` for a comment that never ends.
+ * Splits a source into tokens without white space and comments. An invalid character becomes a `bad` token, which is an error only if it
+ * remains after `#if` is evaluated.
+ *
+ * @throws GlslError for a comment that is not closed.
  */
 export function lex(source: string): Token[] {
   const tokens: Token[] = [];

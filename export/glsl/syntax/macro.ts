@@ -10,13 +10,13 @@ export interface Macro {
 
 export type MacroTable = Map<string, Macro>;
 
-/** A few nested macros can stand for more text than fits in memory; no real shader comes near this. */
+/** Limit for nested macros, whose expansion can exceed the memory. */
 const MAX_EXPANDED_TOKENS = 200_000;
 
-/** Macro uses inside arguments of macro uses inside arguments … */
+/** Maximum nesting of macro uses in arguments. */
 const MAX_NESTING = 100;
 
-/** Counts what all expansions of one source have produced, and how deep the running one is. */
+/** Remaining tokens of all expansions of one source, and the current nesting. */
 export interface ExpansionBudget {
   left: number;
   nesting: number;
@@ -27,9 +27,8 @@ export function createExpansionBudget(): ExpansionBudget {
 }
 
 /**
- * Replaces every macro use in `tokens` (Prosser's algorithm, the one that the C standard's wording came from: each token
- * carries the set of macros that made it, which are not expanded in it again). Text that comes from a macro's body has the
- * place where the macro was used; arguments keep their own place.
+ * Expands macros (Prosser's algorithm, on which the C standard is based: each token has the set of macros that produced it, which are not
+ * expanded in it again). Text of a macro's body has the position of its use; arguments keep their own.
  */
 export function expandMacros(tokens: readonly Token[], macros: MacroTable, budget: ExpansionBudget): Token[] {
   const output: Token[] = [];
@@ -100,7 +99,7 @@ function substitute(
   return output;
 }
 
-/** Desktop drivers know it from C (C11 §6.10.3.3): `a ## b` makes one word of two, and leaves macros' arguments as they are written. */
+/** Desktop drivers support it as C does (C11 §6.10.3.3): `a ## b` joins two words, and arguments next to it are not expanded. */
 const GLUE = '##';
 
 function glue(before: Token, after: Token, use: Token): Token {
@@ -118,7 +117,7 @@ function expandArgument(argument: readonly Token[], use: Token, macros: MacroTab
   return expanded;
 }
 
-/** Takes `( … )` off `pending`, split at the commas that are not inside inner brackets. */
+/** Consumes `( … )` from `pending`, split at the commas outside of inner brackets. */
 function takeArguments(use: Token, pending: Token[]): { args: Token[][]; close: Token } {
   pending.pop();
   const args: Token[][] = [[]];

@@ -5,7 +5,7 @@ import { parseType } from './parse-type.ts';
 import { GlslError, type Token } from './token.ts';
 import { DROPPED_QUALIFIERS, KEYWORDS, QUALIFIERS, TYPES } from './words.ts';
 
-/** Whether a declaration begins here rather than an expression: a qualifier, or a type before a name. */
+/** Whether a declaration starts here: a qualifier, or a type before a name. */
 export function atDeclaration(cursor: Cursor): boolean {
   const token = cursor.peek();
   if (token.kind !== 'word') return false;
@@ -16,7 +16,7 @@ export function atDeclaration(cursor: Cursor): boolean {
   return (after.kind === 'word' && !KEYWORDS.has(after.text)) || isArrayOf(cursor, 'name');
 }
 
-/** Takes qualifiers, and keeps those that matter; a `layout(…)` goes too. */
+/** Consumes qualifiers and returns those with an effect; also consumes `layout(…)`. */
 export function parseQualifiers(cursor: Cursor): Token[] {
   const qualifiers: Token[] = [];
   while (atQualifier(cursor)) {
@@ -35,7 +35,7 @@ export function parseQualifiers(cursor: Cursor): Token[] {
   return qualifiers;
 }
 
-/** From the qualifiers up to, and without, the semicolon. */
+/** From the qualifiers to before the semicolon. */
 export function parseVariables(cursor: Cursor): VariableDeclaration {
   const start = cursor.peek();
   const qualifiers = parseQualifiers(cursor);
@@ -43,7 +43,7 @@ export function parseVariables(cursor: Cursor): VariableDeclaration {
   return { kind: 'variables', start, qualifiers, type, declarators: parseDeclarators(cursor, type) };
 }
 
-/** `a = 1.0, b[2]`; none at all after a struct, and in `uniform vec2;`, which declares nothing. */
+/** `a = 1.0, b[2]`; empty after a struct, and in `uniform vec2;`, which declares nothing. */
 export function parseDeclarators(cursor: Cursor, type: TypeSpecifier): Declarator[] {
   const declarators: Declarator[] = [];
   if (cursor.at(';')) return declarators;
@@ -57,7 +57,7 @@ export function parseDeclarators(cursor: Cursor, type: TypeSpecifier): Declarato
   return declarators;
 }
 
-/** Desktop GLSL 4.20 also takes a list in braces (§4.1.11), which stands for a constructor. */
+/** Desktop GLSL 4.20 also allows a list in braces (§4.1.11) instead of a constructor. */
 function parseInitializer(cursor: Cursor, type: TypeSpecifier, dimensions: readonly Dimension[]): Expression {
   const open = cursor.accept('{');
   if (open === null) return parseAssignment(cursor);
@@ -65,13 +65,13 @@ function parseInitializer(cursor: Cursor, type: TypeSpecifier, dimensions: reado
   const args: Expression[] = [];
   while (!cursor.accept('}')) {
     if (args.length > 0) cursor.expect(',', `or "}" to go on with the list of line ${open.line}`);
-    // A comma may stand after the last.
+    // A trailing comma is allowed.
     if (!cursor.at('}')) args.push(cursor.nested(() => parseInitializer(cursor, { ...type, dimensions: [] }, whole.slice(1))));
   }
   return constructorOf({ ...type, dimensions: whole, struct: null }, args);
 }
 
-/** Words such as `flat` and `smooth` are names in older GLSL: they qualify only what another word follows. */
+/** Words such as `flat` and `smooth` are names in older GLSL: they are qualifiers only before another word. */
 function atQualifier(cursor: Cursor): boolean {
   const token = cursor.peek();
   if (!QUALIFIERS.has(token.text)) return false;

@@ -3,7 +3,7 @@ import type { Cursor } from './cursor.ts';
 import { GlslError, type Token } from './token.ts';
 import { KEYWORDS, TYPES } from './words.ts';
 
-/** Binary operators by how tightly they bind (GLSL ES 3.00 §5.1). */
+/** Binary operators by precedence (GLSL ES 3.00 §5.1). */
 const PRECEDENCE: ReadonlyMap<string, number> = new Map(
   [['||'], ['^^'], ['&&'], ['|'], ['^'], ['&'], ['==', '!='], ['<', '>', '<=', '>='], ['<<', '>>'], ['+', '-'], ['*', '/', '%']].flatMap(
     (operators, level) => operators.map((operator) => [operator, level + 1] as const),
@@ -14,17 +14,17 @@ export const ASSIGNMENTS: ReadonlySet<string> = new Set(['=', '+=', '-=', '*=', 
 
 const PREFIXES: ReadonlySet<string> = new Set(['+', '-', '!', '~', '++', '--']);
 
-/** A chain such as `a + b + c + …` makes a tree as deep as it is long. */
+/** Limits chains such as `a + b + c + …`, whose tree is as deep as they are long. */
 const MAX_TREE_DEPTH = 1000;
 
-/** With commas: `i++, j--`. */
+/** An expression with commas: `i++, j--`. */
 export function parseExpression(cursor: Cursor): Expression {
   let left = parseAssignment(cursor);
   while (cursor.at(',')) left = binary(cursor.next(), left, parseAssignment(cursor));
   return left;
 }
 
-/** Without commas: an argument or an initializer. */
+/** An expression without commas: an argument or an initializer. */
 export function parseAssignment(cursor: Cursor): Expression {
   return cursor.nested(() => {
     const left = parseConditional(cursor);
@@ -33,7 +33,7 @@ export function parseAssignment(cursor: Cursor): Expression {
   });
 }
 
-/** A type's own name: `vec3`, or that of a struct. */
+/** The name of a type: `vec3`, or that of a struct. */
 export function parseTypeName(cursor: Cursor): Token {
   const token = cursor.peek();
   if (token.kind !== 'word') throw cursor.unexpected('A type is missing');
@@ -145,7 +145,7 @@ function parseWord(cursor: Cursor, token: Token): Expression {
   return { kind: 'call', token, args, symbol: null, ...made(token, ...args) };
 }
 
-/** `float[3](…)` or `vec2(…)`, for what authors write in another way. */
+/** A constructor such as `float[3](…)` or `vec2(…)`, for other notations. */
 export function constructorOf(of: TypeSpecifier, args: readonly Expression[]): Expression {
   const token = of.name;
   if (of.dimensions.length > 0) return { kind: 'array', token, of, args, ...made(token, ...args) };
@@ -163,7 +163,7 @@ function parseArguments(cursor: Cursor): Expression[] {
   return args;
 }
 
-/** `float[3](` or `float[](`: a type, a size, and an opening bracket. An indexed value is never called. */
+/** `float[3](` or `float[](`: a type, a size and an opening bracket. An indexed value is never called. */
 function isArrayConstructor(cursor: Cursor): boolean {
   if (cursor.peek(1).text !== '[') return false;
   let depth = 0;
@@ -180,7 +180,7 @@ function binary(token: Token, left: Expression, right: Expression): Expression {
   return { kind: 'binary', token, left, right, ...made(token, left, right) };
 }
 
-/** What all expressions have in common; throws where the tree becomes too deep. */
+/** The common properties of expressions; throws if the tree becomes too deep. */
 function made(token: Token, ...parts: readonly Expression[]): { type: ''; convertTo: ''; depth: number } {
   let depth = 1;
   for (const part of parts) depth = Math.max(depth, part.depth + 1);

@@ -15,7 +15,7 @@ export function parseBlock(cursor: Cursor): Block {
   }
 }
 
-/** A precision statement is none of the printed text's business: it gives nothing. */
+/** Parses a statement; empty for a precision statement. */
 function parseStatement(cursor: Cursor): Statement[] {
   return cursor.nested(() => {
     if (cursor.at('precision')) {
@@ -26,7 +26,7 @@ function parseStatement(cursor: Cursor): Statement[] {
   });
 }
 
-/** `precision mediump float;`: all our text is highp. */
+/** Skips `precision mediump float;`, because all printed text is highp. */
 export function skipPrecision(cursor: Cursor): void {
   cursor.expect('precision', 'here');
   cursor.next();
@@ -130,7 +130,7 @@ function parseDeclarationOrExpression(cursor: Cursor): Expression | VariableDecl
   return atDeclaration(cursor) ? parseVariables(cursor) : parseExpression(cursor);
 }
 
-/** The one statement that an `if` or a loop governs. */
+/** The statement of an `if` or a loop. */
 function parseBody(cursor: Cursor): Statement {
   const start: Token = cursor.peek();
   const [statement] = parseStatement(cursor);

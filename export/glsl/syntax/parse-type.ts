@@ -3,7 +3,7 @@ import type { Cursor } from './cursor.ts';
 import { parseDimensions, parseTypeName } from './parse-expression.ts';
 import { DROPPED_QUALIFIERS, PRECISIONS } from './words.ts';
 
-/** `vec3`, `float[4]`, `struct Ray { … }`; a precision before it is dropped. */
+/** Parses `vec3`, `float[4]` or `struct Ray { … }`; a precision before it is dropped. */
 export function parseType(cursor: Cursor): TypeSpecifier {
   while (PRECISIONS.has(cursor.peek().text)) cursor.next();
   if (cursor.at('struct')) {

@@ -9,12 +9,12 @@ import { preprocess } from './preprocess.ts';
 import { GlslError, type Token } from './token.ts';
 
 /**
- * Reads a fragment shader: GLSL ES 1.00 and 3.00, and what desktop GLSL adds that authors of ISF files use. Throws
- * `GlslError` at the first mistake.
+ * Parses a fragment shader: GLSL ES 1.00 and 3.00, and features of desktop GLSL that authors of ISF files use.
  *
- * A parser of our own, by recursive descent: `@shaderfrog/glsl-parser` 7 (a PEG) took 300 ms for 105 lines and 1.0–1.8 s for
- * 505 on two busy cores where this one takes 2 and 6, and an editor parses at every pause in typing. It also loses the place
- * of everything that a macro touches.
+ * It is a recursive-descent parser: `@shaderfrog/glsl-parser` 7 (a PEG) took 300 ms for 105 lines and 1.0–1.8 s for 505 on two busy cores
+ * where this one takes 2 and 6 ms, and an editor parses at every pause in typing. It also loses the positions of text from macros.
+ *
+ * @throws GlslError at the first mistake.
  */
 export function parseShader(source: string): ParsedShader {
   const tokens = freeNames(preprocess(source));
@@ -30,12 +30,12 @@ export function parseShader(source: string): ParsedShader {
   return { declarations };
 }
 
-/** Drivers take minutes for longer texts. */
+/** Maximum length, because drivers take minutes for longer texts. */
 export const MAX_TEXT = 1024 * 1024;
 
-export const TOO_LONG = 'The shader is too long: more than 1 MiB of GLSL would be made of it, which drivers take minutes for.';
+export const TOO_LONG = 'The shader is too long: it would become more than 1 MiB of GLSL.';
 
-/** Before anything is made of it. */
+/** Checked before parsing. */
 function refuseLength(tokens: readonly Token[]): void {
   let length = 0;
   for (const token of tokens) {

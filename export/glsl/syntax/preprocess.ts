@@ -4,8 +4,8 @@ import { createExpansionBudget, type ExpansionBudget, expandMacros, type Macro, 
 import { GlslError, type Token } from './token.ts';
 
 /**
- * What a shader can ask about. `SCRIM` tells our extensions apart from other ISF hosts. The version is that of the text we
- * print: what an author guards for an older one is lifted, so either branch works.
+ * Predefined macros. `SCRIM` identifies Scrim among ISF hosts. The version is that of the printed text; older text is converted, so either
+ * branch works.
  */
 const PREDEFINED: Readonly<Record<string, number>> = {
   SCRIM: 1,
@@ -17,7 +17,7 @@ const PREDEFINED: Readonly<Record<string, number>> = {
   __FILE__: 0,
 };
 
-/** In GLSL ES 3.00 without being asked for. */
+/** Extensions that are part of GLSL ES 3.00. */
 const EXTENSIONS_IN_CORE = new Set([
   'all',
   'GL_OES_standard_derivatives',
@@ -32,7 +32,7 @@ const EXTENSIONS_IN_CORE = new Set([
 
 interface Branch {
   readonly opened: Token;
-  /** The text around it counts. */
+  /** Whether the enclosing text is active. */
   readonly outer: boolean;
   taken: boolean;
   active: boolean;
@@ -40,8 +40,9 @@ interface Branch {
 }
 
 /**
- * Carries out every directive of a source: the tokens that are left are plain GLSL, each with the place its author wrote it.
- * Throws `GlslError`.
+ * Evaluates all directives of a source and returns plain GLSL tokens with the author's positions.
+ *
+ * @throws GlslError at the first mistake.
  */
 export function preprocess(source: string): Token[] {
   const tokens = lex(source);
@@ -50,7 +51,7 @@ export function preprocess(source: string): Token[] {
   const budget = createExpansionBudget();
   const branches: Branch[] = [];
   const output: Token[] = [];
-  // Text between two directives is expanded in one piece, so that a macro's arguments may run over several lines.
+  // Text between two directives is expanded together, so that arguments of macros may span lines.
   let text: Token[] = [];
 
   function flush(): void {
@@ -96,7 +97,7 @@ function carryOut(line: readonly Token[], hash: Token, branches: Branch[], macro
       requireExtension(rest);
       return;
     case 'error':
-      throw new GlslError(hash, `The shader stops here by itself: ${rest.map((t) => t.text).join(' ')}`);
+      throw new GlslError(hash, `The shader contains "#error": ${rest.map((t) => t.text).join(' ')}`);
     case 'version':
     case 'pragma':
     case 'line':

@@ -2,7 +2,7 @@ import { lex } from './lexer.ts';
 import { preprocess } from './preprocess.ts';
 import { GlslError, type Place, type Token } from './token.ts';
 
-/** A bracket that is open. Statements end inside of blocks; `list` is any other bracket: arguments, members, values. */
+/** An open bracket. Statements end inside of blocks; `list` is any other bracket: arguments, members, values. */
 interface Open {
   readonly kind: 'block' | 'list';
   readonly close: string;
@@ -16,8 +16,8 @@ interface Cut {
 }
 
 /**
- * The text of a shader up to the last statement that ends before `place`, made whole: open blocks are closed, open `#if`s are ended,
- * and `start` (the text of `main`) is added where none stands above. Every line keeps its number. Null where there is nothing above.
+ * The text of a shader up to the last statement that ends before `place`, completed: open blocks and `#if`s are closed, and `start` (the
+ * text of `main`) is added if it is missing. Lines keep their numbers. Returns null if there is no text above.
  */
 export function textAbove(source: string, place: Place, start: string): string | null {
   for (let end = offsetAt(lineStarts(source), place, source.length); end > 0; ) {
@@ -25,7 +25,7 @@ export function textAbove(source: string, place: Place, start: string): string |
       return textUntil(source, end, start);
     } catch (error) {
       if (!(error instanceof GlslError)) throw error;
-      // A macro whose arguments were cut through.
+      // A macro whose arguments are incomplete.
       const earlier = offsetAt(lineStarts(source), error.place, source.length);
       if (earlier >= end) return null;
       end = earlier;
@@ -43,7 +43,7 @@ function textUntil(source: string, end: number, start: string): string | null {
   return defines(preprocess(kept), startName) ? kept : `${kept}${start}\n`;
 }
 
-/** With an `#endif` for each `#if` that is open. */
+/** Adds an `#endif` for each open `#if`. */
 function whole(text: string): string {
   let open = 0;
   const tokens = lex(text);
@@ -55,7 +55,7 @@ function whole(text: string): string {
   return `${text}\n${'#endif\n'.repeat(Math.max(open, 0))}`;
 }
 
-/** Behind the last statement, or the start of a block, that no bracket but those of blocks is open around. */
+/** The position after the last statement or start of a block that is not inside other brackets. */
 function lastCut(tokens: readonly Token[], starts: readonly number[], end: number): Cut | null {
   const open: Open[] = [];
   let declaration = 0;
@@ -70,7 +70,7 @@ function lastCut(tokens: readonly Token[], starts: readonly number[], end: numbe
     if (!isStatementEnd || open.some(({ kind }) => kind === 'list')) return;
     if (open.length === 0) declaration = i + 1;
     const next = tokens[i + 1];
-    // What one macro brings cannot be cut apart.
+    // The text of one macro cannot be split.
     if (next === undefined || (next.line === token.line && next.column === token.column)) return;
     const offset = next.kind === 'end' ? end : offsetAt(starts, next, end);
     last = {
@@ -94,13 +94,12 @@ function isCloser({ text }: Token): boolean {
 
 const BEFORE_BLOCKS: ReadonlySet<string> = new Set([')', ';', '{', '}', ':', 'else', 'do']);
 
-/** Drivers refuse loops that nothing ends. */
+/** Drivers reject loops that never end. */
 const END_OF_LOOP = 'break; }';
 const END_OF_DO = 'break; } while (true);';
 
 /**
- * `declaration`: the first token of the declaration outside of functions that the bracket is in. `head`: the word before the round brackets
- * that were closed last.
+ * `declaration` is the first token of the enclosing global declaration. `head` is the word before the round brackets that were closed last.
  */
 function openAt(tokens: readonly Token[], at: number, declaration: number, around: readonly Open[], head = ''): Open {
   const before = tokens[at - 1]?.text ?? '';
@@ -108,7 +107,7 @@ function openAt(tokens: readonly Token[], at: number, declaration: number, aroun
   if (before === 'do') return { kind: 'block', close: END_OF_DO, at };
   if (before === ')' && (head === 'for' || head === 'while')) return { kind: 'block', close: END_OF_LOOP, at };
   if (around.length > 0) return { kind: 'block', close: '}', at };
-  // A function that gives a value has to return one somewhere.
+  // A function with a return type must return a value.
   const declared = tokens.slice(declaration, at);
   const type = declared.slice(0, Math.max(declared.findIndex(({ text }) => text === '(') - 1, 0)).map(({ text }) => text);
   const isVoid = type.length === 0 || type.includes('void');

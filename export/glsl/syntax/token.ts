@@ -1,20 +1,20 @@
-/** A piece of GLSL text, with the place its author wrote it. */
+/** A token of GLSL with its position in the author's text. */
 export interface Token {
   readonly kind: TokenKind;
   readonly text: string;
-  /** From 1. A token that a macro brought has the place where the macro was used. */
+  /** From 1. Tokens of a macro have the position of its use. */
   readonly line: number;
   /** From 1, in UTF-16 units as editors count. */
   readonly column: number;
-  /** First on its line; a `#` there begins a directive. */
+  /** Whether it is the first on its line, where `#` starts a directive. */
   readonly startsLine: boolean;
-  /** White space or a comment stood before it: tells `#define F (x)` from `#define F(x)`. */
+  /** Whether white space or a comment precedes it, which distinguishes `#define F (x)` from `#define F(x)`. */
   readonly spaced: boolean;
   /** Macros that must not be expanded in it again (C11 §6.10.3.4); null for none. */
   readonly hidden: ReadonlySet<string> | null;
 }
 
-/** `word`: identifier or keyword. `bad`: a character that GLSL does not know. `end`: after the last token. */
+/** `word`: identifier or keyword. `bad`: an invalid character. `end`: after the last token. */
 export type TokenKind = 'word' | 'int' | 'uint' | 'float' | 'operator' | 'bad' | 'end';
 
 export interface Place {
@@ -22,12 +22,12 @@ export interface Place {
   readonly column: number;
 }
 
-/** What went wrong while reading a source, and where; those that offer a `Result` turn it into a `Diagnostic`. */
+/** A mistake in a source with its position; functions that return a `Result` convert it to a `Diagnostic`. */
 export class GlslError extends Error {
   readonly place: Place;
-  /** Bad GLSL, or good GLSL that cannot run here. */
+  /** SCR041 for invalid GLSL, SCR043 for GLSL that cannot run here. */
   readonly code: 'SCR041' | 'SCR043';
-  /** Where it is not the file that was asked for, but one beside it. */
+  /** The file, if it is a related file instead of the requested one. */
   readonly file: string | null;
 
   constructor(place: Place, message: string, code: 'SCR041' | 'SCR043' = 'SCR041', file: string | null = null) {
@@ -39,7 +39,7 @@ export class GlslError extends Error {
   }
 }
 
-/** Runs `read`, and names the file in what goes wrong. */
+/** Runs `read` and adds the file to its errors. */
 export function inFile<T>(file: string, read: () => T): T {
   try {
     return read();

@@ -1,9 +1,9 @@
 import type { Declarator, Expression, Statement, VariableDeclaration } from './ast.ts';
 
 export interface Walk {
-  /** Called for each expression before its parts; gives the parts to go on with, or undefined for all. */
+  /** Called for each expression before its parts; returns the parts to visit, or undefined for all. */
   expression?(expression: Expression): readonly Expression[] | undefined;
-  /** Called for each statement before its parts; gives the parts to go on with, or undefined for all. */
+  /** Called for each statement before its parts; returns the parts to visit, or undefined for all. */
   statement?(statement: Statement): readonly (Statement | Expression)[] | undefined;
   /** Called for each variable, after its initializer. */
   declarator?(declarator: Declarator): void;
@@ -18,14 +18,14 @@ export function walkExpression(expression: Expression, walk: Walk): void {
   for (const part of walk.expression?.(expression) ?? operands(expression)) walkExpression(part, walk);
 }
 
-/** Expressions that stand directly in a declaration, those in its type's sizes included. */
+/** Expressions directly in a declaration, including the sizes in its type. */
 function expressionsOf(declaration: VariableDeclaration): Expression[] {
   const found: (Expression | null)[] = [...declaration.type.dimensions];
   for (const declarator of declaration.declarators) found.push(...declarator.dimensions, declarator.initializer);
   return found.filter((expression) => expression !== null);
 }
 
-/** What a statement or an expression is directly made of. */
+/** The direct parts of a statement or an expression. */
 export function partsOf(part: Statement | Expression): readonly (Statement | Expression)[] {
   return isStatement(part) ? statementParts(part) : operands(part);
 }
@@ -68,7 +68,7 @@ function statementParts(statement: Statement): readonly (Statement | Expression)
   }
 }
 
-/** The expressions that one is made of. */
+/** The direct operands of an expression. */
 function operands(expression: Expression): readonly Expression[] {
   switch (expression.kind) {
     case 'name':

@@ -10,7 +10,7 @@ export const TYPES: ReadonlySet<string> = new Set(
 
 export const PRECISIONS: ReadonlySet<string> = new Set(['lowp', 'mediump', 'highp']);
 
-/** Qualifiers that say nothing that matters here: everything is highp, and interpolation is ours. */
+/** Qualifiers without effect here: everything is highp, and the linker sets the interpolation. */
 export const DROPPED_QUALIFIERS: ReadonlySet<string> = new Set([
   ...PRECISIONS,
   'invariant',
@@ -45,7 +45,7 @@ const STATEMENT_WORDS = [
   'false',
 ];
 
-/** Words that cannot be names in the older GLSL that authors write: the parser refuses them. */
+/** Words that cannot be names in older GLSL; the parser rejects them as names. */
 export const KEYWORDS: ReadonlySet<string> = new Set([
   ...TYPES,
   ...STATEMENT_WORDS,
@@ -59,13 +59,13 @@ export const KEYWORDS: ReadonlySet<string> = new Set([
   ...PRECISIONS,
 ]);
 
-/** Keywords that GLSL ES 1.00 (§3.6) neither has nor reserves: files for it may call things so. */
+/** Keywords that GLSL ES 1.00 (§3.6) neither has nor reserves, so its files may use them as names. */
 export const NEW_WORDS: ReadonlySet<string> = new Set([
   ...[...TYPES].filter((type) => /^(?:u|mat\dx|[iu]?sampler2DArray|[iu]sampler|samplerCubeShadow)/.test(type)),
   'case',
 ]);
 
-/** Reserved by GLSL ES 3.00 §3.7 and usable in older GLSL: the printer renames them. */
+/** Reserved by GLSL ES 3.00 §3.7 but allowed in older GLSL: the printer renames them. */
 export const RESERVED: ReadonlySet<string> = new Set(
   (
     'centroid flat smooth layout invariant switch case default coherent volatile restrict readonly writeonly resource atomic_uint noperspective patch sample subroutine ' +

@@ -1,19 +1,21 @@
 import { GlslError, type Place } from '../syntax/token.ts';
 
-/** A text put together from several files. */
+/** A text assembled from several files. */
 export interface ExpandedText {
   readonly text: string;
   /** The files, the author's first. */
   readonly sources: readonly string[];
-  /** Of each line: index into `sources`, and the line there, from 1. */
+  /** Per line: index into `sources` and the line there, from 1. */
   readonly lines: readonly (readonly [source: number, line: number])[];
 }
 
 const INCLUDE = /^\s*#\s*include\s+[<"]([A-Za-z0-9/_-]+)[>"]\s*$/;
 
 /**
- * Puts chunks in the place of `#include <noise/simplex-3d>`, each once, however often it is asked for, and those that they ask for
- * before them. `chunkOf` gives the text of `chunks/NAME.glsl`. Throws `GlslError` for one that is not there, at the author's line.
+ * Replaces `#include <noise/simplex-3d>` by the text of chunks, each once and after those that it includes. `chunkOf` returns the text of
+ * `chunks/NAME.glsl`.
+ *
+ * @throws GlslError at the author's line if a chunk does not exist.
  */
 export function expandIncludes(source: string, file: string, chunkOf: (name: string) => string | undefined): ExpandedText {
   const sources = [file];
@@ -29,7 +31,7 @@ export function expandIncludes(source: string, file: string, chunkOf: (name: str
         lines.push([index, i + 1]);
         continue;
       }
-      // A line stays, so that what follows on it is told from the chunk's.
+      // Keeps a line, so that text after it is not attributed to the chunk.
       text.push('');
       lines.push([index, i + 1]);
       if (included.has(name)) continue;

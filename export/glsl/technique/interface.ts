@@ -1,10 +1,10 @@
 /**
- * What a technique is written against, as GLSL that the checker reads before the author's text. In the printed text every name
- * in it has the prefix `a_`, and the one who draws defines it (`export/runtime/scenes/materials/technique-wrapper.ts`).
+ * The interface of techniques, as GLSL that the checker reads before the author's text. In the printed text every name has the prefix `a_`,
+ * and the renderer defines it (`export/runtime/scenes/materials/technique-wrapper.ts`).
  *
- * Positions are in meters and directions of unit length, in world space; colors are linear-sRGB with straight alpha. `rest` is
- * where the point is on the object itself, in meters along the object's own axes, before bones move it. `outward` is for outlines:
- * moving each vertex by it moves all faces that meet there by one, so that no gaps open at hard edges.
+ * Positions are in meters, directions have unit length, both in world space; colors are linear-sRGB with straight alpha. `rest` is the
+ * position in local space, in meters, before skinning. `outward` is the hull normal, for outlines: moving each vertex by it moves all
+ * adjacent faces by one, so that no gaps open at hard edges.
  */
 export const TECHNIQUE_INTERFACE = `struct Vertex { vec3 position; vec3 normal; vec2 uv; vec4 color; vec3 rest; vec3 outward; };
 struct Surface { vec3 position; vec3 normal; vec3 towardsEye; vec2 uv; vec4 color; bool front; vec3 rest; vec3 restNormal; };
@@ -22,8 +22,8 @@ float PIXEL_M(const in vec3 position);
 `;
 
 /**
- * The structs and functions, as both stages declare them; `LIGHT` is for the surface alone. Where the author discards, the text
- * sets `scrim_discarded` and returns.
+ * The structs and functions as both stages declare them; `LIGHT` is for the surface only. Where the author discards, the text sets
+ * `scrim_discarded` and returns.
  */
 export const PRINTED_STRUCTS = `struct a_Vertex { vec3 position; vec3 normal; vec2 uv; vec4 color; vec3 rest; vec3 outward; };
 struct a_Surface { vec3 position; vec3 normal; vec3 towardsEye; vec2 uv; vec4 color; bool front; vec3 rest; vec3 restNormal; };
@@ -36,5 +36,5 @@ bool scrim_discarded = false;`;
 
 export const INTERFACE_LINES = TECHNIQUE_INTERFACE.split('\n').length - 1;
 
-/** What gives a light. */
+/** The function that returns a light. */
 export const INTERFACE_FUNCTION = 'LIGHT';

@@ -25,21 +25,21 @@ import { INTERFACE_FUNCTION, INTERFACE_LINES, PRINTED_STRUCTS, TECHNIQUE_INTERFA
 import { techniqueImages, techniqueImageText } from './technique-images.ts';
 import type { TechniqueShader } from './technique-shader.ts';
 
-/** The text that a technique adds to the vertex and fragment stages of a material, and a complete shader to try it with. */
+/** The text that a technique adds to the vertex and fragment stage of a material, and a complete shader to test it. */
 export interface LinkedTechnique {
-  /** Declares uniforms and structs, and `void a_vertex(inout a_Vertex v)`, which does nothing where the author has none. */
+  /** Declares uniforms and structs, and `void a_vertex(inout a_Vertex v)`, which does nothing if the author has none. */
   readonly vertex: string;
-  /** The same with `vec4 a_surface(const in a_Surface s)`. */
+  /** As `vertex`, with `vec4 a_surface(const in a_Surface s)`. */
   readonly fragment: string;
   /**
-   * Everything of the author's in one fragment shader. It draws nothing useful: a driver that takes it takes the technique, and
-   * what it says of it is on the author's lines.
+   * All of the author's text in one fragment shader. It draws nothing useful: if a driver accepts it, it accepts the technique, and its
+   * messages are on the author's lines.
    */
   readonly trial: LinkedShader;
   readonly uniforms: readonly { readonly name: string; readonly type: PassUniform['type']; readonly param: string }[];
-  /** Uniform name and input of the layers that it reads; `NAME_uvFromViewUv` (mat3) and `NAME_size` (vec2, pixels) come with it. */
+  /** Uniform name and input of the layers that it reads, with `NAME_uvFromViewUv` (mat3) and `NAME_size` (vec2, pixels). */
   readonly samplers: readonly { readonly name: string; readonly input: string }[];
-  /** Uniform name and path of the pictures of the library that it reads. */
+  /** Uniform name and path of the library images that it reads. */
   readonly pictures: readonly { readonly name: string; readonly path: string }[];
 }
 
@@ -50,29 +50,30 @@ interface Unit {
   readonly given: ReadonlyMap<string, VariableSymbol>;
   readonly loopBudget: boolean;
   readonly absent: ReadonlySet<string>;
-  /** Functions of the trial beside those that it calls. */
+  /** Functions of the test shader in addition to those that it calls. */
   readonly also: readonly FunctionSymbol[];
 }
 
 export interface TechniqueOptions {
   /** Text of `chunks/NAME.glsl`. */
   readonly chunkOf: (name: string) => string | undefined;
-  /** Gives every invocation one number of rounds for all its loops, so that an endless one ends; for previews. */
+  /** Limits the iterations of every invocation, so that endless loops end; for previews. */
   readonly loopBudget: boolean;
-  /** Optional image inputs without a wire. */
+  /** Unconnected optional image inputs. */
   readonly absent?: readonly string[];
 }
 
-/** SCR041 where the GLSL cannot be read, SCR043 where it asks for what Scrim cannot give. */
+/** Links a technique. SCR041 if the GLSL cannot be parsed, SCR043 if it needs unsupported features. */
 export function linkTechnique(technique: TechniqueShader, options: TechniqueOptions): Result<LinkedTechnique> {
   const { output: expanded, diagnostics } = expand(technique, options.chunkOf);
   return expanded === null ? { output: null, diagnostics } : linkText(technique, expanded, options);
 }
 
 /**
- * Links what stands above the mistake that `linkTechnique` refused the technique for, chunks included. Null where there is nothing above.
+ * Links the text above the mistake for which `linkTechnique` rejected the technique, including chunks. Returns null if there is no text
+ * above.
  *
- * @returns The trial shader; it also has the functions that nothing calls yet.
+ * @returns The test shader, which also contains functions that are not called yet.
  */
 export function linkTechniqueAbove(
   technique: TechniqueShader,
@@ -108,7 +109,7 @@ function caught<T>(make: () => T, placeOf: (place: Place) => { readonly file: st
   }
 }
 
-/** An include stands alone on its line. */
+/** An include is alone on its line. */
 function linesAbove(technique: TechniqueShader, { line = 1 }: Diagnostic): TechniqueShader {
   const lines = technique.source.split(/\r\n|\r|\n/).slice(0, line - 1);
   return { ...technique, source: lines.join('\n') };
@@ -119,12 +120,12 @@ const SURFACE = 'vec4 surface(const in Surface s) { return vec4(0.0); }';
 function expandedAbove(expanded: ExpandedText, file: string, { line, column }: Place): ExpandedText | null {
   const { text, sources, lines } = expanded;
   const at = lines.findIndex(([source, from]) => sources[source] === file && from === line);
-  // A line that was cut off already is the end of what is there.
+  // If the line itself was cut off, use the end of the text.
   const above = textAbove(text, { line: (at < 0 ? lines.length : at) + 1, column }, SURFACE);
   return above === null ? null : { ...expanded, text: above };
 }
 
-/** The text is what stands above a mistake. */
+/** The text ends above a mistake. */
 interface Partial {
   readonly partial?: boolean;
 }
@@ -167,7 +168,7 @@ function linkExpanded(
   };
 }
 
-/** Those that can be printed without being called. */
+/** Functions that can be printed without a call. */
 function ownFunctions(checked: CheckedShader): FunctionSymbol[] {
   const declarations = checked.declarations.filter((declaration) => declaration.kind === 'function' && !isInterface(declaration));
   return usable({ ...checked, declarations }).filter((symbol) => symbol.kind === 'function');
@@ -180,13 +181,13 @@ function refuseStrayImages({ strayImages: [stray] }: CheckedShader): void {
   }
 }
 
-/** Calls both functions; text after the author's, so that its lines stay where they are. */
+/** Calls both functions; it follows the author's text, whose lines stay in place. */
 function mainFor(author: ParsedShader): string {
   const vertex = functionOf(author, 'vertex', 'void', 'Vertex') ? 'Vertex v; vertex(v);' : '';
   return `void main() { ${vertex} Surface s; surface(s); }`;
 }
 
-/** Before the check, which gives structs types of its own. */
+/** Must run before the check, which renames the types of structs. */
 function functionOf(shader: ParsedShader, name: string, returns: string, takes: string): FunctionDeclaration | null {
   for (const declaration of shader.declarations) {
     if (declaration.kind !== 'function' || declaration.name.text !== name || declaration.body === null) continue;
@@ -199,7 +200,7 @@ function functionOf(shader: ParsedShader, name: string, returns: string, takes: 
 
 function namesFor({ checked, given }: Unit): Names {
   const names = createNames();
-  // First the interface and the inputs, so that their names do not depend on the author's.
+  // The interface and the inputs are named first, so that their names do not depend on the author's.
   for (const declaration of checked.declarations) {
     if (!isInterface(declaration)) continue;
     if (declaration.kind === 'function') {
@@ -243,7 +244,7 @@ function refuseLights(unit: Unit, vertex: FunctionDeclaration): void {
   }
 }
 
-/** Inputs that are used, in the header's order. */
+/** Used inputs, in the header's order. */
 function uniformsOf({ technique, given }: Unit, { params }: Reach, names: Names) {
   return technique.inputs.flatMap(({ name: param, type }) => {
     const symbol = params.has(param) ? given.get(param) : undefined;
@@ -258,7 +259,7 @@ interface Stage {
   readonly map: SourceMap['lines'];
 }
 
-/** What one function uses of the author's text. */
+/** Prints everything of the author's text that one function uses. */
 function printStage(unit: Unit, root: FunctionDeclaration): Stage {
   const names = namesFor(unit);
   const { reach, images } = usesOf(unit, root, names);
@@ -309,7 +310,7 @@ function printStage(unit: Unit, root: FunctionDeclaration): Stage {
   return { text: [...head, ...context.writer.lines].join('\n'), head, lines: context.writer.lines, map };
 }
 
-/** Those of the interface whose text is not printed with the author's. */
+/** Structs of the interface, whose text is not printed with the author's. */
 function chosenStructs({ checked }: Unit, names: Names): string[] {
   return checked.declarations.filter(isInterface).flatMap((declaration) => {
     const symbol = declaration.kind === 'variables' ? declaration.type.struct?.symbol : null;
@@ -317,14 +318,14 @@ function chosenStructs({ checked }: Unit, names: Names): string[] {
   });
 }
 
-/** As in filters (`export/program/loop-budget.ts`), but nobody is told which loop it was. */
+/** As in filters (`export/program/loop-budget.ts`), but without reporting the loop. */
 const LOOPS_END = `int scrim_roundsLeft = ${LOOP_BUDGET};
 bool scrim_spend(const in int line) {
   scrim_roundsLeft -= 1;
   return scrim_roundsLeft >= 0;
 }`;
 
-/** Declarations of what the drawing material supplies, so that the trial shader compiles without one. */
+/** Declarations that the material supplies when drawing, so that the test shader compiles without it. */
 const TRIAL_HEAD = `${FRAGMENT_HEAD}
 uniform vec3 a_EYE;
 uniform vec3 a_AMBIENT;

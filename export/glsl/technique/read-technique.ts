@@ -5,7 +5,7 @@ import { isIdentifier, readInputs } from '../isf/read-inputs.ts';
 import { readRenamed } from '../isf/read-renamed.ts';
 import type { TechniqueShader } from './technique-shader.ts';
 
-/** Each is one more draw of every object. */
+/** Maximum number of passes; each draws every object again. */
 const MAX_PASSES = 8;
 
 const SIDES: readonly TechniquePass['side'][] = ['object', 'front', 'back', 'both'];
@@ -31,8 +31,9 @@ const TAKEN: ReadonlySet<string> = new Set([
 ]);
 
 /**
- * Reads the header of a technique, as leniently as those of ISF files are read. What is wrong comes as SCR040 with line and
- * column; `output` is null where nothing can be done with the file.
+ * Reads the header of a technique as leniently as those of ISF files.
+ *
+ * @returns The technique, or null if the header cannot be used; mistakes as SCR040 with line and column.
  */
 export function readTechnique(source: string, file: string): Result<TechniqueShader> {
   const { header, diagnostics } = readHeader(source, file);
@@ -56,7 +57,7 @@ export function readTechnique(source: string, file: string): Result<TechniqueSha
   return { output: hasErrors(diagnostics) ? null : technique, diagnostics };
 }
 
-/** What techniques take; of the others, each is a mistake. */
+/** Input types of techniques. */
 const TYPES: readonly string[] = ['bool', 'long', 'float', 'point2D', 'color', 'image'];
 
 function readTaken(header: Header): TechniqueShader['inputs'] {
@@ -69,20 +70,20 @@ function readTaken(header: Header): TechniqueShader['inputs'] {
     else
       header.error(
         node,
-        `The input "${input.name}" is of TYPE "${input.type}", which techniques cannot take.`,
+        `The input "${input.name}" is of TYPE "${input.type}", which techniques do not support.`,
         `Use one of ${TYPES.join(', ')}.`,
       );
     return false;
   });
 }
 
-/** Image inputs that are read by a picture's own coordinates, as a texture is, and not by where things are in the view. */
+/** Image inputs that are read by UV as textures, instead of by position in the view. */
 function readPictures(header: Header): readonly string[] {
   return items(property(header.root, 'INPUTS')).flatMap((node) => {
     const space = property(node, 'SPACE');
     if (space === undefined) return [];
     const word = textOf(space);
-    if (word !== 'view' && word !== 'picture') header.error(space, 'SPACE has to be "view" or "picture".');
+    if (word !== 'view' && word !== 'picture') header.error(space, 'SPACE must be "view" or "picture".');
     return word === 'picture' ? [textOf(property(node, 'NAME'))?.trim() ?? ''] : [];
   });
 }
@@ -109,7 +110,7 @@ function readPasses(header: Header): readonly TechniquePass[] {
   const passes = nodes.map((node): TechniquePass => {
     const written = property(node, 'SIDE');
     const side = SIDES.find((one) => one === textOf(written));
-    if (written !== undefined && side === undefined) header.error(written, 'SIDE has to be "front", "back", "both" or "object".');
+    if (written !== undefined && side === undefined) header.error(written, 'SIDE must be "front", "back", "both" or "object".');
     return { side: side ?? 'object' };
   });
   return passes.length === 0 ? [{ side: 'object' }] : passes;

@@ -2,7 +2,7 @@ import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
 import { paramsOf, portsOf, titleFrom } from '../isf/isf-definition.ts';
 import type { TechniqueShader } from './technique-shader.ts';
 
-/** The node type that a technique file is: `gooch` gives `technique/gooch`. */
+/** Creates the node type of a technique: `gooch` gives `technique/gooch`. */
 export function techniqueDefinition(technique: TechniqueShader, name: string): NodeDefinition {
   const title = technique.title ?? titleFrom(name);
   return {

@@ -4,7 +4,7 @@ import type { Reach } from '../link/reach.ts';
 import { GlslError } from '../syntax/token.ts';
 import type { TechniqueShader } from './technique-shader.ts';
 
-/** The layers that a technique may read, by the author's name; `absent` have no wire and read as transparent. */
+/** The layers that a technique may read, by the author's name; those in `absent` are unconnected and transparent. */
 export function techniqueImages(
   { inputs, imported }: TechniqueShader,
   absent: ReadonlySet<string>,
@@ -26,7 +26,7 @@ export function techniqueImages(
       sound: null,
     });
   }
-  // As buffers of filters are: read as they are stored.
+  // Read as stored, as buffers of filters are.
   for (const { name, path } of imported) {
     images.set(name, {
       name,
@@ -43,7 +43,7 @@ export function techniqueImages(
   return images;
 }
 
-/** Declarations and functions for the images that a stage reads. Colors come linear, with straight alpha. */
+/** Declarations and functions of the images that a stage reads. Colors are linear with straight alpha. */
 export function techniqueImageText({ images }: Reach): string[] {
   const texts = [...images].map(([image, uses]) => imageText(image, uses));
   if (texts.length === 0) return [];

@@ -1,7 +1,7 @@
 import { lex } from '../syntax/lexer.ts';
 import { GlslError } from '../syntax/token.ts';
 
-/** Whether a `.glsl` file is a transition rather than a technique: it has a function `vec4 transition(…)`. */
+/** Whether a `.glsl` file is a transition instead of a technique: it has a function `vec4 transition(…)`. */
 export function isTransition(source: string, file: string): boolean {
   if (!file.endsWith('.glsl') || !source.includes('transition')) return false;
   try {

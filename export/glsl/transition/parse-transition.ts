@@ -4,7 +4,7 @@ import type { Expression, ParsedShader, VariableDeclaration } from '../syntax/as
 import { parseShader } from '../syntax/parse.ts';
 import { FROM_IMAGE, isUniform, TO_IMAGE } from './read-transition.ts';
 
-/** What a transition may use without declaring it. */
+/** Declarations before the text of a transition. */
 const BEFORE = `
 float ratio = RENDERSIZE.x / RENDERSIZE.y;
 vec4 getFromColor(vec2 uv) { return IMG_NORM_PIXEL(${FROM_IMAGE}, uv); }
@@ -12,7 +12,7 @@ vec4 getToColor(vec2 uv) { return IMG_NORM_PIXEL(${TO_IMAGE}, uv); }`;
 
 const AFTER = 'void main() { gl_FragColor = transition(isf_FragNormCoord); }';
 
-/** The file as a whole ISF shader. Its own text keeps its lines; around it stand declarations that no driver complains about. */
+/** Parses the file as a whole ISF shader. Its text keeps its lines; valid declarations surround it. */
 export function parseTransition(shader: IsfShader): ParsedShader {
   const author = parseShader(shader.source).declarations.flatMap((declaration) =>
     declaration.kind === 'variables' && isUniform(declaration) ? bindUniforms(declaration, shader) : [declaration],
@@ -20,7 +20,7 @@ export function parseTransition(shader: IsfShader): ParsedShader {
   return { declarations: [...parseShader(BEFORE).declarations, ...author, ...parseShader(AFTER).declarations] };
 }
 
-/** Uniforms are inputs; one whose type inputs do not have becomes a variable that is set from the input of its name. */
+/** Uniforms are inputs; one with a type that inputs do not have becomes a variable that is set from the input of its name. */
 function bindUniforms(declaration: VariableDeclaration, shader: IsfShader): VariableDeclaration[] {
   return declaration.declarators.flatMap((declarator): VariableDeclaration[] => {
     const input = findInput(shader, declarator.name.text);

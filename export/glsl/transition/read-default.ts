@@ -2,8 +2,8 @@ import { lex } from '../syntax/lexer.ts';
 import { GlslError, type Place, type Token } from '../syntax/token.ts';
 
 /**
- * The first value of a uniform, from the comment on its line, as in `uniform float a; // = 0.5`. `vec3(1.0)` stands for three times
- * the same number. Null where there is none that can be read.
+ * Reads the initial value of a uniform from the comment on its line, as in `uniform float a; // = 0.5`. `vec3(1.0)` means three equal
+ * numbers. Returns null if there is none.
  */
 export function readDefault(source: string, { line, column }: Place, size: number): readonly number[] | null {
   const rest = (source.split(/\r\n|\r|\n/)[line - 1] ?? '').slice(column - 1);
@@ -16,7 +16,7 @@ export function readDefault(source: string, { line, column }: Place, size: numbe
   return numbers.length >= Math.min(size, 3) ? numbers.slice(0, size) : null;
 }
 
-/** `0.5`, `-1`, `true`, `vec2(1.0, -0.5)`; what follows is talk. */
+/** Parses `0.5`, `-1`, `true` or `vec2(1.0, -0.5)`; further text is ignored. */
 function readNumbers(text: string): number[] | null {
   const tokens = tokensOf(text);
   const numbers: number[] = [];

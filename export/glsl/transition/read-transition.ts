@@ -5,15 +5,15 @@ import { parseShader } from '../syntax/parse.ts';
 import { GlslError } from '../syntax/token.ts';
 import { readDefault } from './read-default.ts';
 
-/** Ports and param of every transition, called as ISF's conventions have them. */
+/** Ports and param of every transition, named by ISF's conventions. */
 export const FROM_IMAGE = 'startImage';
 export const TO_IMAGE = 'endImage';
 const PROGRESS = 'progress';
 
-/** What the host of a transition declares: files may declare it once more. */
+/** Declarations of the host, which files may repeat. */
 const GIVEN: ReadonlySet<string> = new Set([PROGRESS, 'ratio', 'from', 'to', '_fromR', '_toR']);
 
-/** The param that stands for a uniform, by its GLSL type. */
+/** Type of the param for a uniform, by its GLSL type. */
 const TYPES: Readonly<Record<string, IsfInput['type']>> = {
   float: 'float',
   int: 'long',
@@ -25,7 +25,7 @@ const TYPES: Readonly<Record<string, IsfInput['type']>> = {
   sampler2D: 'image',
 };
 
-/** There is no type for colors: their names tell. */
+/** Names of uniforms that are colors, because GLSL has no such type. */
 const COLOR = /colou?r|clr/i;
 
 const SIZES: Readonly<Partial<Record<IsfInput['type'], number>>> = {
@@ -39,9 +39,9 @@ const SIZES: Readonly<Partial<Record<IsfInput['type'], number>>> = {
 };
 
 /**
- * Reads a transition in the form of gl-transitions.com: `vec4 transition(vec2 uv)` over `getFromColor`, `getToColor`, `progress` and
- * `ratio`, with params as uniforms, whose first values stand in a comment (`// = 0.5`). It becomes an operator of two layers and
- * `progress`, from 0 to 1. What comments say behind `Author:` and `License:` is its credit. SCR041 where the GLSL cannot be read.
+ * Reads a transition in the format of gl-transitions.com: `vec4 transition(vec2 uv)` with `getFromColor`, `getToColor`, `progress` and
+ * `ratio`, and uniforms as params, whose initial values are in comments (`// = 0.5`). It becomes a composite of two layers with `progress`
+ * from 0 to 1. The comments `Author:` and `License:` are its credit. SCR041 if the GLSL cannot be parsed.
  */
 export function readTransition(source: string, file: string): Result<IsfShader> {
   try {
@@ -143,7 +143,7 @@ function inputOf(name: string, type: IsfInput['type'], more: Partial<IsfInput> =
   };
 }
 
-/** `// Author: name`, to the end of the line. */
+/** The text after `// Author:` to the end of the line. */
 function commentValue(source: string, key: string): string {
   const found = new RegExp(`^[\\s/*]*${key}\\s*:\\s*(.+?)\\s*(?:\\*/)?\\s*$`, 'im').exec(source);
   return found?.[1]?.trim() ?? '';

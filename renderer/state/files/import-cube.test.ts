@@ -41,6 +41,6 @@ test('a table that is broken changes nothing, and says on which line', async () 
   expect(host.calls.map(({ method }) => method)).not.toContain('asset.import');
   expect(editor.document.getState().project.assets).toEqual({});
   expect(editor.ui.getState().toasts).toMatchObject([
-    { tone: 'error', text: 'Warm look.cube, line 9: There are 7 entries where the size asks for 8.' },
+    { tone: 'error', text: 'Warm look.cube, line 9: The table has 7 entries, but its size requires 8.' },
   ]);
 });
