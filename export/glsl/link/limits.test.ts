@@ -20,7 +20,7 @@ describe('what runs on some devices only is refused', () => {
     const { output, diagnostics } = link(withImages(20));
     expect(output).toBeNull();
     expect(diagnostics).toMatchObject([{ code: 'SCR043', severity: 'error', line: 18, column: 11 }]);
-    expect(diagnostics[0]?.message).toMatch(/reads 20 images, .* no more than 16/);
+    expect(diagnostics[0]?.message).toMatch(/reads 20 images, .* guarantees only 16/);
   });
 
   test('a text that drivers take minutes for', () => {

@@ -18,7 +18,7 @@ export function checkLimits(shader: IsfShader, pass: LinkedPass): void {
     const what = shader.passes.length > 1 ? `Pass ${passIndex}` : 'The shader';
     throw new GlslError(
       placeOf(shader, beyond),
-      `${what} reads ${samplers.length} images, but WebGL 2 guarantees only ${MAX_IMAGES}: read fewer in one pass.`,
+      `${what} reads ${samplers.length} images, but WebGL 2 guarantees only ${MAX_IMAGES}. Read fewer in one pass.`,
       'SCR043',
     );
   }
