@@ -59,7 +59,7 @@ const TEXTURE_TARGETS = [
   ['TEXTURE_CUBE_MAP', 'TEXTURE_BINDING_CUBE_MAP'],
 ] as const;
 
-/** Each parameter with its default. Rows aligned to 4 bytes would not fit 16-bit depth of odd widths. */
+/** Pixel storage parameters with their defaults. The alignment is 1, because rows of 16-bit depth with odd widths are not multiples of 4 bytes. */
 const PIXEL_STORES = [
   ['UNPACK_FLIP_Y_WEBGL', 0],
   ['UNPACK_PREMULTIPLY_ALPHA_WEBGL', 0],

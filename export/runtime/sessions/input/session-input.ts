@@ -50,7 +50,7 @@ export function createPointer(): MutablePointer {
   };
 }
 
-/** Lists a pointer in this frame. False where there are as many as there may be. */
+/** Adds a pointer to this frame. Returns false if the maximum is reached. */
 export function addPointer(input: MutableInput, pointer: MutablePointer): boolean {
   if (input.pointerCount >= MAX_POINTERS) return false;
   input.pointers[input.pointerCount++] = pointer;
