@@ -1,4 +1,4 @@
-/** How many numbers each operation takes from the stack; it leaves one. */
+/** The number of operands of each operation; each has one result. */
 export const ARITHMETIC = {
   negate: 1,
   '!': 1,
@@ -27,12 +27,14 @@ export const ARITHMETIC = {
   '?:': 3,
 } as const;
 
-/** An operation that expressions of params and size expressions of shaders have in common; `log2` is of sizes alone. */
+/** An operation of expressions of params and of size expressions of shaders; only sizes have `log2`. */
 export type ArithmeticOperation = keyof typeof ARITHMETIC;
 
 /**
  * Applies an operation to the numbers of a stack from `at` on, and writes the result to `at`. A comparison and `!` give 1 or 0; `%` has
- * the sign of the divisor. Returns nothing, because an engine makes a heap object of a fraction that a function returns.
+ * the sign of the divisor. It returns nothing, because JavaScript engines allocate a heap object for a fraction that a function returns.
+ *
+ * @param at Index of the first operand; the others follow it.
  *
  * @example
  * const stack = Float64Array.of(-7, 3);

@@ -12,7 +12,7 @@ function item(key: string): ObjectItem {
 }
 
 describe('deriveObjects', () => {
-  test('strings lists together in order, under keys of their own', () => {
+  test('concatenates lists in order, with unique keys', () => {
     const output: ObjectList = { version: 0, items: [] };
     const twice = list('a', 'b');
     const once = list('c');
@@ -22,7 +22,7 @@ describe('deriveObjects', () => {
     expect(new Set(output.items.map(({ key }) => key)).size).toBe(5);
   });
 
-  test('raises its version exactly when items come or go', () => {
+  test('increases its version exactly when items are added or removed', () => {
     const output: ObjectList = { version: 0, items: [] };
     const source = list('a');
     const derived = deriveObjects(output, () => {});
@@ -42,7 +42,7 @@ describe('deriveObjects', () => {
     expect(output.items).toEqual([]);
   });
 
-  test('follows matrices and flags every frame, and leaves its sources alone', () => {
+  test('follows matrices and flags every frame, and does not change its sources', () => {
     const output: ObjectList = { version: 0, items: [] };
     const source = list('a');
     const [from] = source.items;

@@ -4,7 +4,7 @@ import { type FrameTimes, frameAtTime, timeOfFrame } from './frame-times.ts';
 const UNEVEN: FrameTimes = { timesS: [0, 0.1, 0.3], durationS: 0.4 };
 
 describe('frames of a recording', () => {
-  test('last from their time until that of the next, and are counted on when it begins anew', () => {
+  test('last until the next frame, and their numbers continue when the recording loops', () => {
     expect([-1, 0, 0.05, 0.1, 0.25, 0.3, 0.39].map((timeS) => frameAtTime(UNEVEN, timeS))).toEqual([0, 0, 0, 1, 1, 2, 2]);
     expect([0.4, 0.45, 0.5, 0.7, 0.8].map((timeS) => frameAtTime(UNEVEN, timeS))).toEqual([3, 3, 4, 5, 6]);
     expect([0, 1, 2, 3, 4, 8].map((number) => timeOfFrame(UNEVEN, number))).toEqual(

@@ -8,7 +8,7 @@ function bound(value: number | boolean | Float64Array, postfix: string, otherwis
 }
 
 describe('a param bound to an expression', () => {
-  test('has what the expression gives at that time and frame', () => {
+  test('has the result of the expression at the time and frame', () => {
     expect(bound(0, 'time 2 * frame +', [0], 1.5)).toBe(7);
     expect([...(bound(new Float64Array(3), 'time 0 1', [9, 9, 9], 2) as Float64Array)]).toEqual([2, 0, 1]);
   });
@@ -18,7 +18,7 @@ describe('a param bound to an expression', () => {
     expect(bound(true, 'time 1 > 0 !=', [1], 0)).toBe(false);
   });
 
-  test('has its own value where the result is no finite number, each by itself', () => {
+  test('replaces each result that is not finite with its own value', () => {
     expect(bound(0, '1 0 /', [0.5])).toBe(0.5);
     expect(bound(0, '0 0 /', [0.25])).toBe(0.25);
     expect([...(bound(new Float64Array(2), '1 negate sqrt 3', [7, 8]) as Float64Array)]).toEqual([7, 3]);

@@ -42,19 +42,19 @@ const UP: readonly Key[] = [
 ];
 
 describe('a track', () => {
-  test('goes from key to key, and stays where it begins and ends', () => {
+  test('interpolates between keyframes and is constant before and after them', () => {
     expect(play(UP, 'once', [0, 1, 1.5, 2, 3, 3.5, 4, 99])).toEqual([10, 10, 12.5, 15, 20, 10, 0, 0]);
   });
 
-  test('begins anew at the first key, once it has begun', () => {
+  test('loop restarts at the first keyframe', () => {
     expect(play(UP, 'loop', [0, 1, 2, 4, 5, 7, 7.5, 302])).toEqual([10, 10, 15, 10, 15, 10, 12.5, 15]);
   });
 
-  test('turns round at both ends', () => {
+  test('ping-pong reverses at both ends', () => {
     expect(play(UP, 'mirror', [0, 1, 3, 4, 4.5, 5, 6, 7, 8])).toEqual([10, 10, 20, 0, 10, 20, 15, 10, 15]);
   });
 
-  test('moves all numbers of a vector at once', () => {
+  test('interpolates all components of a vector', () => {
     const keys: Key[] = [
       { timeS: 0, value: [0, 1, -1] },
       { timeS: 2, value: [2, 1, 1] },
@@ -66,7 +66,7 @@ describe('a track', () => {
     ]);
   });
 
-  test('a key keeps its own easing, and a step waits for the next key', () => {
+  test('each keyframe has its own easing, and a step holds until the next keyframe', () => {
     const keys: Key[] = [
       { timeS: 0, value: [0], easing: 'step' },
       { timeS: 1, value: [1], easing: 'linear' },
@@ -75,7 +75,7 @@ describe('a track', () => {
     expect(play(keys, 'once', [0.999, 1, 1.5, 2, 5])).toEqual([0, 1, 2, 3, 3]);
   });
 
-  test('goes by handles beyond its keys, as far as the limits of its param', () => {
+  test('control points can overshoot, up to the limits of the param', () => {
     const keys: Key[] = [
       { timeS: 0, value: [0, 0], easing: [0.34, 1.56, 0.64, 1] },
       { timeS: 1, value: [1, -1] },
@@ -87,12 +87,12 @@ describe('a track', () => {
     expect(play(keys, 'once', [0.5], 2, [0, 1, -Number.MAX_VALUE, Number.MAX_VALUE])).toEqual([[1, free[0]?.[1]]]);
   });
 
-  test('of one key stands still', () => {
+  test('with one keyframe is constant', () => {
     for (const repeat of ['once', 'loop', 'mirror'] as const)
       expect(play([{ timeS: 1, value: [7] }], repeat, [0, 1, 2])).toEqual([7, 7, 7]);
   });
 
-  test('is at its keys exactly, and between them between their values, whenever it is asked', () => {
+  test('equals the keyframes at their times, and is between their values in between', () => {
     const keys = fc
       .uniqueArray(fc.integer({ min: 0, max: 1000 }), { minLength: 1, maxLength: 12 })
       .chain((times) =>
@@ -129,7 +129,7 @@ describe('a track', () => {
     );
   });
 
-  test('comes round to the same time after each round', () => {
+  test('maps to the same time in each iteration', () => {
     const times = Float64Array.of(2, 5);
     fc.assert(
       fc.property(fc.double({ min: 0, max: 3, noNaN: true }), fc.nat(50), (x, rounds) => {

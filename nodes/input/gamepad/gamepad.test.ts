@@ -31,7 +31,7 @@ function move(controller: MutableController, x: number, y: number): void {
 }
 
 describe('gamepad', () => {
-  test('is at rest where there is none', () => {
+  test('outputs 0 without a controller', () => {
     expect(start().frame()).toEqual({ stick: [0, 0], trigger: 0, connected: false, pulses: [0, 0, 0] });
   });
 

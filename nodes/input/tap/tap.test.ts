@@ -35,7 +35,7 @@ describe('tap', () => {
     expect([...(ctx.outputs.tapped.at(0).worldFromPose ?? [])]).toEqual(RAY);
   });
 
-  test('hears only those that it is to hear', () => {
+  test('reports only the selected kinds of taps', () => {
     const by = (which: 'screen' | 'hands') => start(which).frame('screen', 'left', 'right', 'other', 'screen').length;
     expect([by('screen'), by('hands')]).toEqual([2, 3]);
   });

@@ -57,7 +57,7 @@ test('draws objects and what hides them in one scene, shows its objects alone, a
   expect(look.shows(hiders.first, arm)).toBe(false);
 });
 
-test('shows the parts that are named, with all that hangs on them', () => {
+test('shows the named parts with their children', () => {
   const named = (names: string) => {
     const { look, objects, arm, hand } = run(names);
     return [arm, hand].map((part) => look.shows(objects.first, part));

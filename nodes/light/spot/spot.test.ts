@@ -19,7 +19,7 @@ describe('light/spot', () => {
     expect([light.kind, [...light.positionWorld], [...light.towardsLightWorld]]).toEqual(['spot', [1, 2, 3], [0, 1, 0]]);
   });
 
-  test('aimed at its own place, shines down instead of nowhere', () => {
+  test('aimed at its own position, shines down', () => {
     expect([...make({ positionM: [1, 2, 3], targetM: [1, 2, 3] }).light.towardsLightWorld]).toEqual([0, 1, 0]);
   });
 

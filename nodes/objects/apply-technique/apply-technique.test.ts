@@ -24,7 +24,7 @@ function listOf(...keys: string[]): ObjectList {
 
 /** What it looks like is proved on pixels, in `tests/browser/techniques.test.ts`. */
 describe('objects/apply-technique', () => {
-  test('puts the technique on its own objects and leaves those it came from alone', () => {
+  test('sets the technique on its own items and does not change its inputs', () => {
     const source = listOf('a', 'b');
     const gooch = technique('gooch');
     const { ctx } = fakeContext(definition, { inputs: { objects: [source], technique: gooch }, params: { materials: ' Skin, Cloth ,' } });
@@ -40,7 +40,7 @@ describe('objects/apply-technique', () => {
     expect(ctx.outputs.objects.version).toBe(version);
   });
 
-  test('adds to techniques that were there, and to objects that come later', () => {
+  test('keeps earlier techniques, and applies to objects that are added later', () => {
     const toon = technique('toon');
     const source = listOf('a');
     const before = { technique: technique('gooch'), materials: null };
@@ -55,7 +55,7 @@ describe('objects/apply-technique', () => {
     expect(ctx.outputs.objects.items.map(({ techniques }) => techniques?.length)).toEqual([2, 1]);
   });
 
-  test('tells those who draw when the text of the technique has changed', () => {
+  test('increases its version when the text of the technique changes', () => {
     const toon = technique('toon');
     const { ctx } = fakeContext(definition, { inputs: { objects: [listOf('a')], technique: toon } });
     const node = create(ctx);

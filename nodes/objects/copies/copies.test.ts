@@ -99,7 +99,7 @@ describe('objects/copies', () => {
     expect(Math.max(...tops) - Math.min(...tops)).toBeGreaterThan(0.7);
   });
 
-  test('are instances of one mesh each, which share what is big', () => {
+  test('are instances of one mesh each, which share geometry and textures', () => {
     const model = new Object3D();
     const [left, right] = [box(), box()];
     right.position.set(0, 1, 0);
@@ -116,7 +116,7 @@ describe('objects/copies', () => {
     expect(new Vector3().setFromMatrixPosition(matrix).toArray()).toEqual([1, 1, 1]);
   });
 
-  test('are one by one what has bones, or what is seen through, from then on', () => {
+  test('are separate items for skinned and transparent objects', () => {
     const skinned = new SkinnedMesh(new BoxGeometry(), new MeshBasicMaterial());
     const bone = new Bone();
     skinned.add(bone);
@@ -139,7 +139,7 @@ describe('objects/copies', () => {
     ]);
   });
 
-  test('follow their object and their params without a new list, and upload what moved alone', () => {
+  test('follow their object and params without a new list, and upload only changed matrices', () => {
     const { out, set, update, list } = play({ count: 2, stepM: [1, 0, 0] });
     const instances = out.items[0]?.root.children[0] as InstancedMesh;
     const { version } = out;

@@ -34,7 +34,7 @@ describe('objects/primitive', () => {
     expect([material.color.g, material.color.b, material.transparent]).toEqual([1, 0, false]);
   });
 
-  test('every look is set while running, without a new object', () => {
+  test('every uniform param applies without a new object', () => {
     const { node, item, mesh, material, set, list } = make({});
     const { version } = list;
     set('color', [1, 1, 1, 0.25]);
@@ -54,7 +54,7 @@ describe('objects/primitive', () => {
     expect(make({ shape: 'plane' }).material.side).not.toBe(make({ shape: 'box' }).material.side);
   });
 
-  test('frees what it made', () => {
+  test('disposes its resources', () => {
     const { node, mesh, material } = make({});
     const freed: string[] = [];
     mesh.geometry.addEventListener('dispose', () => freed.push('geometry'));

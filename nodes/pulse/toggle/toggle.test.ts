@@ -21,7 +21,7 @@ function start(params: { start?: boolean } = {}) {
 }
 
 describe('flip-flop', () => {
-  test('turns over with every pulse, also with several in a frame', () => {
+  test('flips with every pulse, also with several in a frame', () => {
     const { frame } = start();
     expect([frame(0), frame(1), frame(0), frame(2), frame(3)]).toEqual([false, true, true, true, false]);
   });

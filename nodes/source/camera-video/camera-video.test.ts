@@ -29,7 +29,7 @@ function start(): FakeContext<typeof definition> {
 }
 
 describe('camera video', () => {
-  test('is the picture of each view, as it lies', () => {
+  test('is the camera image of each view, with its transform', () => {
     const { ctx } = start();
     const [left, right] = [image('left'), image('right')];
     create(ctx).update(frame(left, right));
@@ -38,7 +38,7 @@ describe('camera video', () => {
     expect([...(ctx.outputs.layer.views[0]?.uvFromViewUv ?? [])]).toEqual([...left.uvFromViewUv]);
   });
 
-  test('is transparent where there is no picture, so that the world shows', () => {
+  test('is transparent without a camera image, so that the world is visible', () => {
     const { ctx } = start();
     const node = create(ctx);
     node.update(frame(image('left'), image('right')));

@@ -103,7 +103,7 @@ describe('source/microphone', () => {
     expect(reports[0]?.fix).toContain(fix);
   });
 
-  test('gives the microphone back, also one that comes too late', async () => {
+  test('releases the microphone, also if it is granted after disposal', async () => {
     const early: string[] = [];
     const first = make(() => Promise.resolve(stream(early)));
     await first.touch();
@@ -124,7 +124,7 @@ describe('source/microphone', () => {
     expect(late).toEqual(['stopped']);
   });
 
-  test('asks nobody while a picture is rendered', async () => {
+  test('does not ask during a render', async () => {
     const page = fakePage(() => Promise.resolve(stream()));
     for (const [name, value] of Object.entries(page.globals)) Object.defineProperty(globalThis, name, { value, configurable: true });
     const fake = fakeContext(definition);

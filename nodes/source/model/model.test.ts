@@ -67,7 +67,7 @@ function make(params: Record<string, ParamValue>, asset: LateModel = { value: mo
 }
 
 describe('source/model', () => {
-  test('gives nothing until the model is there, then one object', () => {
+  test('outputs nothing until the model has loaded, then one object', () => {
     const asset: LateModel = { value: null, released: 0 };
     const { play, items, ctx } = make({}, asset);
     play(0.1);
@@ -87,7 +87,7 @@ describe('source/model', () => {
     ]);
   });
 
-  test('does not depend on when the model came or how many frames there were', () => {
+  test('does not depend on the loading time or the number of frames', () => {
     const asset: LateModel = { value: null, released: 0 };
     const late = make({}, asset);
     late.play(0.7);
@@ -103,14 +103,14 @@ describe('source/model', () => {
     expect(make({ clip: 'none' }).play(0.5)).toEqual([0, 0]);
   });
 
-  test('says which clips there are when the name fits none', () => {
+  test('reports the names of the clips if none matches', () => {
     const { play, reports } = make({ clip: 'jump' });
     expect(play(0.5)).toEqual([0, 0]);
     play(0.5);
     expect(reports).toEqual([expect.objectContaining({ code: 'SCR018', port: 'clip', fix: 'Choose one of "rise", "slide".' })]);
   });
 
-  test('holds, goes on, and changes speed without a jump', () => {
+  test('pauses, resumes and changes speed without a jump', () => {
     const { play, set } = make({});
     play(0.5);
     set('playing', false);
@@ -139,7 +139,7 @@ describe('source/model', () => {
     ]);
   });
 
-  test('releases the asset and frees the bones of its own instance', () => {
+  test('releases the asset and disposes the skeleton of its instance', () => {
     const bone = new Bone();
     const skinned = new SkinnedMesh(new BoxGeometry());
     skinned.add(bone);

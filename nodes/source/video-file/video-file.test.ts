@@ -74,7 +74,7 @@ describe('source/video-file', () => {
     ]);
   });
 
-  test('without looping holds its last picture', () => {
+  test('without looping holds the last frame', () => {
     const { play } = make({ loop: false });
     expect([play(3), play(3)]).toEqual([
       [3, 1, false],
@@ -82,7 +82,7 @@ describe('source/video-file', () => {
     ]);
   });
 
-  test('holds, goes on, and changes speed without a jump', () => {
+  test('pauses, resumes and changes speed without a jump', () => {
     const { play, set } = make();
     play(1);
     set('playing', false);
@@ -98,7 +98,7 @@ describe('source/video-file', () => {
     ]);
   });
 
-  test('a clock that stands still wants one exact picture', () => {
+  test('a paused clock requests one exact frame', () => {
     const { play } = make();
     play(1);
     expect(play(0)).toEqual([1, 0, true]);
@@ -128,7 +128,7 @@ describe('source/video-file', () => {
     expect(view).toMatchObject({ texture: PICTURE.texture, widthPx: 64, heightPx: 48 });
   });
 
-  test('tells what hinders it, and frees what it opened', () => {
+  test('reports problems, and disposes its playback', () => {
     const { play, node, reports, problems, log } = make();
     play(0.1);
     problems[0]?.({ message: 'The browser does not let it start.', fix: 'Tap.' });

@@ -22,7 +22,7 @@ describe('adjust color', () => {
     expect(adjust(RED, { hueRad: 2 * Math.PI })).toEqual(RED);
   });
 
-  test('pales to a gray of the same lightness, and goes no further than full color', () => {
+  test('becomes a gray of the same lightness, and is limited to full saturation', () => {
     expect(adjust(RED, { saturation: 0 })).toEqual([0.5, 0.5, 0.5, 0.5]);
     expect(adjust([0.75, 0.25, 0.25, 1], { saturation: 4 })).toEqual([1, 0, 0, 1]);
   });

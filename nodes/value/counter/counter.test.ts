@@ -30,14 +30,14 @@ describe('counter', () => {
     expect(frame({ down: [0, 0, 0, 0] })).toEqual([6, []]);
   });
 
-  test('starts over, and passes on the pulse that led there', () => {
+  test('wraps, and outputs the pulse that made it wrap', () => {
     const { frame } = start({ cycle: 3, step: 0.5 });
     expect(frame({ up: [1, 2] })).toEqual([1, []]);
     expect(frame({ up: [3, 4] })).toEqual([0.5, [3]]);
     expect(frame({ down: [7, 8] })).toEqual([1, [8]]);
   });
 
-  test('a reset comes before what else happens in its frame', () => {
+  test('a reset applies before other pulses of the frame', () => {
     const { frame, node } = start();
     frame({ up: [0, 0] });
     expect(frame({ up: [0], reset: [0] })).toEqual([1, []]);

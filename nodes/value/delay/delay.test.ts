@@ -30,19 +30,19 @@ describe('delay', () => {
     }
   });
 
-  test('gives the oldest number that it knows while it is young', () => {
+  test('outputs the oldest number until the delay has passed', () => {
     const { frame } = start(10);
     expect([frame(0.1, 5), frame(0.1, 6), frame(0.1, 7)]).toEqual([-1, 5, 5]);
   });
 
-  test('forgets nothing of ten seconds at 144 frames per second', () => {
+  test('keeps ten seconds at 144 frames per second', () => {
     const { frame } = start(10);
     let late = 0;
     for (let i = 1; i <= 3000; i++) late = frame(1 / 144, i);
     expect(late).toBeCloseTo(3000 - 1440, 6);
   });
 
-  test('two frames of the same moment count as one, and time that runs back begins anew', () => {
+  test('two frames at the same time count as one, and a seek backwards clears the history', () => {
     const { fake, frame } = start(0);
     frame(0.1, 5);
     frame(0, 6);
@@ -52,7 +52,7 @@ describe('delay', () => {
     expect(frame(0.1, 1)).toBe(9);
   });
 
-  test('gives its start again after a reset', () => {
+  test('outputs the start value after a reset', () => {
     const { node, frame } = start(0);
     frame(0.1, 5);
     node.reset?.();

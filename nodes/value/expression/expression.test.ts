@@ -20,14 +20,14 @@ function start(text: string, params: { a?: number; b?: number } = {}) {
 }
 
 describe('value/expression', () => {
-  test('computes from its numbers, as they are in each frame', () => {
+  test('computes from its numbers in each frame', () => {
     const { result, set } = start('a + b * 2', { a: 1, b: 2 });
     expect(result()).toBe(5);
     set('b', 10);
     expect(result()).toBe(21);
   });
 
-  test('knows the time and the frame', () => {
+  test('reads the time and the frame', () => {
     const { result, tick } = start('time * 100 + frame');
     expect(result()).toBe(0);
     tick(0.5);
@@ -38,7 +38,7 @@ describe('value/expression', () => {
     expect(start(text).result()).toBe(0);
   });
 
-  test('every name that it offers is a number of its own', () => {
+  test('every name of expressions is a param of the node', () => {
     const { names } = definition.params.expression.expression;
     for (const name of names) expect(definition.params[name]).toMatchObject({ type: 'number', stage: 'uniform' });
   });

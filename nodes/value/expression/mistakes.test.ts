@@ -14,14 +14,14 @@ function studio(expression: string): TestStudio {
 }
 
 describe('mistakes in the expression of a node', () => {
-  test('are told with node, param and column, and nothing is compiled', () => {
+  test('are reported with node, param and column, and nothing is compiled', () => {
     const { output, diagnostics } = studio('a + e').compile();
     expect(output).toBeNull();
     expect(diagnostics).toMatchObject([{ code: 'SCR022', severity: 'error', nodeId: 'formula-a', port: 'expression', column: 5 }]);
     expect(diagnostics[0]?.message).toContain('Unknown name “e”; use one of a, b, c, d, time, frame, pi, tau');
   });
 
-  test('stop no picture that does not depend on it', () => {
+  test('do not stop an output that does not depend on the node', () => {
     const { output, diagnostics } = studio('a +').unwire('formula-a.result -> sepia-a.amount').compile();
     expect(output?.operations.map(({ node }) => node)).not.toContain('formula-a');
     expect(diagnostics).toMatchObject([{ code: 'SCR022', severity: 'warning', nodeId: 'formula-a' }]);

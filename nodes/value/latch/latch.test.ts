@@ -4,7 +4,7 @@ import { fakeContext } from '../../../tests/support/node-context.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 
-test('holds what it took, from its start on, until it is reset', () => {
+test('holds the sampled number until the next pulse or a reset', () => {
   const take = createPulseQueue();
   const { ctx, set } = fakeContext(definition, { params: { number: 5, start: -1 }, inputs: { take } });
   const node = create(ctx);

@@ -36,7 +36,7 @@ describe('mix colors', () => {
     ]);
   });
 
-  test('what is transparent lends no color', () => {
+  test('a transparent color does not contribute', () => {
     expect(mix(RED, [0, 0, 1, 0], 0.5, 'screen')).toEqual([255, 0, 0, 128]);
     expect(mix([1, 0, 0, 0], [0, 0, 1, 0], 0.5, 'screen')).toEqual([128, 0, 128, 0]);
   });

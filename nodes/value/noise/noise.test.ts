@@ -50,7 +50,7 @@ describe('gradient noise', () => {
     }
   });
 
-  test('half-way between two corners is half of what their slopes say', () => {
+  test('halfway between two corners is the mean of their gradients', () => {
     // On the line between two corners only they count, and the fade is 1/2: (s₀ · ½ − s₁ · ½) / 2.
     const h = 1e-6;
     const slopeAt = (x: number) => gradientNoise(x + h, 2, 5, 1) / h;
@@ -67,7 +67,7 @@ describe('noise', () => {
     expect(numbers.reduce((sum, x) => sum + x, 0) / numbers.length).toBeCloseTo(15, 0);
   });
 
-  test('is smooth: neither itself nor its slope jumps', () => {
+  test('is continuous, and so is its slope', () => {
     const numbers = samples({}, 20000, 0.001);
     const slopes = numbers.slice(1).map((x, i) => (x - (numbers[i] ?? 0)) / 0.001);
     const bends = slopes.slice(1).map((x, i) => Math.abs(x - (slopes[i] ?? 0)));
@@ -75,7 +75,7 @@ describe('noise', () => {
     expect(Math.max(...bends)).toBeLessThan(0.02);
   });
 
-  test('does not come to rest at whole numbers', () => {
+  test('is not 0 at all integers', () => {
     const numbers = samples({}, 50, 1);
     expect(new Set(numbers.map((x) => x.toFixed(3))).size).toBeGreaterThan(40);
   });
@@ -87,7 +87,7 @@ describe('noise', () => {
     expect(start({ place: [1.5, 0, 0] })(1)).toBeCloseTo(start({})(2.5), 12);
   });
 
-  test('gives three noises that have nothing to do with each other', () => {
+  test('outputs three independent noises', () => {
     const { ctx, set } = fakeContext(definition);
     const node = create(ctx);
     const points = Array.from({ length: 2000 }, (_, i) => {

@@ -23,7 +23,7 @@ function sequence(count: number, ...args: Parameters<typeof start>): number[] {
 }
 
 describe('random', () => {
-  test('draws evenly between its ends', () => {
+  test('is uniformly distributed between its limits', () => {
     const numbers = sequence(4000, { low: -2, high: 6 });
     expect(Math.min(...numbers)).toBeGreaterThanOrEqual(-2);
     expect(Math.max(...numbers)).toBeLessThan(6);
@@ -32,18 +32,18 @@ describe('random', () => {
     for (const count of tenths) expect(Math.abs(count - 400)).toBeLessThan(95);
   });
 
-  test('whole numbers come equally often, the last one too', () => {
+  test('whole numbers are equally frequent, including the last one', () => {
     const numbers = sequence(6000, { low: 1, high: 6, whole: true });
     for (const face of [1, 2, 3, 4, 5, 6]) expect(Math.abs(numbers.filter((x) => x === face).length - 1000)).toBeLessThan(145);
   });
 
-  test('is the same whenever it runs, and another with another seed or node', () => {
+  test('is reproducible, and differs with another seed or node', () => {
     expect(sequence(5, { seed: 3 })).toEqual(sequence(5, { seed: 3 }));
     expect(sequence(5, { seed: 3 })).not.toEqual(sequence(5, { seed: 4 }));
     expect(sequence(5, {}, 0.25)).not.toEqual(sequence(5, {}, 0.5));
   });
 
-  test('keeps its number between pulses, and begins again after a reset', () => {
+  test('keeps its number between pulses, and restarts after a reset', () => {
     const { node, draw, next, first } = start();
     const second = next();
     expect(second).not.toBe(first);

@@ -25,12 +25,12 @@ describe('remap', () => {
     expect(remap({ ...RANGE, number })).toBeCloseTo(expected, 12);
   });
 
-  test('goes on beyond the ends when it may', () => {
+  test('extrapolates without clamping', () => {
     expect(remap({ ...RANGE, number: 25, clamp: false })).toBeCloseTo(2, 12);
     expect(remap({ ...RANGE, number: 5, clamp: false })).toBeCloseTo(-2, 12);
   });
 
-  test('turns over where an end lies before its beginning', () => {
+  test('inverts if the end of a range is below its start', () => {
     expect(remap({ fromLow: 1, fromHigh: 0, number: 0.25 })).toBeCloseTo(0.75, 12);
   });
 

@@ -3,7 +3,7 @@ import { fakeContext } from '../../../tests/support/node-context.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 
-test('puts its channels together, cut off at their ends', () => {
+test('combines its channels, clamped to 0 to 1', () => {
   const { ctx, set } = fakeContext(definition, { params: { red: 0.25, green: 0.5, blue: 0.75, alpha: 0.1 } });
   const node = create(ctx);
   node.update({} as never);

@@ -24,7 +24,7 @@ describe('smooth', () => {
     expect(ctx.outputs.result.value).toBe(7);
   });
 
-  test('goes half of the way in each half-life', () => {
+  test('halves the difference in each half-life', () => {
     const { fake, step } = start(0.5);
     fake.set('number', 8);
     expect([step(0.5), step(0.5), step(0.5)].map((x) => Math.round(x * 1e9) / 1e9)).toEqual([4, 6, 7]);

@@ -28,11 +28,11 @@ describe('time', () => {
     expect([step(0.5), step(0.25)]).toEqual([0.5, 0.75]);
   });
 
-  test('of a frame drawn by itself is the same as in its turn', () => {
+  test('is the same for a single frame as in a sequence', () => {
     expect(start({ speed: 3 }).step(0.75)).toBe(2.25);
   });
 
-  test('goes on from where it is when the speed changes', () => {
+  test('continues from the current time when the speed changes', () => {
     const { fake, step } = start({ speed: 1 });
     step(2);
     fake.set('speed', 10);
@@ -42,7 +42,7 @@ describe('time', () => {
     expect([step(0), step(1)]).toEqual([7, 5]);
   });
 
-  test('starts over at the end of its loop, backwards too', () => {
+  test('wraps at the end of its loop, also backwards', () => {
     expect(start({ loopS: 4 }).step(9.5)).toBeCloseTo(1.5, 12);
     expect(start({ loopS: 4, speed: -1 }).step(1)).toBeCloseTo(3, 12);
     expect(start({ loopS: 0 }).step(9.5)).toBe(9.5);

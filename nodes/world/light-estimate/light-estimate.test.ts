@@ -39,7 +39,7 @@ const rounded = (numbers: Iterable<number>): number[] => [...numbers].map((x) =>
 
 /** What it looks like is proved on pixels, in `tests/browser/light-estimate.test.ts`. */
 describe('world/light-estimate', () => {
-  test('hands on what the device estimates: from all sides, from the strongest light, and what is mirrored', () => {
+  test('passes on the estimate of the device: ambient light, directional light and reflections', () => {
     const light = estimate(0.25, [3, 0, 4]);
     const { step, primary, around } = make({ light, cameraMean: null }, { intensity: 2 });
     step(0);
@@ -49,7 +49,7 @@ describe('world/light-estimate', () => {
     expect(rounded(primary.radiance)).toEqual([1, 1, 1]);
   });
 
-  test('comes near to a change by its time constant, whatever the frame rate', () => {
+  test('follows a change by its time constant, at any frame rate', () => {
     const wayAfterOneConstant = (frames: number): number => {
       const seen: Seen = { light: estimate(0), cameraMean: null };
       const { step, around } = make(seen, { smoothingS: 0.8 });
@@ -62,7 +62,7 @@ describe('world/light-estimate', () => {
     expect(wayAfterOneConstant(60)).toBeCloseTo(1 - Math.exp(-1), 4);
   });
 
-  test('turns the shadow the short way, and keeps the direction a unit vector', () => {
+  test('rotates the direction the short way, and keeps it a unit vector', () => {
     const seen: Seen = { light: estimate(1, [1, 0, 0]), cameraMean: null };
     const { step, primary } = make(seen, { smoothingS: 1 });
     step(0);

@@ -78,13 +78,13 @@ describe('world/planes', () => {
     ]);
   });
 
-  test('fills an outline that is not convex, and nothing beyond', () => {
+  test('fills exactly an outline that is not convex', () => {
     const { objects, see } = make();
     see(plane('an L', [0, 0, 2, 0, 2, 1, 1, 1, 1, 2, 0, 2]), plane('a line', [0, 0, 1, 1]));
     expect([objects.items.length, measure(objects).area]).toEqual([1, expect.closeTo(3, 6)]);
   });
 
-  test('follows what comes, moves, grows and goes; only changes of shape make anything anew', () => {
+  test('follows added, moved, changed and removed planes; only changes of shape rebuild anything', () => {
     const { node, objects, see } = make();
     const floor = plane('floor', SQUARE);
     see(floor);
