@@ -14,7 +14,7 @@ import type { GalleryPlan } from './pages/three-gallery.page.ts';
 
 const SIZE_PX = [640, 480] as const;
 const FRAMES = 5;
-/** Samples per row. Frames that take a second would otherwise take minutes on a CPU. */
+/** Samples per row. Few, because a frame may take a second on a CPU. */
 const SAMPLES = 9;
 /** Frames until shaders and tables have been created. */
 const WARM_FRAMES = 10;

@@ -38,7 +38,7 @@ export function printRuntimes(found: Found): string {
   ].join('');
 }
 
-/** `runtime-files.gen.ts`: where the behaviors are, so that an exported page can be given the used ones only. */
+/** Text of `runtime-files.gen.ts`: paths of the runtimes, so that an exported page includes only the used ones. */
 export function printRuntimeFiles(found: Found): string {
   return [
     HEADER,

@@ -88,7 +88,7 @@ function subgraphDefinitions(graphs: Project['graphs'], library: NodeLibrary): r
     });
 }
 
-/** Replaces the label of ports that share it by their exposed name. */
+/** Title and docs of a subgraph. Ports that share a label are labeled by their exposed names instead. */
 function wordsOf(name: string, face: NodeInterface): Pick<NodeInterface, 'title' | 'doc' | 'inputs' | 'outputs' | 'params'> {
   const labels = [face.inputs, face.params].flatMap((ports) => Object.values(ports).map(({ label }) => label));
   const named = <T extends { readonly label: string }>(ports: Readonly<Record<string, T>>, among: readonly string[]) =>
