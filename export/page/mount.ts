@@ -12,7 +12,7 @@ export interface MountOptions {
   readonly program: Program;
   readonly modules: Readonly<Record<string, NodeModule>>;
   readonly createScenes: CreateSceneBackend | null;
-  /** Hit tests and anchors; null where the program needs neither. */
+  /** Hit tests and anchors; null if the program needs neither. */
   readonly createSpatial: CreateSpatial | null;
   readonly assets: AssetSource;
   /** Creates the panel for sessions that hide the page; null without controls. */

@@ -27,7 +27,7 @@ export interface Program {
   readonly taps: Readonly<Record<string, LayerRef>>;
   /** Controls for visitors from top to bottom; absent if there are none. */
   readonly controls?: readonly Control[];
-  /** A node reads pointers, taps or controllers; absent where none does. */
+  /** Whether a node reads pointers, taps or controllers; absent if none does. */
   readonly readsInput?: true;
   /** Credits of its works by title; absent if no author is named. For display only: the runtime ignores them. */
   readonly credits?: readonly ProgramCredit[];

@@ -50,7 +50,7 @@ export interface EngineOptions {
   readonly canvas: HTMLCanvasElement | OffscreenCanvas;
   readonly modules: Readonly<Record<string, PlayedModule>>;
   readonly createScenes: CreateSceneBackend | null;
-  /** Null where the program needs no hit tests and anchors. */
+  /** Null if the program needs no hit tests and anchors. */
   readonly spatial: Spatial | null;
   readonly assets: AssetSource;
   readonly seed: number;

@@ -59,7 +59,10 @@ const TEXTURE_TARGETS = [
   ['TEXTURE_CUBE_MAP', 'TEXTURE_BINDING_CUBE_MAP'],
 ] as const;
 
-/** Pixel storage parameters with their defaults. The alignment is 1, because rows of 16-bit depth with odd widths are not multiples of 4 bytes. */
+/**
+ * Pixel storage parameters with their defaults. The alignment is 1, because rows of 16-bit depth with odd widths are not multiples of 4
+ * bytes.
+ */
 const PIXEL_STORES = [
   ['UNPACK_FLIP_Y_WEBGL', 0],
   ['UNPACK_PREMULTIPLY_ALPHA_WEBGL', 0],

@@ -11,7 +11,7 @@ export interface ShaderError {
 /** A GL program that may still be linking; shared by all passes with equal source. */
 export interface GlProgram {
   readonly state: 'linking' | 'linked' | 'broken';
-  /** What it was made of. */
+  /** The source that it was linked from. */
   readonly shader: LinkedShader;
   readonly program: WebGLProgram;
   /** Empty unless the state is `broken`. */

@@ -46,7 +46,7 @@ void main() {
 /** Linear value of each encoded byte. */
 const LINEAR = Float32Array.from({ length: 256 }, (_, i) => (i <= 10 ? i / 255 / 12.92 : ((i / 255 + 0.055) / 1.055) ** 2.4));
 
-/** What it needs of the engine. */
+/** The parts of the engine that it uses. */
 export interface CameraMeanTools {
   readonly objects: GlObjects;
   readonly drawer: PassDrawer;

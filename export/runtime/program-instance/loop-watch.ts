@@ -28,7 +28,7 @@ interface WatchedPass {
   readonly operation: PassOperation;
   readonly glProgram: GlProgram;
   readonly shader: LinkedShader | undefined;
-  /** The author's line of the loop that spent the last iteration of the budget; null where none did. */
+  /** The author's line of the loop that used the last iteration of the budget; null if none did. */
   line: number | null;
   /** Whether it is probed although its node is bypassed. */
   onTrial: boolean;
@@ -39,7 +39,7 @@ interface WatchedPass {
  * `createLoopGuard` to the player; exported pages have no bounded loops and do not bundle it.
  */
 export interface LoopGuard {
-  /** Null where the program has no bounded loops. `before` is the watch of the program that this one replaces. */
+  /** Null if the program has no bounded loops. `before` is the watch of the program that this one replaces. */
   watch(loaded: LoadedProgram, before: LoopWatch | null): LoopWatch | null;
   dispose(): void;
 }

@@ -12,7 +12,7 @@ import { IDENTITY } from './identity.ts';
 /** A technique that is kept over recompiles. Its readers see a new `version` when its shader text has changed. */
 export interface LiveTechnique {
   readonly view: TechniqueView;
-  /** Takes over the shader text, the slots and the layers of a program, before its first frame. */
+  /** Connects it to the shader text, slots and layers of a program, before the program's first frame. */
   point(resource: TechniqueResource, parts: TechniqueParts): void;
 }
 
@@ -25,7 +25,7 @@ export type LiveLayer =
 export interface TechniqueParts {
   readonly pictures: PictureStore;
   readonly state: PlayState;
-  /** Undefined where the resource is not a layer. */
+  /** Undefined if the resource is not a layer. */
   readonly layer: (id: ResourceId) => LiveLayer | undefined;
   readonly slots: Slots;
 }

@@ -8,7 +8,7 @@ import type { WebXrLedger } from './webxr-hits.ts';
 
 /** All anchors of a player. */
 export interface AnchorStore extends AnchorService {
-  /** Anchors that nobody deleted. */
+  /** Anchors that were not deleted. */
   readonly count: number;
   /** Once a frame, before nodes are updated. */
   update(frame: SessionFrame): void;

@@ -14,7 +14,9 @@ const PATIENCE = 64;
 // Filled and read within one call.
 const scratchRay = createRay();
 
-/** Hit tests by the device, detected surfaces, room depth and the floor; anchors by the device, or ideal ones where there is no device. */
+/**
+ * Creates hit tests from the device, detected surfaces, room depth and the floor; anchors from the device, or ideal ones without a device.
+ */
 export const createSpatial: CreateSpatial = ({ gl, held }) => {
   const depth = createDepthPictures(gl, held);
   const ledger: WebXrLedger = { sources: 0, pending: 0 };

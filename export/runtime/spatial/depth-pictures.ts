@@ -3,7 +3,7 @@ import { prepareReadback } from '../gl/upload.ts';
 import { MAX_VIEWS } from '../targets/target.ts';
 import type { DepthPicture } from './cast/cast-depth.ts';
 
-/** Room depth of each view on the CPU, while somebody asks. */
+/** Room depth of each view on the CPU, if it was requested. */
 export interface DepthPictures {
   /**
    * @param frame The current frame.
@@ -62,7 +62,7 @@ function createReading(gl: WebGL2RenderingContext, held: boolean): Reading {
     picture.frame = frame.index;
   }
 
-  /** False where the GPU does not let floats be read. */
+  /** Returns false if the GPU does not support reading floats. */
   function read(picture: MutablePicture, depth: RoomDepth): boolean {
     framebuffer ??= gl.createFramebuffer();
     const count = depth.widthPx * depth.heightPx;

@@ -24,7 +24,7 @@ export function createMeeting(): Meeting {
   return { distanceM: 0, nx: 0, ny: 1, nz: 0 };
 }
 
-/** The ray of a rigid column-major 4×4: from its origin along its -z axis. False where it has a number that is not finite. */
+/** Sets a ray from a rigid column-major 4×4 matrix: from its origin along its -z axis. Returns false if a number is not finite. */
 export function setRay(ray: Ray, worldFromRay: ArrayLike<number>): boolean {
   const at = (i: number): number => worldFromRay[i] ?? Number.NaN;
   const length = Math.hypot(at(8), at(9), at(10));

@@ -10,16 +10,16 @@ export interface Spatial extends Pick<SessionService, 'openHitTest' | 'castRay'>
   readonly anchors: AnchorService;
   /** Once a frame, before nodes are updated. */
   enterFrame(frame: SessionFrame): void;
-  /** Another session begins, or none: hit tests go on in the next one, anchors are gone. */
+  /** Sets another session, or none: hit tests continue in it, anchors are dropped. */
   leaveSession(): void;
-  /** Resolves when the device has answered what it answers without another frame; null where nothing is asked. */
+  /** Resolves when the device has answered requests that need no further frame; null if there are none. */
   settle(): Promise<void> | null;
   contextLost(): void;
   counts(): SpatialCounts;
   dispose(): void;
 }
 
-/** What is open, for leak tests. */
+/** Number of open requests, for leak tests. */
 export interface SpatialCounts {
   readonly hitTests: number;
   /** Hit-test sources that the device holds. */

@@ -74,7 +74,7 @@ export function createLowering(
   return lowering;
 }
 
-/** Takes over what a link says, for the node. */
+/** Adds the diagnostics of a link, and the text above its mistake, for the node. */
 export function takeLink({ diagnostics, above }: Lowering, node: FlatNode, link: ShaderLink<unknown>): void {
   diagnostics.push(...link.diagnostics.map((diagnostic) => ({ ...diagnostic, nodeId: node.id })));
   if (link.above !== null) above.push({ ...link.above, node: node.id });

@@ -24,7 +24,7 @@ interface PagePress {
   /** In the view: origin at the bottom left. */
   u: number;
   v: number;
-  /** Where it went down, CSS pixels. */
+  /** Start position, CSS pixels. */
   downX: number;
   downY: number;
   /** It may become a tap. */

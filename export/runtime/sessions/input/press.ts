@@ -23,7 +23,7 @@ export function createPress(): Press {
   return { pointer: createPointer(), used: false, began: false, shown: false, ended: 'no', over: false, grip: createMatrix() };
 }
 
-/** Begins a press. */
+/** Starts a press. */
 export function beginPress(press: Press): void {
   press.used = true;
   press.began = true;

@@ -10,7 +10,7 @@ import { createXrRenderTarget } from './xr-render-target.ts';
 export type WebXrMode = 'immersive-ar' | 'immersive-vr';
 
 export interface WebXrRequest {
-  /** `navigator.xr`, or an emulated one; undefined where the browser has none. */
+  /** `navigator.xr` or an emulated one; undefined if the browser has none. */
   readonly xr: XRSystem | undefined;
   readonly gl: WebGL2RenderingContext;
   /** Default: AR. In VR an authored room replaces the visitor's room, also for nodes that read the camera image. */

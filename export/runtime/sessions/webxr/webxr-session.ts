@@ -18,7 +18,7 @@ export interface WebXrSessionParts {
   /** A space with its floor at y = 0. */
   readonly referenceSpace: XRReferenceSpace;
   readonly target: XrRenderTarget;
-  /** Creates the target again for a restored context. Rejects where the device refuses. */
+  /** Creates the target again for a restored context. Rejects if the device refuses. */
   readonly renewTarget: () => Promise<XrRenderTarget>;
   readonly capabilities: ReadonlySet<Capability>;
   /** Absent or null: frames have no input. */

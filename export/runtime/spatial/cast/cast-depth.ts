@@ -203,7 +203,7 @@ function add(sums: Float64Array, x: number, y: number, value: number): void {
   sums[8] = (sums[8] ?? 0) + value;
 }
 
-/** Cramer's rule for the normal equations. False where the window holds no plane. */
+/** Solves the normal equations by Cramer's rule. Returns false if the samples do not determine a plane. */
 function solve(out: Meeting, s: Float64Array): boolean {
   const [xx = 0, xy = 0, x = 0, yy = 0, y = 0, n = 0, xv = 0, yv = 0, v = 0] = s;
   if (n < 3) return false;
