@@ -208,6 +208,8 @@ export interface NodeOperation extends OperationBase {
   readonly multiple: readonly string[];
   /** Input ports of pulses, if any: the node's runtime gets one list per port. */
   readonly pulses?: readonly string[];
+  /** Input ports of poses, if any: another wire at one of them keeps the node and its state. */
+  readonly poses?: readonly string[];
   /** Whether its inputs are read after the values of the frame are computed, so it may come before operations that it depends on. */
   readonly delay?: true;
   /** Whether its output depends on all earlier frames; with a slot, only if its number is above the limit. */

@@ -6,6 +6,7 @@ import { createBrowserClock } from '../../export/runtime/clock.ts';
 import { SESSION_INPUTS } from '../../export/runtime/sessions/input/session-inputs.ts';
 import { createOrbitSession } from '../../export/runtime/sessions/orbit/orbit-session.ts';
 import { requestWebXrSession } from '../../export/runtime/sessions/webxr/request-session.ts';
+import { claimPointer } from '../../nodes/kit/pointers.ts';
 import type { Controller, Session, SessionFrame } from '../../nodes/kit/session.ts';
 
 export interface TapSeen {
@@ -48,6 +49,7 @@ export function begin(): void {
     (frame) => {
       frames++;
       taps.push(...tapsOf(frame));
+      follow(frame);
       right = copyOf(frame.input.right);
     },
     () => {},
@@ -61,6 +63,32 @@ export async function seen(): Promise<TapSeen[]> {
   const all = taps;
   taps = [];
   return all;
+}
+
+let phases: string[] = [];
+let owner: object | null = null;
+let heading = 0;
+
+/** What each pointer went through since the last call, and where the view's axis points. */
+export async function pointers(): Promise<{ readonly phases: string[]; readonly heading: number }> {
+  await seen();
+  const all = phases;
+  phases = [];
+  return { phases: all, heading };
+}
+
+/** Whether a node claims every press from now on. */
+export function claim(on: boolean): void {
+  owner = on ? {} : null;
+}
+
+function follow({ input, views }: SessionFrame): void {
+  for (const pointer of input.pointers.slice(0, input.pointerCount)) {
+    if (owner) claimPointer(pointer, owner);
+    const word = `${pointer.by} ${pointer.id} ${pointer.phase}${pointer.tapped ? ' tapped' : ''}`;
+    if (phases.at(-1) !== word && !(pointer.phase === 'hold' && phases.includes(word))) phases.push(word);
+  }
+  heading = Math.atan2(views[0]?.worldFromView[8] ?? 0, views[0]?.worldFromView[10] ?? 0);
 }
 
 /** The reported state of the right half of a connected gamepad, with its stick up and its trigger half pulled. */

@@ -40,6 +40,79 @@ describe('a canvas on a page', () => {
     expect(await seen()).toEqual([]);
   });
 
+  interface Followed {
+    readonly phases: readonly string[];
+    readonly heading: number;
+  }
+  const pointers = (): Promise<Followed> => page.call<Followed>('pointers');
+  const phasesOf = ({ phases }: Followed, by: string) =>
+    phases.flatMap((word) => (word.startsWith(by) ? [word.replace(/^\S+ \S+ /, '')] : []));
+
+  test('follows the mouse from hovering through a press to its end', async () => {
+    const { mouse } = page.page;
+    await mouse.move(100, 100);
+    await pointers();
+    await mouse.down();
+    await pointers();
+    await mouse.move(160, 100, { steps: 3 });
+    await mouse.up();
+    expect(phasesOf(await pointers(), 'mouse')).toEqual(['hold', 'end', 'hover']);
+    await mouse.move(600, 600);
+    await pointers();
+    expect((await pointers()).phases).toEqual([]);
+  });
+
+  test('a press that a node claims does not turn the view, and one that no node claims does', async () => {
+    const { mouse } = page.page;
+    const drag = async () => {
+      await mouse.move(200, 200);
+      await mouse.down();
+      const { heading } = await pointers();
+      await mouse.move(260, 200, { steps: 3 });
+      const after = await pointers();
+      await mouse.up();
+      await pointers();
+      return after.heading - heading;
+    };
+    await page.call('claim', true);
+    expect(await drag()).toBe(0);
+    await page.call('claim', false);
+    expect(Math.abs(await drag())).toBeGreaterThan(0.1);
+    await seen();
+  });
+
+  test('has a pointer for each finger, and two fingers make no tap', async () => {
+    const canvas = page.page.locator('canvas');
+    const touch = (type: string, pointerId: number, clientX: number) =>
+      canvas.dispatchEvent(type, {
+        pointerId,
+        pointerType: 'touch',
+        button: 0,
+        clientX,
+        clientY: 100,
+        bubbles: true,
+        isPrimary: pointerId === 11,
+      });
+    await pointers();
+    // Made by a script, they cannot be captured.
+    await page.page.evaluate(() => {
+      Element.prototype.setPointerCapture = () => {};
+    });
+    await touch('pointerdown', 11, 100);
+    await touch('pointerdown', 12, 200);
+    const pressed = await pointers();
+    const ids = pressed.phases.flatMap((word) => (word.startsWith('screen') ? [word.split(' ')[1]] : []));
+    expect(new Set(ids).size).toBe(2);
+    await touch('pointerup', 11, 100);
+    await touch('pointercancel', 12, 200);
+    const over = await pointers();
+    expect([phasesOf(pressed, 'screen'), phasesOf(over, 'screen').sort()].flat()).toEqual(
+      expect.arrayContaining(['start', 'start', 'cancel', 'end']),
+    );
+    expect([pressed, over].flatMap(({ phases }) => phases.filter((word) => word.endsWith('tapped')))).toEqual([]);
+    expect(await seen()).toEqual([]);
+  });
+
   test('is tapped in its middle by the keyboard', async () => {
     await page.page.focus('canvas');
     await page.page.keyboard.press('Home');

@@ -48,6 +48,13 @@ describe.each(FOLDERS)('nodes/%s', (type) => {
     expect('worker' in played && played.worker !== '').toBe(kind === 'cpu');
   });
 
+  test('says whether its runtime reads input', () => {
+    const path = join(folder, 'runtime.ts');
+    const text = existsSync(path) ? readFileSync(path, 'utf8') : '';
+    const reads = /\b(tapCount|pointerCount|pointerById|frame\.input)\b|\(\{[^)]*\binput\b[^)]*\}/.test(text);
+    expect(definition?.readsInput ?? false).toBe(reads);
+  });
+
   test('has a test', () => {
     expect(readdirSync(folder).filter((name) => name.endsWith('.test.ts'))).not.toEqual([]);
   });

@@ -1,5 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+import { createPose, type PoseOutput, type PoseView, writePose } from '../../../nodes/kit/pose.ts';
 import type { NodeModule, PulseList, PulseOutput } from '../../../nodes/kit/runtime.ts';
 import { pulseNumbers } from '../../../tests/support/node-context.ts';
 import type { NodeOperation } from '../../program/program.ts';
@@ -67,6 +68,57 @@ function start(factor: number, ...from: string[]) {
   };
   return { frame, told, rewire: (...next: string[]) => instance.point(operation(...next), resources, NO_SLOTS) };
 }
+
+describe('poses of a node', () => {
+  const follower: NodeModule = {
+    create: (ctx) => {
+      const { at, unwired } = ctx.inputs as { readonly at: PoseView; readonly unwired: PoseView | null };
+      const { out } = ctx.outputs as { readonly out: PoseOutput };
+      return { update: () => writePose(out, at.valid && unwired === null ? at.worldFromPose : null, at.jumps), dispose: () => {} };
+    },
+  };
+  const following = (from: string): NodeOperation => ({
+    ...operation(),
+    type: 'test/follower',
+    reads: [from],
+    inputs: { at: [{ kind: 'resource', resource: from }], unwired: [] },
+    multiple: [],
+    pulses: [],
+    poses: ['at', 'unwired'],
+  });
+
+  test('are read in the frame in which they are written, and by another wire after a recompile', () => {
+    const poses = { a: createPose(), b: createPose(), out: createPose() };
+    const resources = new Map(Object.entries(poses).map(([id, pose]): [string, LiveResource] => [id, { kind: 'pose', pose }]));
+    const host = {
+      modules: { 'test/follower': follower },
+      seed: 1,
+      board: createDiagnosticsBoard(() => {}),
+      assets: { serviceFor: () => ({}) },
+    };
+    const instance = createNodeInstance(host as unknown as NodeHost, 'key', following('a'), resources, NO_SLOTS, [], null);
+    const at = (x: number) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, 0, 0, 1];
+    const frame = () => {
+      instance.runtime.update({} as never);
+      return poses.out.valid ? poses.out.worldFromPose[12] : null;
+    };
+    expect(frame()).toBe(null);
+    writePose(poses.a, at(1), 5);
+    writePose(poses.b, at(2), 0);
+    expect(frame()).toBe(1);
+    const { jumps } = poses.out;
+    instance.point(following('b'), resources, NO_SLOTS);
+    expect(frame()).toBe(2);
+    expect(poses.out.jumps).toBeGreaterThan(jumps);
+    const key = (from: string) =>
+      nodeKey(
+        following(from),
+        () => 'none',
+        () => null,
+      );
+    expect(key('a')).toBe(key('b'));
+  });
+});
 
 describe('pulses of a node', () => {
   test('come in wire by wire, and not at all where the input is not connected', () => {

@@ -15,7 +15,9 @@ export function nodeKey(
     operation.kind,
     operation.node,
     operation.type,
-    sorted(operation.inputs, (refs, port) => (operation.pulses?.includes(port) ? 'pulses' : refs.map(ref))),
+    sorted(operation.inputs, (refs, port) =>
+      operation.pulses?.includes(port) ? 'pulses' : operation.poses?.includes(port) ? ['poses', refs.length] : refs.map(ref),
+    ),
     sorted(Object.fromEntries(outputs), ref),
     sorted(operation.params, slotType),
     sorted(operation.config, (value) => value),

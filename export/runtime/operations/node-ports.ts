@@ -1,5 +1,7 @@
+import type { PoseOutput } from '../../../nodes/kit/pose.ts';
 import type { InputRef, NodeOperation } from '../../program/program.ts';
 import { type LiveResources, liveResource } from '../resources/resources.ts';
+import { createPoseInput, type PoseInput } from '../values/pose-input.ts';
 import { createMergedPulses, type PulseQueue } from '../values/pulses.ts';
 import { type AnySlotView, createSlotView, type Slots } from '../values/slots.ts';
 
@@ -31,12 +33,20 @@ export function createNodePorts(operation: NodeOperation, resources: LiveResourc
         return viewOf(ref.resource, resources);
     }
   };
+  /** Poses, with a function that finds the wire in a later version of the operation. */
+  const poses: { readonly input: PoseInput; readonly refIn: (operation: NodeOperation) => InputRef | undefined }[] = [];
+  const poseInput = (ref: InputRef, refIn: (operation: NodeOperation) => InputRef | undefined): PoseInput => {
+    const input = createPoseInput(poseAt(ref, resources));
+    poses.push({ input, refIn });
+    return input;
+  };
   const merged = (operation.pulses ?? []).map((port) => [port, createMergedPulses(queuesAt(operation, port, resources))] as const);
   const mergedAt = new Map(merged);
   const input = (port: string, refs: readonly InputRef[]): unknown => {
     const pulses = mergedAt.get(port);
     if (pulses) return pulses;
-    const views = refs.map((ref, i) => carried(ref, (op) => op.inputs[port]?.[i]));
+    const isPose = operation.poses?.includes(port) ?? false;
+    const views = refs.map((ref, i) => (isPose ? poseInput : carried)(ref, (op) => op.inputs[port]?.[i]));
     return operation.multiple.includes(port) ? views : (views[0] ?? null);
   };
   return {
@@ -50,12 +60,17 @@ export function createNodePorts(operation: NodeOperation, resources: LiveResourc
     point: (next, nextResources, nextSlots) => {
       for (const { view, slotIn } of slotViews) view.point(nextSlots, slotIn(next));
       for (const [port, pulses] of merged) pulses.point(queuesAt(next, port, nextResources));
+      for (const { input: pose, refIn } of poses) pose.point(poseAt(refIn(next), nextResources));
     },
   };
 }
 
 function queuesAt({ inputs }: NodeOperation, port: string, resources: LiveResources): PulseQueue[] {
   return (inputs[port] ?? []).flatMap((ref) => (ref.kind === 'resource' ? [liveResource(resources, ref.resource, 'pulses').queue] : []));
+}
+
+function poseAt(ref: InputRef | undefined, resources: LiveResources): PoseOutput {
+  return liveResource(resources, ref?.kind === 'resource' ? ref.resource : '', 'pose').pose;
 }
 
 function slotOf(ref: InputRef | undefined): number {

@@ -2,7 +2,7 @@ import type { NodeOperation, Operation, Program, ShadowMapOperation } from '../.
 import type { Engine } from '../engine.ts';
 import { createNodeInstance, type NodeInstance } from '../operations/node-instance.ts';
 import { isDraw, nodeKey, shadowMapsKey } from '../operations/node-key.ts';
-import { clearOutput, type LiveResources, liveResource } from '../resources/resources.ts';
+import { clearOutput, type LiveResource, type LiveResources, liveResource } from '../resources/resources.ts';
 import type { ShadowMaps } from '../scene-backend.ts';
 import type { Slots } from '../values/slots.ts';
 
@@ -103,7 +103,12 @@ function sameResources(operation: Operation, resources: LiveResources, before: N
     const resource = resources.get(id);
     return !resource || resource.kind === 'target' || resource.kind === 'shadow-maps' || before.resources.get(id) === resource;
   };
-  return operation.reads.every((id) => resources.get(id)?.kind === 'pulses' || stays(id)) && operation.writes.every(stays);
+  return operation.reads.every((id) => isPointed(resources.get(id)) || stays(id)) && operation.writes.every(stays);
+}
+
+/** Wires of these are connected to a kept node again. */
+function isPointed(resource: LiveResource | undefined): boolean {
+  return resource?.kind === 'pulses' || resource?.kind === 'pose';
 }
 
 function clearOutputs(operation: NodeOperation, resources: LiveResources): void {

@@ -146,8 +146,8 @@ function createReading(gl: WebGL2RenderingContext, held: boolean): Reading {
     forget,
     dispose: () => {
       if (fence) gl.deleteSync(fence);
-      gl.deleteBuffer(buffer);
-      gl.deleteFramebuffer(framebuffer);
+      if (buffer) gl.deleteBuffer(buffer);
+      if (framebuffer) gl.deleteFramebuffer(framebuffer);
       forget();
     },
   };

@@ -126,7 +126,8 @@ export function createHitTest(parts: HitTestParts): HitTest {
         if (pointer && (from === 'pointers' || handOf(pointer.by) === from)) castFrom(pointer.worldFromRay, frame, pointer);
       }
     }
-    if (from !== 'viewer' && frame.xr?.capabilities.has('hit-test') && sources.includes('session')) device.sweep(frame.xr);
+    if (from !== 'viewer' && frame.xr?.capabilities.has('hit-test') && sources.includes('session'))
+      device.sweep(frame.xr, from === 'pointers');
   }
   return {
     read: () => {

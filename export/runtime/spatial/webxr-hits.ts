@@ -6,8 +6,8 @@ export interface WebXrHits {
   ofViewer(xr: XrAccess): readonly XRHitTestResult[];
   /** The same along a pointer's ray. */
   ofPointer(xr: XrAccess, pointer: Pointer): readonly XRHitTestResult[];
-  /** Input sources that went. Once a frame, after the questions. */
-  sweep(xr: XrAccess): void;
+  /** Frees what was held for input sources that went. Once a frame, after the questions. `expectsTouch`: fingers will be asked for. */
+  sweep(xr: XrAccess, expectsTouch: boolean): void;
   close(): void;
 }
 
@@ -68,55 +68,51 @@ export function createWebXrHits(ledger: WebXrLedger, offsetRay: ArrayLike<number
     for (const entry of entries.values()) cancel(entry);
     entries.clear();
   };
-  /** Of this frame's session: the sources of another are gone with it. */
-  const enter = (xr: XrAccess): { readonly xrSession: XRSession; readonly frame: XRFrame } => {
+  /** The sources of another session are gone with it. */
+  const enter = (xr: XrAccess): void => {
     if (session !== xr.session) closeAll();
     session = xr.session;
-    return { xrSession: xr.session as XRSession, frame: xr.frame as XRFrame };
   };
-  const alongSpace = (
-    xr: XrAccess,
-    key: unknown,
-    space: (xrSession: XRSession) => Promise<XRSpace> | XRSpace,
-  ): readonly XRHitTestResult[] => {
-    const { xrSession, frame } = enter(xr);
-    const entry =
-      entries.get(key) ??
-      open(key, async () => {
-        const offset = ray?.();
-        return (await xrSession.requestHitTestSource?.({
-          space: await space(xrSession),
-          ...(offset ? { offsetRay: offset } : {}),
-        })) as XRHitTestSource;
-      });
-    if (!entry.source) return NO_RESULTS;
-    return frame.getHitTestResults(entry.source as XRHitTestSource);
+  /** Along the ray of an input source, or of the viewer. */
+  const alongSpace = (xr: XrAccess, source: XRInputSource | null): readonly XRHitTestResult[] => {
+    enter(xr);
+    const entry = entries.get(source ?? VIEWER) ?? openAlong(xr.session as XRSession, source);
+    return entry.source ? (xr.frame as XRFrame).getHitTestResults(entry.source as XRHitTestSource) : NO_RESULTS;
+  };
+  const openAlong = (xrSession: XRSession, source: XRInputSource | null): Entry =>
+    open(source ?? VIEWER, async () => {
+      const offset = ray?.();
+      const space = source ? source.targetRaySpace : await xrSession.requestReferenceSpace('viewer');
+      return xrSession.requestHitTestSource?.({ space, ...(offset ? { offsetRay: offset } : {}) }) as Promise<XRHitTestSource>;
+    });
+  const openTouch = (xrSession: XRSession): Entry =>
+    open(TOUCH, () => xrSession.requestHitTestSourceForTransientInput?.({ profile: TOUCH_PROFILE }));
+  // Made once: the map is walked in every frame.
+  const dropGone = (entry: Entry, key: unknown): void => {
+    if (key === VIEWER || key === TOUCH) return;
+    const { inputSources } = session as XRSession;
+    for (let i = 0; i < inputSources.length; i++) if (inputSources[i] === key) return;
+    cancel(entry);
+    entries.delete(key);
   };
   return {
-    ofViewer: (xr) => alongSpace(xr, VIEWER, (xrSession) => xrSession.requestReferenceSpace('viewer')),
+    ofViewer: (xr) => alongSpace(xr, null),
     ofPointer: (xr, pointer) => {
       const source = pointer.xrSource as XRInputSource | null;
       if (!source) return NO_RESULTS;
-      if (pointer.by !== 'screen') return alongSpace(xr, source, () => source.targetRaySpace);
-      const { xrSession, frame } = enter(xr);
-      const entry = entries.get(TOUCH) ?? open(TOUCH, () => xrSession.requestHitTestSourceForTransientInput?.({ profile: TOUCH_PROFILE }));
+      if (pointer.by !== 'screen') return alongSpace(xr, source);
+      enter(xr);
+      const entry = entries.get(TOUCH) ?? openTouch(xr.session as XRSession);
       if (!entry.source) return NO_RESULTS;
-      const all = frame.getHitTestResultsForTransientInput(entry.source as XRTransientInputHitTestSource);
+      const all = (xr.frame as XRFrame).getHitTestResultsForTransientInput(entry.source as XRTransientInputHitTestSource);
       for (let i = 0; i < all.length; i++) if (all[i]?.inputSource === source) return all[i]?.results ?? NO_RESULTS;
       return NO_RESULTS;
     },
-    sweep: (xr) => {
-      const { xrSession } = enter(xr);
+    sweep: (xr, expectsTouch) => {
+      enter(xr);
       // Asked for before the first touch, because the device answers later.
-      if (!entries.has(TOUCH) && !entries.has(VIEWER)) {
-        open(TOUCH, () => xrSession.requestHitTestSourceForTransientInput?.({ profile: TOUCH_PROFILE }));
-      }
-      entries.forEach((entry, key) => {
-        if (key === VIEWER || key === TOUCH) return;
-        for (let i = 0; i < xrSession.inputSources.length; i++) if (xrSession.inputSources[i] === key) return;
-        cancel(entry);
-        entries.delete(key);
-      });
+      if (expectsTouch && !entries.has(TOUCH)) openTouch(xr.session as XRSession);
+      entries.forEach(dropGone);
     },
     close: closeAll,
   };

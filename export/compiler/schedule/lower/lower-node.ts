@@ -112,6 +112,7 @@ export function nodeOperation<K extends NodeKind | 'draw' | 'cpu'>(
   // The layer of a CPU filter is its field `picture`, not an input.
   const ports = kind === 'cpu' ? {} : node.definition.inputs;
   const pulses = Object.keys(ports).filter((port) => ports[port]?.type === 'pulse');
+  const poses = Object.keys(ports).filter((port) => ports[port]?.type === 'pose');
   const inputs = Object.fromEntries(
     Object.entries(ports).map(([port, { type: wire }]) => [port, sourcesAt(node, port).map((source) => inputRef(lowering, source, wire))]),
   );
@@ -128,6 +129,7 @@ export function nodeOperation<K extends NodeKind | 'draw' | 'cpu'>(
     inputs,
     multiple: Object.keys(ports).filter((port) => ports[port]?.multiple === true),
     ...(pulses.length > 0 ? { pulses } : {}),
+    ...(poses.length > 0 ? { poses } : {}),
     ...(delay ? { delay } : {}),
     ...(state ? { stateful: state } : {}),
     outputs: {},

@@ -33,6 +33,15 @@ interface PagePress {
   hovers: boolean;
 }
 
+/** A press that began before the last one was shown to its end has a pointer of its own. */
+function hasOther(presses: readonly PagePress[], { domId, press }: PagePress): boolean {
+  for (let i = 0; i < presses.length; i++) {
+    const other = presses[i];
+    if (other?.press.used && other.press !== press && other.domId === domId) return true;
+  }
+  return false;
+}
+
 /**
  * Follows pointers on an element. Enter and the space bar press the middle of the view while the element has the focus. A tap is a press
  * of one finger or the main button that stays within 10 px, however long it lasts, as in WebXR.
@@ -87,6 +96,8 @@ export function createPagePointers(element: HTMLElement): PagePointers {
   });
   on('pointermove', (event) => {
     let moved = find(event.pointerId);
+    // The end of its press is still to be shown, where it was.
+    if (!moved && presses.some((each) => each.press.used && each.domId === event.pointerId && isEnding(each))) return;
     if (!moved && event.pointerType === 'mouse' && event.buttons === 0) {
       moved = take(event.pointerId, 'mouse') ?? undefined;
       if (moved) moved.hovers = true;
@@ -125,7 +136,7 @@ export function createPagePointers(element: HTMLElement): PagePointers {
         const { press } = pressed;
         const { pointer } = press;
         showPhase(press);
-        if (pointer.phase === 'hover' && !pressed.hovers) {
+        if (pointer.phase === 'hover' && (!pressed.hovers || hasOther(presses, pressed))) {
           press.used = false;
           continue;
         }

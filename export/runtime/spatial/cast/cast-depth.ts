@@ -43,17 +43,11 @@ export function castAtDepth(out: Meeting, ray: Ray, picture: DepthPicture): bool
   const zNear = -(view.oz + view.dz * near);
   const zFar = -(view.oz + view.dz * far);
   const steps = Math.min(MAX_STEPS, Math.max(1, Math.ceil(pixelsBetween(view, near, far, picture) * 2)));
-  // Even steps on the screen are even steps in 1 / depth.
-  const distanceAt = (s: number): number => {
-    const a = (1 - s) / zNear;
-    const b = s / zFar;
-    return (near * a + far * b) / (a + b);
-  };
   let before = 0;
   let wasInFront = behind(view, near, picture) < 0;
   for (let i = 1; i <= steps; i++) {
     const s = i / steps;
-    const gap = behind(view, distanceAt(s), picture);
+    const gap = behind(view, distanceAt(s, near, far, zNear, zFar), picture);
     if (Number.isNaN(gap)) {
       wasInFront = false;
       continue;
@@ -63,10 +57,10 @@ export function castAtDepth(out: Meeting, ray: Ray, picture: DepthPicture): bool
       let high = s;
       for (let k = 0; k < 40; k++) {
         const middle = (low + high) / 2;
-        if (behind(view, distanceAt(middle), picture) < 0) low = middle;
+        if (behind(view, distanceAt(middle, near, far, zNear, zFar), picture) < 0) low = middle;
         else high = middle;
       }
-      const distanceM = distanceAt(high);
+      const distanceM = distanceAt(high, near, far, zNear, zFar);
       const z = -(view.oz + view.dz * distanceM);
       if (Math.abs(behind(view, distanceM, picture)) <= 0.001 * z && fitNormal(out, view, distanceM, picture)) {
         out.distanceM = distanceM;
@@ -80,39 +74,43 @@ export function castAtDepth(out: Meeting, ray: Ray, picture: DepthPicture): bool
   return false;
 }
 
-/** The part of the ray that the view sees, as distances along it. Reused between calls. */
-const scratchRange: [number, number] = [0, 0];
+/** Even steps of `s` from 0 to 1 are even steps on the screen, because those are even in 1 / depth. */
+function distanceAt(s: number, near: number, far: number, zNear: number, zFar: number): number {
+  const a = (1 - s) / zNear;
+  const b = s / zFar;
+  return (near * a + far * b) / (a + b);
+}
+
+/** The part of a ray that the view sees, as distances along it. Filled and read within one call. */
+const scratchRange: [near: number, far: number] = [0, 0];
 
 function clipToView(ray: Ray, { clipFromView: c }: DepthPicture): readonly [number, number] {
-  let near = 0;
-  let far = Number.POSITIVE_INFINITY;
-  // Half spaces a·p + w >= 0: the four sides of the frustum, near and far.
-  const cut = (a: number, b: number, d: number, w: number): void => {
-    const at0 = a * ray.ox + b * ray.oy + d * ray.oz + w;
-    const slope = a * ray.dx + b * ray.dy + d * ray.dz;
-    if (Math.abs(slope) < 1e-12) {
-      if (at0 < 0) far = -1;
-      return;
-    }
-    const t = -at0 / slope;
-    if (slope > 0) near = Math.max(near, t);
-    else far = Math.min(far, t);
-  };
-  const p0 = c[0] ?? 1;
-  const p5 = c[5] ?? 1;
   const p8 = c[8] ?? 0;
   const p9 = c[9] ?? 0;
-  // A ray from the eye runs along the edges of these: a hair of slack keeps rays through the border.
+  scratchRange[0] = 0;
+  scratchRange[1] = Number.POSITIVE_INFINITY;
+  // A ray from the eye runs along the sides of the view: a hair of slack keeps rays through its border.
   const slack = 1e-6;
-  cut(p0, 0, p8 - 1 - slack, 0);
-  cut(-p0, 0, -p8 - 1 - slack, 0);
-  cut(0, p5, p9 - 1 - slack, 0);
-  cut(0, -p5, -p9 - 1 - slack, 0);
-  cut(0, 0, -1, -NEAR_M);
-  cut(0, 0, 1, FAR_M);
-  scratchRange[0] = near;
-  scratchRange[1] = far;
+  cut(ray, c[0] ?? 1, 0, p8 - 1 - slack, 0);
+  cut(ray, -(c[0] ?? 1), 0, -p8 - 1 - slack, 0);
+  cut(ray, 0, c[5] ?? 1, p9 - 1 - slack, 0);
+  cut(ray, 0, -(c[5] ?? 1), -p9 - 1 - slack, 0);
+  cut(ray, 0, 0, -1, -NEAR_M);
+  cut(ray, 0, 0, 1, FAR_M);
   return scratchRange;
+}
+
+/** Keeps of the range what is in the half space a x + b y + d z + w >= 0. */
+function cut(ray: Ray, a: number, b: number, d: number, w: number): void {
+  const atOrigin = a * ray.ox + b * ray.oy + d * ray.oz + w;
+  const slope = a * ray.dx + b * ray.dy + d * ray.dz;
+  if (Math.abs(slope) < 1e-12) {
+    if (atOrigin < 0) scratchRange[1] = -1;
+    return;
+  }
+  const t = -atOrigin / slope;
+  if (slope > 0) scratchRange[0] = Math.max(scratchRange[0], t);
+  else scratchRange[1] = Math.min(scratchRange[1], t);
 }
 
 function pixelsBetween(ray: Ray, near: number, far: number, picture: DepthPicture): number {

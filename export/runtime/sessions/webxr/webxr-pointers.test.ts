@@ -1,0 +1,161 @@
+import { describe, expect, test } from '@jest/globals';
+import { createSessionInput } from '../input/session-input.ts';
+import { createWebXrPointers } from './webxr-pointers.ts';
+
+type Source = Partial<Record<keyof XRInputSource, unknown>>;
+
+const RAY = {};
+const GRIP = {};
+const CONTROLLER: Source = {
+  targetRayMode: 'tracked-pointer',
+  handedness: 'right',
+  profiles: ['generic-trigger'],
+  targetRaySpace: RAY,
+  gripSpace: GRIP,
+};
+
+/** A pose at x. */
+const poseAt = (x: number) => ({
+  transform: { matrix: Float32Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, 0, 0, 1), position: { x, y: 0, z: 0 } },
+});
+
+function start(...sources: Source[]) {
+  const events = new EventTarget();
+  const session = Object.assign(events, { inputSources: sources });
+  const places = new Map<object, number | null>([
+    [RAY, 1],
+    [GRIP, 2],
+  ]);
+  const frame = {
+    getPose: (space: object) => {
+      const x = places.get(space);
+      return x === null || x === undefined ? null : poseAt(x);
+    },
+  };
+  const pointers = createWebXrPointers(session as never, {} as never);
+  const input = createSessionInput();
+  return {
+    sources,
+    places,
+    fire: (type: string, inputSource: Source) => void events.dispatchEvent(Object.assign(new Event(type), { frame, inputSource })),
+    frame: () => {
+      input.pointerCount = 0;
+      pointers.fill(input, frame as never);
+      return input.pointers.slice(0, input.pointerCount).map((pointer) => ({
+        by: pointer.by,
+        id: pointer.id,
+        phase: pointer.phase,
+        at: pointer.worldFromRay[12],
+        grip: pointer.worldFromGrip?.[12] ?? null,
+        pinch: Math.round(pointer.pinch * 1e4) / 1e4,
+        tapped: pointer.tapped,
+      }));
+    },
+  };
+}
+
+describe('pointers of a WebXR session', () => {
+  test('a controller hovers where it points', () => {
+    const { frame } = start({ ...CONTROLLER });
+    const [hover] = frame();
+    expect(hover).toEqual({ by: 'right', id: 1, phase: 'hover', at: 1, grip: 2, pinch: 0, tapped: false });
+  });
+
+  test('a press goes from selectstart to selectend, and is a tap by select', () => {
+    const source = { ...CONTROLLER };
+    const { fire, frame } = start(source);
+    frame();
+    fire('selectstart', source);
+    const phases = [frame(), frame()];
+    fire('select', source);
+    fire('selectend', source);
+    phases.push(frame(), frame());
+    expect(phases.flat().map(({ phase, tapped, id }) => [phase, tapped, id])).toEqual([
+      ['start', false, 1],
+      ['hold', false, 1],
+      ['end', true, 1],
+      ['hover', false, 1],
+    ]);
+  });
+
+  test('selectend without select, and a source that goes, cancel the press', () => {
+    const source = { ...CONTROLLER };
+    const first = start(source);
+    first.fire('selectstart', source);
+    first.frame();
+    first.fire('selectend', source);
+    expect(first.frame()).toMatchObject([{ phase: 'cancel', tapped: false }]);
+    const second = start(source);
+    second.fire('selectstart', source);
+    second.frame();
+    second.sources.length = 0;
+    expect([second.frame(), second.frame()]).toMatchObject([[{ phase: 'cancel', at: 1 }], []]);
+  });
+
+  test('select alone, as some browsers fire it, is a whole press', () => {
+    const source = { ...CONTROLLER };
+    const { fire, frame } = start(source);
+    fire('select', source);
+    expect([frame(), frame()].flat().map(({ phase, tapped }) => [phase, tapped])).toEqual([
+      ['start', true],
+      ['end', true],
+    ]);
+  });
+
+  test('a hand that is lost in a pinch keeps its last ray, and is not listed while it hovers', () => {
+    const hand = { ...CONTROLLER, profiles: ['generic-hand-select'] };
+    const { fire, frame, places } = start(hand);
+    expect(frame()).toMatchObject([{ by: 'right-hand', phase: 'hover' }]);
+    fire('selectstart', hand);
+    frame();
+    places.set(RAY, null);
+    places.set(GRIP, null);
+    expect(frame()).toMatchObject([{ phase: 'hold', at: 1, grip: null }]);
+    fire('selectend', hand);
+    expect([frame(), frame()]).toMatchObject([[{ phase: 'cancel' }], []]);
+  });
+
+  test.each([
+    ['screen', { targetRayMode: 'screen', handedness: 'none' }],
+    ['left-hand', { targetRayMode: 'transient-pointer', handedness: 'left' }],
+    ['gaze', { targetRayMode: 'transient-pointer', handedness: 'none' }],
+  ] as const)('transient input is %s, and is listed only while it presses', (by, kind) => {
+    const source = { ...CONTROLLER, ...kind };
+    const { fire, frame, sources } = start();
+    expect(frame()).toEqual([]);
+    sources.push(source);
+    fire('selectstart', source);
+    expect(frame()).toMatchObject([{ by, phase: 'start', pinch: 1 }]);
+    fire('select', source);
+    fire('selectend', source);
+    sources.length = 0;
+    expect([frame(), frame()]).toMatchObject([[{ phase: 'end', tapped: true }], []]);
+  });
+
+  test('a pinch is as closed as the trigger, or as the tips of thumb and finger are near', () => {
+    const trigger = start({ ...CONTROLLER, gamepad: { buttons: [{ value: 0.25 }] } });
+    expect(trigger.frame()).toMatchObject([{ pinch: 0.25 }]);
+    const tips = new Map([
+      ['thumb-tip', { name: 'thumb' }],
+      ['index-finger-tip', { name: 'index' }],
+    ]);
+    const hand = start({ ...CONTROLLER, hand: tips });
+    const pinchAt = (x: number) => {
+      hand.places.set(tips.get('thumb-tip') ?? {}, x);
+      return hand.frame()[0]?.pinch;
+    };
+    expect([pinchAt(0.005), pinchAt(0.035), pinchAt(0.2)]).toEqual([1, 0.5, 0]);
+  });
+
+  test('two presses between two frames are two pointers', () => {
+    const source = { ...CONTROLLER };
+    const { fire, frame } = start(source);
+    for (let i = 0; i < 2; i++) for (const type of ['selectstart', 'select', 'selectend']) fire(type, source);
+    expect(frame().map(({ id, phase }) => [id, phase])).toEqual([
+      [1, 'start'],
+      [2, 'start'],
+    ]);
+    expect(frame().map(({ tapped }) => tapped)).toEqual([true, true]);
+    expect(frame()).toMatchObject([{ phase: 'hover' }]);
+  });
+});
