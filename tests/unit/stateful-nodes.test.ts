@@ -38,6 +38,7 @@ const SHOWING: Readonly<Record<string, Readonly<Record<string, ParamValue>>>> = 
   'pulse/every': { periodS: 0.25 },
   'pulse/on-start': { delayS: 0.05 },
   'pulse/on-change': { least: 1 },
+  'world/measure': { moveM: 10 },
 };
 
 const TYPES = Object.keys(RUNTIMES).filter((type) => {
@@ -152,7 +153,9 @@ function sessionFrame(frame: number, first: number, last: number): SessionFrame 
     timeS: frame / RATE_HZ,
     deltaS: frame === first ? 0 : 1 / RATE_HZ,
     viewCount: 1,
-    views: [{ eye: 'none', cameraImage: picture, depth: { ...picture, texture: `depth ${frame}` } }],
+    views: [
+      { eye: 'none', worldFromView: pointer(frame).worldFromRay, cameraImage: picture, depth: { ...picture, texture: `depth ${frame}` } },
+    ],
     light: null,
     surfaces: surfaces(frame),
     jumps: 0,
@@ -271,7 +274,7 @@ function giveAt(
       fake.set(name, name === 'presses' ? frame : valueAt(param, frame, salt));
     });
     Object.entries(definition.inputs).forEach(([name, port], salt) => {
-      if (port.type === 'pose') writePose(fake.ctx.inputs[name] as never, frame % 3 === 1 ? null : pointer(frame).worldFromRay, 0);
+      if (port.type === 'pose') writePose(fake.ctx.inputs[name] as never, frame % 4 === 1 ? null : pointer(frame).worldFromRay, 0);
       if (port.type !== 'pulse') return;
       const queue = fake.ctx.inputs[name] as unknown as PulseQueue;
       queue.clear();

@@ -1,0 +1,194 @@
+import { describe, expect, test } from '@jest/globals';
+import { createRandom } from '../../../export/runtime/random.ts';
+import {
+  createSeenPoint,
+  INTERVAL_95,
+  type Measured,
+  measureAngle,
+  measureDistance,
+  measureHeight,
+  type PointNoise,
+  type SeenPoint,
+  setNoise,
+} from './propagate.ts';
+
+type Vector = readonly [number, number, number];
+type Measure = (points: readonly SeenPoint[], out: Measured) => void;
+
+/** 0.73 cm along the ray, at any distance. */
+const CONSTANT: PointNoise = { alongM: 0.0073, referenceM: 0.4, growth: 'none', acrossRad: 0 };
+/** The noise that the node starts with. */
+const GROWING: PointNoise = { alongM: 0.0073, referenceM: 0.4, growth: 'square', acrossRad: 0.0009 };
+const EYE: Vector = [0, 0, 0];
+
+function seen(position: Vector, noise: PointNoise, eye: Vector = EYE): SeenPoint {
+  const point = createSeenPoint();
+  point.positionM.set(position);
+  setNoise(point, eye, noise);
+  return point;
+}
+
+const at = (points: readonly SeenPoint[], i: number) => points[i] ?? createSeenPoint();
+const distance: Measure = (points, out) => measureDistance(at(points, 0), at(points, 1), out);
+const angle: Measure = (points, out) => measureAngle(at(points, 0), at(points, 1), at(points, 2), out);
+const height: Measure = (points, out) => measureHeight(at(points, 0), out);
+
+function measured(measure: Measure, positions: readonly Vector[], noise: PointNoise, eye: Vector = EYE): Measured {
+  const out = { value: 0, sigma: 0 };
+  measure(
+    positions.map((position) => seen(position, noise, eye)),
+    out,
+  );
+  return out;
+}
+
+/** 20 cm, in the middle of the view, at 40 cm. */
+const ACROSS: readonly Vector[] = [
+  [-0.1, 0, -0.4],
+  [0.1, 0, -0.4],
+];
+const ALONG: readonly Vector[] = [
+  [0, 0, -0.4],
+  [0, 0, -0.6],
+];
+
+describe('the noise of a point', () => {
+  test('grows with the square of the distance along the ray, and with the distance across', () => {
+    // At twice the reference distance: 4 · 0.73 cm along, 0.8 m · 0.0009 across.
+    const point = seen([0, 0, -0.8], GROWING);
+    expect([...point.ray]).toEqual([0, 0, -1]);
+    expect(point.alongM).toBeCloseTo(0.0292, 9);
+    expect(point.acrossM).toBeCloseTo(0.00072, 9);
+    expect(seen([0, 0, -0.8], CONSTANT).alongM).toBe(0.0073);
+  });
+
+  test('is none at the eye', () => {
+    const point = seen(EYE, GROWING);
+    expect([point.alongM, point.acrossM, ...point.ray]).toEqual([0, 0, 0, 0, 0]);
+  });
+});
+
+describe('propagation to first order', () => {
+  test('of a ruler across the view: each end contributes the part of the ray that lies along the ruler', () => {
+    // 0.73 cm · 10 / √(10² + 40²) · √2
+    const { value, sigma } = measured(distance, ACROSS, CONSTANT);
+    expect([value, sigma]).toEqual([expect.closeTo(0.2, 9), expect.closeTo(0.0025039, 6)]);
+  });
+
+  test('of a ruler along the view: 0.73 cm · √2', () => {
+    const { value, sigma } = measured(distance, ALONG, CONSTANT);
+    expect([value, sigma]).toEqual([expect.closeTo(0.2, 9), expect.closeTo(0.0103238, 6)]);
+    // With growth, the far end has (60 / 40)² = 2.25 as much: 0.73 cm · √(1 + 2.25²).
+    expect(measured(distance, ALONG, { ...GROWING, acrossRad: 0 }).sigma).toBeCloseTo(0.0179742, 6);
+  });
+
+  test('of a height: the vertical part of the ray', () => {
+    // The ray (0.3, -0.4, 0) is 0.5 m long: 0.73 cm · 0.8 along, 0.5 m · 0.01 · 0.6 across.
+    const { value, sigma } = measured(height, [[0.3, 1, 0]], { ...CONSTANT, acrossRad: 0.01 }, [0, 1.4, 0]);
+    expect(value).toBe(1);
+    expect(sigma).toBeCloseTo(Math.hypot(0.00584, 0.003), 9);
+  });
+
+  test('of a right angle', () => {
+    // The arms are 0.2 m long. The derivatives are -5 x by A, 5 z by C and 5 x - 5 z by B. Along the rays that is 0 for A, which lies
+    // behind B; 5 · 0.4 / √(0.2² + 0.4²) = 4.4721 for C; and 5 for B: 0.0073 · √(20 + 25).
+    const { value, sigma } = measured(
+      angle,
+      [
+        [0, 0, -0.6],
+        [0, 0, -0.4],
+        [0.2, 0, -0.4],
+      ],
+      CONSTANT,
+    );
+    expect([value, sigma]).toEqual([expect.closeTo(Math.PI / 2, 9), expect.closeTo(0.0489699, 6)]);
+  });
+
+  test('of a straight angle: the parts across the line', () => {
+    // A and C: the rays (±0.1, 0, -0.4) lie across the line by 4 / √17, so 0.0073 · √(16 / 17) / 0.1 each. B: 0.0073 · (1 / 0.1 + 1 / 0.1).
+    const { value, sigma } = measured(
+      angle,
+      [
+        [-0.1, 0, -0.4],
+        [0, 0, -0.4],
+        [0.1, 0, -0.4],
+      ],
+      CONSTANT,
+    );
+    expect(value).toBeCloseTo(Math.PI, 9);
+    expect(sigma).toBeCloseTo(0.073 * Math.sqrt((2 * 16) / 17 + 4), 9);
+  });
+
+  test('gives finite numbers where points coincide', () => {
+    const point: Vector = [0, 0, -0.4];
+    expect(measured(distance, [point, point], CONSTANT)).toEqual({ value: 0, sigma: expect.closeTo(0.0103238, 6) });
+    expect(measured(angle, [point, point, [0, 1, 0]], CONSTANT)).toEqual({ value: 0, sigma: Math.PI });
+  });
+});
+
+const SAMPLES = 2000;
+
+/** What 2,000 noisy measurements of the same points give. */
+function sample(measure: Measure, positions: readonly Vector[], noise: PointNoise, eye: Vector) {
+  const random = createRandom(7, 'measure');
+  const normal = () => Math.sqrt(-2 * Math.log(1 - random.next())) * Math.cos(2 * Math.PI * random.next());
+  const exact = positions.map((position) => seen(position, noise, eye));
+  const truth = { value: 0, sigma: 0 };
+  measure(exact, truth);
+  const points = positions.map(createSeenPoint);
+  const out = { value: 0, sigma: 0 };
+  let sum = 0;
+  let squares = 0;
+  let held = 0;
+  for (let n = 0; n < SAMPLES; n++) {
+    points.forEach((point, p) => {
+      const { positionM, ray, alongM, acrossM } = at(exact, p);
+      const shift = [normal() * acrossM, normal() * acrossM, normal() * acrossM];
+      const excess = shift.reduce((total, each, i) => total + each * (ray[i] ?? 0), 0);
+      const along = normal() * alongM - excess;
+      point.positionM.set(positionM.map((x, i) => x + (shift[i] ?? 0) + along * (ray[i] ?? 0)));
+      // As the node does it: the noise is estimated at the point that was found.
+      setNoise(point, eye, noise);
+    });
+    measure(points, out);
+    const error = out.value - truth.value;
+    sum += error;
+    squares += error * error;
+    if (Math.abs(error) <= INTERVAL_95 * out.sigma) held++;
+  }
+  const bias = sum / SAMPLES;
+  return { bias, spread: Math.sqrt(squares / SAMPLES - bias * bias), propagated: truth.sigma, held: held / SAMPLES };
+}
+
+/** A table seen from its edge. */
+const EDGE: Vector = [0, 1, 0.3];
+const TABLE: readonly Vector[] = [
+  [-0.15, 0.75, 0],
+  [0.1, 0.75, 0.05],
+  [0.15, 0.75, -0.2],
+];
+
+describe.each<[string, Measure, readonly Vector[], PointNoise, Vector]>([
+  ['a ruler across the view', distance, ACROSS, CONSTANT, EYE],
+  ['a ruler along the view', distance, ALONG, CONSTANT, EYE],
+  ['a ruler across the view, with the noise of the node', distance, ACROSS, GROWING, EYE],
+  ['the side of a table, with the noise of the node', distance, TABLE, GROWING, EDGE],
+  ['the angle of a table, with the noise of the node', angle, TABLE, GROWING, EDGE],
+  ['the height of a table, with the noise of the node', height, TABLE, GROWING, EDGE],
+])('2,000 measurements of %s', (_name, measure, positions, noise, eye) => {
+  const { bias, spread, propagated, held } = sample(measure, positions, noise, eye);
+
+  test('spread within 10 % of the propagated error', () => {
+    expect(spread / propagated).toBeGreaterThan(0.9);
+    expect(spread / propagated).toBeLessThan(1.1);
+  });
+
+  test('have a bias below 0.05 cm, or 0.5° of an angle', () => {
+    expect(Math.abs(bias)).toBeLessThan(measure === angle ? (0.5 * Math.PI) / 180 : 0.0005);
+  });
+
+  test('are in their 95 % interval in 93 % to 97 % of cases', () => {
+    expect(held).toBeGreaterThanOrEqual(0.93);
+    expect(held).toBeLessThanOrEqual(0.97);
+  });
+});
