@@ -9,7 +9,7 @@ const MODULES: Readonly<Record<string, NodeModule>> = { 'source/camera-video': c
 export interface Drawn {
   /** Per program: RGBA of the whole canvas after a few frames, and the GPU objects there are then. */
   readonly programs: readonly { readonly pixels: readonly number[]; readonly counts: GlCounts }[];
-  readonly leaks: GlCounts;
+  readonly leaks: Readonly<Record<string, number>>;
   readonly error: number;
 }
 
@@ -49,6 +49,6 @@ export async function draw(programs: readonly Program[]): Promise<Drawn> {
     show();
   }
   player.dispose();
-  const { scenes: _, ...leaks } = player.counts();
-  return { programs: played, leaks, error: gl.getError() };
+  const { scenes: _, spatial, ...objects } = player.counts();
+  return { programs: played, leaks: { ...objects, ...spatial }, error: gl.getError() };
 }
