@@ -36,8 +36,10 @@ export function createPageRoot(options: PageRootOptions): PageRoot {
   const leave = element(document, 'button', { className: 'leave', hidden: true, attributes: { type: 'button' }, onClick: onLeave });
   const controls = createControls(document, options.values);
   const overlay = element(document, 'div', { id: 'overlay' }, notices.element, ...(controls ? [controls.element] : []), leave);
-  // Prevents taps on the overlay from selecting in the room (WebXR DOM Overlays §3.3).
-  overlay.addEventListener('beforexrselect', (event) => event.preventDefault());
+  // Prevents taps on the overlay's elements from selecting in the room (WebXR DOM Overlays §3.3). The overlay itself covers the screen.
+  overlay.addEventListener('beforexrselect', (event) => {
+    if (event.target !== overlay) event.preventDefault();
+  });
   const poster = document.querySelector<HTMLElement>('.poster');
   document.querySelector('main')?.remove();
   const main = element(document, 'main', {}, canvas, ...(poster ? [poster] : []), panel.element, overlay);

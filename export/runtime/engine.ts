@@ -121,6 +121,9 @@ export function createEngine(options: EngineOptions): Engine {
         get light() {
           return state.frame.light;
         },
+        get sessions() {
+          return state.sessions;
+        },
         get cameraMean() {
           cameraMean ??= createCameraMean({ objects, drawer, tool }, options.held ?? false);
           return cameraMean.read(state.frame);

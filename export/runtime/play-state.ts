@@ -4,6 +4,8 @@ import { createSessionInput } from './sessions/input/session-input.ts';
 /** Current position of the player within a frame; one object that is changed in place. */
 export interface PlayState {
   frame: SessionFrame;
+  /** Number of sessions that have begun. */
+  sessions: number;
   /** During operations that run once: the first view. */
   viewIndex: number;
   view: ViewFrame | null;
@@ -27,7 +29,7 @@ export const EMPTY_FRAME: SessionFrame = {
 };
 
 export function createPlayState(): PlayState {
-  return { frame: EMPTY_FRAME, viewIndex: 0, view: null, widthPx: 0, heightPx: 0 };
+  return { frame: EMPTY_FRAME, sessions: 0, viewIndex: 0, view: null, widthPx: 0, heightPx: 0 };
 }
 
 export function enterView(state: PlayState, viewIndex: number): void {

@@ -203,6 +203,7 @@ export function createPlayer(options: PlayerOptions): Player {
     ready: play(restorable),
     setSession: (next) => {
       if (next !== session) spatial?.leaveSession();
+      if (next !== null && next !== session) state.sessions++;
       session = next;
     },
     draw: (frame) => {

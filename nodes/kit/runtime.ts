@@ -213,6 +213,8 @@ export interface Clock {
 export interface SessionService {
   readonly frame: SessionFrame;
   readonly light: LightEstimate | null;
+  /** Raised when another session begins, whose world space and room are others. Compare it to forget what belongs to the room. */
+  readonly sessions: number;
   /**
    * Mean linear-sRGB color of the camera image of the first view. It is measured only while it is read, with a delay of some frames;
    * without delay while the clock is held. Null without a camera image and until the first measurement.

@@ -4,7 +4,7 @@ import { createRandom } from '../../export/runtime/random.ts';
 import type { PulseQueue } from '../../export/runtime/values/pulses.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import type { NodeDefinition, ParamDefinition, ParamValue } from '../../nodes/kit/definition.ts';
-import { createHit, type HitRecord } from '../../nodes/kit/hit-test.ts';
+import { createHit, type Hit, type HitRecord } from '../../nodes/kit/hit-test.ts';
 import { createPose, type PoseView, writePose } from '../../nodes/kit/pose.ts';
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
 import type { ObjectList } from '../../nodes/kit/scene-lists.ts';
@@ -123,7 +123,8 @@ function pointer(frame: number) {
 
 /** A hit that changes in every frame, and is not there in every third. */
 function hits(frame: number) {
-  const hit = { ...createHit(), distanceM: frame, worldFromHit: pointer(frame).worldFromRay };
+  const { id, worldFromRay } = pointer(frame);
+  const hit = { ...createHit(), distanceM: frame, worldFromHit: worldFromRay, pointer: id };
   return { count: frame % 3 === 0 ? 0 : 1, at: () => hit };
 }
 
@@ -148,6 +149,7 @@ function surfaces(frame: number) {
 function sessionFrame(frame: number, first: number, last: number): SessionFrame {
   const picture = { texture: `picture ${frame}`, widthPx: 4 + frame, heightPx: 3, uvFromViewUv: new Float32Array(9).fill(frame) };
   const tapped = frame % 5 === 2;
+  const phase = tapped ? 'start' : frame % 5 === 3 ? 'end' : 'hover';
   return {
     index: frame,
     timeS: frame / RATE_HZ,
@@ -160,7 +162,7 @@ function sessionFrame(frame: number, first: number, last: number): SessionFrame 
     surfaces: surfaces(frame),
     jumps: 0,
     input: {
-      pointers: [{ ...pointer(frame), phase: tapped ? 'start' : 'hover' }],
+      pointers: [{ ...pointer(frame), phase, tapped: phase === 'end' }],
       pointerCount: 1,
       taps: [{ worldFromRay: new Float32Array(16).fill(frame), by: 'screen' }],
       tapCount: tapped ? 1 : 0,
@@ -221,6 +223,13 @@ function giveAt(
   const session = {
     light: null as unknown,
     cameraMean: null as unknown,
+    sessions: 1,
+    anchors: {
+      create: (at: Hit | ArrayLike<number>) => {
+        const worldFromAnchor = Float32Array.from('worldFromHit' in at ? at.worldFromHit : at);
+        return { id: 'anchor', state: 'tracked', worldFromAnchor, delete: () => {} };
+      },
+    },
     openHitTest: () => ({ read: () => hits(now), close: () => {} }),
     castRay: (ray: Float32Array, out: HitRecord) => {
       out.worldFromHit.set(ray);

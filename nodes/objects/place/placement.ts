@@ -1,0 +1,108 @@
+import { Matrix4, Quaternion, Vector3 } from 'three';
+import type { Anchor, AnchorService } from '../../kit/anchors.ts';
+import type { Hit } from '../../kit/hit-test.ts';
+import type { SessionFrame } from '../../kit/session.ts';
+
+/** Where the objects stand: a rigid pose on a surface, held by an anchor, and what the visitor has added to it. */
+export interface Placement {
+  /** Meters, world space. */
+  readonly positionM: Vector3;
+  /** The surface’s axes at the tap, carried along by drags. */
+  readonly rotation: Quaternion;
+  /** About the normal, counter-clockwise seen from its tip. */
+  turnRad: number;
+  scale: number;
+  /** Takes the pose of the anchor. Once a frame. */
+  follow(): void;
+  /** Stands where the hit is, with its axes. */
+  stand(hit: Hit): void;
+  /** Moves to a point of a surface, and tilts with its normal; the heading stays. */
+  slide(pointM: Vector3, normal: Vector3): void;
+  /** Ties the current pose to the room. The hit is the one that the pose comes from, if it is unchanged. */
+  fasten(frame: SessionFrame, hit?: Hit): void;
+  /** Unties it. */
+  release(): void;
+  /** In another session: the pose that the viewer of this frame sees as the viewer of the last `fasten` did. */
+  recall(frame: SessionFrame): void;
+  /** Writes the rigid pose with the twist. */
+  writePose(out: Matrix4, snapRad: number): void;
+}
+
+const UP = new Vector3(0, 1, 0);
+const ONE = new Vector3(1, 1, 1);
+/** Normals closer than this are the same, so that rounding does not add up over a drag. */
+const SAME_NORMAL = 1 - 1e-6;
+
+// Filled and read within one call.
+const scratchMatrix = new Matrix4();
+const scratchLevel = new Matrix4();
+const scratchNormal = new Vector3();
+const scratchScale = new Vector3();
+const scratchQuaternion = new Quaternion();
+
+export function createPlacement(anchors: () => AnchorService): Placement {
+  const positionM = new Vector3();
+  const rotation = new Quaternion();
+  const levelFromBase = new Matrix4();
+  let anchor: Anchor | null = null;
+
+  function release(): void {
+    anchor?.delete();
+    anchor = null;
+  }
+  const placement: Placement = {
+    positionM,
+    rotation,
+    turnRad: 0,
+    scale: 1,
+    follow: () => {
+      if (anchor) scratchMatrix.fromArray(anchor.worldFromAnchor).decompose(positionM, rotation, scratchScale);
+    },
+    stand: ({ worldFromHit }) => {
+      scratchMatrix.fromArray(worldFromHit).decompose(positionM, rotation, scratchScale);
+      positionM.y = Math.max(0, positionM.y);
+    },
+    slide: (pointM, normal) => {
+      positionM.copy(pointM);
+      positionM.y = Math.max(0, positionM.y);
+      scratchNormal.copy(UP).applyQuaternion(rotation);
+      if (scratchNormal.dot(normal) > SAME_NORMAL) return;
+      rotation.premultiply(scratchQuaternion.setFromUnitVectors(scratchNormal, normal)).normalize();
+    },
+    fasten: (frame, hit) => {
+      release();
+      scratchMatrix.compose(positionM, rotation, ONE);
+      writeLevelViewer(scratchLevel, frame);
+      levelFromBase.copy(scratchLevel).invert().multiply(scratchMatrix);
+      // A hit below the floor was raised to it.
+      const isUnchanged = hit !== undefined && (hit.worldFromHit[13] ?? 0) >= 0;
+      anchor = anchors().create(isUnchanged ? hit : scratchMatrix.elements);
+    },
+    release,
+    recall: (frame) => {
+      release();
+      writeLevelViewer(scratchLevel, frame);
+      scratchMatrix.multiplyMatrices(scratchLevel, levelFromBase).decompose(positionM, rotation, scratchScale);
+    },
+    writePose: (out, snapRad) => {
+      const turnRad = snapRad > 0 ? Math.round(placement.turnRad / snapRad) * snapRad : placement.turnRad;
+      out.compose(positionM, scratchQuaternion.setFromAxisAngle(UP, turnRad).premultiply(rotation), ONE);
+    },
+  };
+  return placement;
+}
+
+/** Below the viewer, on the floor at y = 0, with -z level and ahead. */
+function writeLevelViewer(out: Matrix4, { views }: SessionFrame): void {
+  const m = views[0]?.worldFromView;
+  const at = (i: number): number => m?.[i] ?? 0;
+  let aheadX = -at(8);
+  let aheadZ = -at(10);
+  // Straight down or up: ahead is where the top of the view points to, or away from it.
+  if (Math.hypot(aheadX, aheadZ) < 1e-3) {
+    const side = at(9) > 0 ? 1 : -1;
+    aheadX = side * at(4);
+    aheadZ = side * at(6);
+  }
+  out.makeRotationY(Math.atan2(-aheadX, -aheadZ)).setPosition(at(12), 0, at(14));
+}

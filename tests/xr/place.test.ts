@@ -1,0 +1,128 @@
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { Matrix4, Vector3 } from 'three';
+import type { HeadPose } from '../../export/emulator/emulator.ts';
+import type { EmulatorOptions } from '../../export/emulator/options.ts';
+import { useBrowser } from '../support/browser.ts';
+import { type ServedExport, serveProjectText } from '../support/project-page.ts';
+import { openXrPage, type XrPage } from './xr-page.ts';
+
+const chromium = useBrowser();
+let served: ServedExport;
+beforeAll(async () => {
+  served = await serveProjectText(
+    {
+      nodes: {
+        'box-x1': ['objects/primitive', { sizeM: [0.2, 0.2, 0.2] }],
+        'place-x1': 'objects/place',
+        'scene-x1': 'layer/scene',
+        'sun-x1': 'light/directional',
+        'screen-x1': 'output/screen',
+      },
+      wires: [
+        'box-x1.objects -> place-x1.objects',
+        'place-x1.objects -> scene-x1.objects',
+        'sun-x1.lights -> scene-x1.lights',
+        'scene-x1.layer -> screen-x1.layer',
+      ],
+    },
+    {},
+  );
+});
+afterAll(() => served.close());
+
+const SIZE = { width: 480, height: 360 } as const;
+/** From (0, 1.5, 1), 0.7 rad below the horizon. */
+const PITCH_RAD = 0.7;
+const HEAD = { position: [0, 1.5, 1], quaternion: [-Math.sin(PITCH_RAD / 2), 0, 0, Math.cos(PITCH_RAD / 2)] } as const satisfies HeadPose;
+const ROOM_FROM_VIEW = new Matrix4().makeRotationX(-PITCH_RAD).setPosition(...HEAD.position);
+
+/** Records the last model-view matrix that the page gives to a shader: that of the box, the only object. */
+const WATCH = `
+  const names = new WeakMap();
+  const { getUniformLocation, uniformMatrix4fv } = WebGL2RenderingContext.prototype;
+  Object.assign(WebGL2RenderingContext.prototype, {
+    getUniformLocation(program, name) {
+      const location = getUniformLocation.call(this, program, name);
+      if (location) names.set(location, name);
+      return location;
+    },
+    uniformMatrix4fv(location, transpose, value, ...rest) {
+      if (names.get(location) === 'modelViewMatrix') this.drawnMatrix = Array.from(value);
+      uniformMatrix4fv.call(this, location, transpose, value, ...rest);
+    },
+  });
+`;
+
+interface Visit {
+  readonly xr: XrPage;
+  /** Where the box is in the room, whatever the page takes for its origin; null while it is not drawn. */
+  boxInRoom(): Promise<readonly number[] | null>;
+  /** Where the ray through a point of the screen meets the floor of the room. */
+  floorAt(x: number, y: number): readonly number[];
+}
+
+async function visit(options: EmulatorOptions = {}): Promise<Visit> {
+  const xr = await openXrPage(chromium.browser, served.url, { device: 'phone', room: 'studio', ...options }, SIZE, WATCH);
+  await xr.setPose(HEAD);
+  await xr.enter();
+  await xr.step(2);
+  const tanHalfFovY = Math.tan((await xr.page.evaluate(() => scrimEmulator?.current?.device.fovy ?? 0)) / 2);
+  return {
+    xr,
+    boxInRoom: async () => {
+      const matrix = await xr.page.evaluate(() => {
+        const gl = document.querySelector('canvas')?.getContext('webgl2') as { drawnMatrix?: number[] } | null | undefined;
+        return gl?.drawnMatrix ?? null;
+      });
+      return matrix && new Vector3().setFromMatrixPosition(new Matrix4().fromArray(matrix)).applyMatrix4(ROOM_FROM_VIEW).toArray();
+    },
+    floorAt: (x, y) => {
+      const [eye, ahead] = [new Vector3(), new Vector3((2 * x - 1) * tanHalfFovY * (SIZE.width / SIZE.height), (1 - 2 * y) * tanHalfFovY, -1)];
+      eye.setFromMatrixPosition(ROOM_FROM_VIEW);
+      ahead.transformDirection(ROOM_FROM_VIEW);
+      return eye.addScaledVector(ahead, -eye.y / ahead.y).toArray();
+    },
+  };
+}
+
+/** Touches the screen at the first point and lifts the finger at the last. */
+async function touch(xr: XrPage, ...points: readonly (readonly [x: number, y: number])[]): Promise<void> {
+  for (const [i, point] of points.entries()) {
+    await xr.page.evaluate(([first, [x, y]]) => scrimEmulator?.current?.[first ? 'press' : 'move'](x, y), [i === 0, point] as const);
+    await xr.step(2);
+  }
+  await xr.page.evaluate(() => scrimEmulator?.current?.release());
+  await xr.step(3);
+}
+
+/** 1 mm. */
+const near = (place: readonly number[]) => place.map((x) => expect.closeTo(x, 3));
+
+describe('objects that a visitor of a phone places', () => {
+  test('stand where the tap meets the floor, follow a drag, and stay there while the visitor re-centers', async () => {
+    const { xr, boxInRoom, floorAt } = await visit();
+    expect(await boxInRoom()).toBe(null);
+    await touch(xr, [0.6, 0.55]);
+    expect(await boxInRoom()).toEqual(near(floorAt(0.6, 0.55)));
+    await touch(xr, [0.6, 0.55], [0.5, 0.6], [0.35, 0.7]);
+    expect(await boxInRoom()).toEqual(near(floorAt(0.35, 0.7)));
+    await xr.page.evaluate(() => scrimEmulator?.current?.recenter());
+    await xr.step(3);
+    expect(await boxInRoom()).toEqual(near(floorAt(0.35, 0.7)));
+    expect(xr.errors).toEqual([]);
+    await xr.close();
+  });
+
+  test('move with the visitor’s origin where the device has no anchors', async () => {
+    const { xr, boxInRoom, floorAt } = await visit({ refuse: ['anchors'] });
+    await touch(xr, [0.6, 0.55]);
+    const [x = 0, , z = 0] = floorAt(0.6, 0.55);
+    expect(await boxInRoom()).toEqual(near([x, 0, z]));
+    await xr.page.evaluate(() => scrimEmulator?.current?.recenter());
+    await xr.step(3);
+    // The origin came from the room’s to below the visitor.
+    expect(await boxInRoom()).toEqual(near([x, 0, z + HEAD.position[2]]));
+    expect(xr.errors).toEqual([]);
+    await xr.close();
+  });
+});
