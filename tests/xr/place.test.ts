@@ -3,6 +3,7 @@ import { Matrix4, Vector3 } from 'three';
 import type { HeadPose } from '../../export/emulator/emulator.ts';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { useBrowser } from '../support/browser.ts';
+import { eventually } from '../support/patience.ts';
 import { type ServedExport, serveProjectText } from '../support/project-page.ts';
 import { openXrPage, type XrPage } from './xr-page.ts';
 
@@ -36,7 +37,7 @@ const PITCH_RAD = 0.7;
 const HEAD = { position: [0, 1.5, 1], quaternion: [-Math.sin(PITCH_RAD / 2), 0, 0, Math.cos(PITCH_RAD / 2)] } as const satisfies HeadPose;
 const ROOM_FROM_VIEW = new Matrix4().makeRotationX(-PITCH_RAD).setPosition(...HEAD.position);
 
-/** Records the last model-view matrix that the page gives to a shader: that of the box, the only object. */
+/** Records the matrices that the page gives to a shader last: those of the box, the only object. */
 const WATCH = `
   const names = new WeakMap();
   const { getUniformLocation, uniformMatrix4fv } = WebGL2RenderingContext.prototype;
@@ -47,11 +48,31 @@ const WATCH = `
       return location;
     },
     uniformMatrix4fv(location, transpose, value, ...rest) {
-      if (names.get(location) === 'modelViewMatrix') this.drawnMatrix = Array.from(value);
+      const name = names.get(location);
+      if (['modelViewMatrix', 'viewMatrix', 'projectionMatrix'].includes(name)) (this.drawn ??= {})[name] = Array.from(value);
       uniformMatrix4fv.call(this, location, transpose, value, ...rest);
     },
   });
 `;
+
+interface Drawn {
+  readonly modelViewMatrix: readonly number[];
+  readonly viewMatrix: readonly number[];
+  readonly projectionMatrix: readonly number[];
+}
+
+/** Null while the box is not drawn. */
+function drawnBy({ page }: XrPage): Promise<Drawn | null> {
+  return page.evaluate(() => {
+    const gl = document.querySelector('canvas')?.getContext('webgl2') as { drawn?: Drawn } | null | undefined;
+    return gl?.drawn ?? null;
+  });
+}
+
+/** Where a matrix has its origin, seen from another space. */
+function originOf(matrix: readonly number[], outerFromSpace: Matrix4): Vector3 {
+  return new Vector3().setFromMatrixPosition(new Matrix4().fromArray(matrix)).applyMatrix4(outerFromSpace);
+}
 
 interface Visit {
   readonly xr: XrPage;
@@ -70,14 +91,14 @@ async function visit(options: EmulatorOptions = {}): Promise<Visit> {
   return {
     xr,
     boxInRoom: async () => {
-      const matrix = await xr.page.evaluate(() => {
-        const gl = document.querySelector('canvas')?.getContext('webgl2') as { drawnMatrix?: number[] } | null | undefined;
-        return gl?.drawnMatrix ?? null;
-      });
-      return matrix && new Vector3().setFromMatrixPosition(new Matrix4().fromArray(matrix)).applyMatrix4(ROOM_FROM_VIEW).toArray();
+      const drawn = await drawnBy(xr);
+      return drawn && originOf(drawn.modelViewMatrix, ROOM_FROM_VIEW).toArray();
     },
     floorAt: (x, y) => {
-      const [eye, ahead] = [new Vector3(), new Vector3((2 * x - 1) * tanHalfFovY * (SIZE.width / SIZE.height), (1 - 2 * y) * tanHalfFovY, -1)];
+      const [eye, ahead] = [
+        new Vector3(),
+        new Vector3((2 * x - 1) * tanHalfFovY * (SIZE.width / SIZE.height), (1 - 2 * y) * tanHalfFovY, -1),
+      ];
       eye.setFromMatrixPosition(ROOM_FROM_VIEW);
       ahead.transformDirection(ROOM_FROM_VIEW);
       return eye.addScaledVector(ahead, -eye.y / ahead.y).toArray();
@@ -125,4 +146,72 @@ describe('objects that a visitor of a phone places', () => {
     expect(xr.errors).toEqual([]);
     await xr.close();
   });
+});
+
+test('a controller places and drags the box where its ray meets the floor', async () => {
+  const xr = await openXrPage(chromium.browser, served.url, { device: 'headset', room: 'studio' }, { width: 640, height: 320 }, WATCH);
+  await xr.setPose(HEAD);
+  /** Straight down from 1.2 m. */
+  const hold = (x: number, z: number, trigger: number) =>
+    xr.page.evaluate(
+      ([x, z, trigger]) => {
+        const controller = scrimEmulator?.current?.device.controllers.right;
+        if (!controller) throw new Error('There is no right controller.');
+        controller.position.set(x, 1.2, z);
+        controller.quaternion.set(-Math.SQRT1_2, 0, 0, Math.SQRT1_2);
+        controller.updateButtonValue('trigger', trigger);
+      },
+      [x, z, trigger] as const,
+    );
+  const box = async () => {
+    const drawn = await drawnBy(xr);
+    return drawn && originOf(drawn.modelViewMatrix, new Matrix4().fromArray(drawn.viewMatrix).invert()).toArray();
+  };
+  await hold(0.2, -0.4, 0);
+  await xr.enter();
+  for (const [x, z, trigger] of [
+    [0.2, -0.4, 1],
+    [0.2, -0.4, 0],
+  ] as const) {
+    await hold(x, z, trigger);
+    await xr.step(2);
+  }
+  expect(await box()).toEqual(near([0.2, 0, -0.4]));
+  for (const [x, z, trigger] of [
+    [0.2, -0.4, 1],
+    [-0.3, -0.1, 1],
+    [-0.3, -0.1, 0],
+  ] as const) {
+    await hold(x, z, trigger);
+    await xr.step(2);
+  }
+  expect(await box()).toEqual(near([-0.3, 0, -0.1]));
+  expect(xr.errors).toEqual([]);
+  await xr.close();
+});
+
+test('without AR the mouse places and drags the box on the floor', async () => {
+  const xr = await openXrPage(chromium.browser, served.url, { modes: [] }, SIZE, WATCH);
+  const { page } = xr;
+  await page.getByText('Drag to look around').waitFor();
+  /** Height over the floor in meters, and the place on the screen in pixels. */
+  const box = async () => {
+    const drawn = await drawnBy(xr);
+    if (!drawn) return null;
+    const clip = originOf(drawn.modelViewMatrix, new Matrix4().fromArray(drawn.projectionMatrix));
+    const heightM = originOf(drawn.modelViewMatrix, new Matrix4().fromArray(drawn.viewMatrix).invert()).y;
+    return [heightM, ((1 + clip.x) / 2) * SIZE.width, ((1 - clip.y) / 2) * SIZE.height];
+  };
+  const at = (x: number, y: number) => [expect.closeTo(0, 3), expect.closeTo(x, 0), expect.closeTo(y, 0)];
+  expect(await box()).toBe(null);
+  await page.mouse.click(280, 250);
+  await eventually(async () => expect(await box()).toEqual(at(280, 250)));
+  await page.mouse.move(280, 250);
+  await page.mouse.down();
+  await page.mouse.move(220, 270, { steps: 4 });
+  await page.mouse.up();
+  // The view has not turned.
+  await eventually(async () => expect(await box()).toEqual(at(220, 270)));
+  expect(xr.errors).toEqual([]);
+  await xr.close();
 });

@@ -52,7 +52,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     worldFromPlaced.copy(worldFromPose).scale(scratchPoint.setScalar(placement.scale));
   }
 
-  function unplace(): void {
+  function endPlacement(): void {
     grip.letGo();
     placement.release();
     placement.turnRad = 0;
@@ -66,7 +66,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     jumps++;
     if (!isPlaced) return;
     grip.letGo();
-    if (nextSession === 'unplaced') unplace();
+    if (nextSession === 'unplaced') endPlacement();
     else {
       placement.recall(frame);
       placement.fasten(frame);
@@ -132,7 +132,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       if (frame.jumps !== frameJumps) jumps++;
       frameJumps = frame.jumps;
       if (session.sessions !== lastSession) enterSession(frame);
-      if (inputs.remove.count > 0) unplace();
+      if (inputs.remove.count > 0) endPlacement();
       placement.follow();
       if (isPlaced) writeMatrices();
       take(frame);

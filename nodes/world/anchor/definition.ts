@@ -1,0 +1,64 @@
+import { defineNode } from '../../kit/definition.ts';
+
+export const definition = defineNode({
+  type: 'world/anchor',
+  version: 1,
+  title: 'Anchor',
+  doc: 'Keeps a pose at its point of the real room: it follows the room while tracking drifts or the visitor re-centers, and stays while tracking is lost. Where the device has no anchors, the pose stays in world space, and State says “unsupported”.',
+  keywords: ['pin', 'fix', 'hold', 'room', 'tracking', 'drift', 'world lock', 'persistent'],
+  inputs: {
+    pose: {
+      type: 'pose',
+      label: 'Pose',
+      doc: 'The pose to keep. Without a wire, the poses of the pulses at “Set” are kept.',
+      required: false,
+    },
+    set: {
+      type: 'pulse',
+      label: 'Set',
+      doc: 'A pulse replaces the anchor by one at the pose as it is then. Without a valid pose nothing changes. Optional.',
+      required: false,
+      multiple: true,
+    },
+    clear: {
+      type: 'pulse',
+      label: 'Clear',
+      doc: 'A pulse removes the anchor. Applied first in a frame. Optional.',
+      required: false,
+      multiple: true,
+    },
+  },
+  outputs: {
+    pose: { type: 'pose', label: 'Pose', doc: 'The anchored pose. Invalid while there is no anchor.' },
+    state: {
+      type: 'text',
+      label: 'State',
+      doc: 'Empty without an anchor; “pending” until the device has confirmed it; “tracked”; “lost” while the device does not see it, and the pose stays; “deleted” after the device has removed it, and the pose stays in world space; “unsupported” where the device has no anchors, and the pose stays in world space.',
+    },
+    tracked: { type: 'toggle', label: 'Tracked', doc: 'On while the device tracks the anchor.' },
+  },
+  params: {
+    when: {
+      type: 'choice',
+      stage: 'structure',
+      label: 'When',
+      doc: 'When an anchor is made. Pulses at “Set” always make one.',
+      default: 'valid',
+      options: [
+        { value: 'valid', label: 'When the pose becomes valid' },
+        { value: 'set', label: 'At a pulse only' },
+      ],
+    },
+  },
+  lowering: { kind: 'value' },
+  stateful: true,
+  needs: [
+    {
+      capability: 'anchors',
+      required: false,
+      when: 'always',
+      why: 'to keep placed things at their point of the room',
+      without: 'Placed things may drift from their point of the room, and move with the visitor’s re-centering.',
+    },
+  ],
+});
