@@ -148,7 +148,7 @@ describe('objects that a visitor of a phone places', () => {
   });
 });
 
-test('a controller places and drags the box where its ray meets the floor', async () => {
+test('a controller places the box where its ray meets the floor, and drags it onto a table', async () => {
   const xr = await openXrPage(chromium.browser, served.url, { device: 'headset', room: 'studio' }, { width: 640, height: 320 }, WATCH);
   await xr.setPose(HEAD);
   /** Straight down from 1.2 m. */
@@ -167,25 +167,20 @@ test('a controller places and drags the box where its ray meets the floor', asyn
     const drawn = await drawnBy(xr);
     return drawn && originOf(drawn.modelViewMatrix, new Matrix4().fromArray(drawn.viewMatrix).invert()).toArray();
   };
-  await hold(0.2, -0.4, 0);
+  const play = async (...moments: readonly (readonly [x: number, z: number, trigger: number])[]) => {
+    for (const moment of moments) {
+      await hold(...moment);
+      await xr.step(2);
+    }
+  };
+  await hold(0.2, 0.5, 0);
   await xr.enter();
-  for (const [x, z, trigger] of [
-    [0.2, -0.4, 1],
-    [0.2, -0.4, 0],
-  ] as const) {
-    await hold(x, z, trigger);
-    await xr.step(2);
-  }
-  expect(await box()).toEqual(near([0.2, 0, -0.4]));
-  for (const [x, z, trigger] of [
-    [0.2, -0.4, 1],
-    [-0.3, -0.1, 1],
-    [-0.3, -0.1, 0],
-  ] as const) {
-    await hold(x, z, trigger);
-    await xr.step(2);
-  }
-  expect(await box()).toEqual(near([-0.3, 0, -0.1]));
+  await play([0.2, 0.5, 1], [0.2, 0.5, 0]);
+  expect(await box()).toEqual(near([0.2, 0, 0.5]));
+  const tableM = 1.2 - ((await xr.measure([0.2, 1.2, -0.4], [0, -1, 0])) ?? 0);
+  expect(tableM).toBeGreaterThan(0.3);
+  await play([0.2, 0.5, 1], [0.2, 0, 1], [0.2, -0.4, 1], [0.2, -0.4, 0]);
+  expect(await box()).toEqual(near([0.2, tableM, -0.4]));
   expect(xr.errors).toEqual([]);
   await xr.close();
 });
@@ -194,24 +189,29 @@ test('without AR the mouse places and drags the box on the floor', async () => {
   const xr = await openXrPage(chromium.browser, served.url, { modes: [] }, SIZE, WATCH);
   const { page } = xr;
   await page.getByText('Drag to look around').waitFor();
-  /** Height over the floor in meters, and the place on the screen in pixels. */
+  const area = await page.locator('canvas').boundingBox();
+  if (!area) throw new Error('The page has no canvas.');
+  /** Height above the floor in meters, and where on the page, in pixels. */
   const box = async () => {
     const drawn = await drawnBy(xr);
     if (!drawn) return null;
     const clip = originOf(drawn.modelViewMatrix, new Matrix4().fromArray(drawn.projectionMatrix));
     const heightM = originOf(drawn.modelViewMatrix, new Matrix4().fromArray(drawn.viewMatrix).invert()).y;
-    return [heightM, ((1 + clip.x) / 2) * SIZE.width, ((1 - clip.y) / 2) * SIZE.height];
+    return [heightM, area.x + ((1 + clip.x) / 2) * area.width, area.y + ((1 - clip.y) / 2) * area.height];
   };
-  const at = (x: number, y: number) => [expect.closeTo(0, 3), expect.closeTo(x, 0), expect.closeTo(y, 0)];
+  const showsAt = (x: number, y: number) =>
+    eventually(async () => expect(await box()).toEqual([expect.closeTo(0, 3), expect.closeTo(x, 0), expect.closeTo(y, 0)]));
+  const from = [area.x + area.width * 0.6, area.y + area.height * 0.7] as const;
+  const to = [area.x + area.width * 0.4, area.y + area.height * 0.8] as const;
   expect(await box()).toBe(null);
-  await page.mouse.click(280, 250);
-  await eventually(async () => expect(await box()).toEqual(at(280, 250)));
-  await page.mouse.move(280, 250);
+  await page.mouse.click(...from);
+  await showsAt(...from);
+  await page.mouse.move(...from);
   await page.mouse.down();
-  await page.mouse.move(220, 270, { steps: 4 });
+  await page.mouse.move(...to, { steps: 4 });
   await page.mouse.up();
-  // The view has not turned.
-  await eventually(async () => expect(await box()).toEqual(at(220, 270)));
+  // The view has not turned: the box is where the mouse is.
+  await showsAt(...to);
   expect(xr.errors).toEqual([]);
   await xr.close();
 });
