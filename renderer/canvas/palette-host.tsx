@@ -6,7 +6,7 @@ import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 import type { Place } from '../state/editor/canvas-state.ts';
 import { nodeOf } from '../state/editor/document.ts';
 import type { Editor } from '../state/editor/editor.ts';
-import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { useEditor, useNodeTypes } from '../state/editor/editor-context.ts';
 import type { PaletteRequest } from '../state/editor/ui.ts';
 import { addNodeFromPalette, swapType } from '../state/graph/edit-graph.ts';
 import { portsThrough, wireTypes } from '../state/graph/insert-on-wire.ts';
@@ -25,7 +25,7 @@ const FIRST_PORT_Y = 48;
 export function PaletteHost({ toCanvas, canvas }: PaletteHostProps) {
   const editor = useEditor();
   const request = useStore(editor.ui, (state) => state.palette);
-  const library = useDocument((state) => state.library);
+  const library = useNodeTypes();
   const definitions = useMemo(() => {
     const all = [...library.types()].flatMap((type) => library.definition(type) ?? []);
     return request === null ? all : offered(editor, request, all);

@@ -36,6 +36,7 @@ export interface CanvasInput extends WiresInput {
 }
 
 export interface CanvasView {
+  /** The array is reused until a node changes. */
   readonly nodes: CanvasNode[];
   /** The array is reused until a wire changes. */
   readonly wires: CanvasWire[];
@@ -52,6 +53,7 @@ interface CachedNode {
  */
 export function createCanvasProjection(): (input: CanvasInput) => CanvasView {
   let nodes = new Map<string, CachedNode>();
+  let shown: CanvasNode[] = [];
   const projectWires = createWiresProjection();
   const wiredPortsOf = memoizeLast(wiredPorts);
   return (input) => {
@@ -81,8 +83,9 @@ export function createCanvasProjection(): (input: CanvasInput) => CanvasView {
       nextNodes.set(id, fresh);
     }
     nodes = nextNodes;
-
-    return { nodes: [...nodes.values()].map(({ node }) => node), wires: projectWires(input) };
+    const all = [...nodes.values()].map(({ node }) => node);
+    if (!same(all, shown)) shown = all;
+    return { nodes: shown, wires: projectWires(input) };
   };
 }
 

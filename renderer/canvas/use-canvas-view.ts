@@ -1,7 +1,7 @@
 import { useMemo } from 'react';
 import { useStore } from 'zustand';
 import { graphOf, layoutOf } from '../state/editor/document.ts';
-import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { useDocument, useEditor, useNodeTypes } from '../state/editor/editor-context.ts';
 import { useNodeProblems } from '../state/problems/use-problems.ts';
 import { type CanvasNode, type CanvasView, createCanvasProjection } from './project-canvas.ts';
 import { createItemsProjection, type ItemNode } from './project-items.ts';
@@ -21,7 +21,7 @@ export function useCanvasView(): WholeView {
   const project = useMemo(createCanvasProjection, []);
   const graph = useDocument(graphOf);
   const layout = useDocument(layoutOf);
-  const library = useDocument((state) => state.library);
+  const library = useNodeTypes();
   const selection = useStore(editor.selection);
   const { expanded, offered, dragged, wireUnder, resized } = useStore(editor.canvas);
   const pictured = useStore(editor.viewer, (state) => state.thumbnails);

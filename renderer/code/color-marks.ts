@@ -1,7 +1,7 @@
 import { editor } from 'monaco-editor/editor';
 import { type Color, colorsOf } from '../../export/glsl/language/literals.ts';
 import { debounce, pageClock } from '../clock.ts';
-import { documentOf, rangeOf, type ShaderTexts } from './shader-models.ts';
+import { rangeOf } from './shader-models.ts';
 
 const REST_MS = 300;
 
@@ -13,14 +13,14 @@ export interface ColorMarks {
 }
 
 /** Marks color literals in the text with swatches. */
-export function createColorMarks(view: editor.ICodeEditor, texts: ShaderTexts): ColorMarks {
+export function createColorMarks(view: editor.ICodeEditor): ColorMarks {
   const sheet = new CSSStyleSheet();
   document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
   const known = new Set<string>();
   const marks = view.createDecorationsCollection();
   const refresh = () => {
     const model = view.getModel();
-    const colors = model ? colorsOf(model.getValue(), documentOf(model, texts).outline) : [];
+    const colors = model ? colorsOf(model.getValue()) : [];
     marks.set(
       colors.map(({ range, color }) => ({
         range: { ...rangeOf(range), endLineNumber: range.start.line, endColumn: range.start.column },
@@ -47,7 +47,7 @@ export function createColorMarks(view: editor.ICodeEditor, texts: ShaderTexts): 
     }
     return name;
   };
-  // Monaco moves the marks with the text. The text is parsed again only after a pause, because parsing blocks the page.
+  // Monaco moves the marks with the text. The text is read again only after a pause.
   const rest = debounce(pageClock, REST_MS, refresh);
   const parts = [view.onDidChangeModel(refresh), view.onDidChangeModelContent(rest.trigger), { dispose: rest.cancel }];
   refresh();

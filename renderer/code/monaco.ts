@@ -150,10 +150,9 @@ export function createShaderEditor(parent: HTMLElement, { texts, onType, onLeave
         },
       }),
     ),
-    disposer(createColorMarks(view, texts)),
+    disposer(createColorMarks(view)),
     disposer(
       createTuning(view, {
-        texts,
         onStart: () => {
           onLeave();
           tuning = true;

@@ -14,10 +14,9 @@ import {
 import { touches } from '../../export/glsl/language/source-text.ts';
 import { SWATCH_CLASS } from './color-marks.ts';
 import { ColorTuner, NumberTuner } from './literal-tuner.tsx';
-import { documentOf, rangeOf, type ShaderTexts } from './shader-models.ts';
+import { rangeOf } from './shader-models.ts';
 
 export interface TuningOptions {
-  readonly texts: ShaderTexts;
   /** Called when tuning begins. Until `onEnd`, edits take effect at once. */
   readonly onStart: () => void;
   readonly onEnd: () => void;
@@ -34,7 +33,7 @@ const CLICK_PX = 3;
  * Tunes number and color literals in the text. Alt-drag changes a number; Alt-click, a click on a swatch, or Alt+Enter opens sliders.
  * Each drag is one undo step.
  */
-export function createTuning(view: editor.IStandaloneCodeEditor, { texts, onStart, onEnd }: TuningOptions): Tuning {
+export function createTuning(view: editor.IStandaloneCodeEditor, { onStart, onEnd }: TuningOptions): Tuning {
   let open: {
     readonly widget: editor.IContentWidget;
     readonly root: Root;
@@ -154,13 +153,13 @@ export function createTuning(view: editor.IStandaloneCodeEditor, { texts, onStar
   function numberNear({ lineNumber, column }: IPosition): NumberLiteral | null {
     const model = view.getModel();
     if (!model || isReadOnly()) return null;
-    return numberAt(model.getValue(), { line: lineNumber, column }, documentOf(model, texts).outline);
+    return numberAt(model.getValue(), { line: lineNumber, column });
   }
 
   function colorNear({ lineNumber, column }: IPosition): ColorLiteral | null {
     const model = view.getModel();
     if (!model || isReadOnly()) return null;
-    const colors = colorsOf(model.getValue(), documentOf(model, texts).outline);
+    const colors = colorsOf(model.getValue());
     return colors.find(({ range }) => touches(range, { line: lineNumber, column })) ?? null;
   }
 

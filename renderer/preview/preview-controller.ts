@@ -90,6 +90,16 @@ export function createPreviewController({ parent, screen, clock: base, send }: P
   };
   const sendProblems = () =>
     send({ kind: 'diagnostics', revision: wanted?.revision ?? 0, diagnostics: [...sessionProblems, ...playerProblemsNow()] });
+  let sleeping = false;
+  /** Requests a frame after a delay, because each frame draws the whole image. */
+  const wakeIn = (restS: number) => {
+    if (sleeping) return;
+    sleeping = true;
+    void base.delay(restS).then(() => {
+      sleeping = false;
+      clock.wake();
+    });
+  };
   const updateState = () => {
     const hasSession = open !== null && open.session !== null;
     status.setState(lost ? 'lost' : !hasSession ? 'loading' : clock.playing ? 'playing' : 'paused');
@@ -108,7 +118,7 @@ export function createPreviewController({ parent, screen, clock: base, send }: P
       send({ kind: 'playing', revision });
     }
     if (playerProblems.length > 0) sendProblems();
-    thumbnails.invalidate();
+    thumbnails.invalidateAfterPause();
     clock.wake();
   };
 
@@ -182,7 +192,8 @@ export function createPreviewController({ parent, screen, clock: base, send }: P
     probes.afterFrame(host.player, frame, captureSource());
     captures.afterFrame(captureSource());
     if (!posters.busy) gizmo.afterFrame(host.player, frame, captureSource());
-    if (thumbnails.afterFrame(host.player)) clock.wake();
+    const restS = thumbnails.afterFrame(host.player);
+    if (restS !== null) wakeIn(restS);
   };
   const settle = coalesce(async () => {
     if (!wanted || !source) return;

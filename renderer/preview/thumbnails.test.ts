@@ -14,7 +14,7 @@ test('layers are read in turn, and reading takes a tenth of the time at most; wh
     },
   };
   const frames = (until: number, more: boolean[] = []) => {
-    for (; nowS < until; nowS += 1 / 60) more.push(thumbnails.afterFrame(player));
+    for (; nowS < until; nowS += 1 / 60) more.push(thumbnails.afterFrame(player) !== null);
     return more;
   };
   frames(0.1);
@@ -28,7 +28,34 @@ test('layers are read in turn, and reading takes a tenth of the time at most; wh
   expect(more.indexOf(false)).toBeGreaterThan(2);
   expect(more.at(-1)).toBe(false);
   thumbnails.invalidate();
-  expect(thumbnails.afterFrame(player)).toBe(true);
+  expect(thumbnails.afterFrame(player)).toBeGreaterThan(0);
+});
+
+test('while changes follow each other, what was seen before waits for a pause; what was not is read at once', () => {
+  Object.assign(globalThis, { ImageData: class {}, createImageBitmap: () => new Promise(() => {}) });
+  let nowS = 0;
+  const read: number[] = [];
+  const thumbnails = createThumbnails(
+    { nowS: () => nowS },
+    () => {},
+    () => {
+      read.push(nowS);
+      return { widthPx: 1, heightPx: 1, pixels: new Uint8Array(4) };
+    },
+  );
+  const player = { inspect: () => null };
+  thumbnails.setPorts(['a'], 96);
+  thumbnails.invalidateAfterPause();
+  expect([thumbnails.afterFrame(player), read]).toEqual([null, [0]]);
+  for (const keyS of [1, 1.2, 1.4]) {
+    nowS = keyS;
+    thumbnails.invalidateAfterPause();
+    expect(thumbnails.afterFrame(player)).toBeCloseTo(0.25);
+  }
+  expect(read).toEqual([0]);
+  nowS = 1.66;
+  thumbnails.afterFrame(player);
+  expect(read).toEqual([0, 1.66]);
 });
 
 test('what has not been seen yet is read sooner', () => {

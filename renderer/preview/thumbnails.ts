@@ -8,14 +8,19 @@ export interface Thumbnails {
   setPorts(ports: readonly string[], heightPx: number): void;
   /** Marks all thumbnails as outdated, also while time stands still. */
   invalidate(): void;
-  /** Returns whether outdated thumbnails remain, which need another frame. */
-  afterFrame(player: Pick<Player, 'inspect'>): boolean;
+  /** The same, but layers that have a thumbnail wait for a pause, because more changes are likely, as while someone types. */
+  invalidateAfterPause(): void;
+  /** Returns the seconds until another frame is needed for outdated thumbnails; null if none is. */
+  afterFrame(player: Pick<Player, 'inspect'>): number | null;
 }
 
 /** Maximum fraction of time for reading pixels back, which waits for the GPU. */
 const SHARE = 0.1;
 /** The same fraction for the first thumbnail of a layer, because a node without one looks empty. */
 const FIRST_SHARE = 0.5;
+
+/** Each thumbnail needs a frame, which would delay the image after the next key. */
+const PAUSE_S = 0.25;
 
 type Send = (message: FromPreview, transfer: Transferable[]) => void;
 
@@ -37,10 +42,14 @@ export function createThumbnails(clock: Pick<FrameClock, 'nowS'>, send: Send, re
     invalidate: () => {
       left = ports.length;
     },
+    invalidateAfterPause: () => {
+      left = ports.length;
+      if (seen.size === ports.length) restUntilS = Math.max(restUntilS, clock.nowS() + PAUSE_S);
+    },
     afterFrame: (player) => {
       const beganS = clock.nowS();
-      if (ports.length === 0) return false;
-      if (beganS < restUntilS) return left > 0;
+      if (ports.length === 0) return null;
+      if (beganS < restUntilS) return left > 0 ? restUntilS - beganS : null;
       next = (next + 1) % ports.length;
       left = Math.max(0, left - 1);
       const port = ports[next];
@@ -54,7 +63,7 @@ export function createThumbnails(clock: Pick<FrameClock, 'nowS'>, send: Send, re
       if (isFirst) seen.add(port);
       const nowS = clock.nowS();
       restUntilS = nowS + (nowS - beganS) * (1 / (isFirst ? FIRST_SHARE : SHARE) - 1);
-      return left > 0;
+      return left > 0 ? restUntilS - nowS : null;
     },
   };
 }

@@ -1,13 +1,13 @@
-import type { ChildProcess } from 'node:child_process';
-import { once } from 'node:events';
 import { cp, mkdtemp, rm } from 'node:fs/promises';
-import { tmpdir } from 'node:os';
+import { loadavg, tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
+import { type EditorServer, startServer } from '../../app/server/start-server.ts';
+import { installationAt } from '../../app/services/installation.ts';
 import type { ToolContext } from '../lib/tool.ts';
-import { type Bench, timeMs } from './bench.ts';
+import { type Bench, quantile, timeMs } from './bench.ts';
+import { createKeyParts, type KeyParts } from './key-parts.ts';
 import { startBenchBrowser } from './open-page.ts';
-import { openServer } from './open-server.ts';
 
 const PREVIEW = 'iframe[title="Preview"]';
 /** Read area: below the strip that messages may cover; small, so that reading is fast. */
@@ -21,24 +21,27 @@ interface Editor {
   readonly page: Page;
 }
 
-/** Delays in the editor. Reading the image accounts for about 30 ms of each. */
+/** Waiting times in the built editor (`npm run build`); reading the image takes some 30 ms of them. */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   const base = await mkdtemp(join(tmpdir(), 'scrim-bench-'));
   const project = join(base, 'project');
   await cp(join(root, 'examples', 'first-light'), project, { recursive: true });
-  let started: Promise<{ server: ChildProcess; url: string; browser: Browser }> | undefined;
+  let started: Promise<{ server: EditorServer; browser: Browser }> | undefined;
+  const options = { installation: installationAt(root, '0.0.0'), startPath: project, log: console.error };
   const start = () => {
-    started ??= (async () => ({ ...(await openServer(root, project)), browser: await startBenchBrowser() }))();
+    started ??= (async () => ({ server: await startServer(options), browser: await startBenchBrowser() }))();
     return started;
   };
   let typing: Promise<Editor> | undefined;
+  const parts = createKeyParts(quantile);
   return [
     {
       name: 'editor, from its address to the first picture',
       unit: 'ms',
       samples: 5,
       sample: async () => {
-        const { browser, url } = await start();
+        const { browser, server } = await start();
+        const url = server.invite();
         const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
         const ms = await timeMs(async () => {
           await page.goto(url);
@@ -53,21 +56,23 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
       unit: 'ms',
       samples: 20,
       sample: async () => {
-        const { browser, url } = await start();
-        typing ??= openShader(browser, url);
+        const { browser, server } = await start();
+        typing ??= openShader(browser, server.invite(), parts);
         const { page } = await typing;
         const before = await look(page);
-        // Adds or removes a digit of a factor that darkens the image.
-        return timeMs(async () => {
+        // A digit more or less of a factor that darkens everything.
+        const ms = await timeMs(async () => {
           await page.keyboard.press(digits++ % 2 === 0 ? '5' : 'Backspace');
           while ((await look(page)).equals(before)) if (page.isClosed()) throw new Error('The editor is gone.');
         });
+        await parts.take(page);
+        return ms;
       },
+      notes: () => `Load of the machine: ${loadavg()[0]?.toFixed(1)}\n${parts.print()}`,
       dispose: async () => {
         const { browser, server } = await start();
         await browser.close();
-        server.kill();
-        await once(server, 'exit');
+        await server.close();
         await rm(base, { recursive: true, force: true });
       },
     },
@@ -88,9 +93,10 @@ async function look(page: Page): Promise<Buffer> {
   return page.screenshot({ clip: { ...LOOK, x: box.x + LOOK.x, y: box.y + LOOK.y } });
 }
 
-/** Pauses the preview and puts the caret into a number of the last filter. */
-async function openShader(browser: Browser, url: string): Promise<Editor> {
+/** Holds the preview and puts the cursor into a number in the filter that lies over everything. */
+async function openShader(browser: Browser, url: string, parts: KeyParts): Promise<Editor> {
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+  await parts.prepare(page);
   await page.goto(url);
   await drawn(page);
   await page.getByRole('button', { name: 'Pause', exact: true }).click();

@@ -18,9 +18,11 @@ const FIT: ChoiceParam = {
   ],
 };
 
-/** Creates the node type of an ISF file. `name` is the last part of its type: `sepia` gives `filter/sepia`. */
-export function isfDefinition(shader: IsfShader, name: string): NodeDefinition {
-  const access = findAccess(shader);
+/**
+ * Creates the node type of an ISF file. `name` is the last part of its type: `sepia` gives `filter/sepia`. `access` defaults to what the
+ * GLSL says.
+ */
+export function isfDefinition(shader: IsfShader, name: string, access = findAccess(shader)): NodeDefinition {
   const inputs = portsOf(shader.inputs);
   const params = paramsOf(shader.inputs);
   if (shader.kind === 'operator' && findInput(shader, FIT_PARAM) === undefined) params[FIT_PARAM] = { ...FIT, default: shader.fit };

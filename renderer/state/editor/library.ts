@@ -1,4 +1,4 @@
-import { readDefinition } from '../../../export/glsl/read-definition.ts';
+import { readNodeInterface } from '../../../export/glsl/read-definition.ts';
 import { subgraphType } from '../../../export/graph/document-names.ts';
 import { createInterfaceLookup, type NodeInterface } from '../../../export/graph/library/node-interface.ts';
 import { createShaderCache, type ProjectLibrary, projectLibrary, type ReadShader } from '../../../export/graph/library/project-library.ts';
@@ -11,9 +11,9 @@ export interface LibraryData {
   readonly shaders: Readonly<Record<string, string>>;
 }
 
-/** Reads the node type of a shader file from its header. */
+/** Reads the node type of a shader file from its header. The compiler parses the GLSL, in its worker. */
 export const readShader: ReadShader = (file, source) => {
-  return readDefinition(source, file);
+  return readNodeInterface(source, file);
 };
 
 /** Creates the node library of each open project. */
@@ -34,15 +34,21 @@ export interface Libraries {
 interface Whole {
   readonly graphs: Project['graphs'];
   readonly own: ProjectLibrary;
-  /** JSON of the subgraph definitions. */
+  /** The subgraph definitions, and their JSON. */
+  readonly definitions: readonly NodeDefinition[];
   readonly text: string;
   readonly library: ProjectLibrary;
 }
 
 export function createLibraries(data: LibraryData): Libraries {
   const base = libraryOf(data.definitions, data.shaders);
-  const cache = createShaderCache(readShader);
   const lastGood = new Map<string, NodeDefinition>();
+  // An equal header keeps its definition object, so that the canvas does not render again.
+  const cache = createShaderCache((file, source) => {
+    const { output, diagnostics } = readShader(file, source);
+    const before = lastGood.get(file);
+    return { output: before && JSON.stringify(before) === JSON.stringify(output) ? before : output, diagnostics };
+  });
   let last: { readonly sources: Project['sources']; readonly library: ProjectLibrary } | null = null;
   const readOrLastGood: ReadShader = (file, source) => {
     const result = cache.read(file, source);
@@ -64,14 +70,24 @@ export function createLibraries(data: LibraryData): Libraries {
     of: ({ sources, graphs }) => {
       const own = withoutSubgraphs({ sources });
       if (lastWhole?.graphs === graphs && lastWhole.own === own) return lastWhole.library;
-      const definitions = subgraphDefinitions(graphs, own);
-      const text = JSON.stringify(definitions);
-      // Returns the same object while the interfaces of the subgraphs are unchanged, because the whole canvas depends on it.
-      const library = lastWhole?.text === text && lastWhole.own === own ? lastWhole.library : withDefinitions(own, definitions);
-      lastWhole = { graphs, own, text, library };
+      const made = subgraphDefinitions(graphs, own);
+      const text = JSON.stringify(made);
+      // Keeps the objects while the interfaces of the subgraphs are unchanged, because the whole canvas depends on them.
+      const definitions = lastWhole?.text === text ? lastWhole.definitions : made;
+      const library =
+        lastWhole?.definitions === definitions && lastWhole.own === own ? lastWhole.library : withDefinitions(own, definitions);
+      lastWhole = { graphs, own, text, definitions, library };
       return library;
     },
   };
+}
+
+/** Whether two libraries have the same node types; the texts of shaders may differ. */
+export function hasSameTypes(a: ProjectLibrary, b: ProjectLibrary): boolean {
+  if (a === b) return true;
+  const types = [...a.types()];
+  const others = [...b.types()];
+  return types.length === others.length && types.every((type, i) => type === others[i] && a.definition(type) === b.definition(type));
 }
 
 /** Search keywords of all subgraphs. */
