@@ -3,52 +3,39 @@ import { lstat, readdir, readFile, readlink } from 'node:fs/promises';
 import { join, relative, sep } from 'node:path';
 import { Readable } from 'node:stream';
 import { pipeline } from 'node:stream/promises';
-import { crc32 } from 'node:zlib';
+import { Zip, ZipPassThrough } from 'fflate';
 
-/*
- * The packager takes Electron as the ZIP that its makers publish, and as nothing else. This makes one of an unpacked Electron:
- * stored, not deflated, because it is read once and thrown away. Layout: PKWARE APPNOTE 6.3.10, sections 4.3.7, 4.3.12, 4.3.16;
- * names are UTF-8 (flag bit 11), modes and links as Unix has them (version made by: 3).
- */
-const UTF8_NAMES = 0x0800;
-const MADE_BY_UNIX = (3 << 8) | 20;
-const VERSION_NEEDED = 20;
-/** 1980-01-01, the first date of ZIP files. */
-const DATE = 0x0021;
-
-interface ZipEntry {
-  readonly name: Buffer;
-  readonly mode: number;
-  readonly crc: number;
-  readonly size: number;
-  readonly offset: number;
-}
+/** Version made by: Unix, so that modes and links are kept (PKWARE APPNOTE 6.3.10, section 4.4.2). */
+const UNIX = 3;
+/** The first date that a ZIP can hold, so that equal folders give equal files. */
+const DATE = new Date(1980, 0, 1);
 
 /**
- * Writes a ZIP below 4 GiB, because ZIP64 is not supported.
+ * Writes a folder to a ZIP, stored without compression: the packager only takes Electron as a ZIP, and reads it once.
  *
- * @param skip Excludes files by their path.
+ * @param target Path of the ZIP, below 4 GiB.
+ * @param skip Leaves out a file by its path in the folder.
  */
 export async function zipFolder(folder: string, target: string, skip: (path: string) => boolean = () => false): Promise<void> {
   await pipeline(Readable.from(zipParts(folder, skip)), createWriteStream(target));
 }
 
-async function* zipParts(folder: string, skip: (path: string) => boolean): AsyncGenerator<Buffer> {
-  const entries: ZipEntry[] = [];
-  let offset = 0;
+async function* zipParts(folder: string, skip: (path: string) => boolean): AsyncGenerator<Uint8Array> {
+  const parts: Uint8Array[] = [];
+  const zip = new Zip((error, part) => {
+    if (error) throw error;
+    parts.push(part);
+  });
   for (const path of await listPaths(folder)) {
     if (skip(path)) continue;
     const { mode, bytes } = await readEntry(join(folder, path));
-    const entry = { name: Buffer.from(path), mode, crc: crc32(bytes), size: bytes.length, offset };
-    entries.push(entry);
-    const head = localHead(entry);
-    offset += head.length + bytes.length;
-    yield head;
-    yield bytes;
+    const file = Object.assign(new ZipPassThrough(path), { os: UNIX, attrs: (mode << 16) >>> 0, mtime: DATE });
+    zip.add(file);
+    file.push(bytes, true);
+    yield* parts.splice(0);
   }
-  const directory = Buffer.concat(entries.map(directoryEntry));
-  yield directory;
-  yield endOfDirectory(entries.length, directory.length, offset);
+  zip.end();
+  yield* parts;
 }
 
 async function listPaths(folder: string): Promise<readonly string[]> {
@@ -62,45 +49,4 @@ async function listPaths(folder: string): Promise<readonly string[]> {
 async function readEntry(path: string): Promise<{ mode: number; bytes: Buffer }> {
   const found = await lstat(path);
   return { mode: found.mode, bytes: found.isSymbolicLink() ? Buffer.from(await readlink(path)) : await readFile(path) };
-}
-
-function localHead({ name, crc, size }: ZipEntry): Buffer {
-  const head = Buffer.alloc(30);
-  head.writeUInt32LE(0x04034b50, 0);
-  writeShared(head, 4, crc, size, name.length);
-  return Buffer.concat([head, name]);
-}
-
-function directoryEntry({ name, mode, crc, size, offset }: ZipEntry): Buffer {
-  const head = Buffer.alloc(46);
-  head.writeUInt32LE(0x02014b50, 0);
-  head.writeUInt16LE(MADE_BY_UNIX, 4);
-  writeShared(head, 6, crc, size, name.length);
-  head.writeUInt32LE((mode << 16) >>> 0, 38);
-  head.writeUInt32LE(offset, 42);
-  return Buffer.concat([head, name]);
-}
-
-/**
- * Fields that local and central headers share: version, flags, method (0: stored), time, date, checksum, both sizes, length of the
- * name.
- */
-function writeShared(head: Buffer, at: number, crc: number, size: number, nameLength: number): void {
-  head.writeUInt16LE(VERSION_NEEDED, at);
-  head.writeUInt16LE(UTF8_NAMES, at + 2);
-  head.writeUInt16LE(DATE, at + 8);
-  head.writeUInt32LE(crc, at + 10);
-  head.writeUInt32LE(size, at + 14);
-  head.writeUInt32LE(size, at + 18);
-  head.writeUInt16LE(nameLength, at + 22);
-}
-
-function endOfDirectory(count: number, length: number, offset: number): Buffer {
-  const end = Buffer.alloc(22);
-  end.writeUInt32LE(0x06054b50, 0);
-  end.writeUInt16LE(count, 8);
-  end.writeUInt16LE(count, 10);
-  end.writeUInt32LE(length, 12);
-  end.writeUInt32LE(offset, 16);
-  return end;
 }
