@@ -177,7 +177,7 @@ describe('file names', () => {
 
   test('may be equal for entries and tests, and outside of these folders', () => {
     expect(namesOf('app/cli/main.ts', 'app/electron/main.ts', 'app/cli/open.test.ts', 'export/page/open.test.ts')).toEqual([]);
-    expect(namesOf('app/services/routes.ts', 'export/graph/routes.ts')).toEqual([]);
+    expect(namesOf('app/services/routes.ts', 'renderer/state/routes.ts')).toEqual([]);
   });
 });
 

@@ -213,7 +213,18 @@ export const ROOMS = [
 export const SIBLINGS = ['renderer'] as const;
 
 /** No two files of these folders, taken together, have the same name, except tests and the names that `FIXED_NAMES` lists. */
-export const UNIQUE_NAMES = ['app', 'export/page', 'export/bundle', 'export/gltf'] as const;
+export const UNIQUE_NAMES = [
+  'app',
+  'nodes/kit',
+  'export/program',
+  'export/graph',
+  'export/glsl',
+  'export/gltf',
+  'export/compiler',
+  'export/emulator',
+  'export/page',
+  'export/bundle',
+] as const;
 
 /** File names with one fixed meaning in every folder. */
 export const FIXED_NAMES = ['definition', 'runtime', 'main', 'index'] as const;
