@@ -16,67 +16,85 @@ const LOOK = { x: 40, y: 60, width: 24, height: 24 };
 /** Time for earlier edits to be compiled and drawn. */
 const REST_MS = 3000;
 
-interface Editor {
-  readonly browser: Browser;
-  readonly page: Page;
+/** Waiting times in the built editor (`npm run build`); reading the image takes some 30 ms of them. */
+export async function benches(context: ToolContext): Promise<readonly Bench[]> {
+  return [
+    startBench(context),
+    typingBench(context, 'editor, from a key in a shader to another picture', 'first-light', 'Color temperature'),
+    typingBench(context, 'editor, from a key in a filter of one pass to another image', 'sepia', 'Sepia'),
+  ];
 }
 
-/** Waiting times in the built editor (`npm run build`); reading the image takes some 30 ms of them. */
-export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
-  const base = await mkdtemp(join(tmpdir(), 'scrim-bench-'));
-  const project = join(base, 'project');
-  await cp(join(root, 'examples', 'first-light'), project, { recursive: true });
-  let started: Promise<{ server: EditorServer; browser: Browser }> | undefined;
-  const options = { installation: installationAt(root, '0.0.0'), startPath: project, log: console.error };
-  const start = () => {
-    started ??= (async () => ({ server: await startServer(options), browser: await startBenchBrowser() }))();
-    return started;
+function startBench(context: ToolContext): Bench {
+  const host = createHost(context, 'first-light');
+  return {
+    name: 'editor, from its address to the first picture',
+    unit: 'ms',
+    samples: 5,
+    sample: async () => {
+      const { browser, server } = await host.start();
+      const url = server.invite();
+      const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+      const ms = await timeMs(async () => {
+        await page.goto(url);
+        await drawn(page);
+      });
+      await page.close();
+      return ms;
+    },
+    dispose: host.dispose,
   };
-  let typing: Promise<Editor> | undefined;
+}
+
+/** From a key in the shader of the node with that title, in a copy of an example, to the image that it changes. */
+function typingBench(context: ToolContext, name: string, example: string, node: string): Bench {
+  const host = createHost(context, example);
   const parts = createKeyParts(quantile);
-  return [
-    {
-      name: 'editor, from its address to the first picture',
-      unit: 'ms',
-      samples: 5,
-      sample: async () => {
-        const { browser, server } = await start();
-        const url = server.invite();
-        const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
-        const ms = await timeMs(async () => {
-          await page.goto(url);
-          await drawn(page);
-        });
-        await page.close();
-        return ms;
-      },
+  let typing: Promise<Page> | undefined;
+  return {
+    name,
+    unit: 'ms',
+    samples: 20,
+    sample: async () => {
+      const { browser, server } = await host.start();
+      typing ??= openShader(browser, server.invite(), node, parts);
+      const page = await typing;
+      const before = await look(page);
+      // A digit more or less of a factor that darkens everything.
+      const ms = await timeMs(async () => {
+        await page.keyboard.press(digits++ % 2 === 0 ? '5' : 'Backspace');
+        while ((await look(page)).equals(before)) if (page.isClosed()) throw new Error('The editor is gone.');
+      });
+      await parts.take(page);
+      return ms;
     },
-    {
-      name: 'editor, from a key in a shader to another picture',
-      unit: 'ms',
-      samples: 20,
-      sample: async () => {
-        const { browser, server } = await start();
-        typing ??= openShader(browser, server.invite(), parts);
-        const { page } = await typing;
-        const before = await look(page);
-        // A digit more or less of a factor that darkens everything.
-        const ms = await timeMs(async () => {
-          await page.keyboard.press(digits++ % 2 === 0 ? '5' : 'Backspace');
-          while ((await look(page)).equals(before)) if (page.isClosed()) throw new Error('The editor is gone.');
-        });
-        await parts.take(page);
-        return ms;
-      },
-      notes: () => `Load of the machine: ${loadavg()[0]?.toFixed(1)}\n${parts.print()}`,
-      dispose: async () => {
-        const { browser, server } = await start();
-        await browser.close();
-        await server.close();
-        await rm(base, { recursive: true, force: true });
-      },
+    notes: () => `Load of the machine: ${loadavg()[0]?.toFixed(1)}\n${parts.print()}`,
+    dispose: host.dispose,
+  };
+}
+
+/** A server of the editor with a copy of an example, and a browser; both start at the first use. */
+function createHost({ root }: ToolContext, example: string) {
+  let started: Promise<{ readonly base: string; readonly server: EditorServer; readonly browser: Browser }> | undefined;
+  return {
+    start: () => {
+      started ??= (async () => {
+        const base = await mkdtemp(join(tmpdir(), 'scrim-bench-'));
+        const project = join(base, 'project');
+        await cp(join(root, 'examples', example), project, { recursive: true });
+        const server = await startServer({ installation: installationAt(root, '0.0.0'), startPath: project, log: console.error });
+        return { base, server, browser: await startBenchBrowser() };
+      })();
+      return started;
     },
-  ];
+    dispose: async () => {
+      if (!started) return;
+      const { base, server, browser } = await started;
+      await browser.close();
+      await server.close();
+      await rm(base, { recursive: true, force: true });
+    },
+  };
 }
 
 let digits = 0;
@@ -93,14 +111,14 @@ async function look(page: Page): Promise<Buffer> {
   return page.screenshot({ clip: { ...LOOK, x: box.x + LOOK.x, y: box.y + LOOK.y } });
 }
 
-/** Holds the preview and puts the cursor into a number in the filter that lies over everything. */
-async function openShader(browser: Browser, url: string, parts: KeyParts): Promise<Editor> {
+/** Pauses the preview and puts the cursor into a number at the end of a filter's shader. */
+async function openShader(browser: Browser, url: string, node: string, parts: KeyParts): Promise<Page> {
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
   await parts.prepare(page);
   await page.goto(url);
   await drawn(page);
   await page.getByRole('button', { name: 'Pause', exact: true }).click();
-  await page.locator('.node-title', { hasText: 'Color temperature' }).click();
+  await page.locator('.node-title', { hasText: node }).click();
   await page.getByRole('button', { name: 'Edit shader', exact: true }).click();
   await page.locator('.monaco-editor .view-line').first().waitFor();
   await page.locator('.code-text').click({ position: { x: 300, y: 60 } });
@@ -109,5 +127,5 @@ async function openShader(browser: Browser, url: string, parts: KeyParts): Promi
   await page.keyboard.type(' gl_FragColor.rgb *= 0.7;');
   await page.keyboard.press('ArrowLeft');
   await page.waitForTimeout(REST_MS);
-  return { browser, page };
+  return page;
 }
