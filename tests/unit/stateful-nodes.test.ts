@@ -38,6 +38,8 @@ const SHOWING: Readonly<Record<string, Readonly<Record<string, ParamValue>>>> = 
   'pulse/every': { periodS: 0.25 },
   'pulse/on-start': { delayS: 0.05 },
   'pulse/on-change': { least: 1 },
+  'pose/follow': { timeConstantS: 1 },
+  'pose/inside-box': { sizeM: [1, 1, 1], marginM: 1 },
   'world/measure': { moveM: 10 },
 };
 
@@ -108,8 +110,8 @@ function controller(frame: number, last: number, salt: number) {
 }
 
 /** Each is there for two frames. */
-function pointer(frame: number) {
-  const pose = new Float32Array(16).map((_, i) => (i % 5 === 0 ? 1 : chance(frame, i)));
+function pointer(frame: number, salt = 0) {
+  const pose = new Float32Array(16).map((_, i) => (i % 5 === 0 ? 1 : chance(frame, i + salt)));
   return {
     id: 1 + Math.floor(frame / 2),
     by: 'left',
@@ -283,7 +285,8 @@ function giveAt(
       fake.set(name, name === 'presses' ? frame : valueAt(param, frame, salt));
     });
     Object.entries(definition.inputs).forEach(([name, port], salt) => {
-      if (port.type === 'pose') writePose(fake.ctx.inputs[name] as never, frame % 4 === 1 ? null : pointer(frame).worldFromRay, 0);
+      if (port.type === 'pose')
+        writePose(fake.ctx.inputs[name] as never, frame % 4 === 1 ? null : pointer(frame, 20 * salt).worldFromRay, 0);
       if (port.type !== 'pulse') return;
       const queue = fake.ctx.inputs[name] as unknown as PulseQueue;
       queue.clear();
