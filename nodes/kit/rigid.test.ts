@@ -18,13 +18,13 @@ const matrixOf = (angles: readonly [number, number, number]) => {
 };
 
 describe('rotations', () => {
-  test.each(ANGLES)('by angles are those of three in the order YXZ: %d, %d, %d', (...angles) => {
-    const expected = new Matrix4().makeRotationFromEuler(new Euler(...angles, 'YXZ')).setPosition(1, 2, 3);
-    expect([...matrixOf(angles)]).toEqual(near(expected.elements));
+  test.each(ANGLES)('by angles are those of three in the order YXZ: %d, %d, %d', (x, y, z) => {
+    const expected = new Matrix4().makeRotationFromEuler(new Euler(x, y, z, 'YXZ')).setPosition(1, 2, 3);
+    expect([...matrixOf([x, y, z])]).toEqual(near(expected.elements));
   });
 
-  test.each(ANGLES)('survive the way through a quaternion: %d, %d, %d', (...angles) => {
-    const matrix = matrixOf(angles);
+  test.each(ANGLES)('survive the way through a quaternion: %d, %d, %d', (x, y, z) => {
+    const matrix = matrixOf([x, y, z]);
     const q = new Float64Array(4);
     setQuaternion(q, matrix);
     const back = new Float32Array(16);
