@@ -17,8 +17,8 @@ export function guardContents(app: App): void {
 }
 
 /**
- * Denies devices, sensors and foreign URLs. The preview may use the microphone if the project does, and the camera if the user chose
- * the webcam.
+ * Limits the permissions of pages: the preview may use the camera and microphone, the editor has `ALLOWED_PERMISSIONS`, all others are
+ * denied, such as devices and sensors. Also cancels requests to other origins.
  */
 export function guardSession(session: Session): void {
   session.setPermissionRequestHandler((_contents, permission, callback, details) =>

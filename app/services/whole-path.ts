@@ -5,7 +5,7 @@ import { refusal } from './file-errors.ts';
 /**
  * Resolves a typed path; `~/` is the home folder. Rejects relative paths, because a window has no working folder.
  *
- * @throws `code`
+ * @throws HostError with this `code` if the path is relative
  */
 export function wholePath(path: string, code: 'SCR004' | 'SCR060'): string {
   const typed = path.trim();

@@ -59,7 +59,7 @@ function NodeHelp({ definition }: { readonly definition: NodeDefinition }) {
         }))}
       />
       <Facts
-        title="Required features"
+        title="Device features"
         entries={needs.map((need) => ({
           name: need.capability,
           label: need.capability.replaceAll('-', ' '),

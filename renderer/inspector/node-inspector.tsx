@@ -126,10 +126,10 @@ function Facts({ definition: { needs = [], credit, licence } }: { readonly defin
   if (needs.length === 0 && credit === undefined && licence === undefined) return null;
   return (
     <section className="inspector-section" aria-label="About">
-      {needs.length > 0 && <h3>Required features</h3>}
+      {needs.length > 0 && <h3>Device features</h3>}
       {needs.map((need) => (
         <p key={need.capability} className="inspector-note">
-          <strong>{need.capability.replaceAll('-', ' ')}</strong> {need.why}. Without it: {need.without}
+          <strong>{need.capability.replaceAll('-', ' ')}</strong>: {need.why}. Without it: {need.without}
         </p>
       ))}
       {credit !== undefined && <h3>Credit</h3>}

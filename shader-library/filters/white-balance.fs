@@ -7,8 +7,8 @@
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to recolor. It is assumed to be lit with 6500 K." },
     { "NAME": "warm", "TYPE": "float", "LABEL": "Warm", "DOC": "Color temperature of the warm light.", "MIN": 1700.0, "MAX": 15000.0, "DEFAULT": 3200.0, "STEP": 50.0, "UNIT": "K" },
     { "NAME": "cold", "TYPE": "float", "LABEL": "Cold", "DOC": "Color temperature of the cold light.", "MIN": 1700.0, "MAX": 15000.0, "DEFAULT": 9500.0, "STEP": 50.0, "UNIT": "K" },
-    { "NAME": "balance", "TYPE": "float", "LABEL": "Balance", "DOC": "0 is warm, 1 is cold.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "ratio" },
-    { "NAME": "swing", "TYPE": "float", "LABEL": "Swing", "DOC": "Period of the automatic movement to the other light and back, in seconds. It starts at “Balance”. 0 turns it off.", "MIN": 0.0, "MAX": 120.0, "DEFAULT": 0.0, "UNIT": "s" }
+    { "NAME": "balance", "TYPE": "float", "LABEL": "Warm to cold", "DOC": "Mix of the two color temperatures: 0 is “Warm”, 1 is “Cold”.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "ratio" },
+    { "NAME": "swing", "TYPE": "float", "LABEL": "Swing", "DOC": "Period of the automatic movement to the other light and back, in seconds. It starts at “Warm to cold”. 0 turns it off.", "MIN": 0.0, "MAX": 120.0, "DEFAULT": 0.0, "UNIT": "s" }
   ]
 }*/
 

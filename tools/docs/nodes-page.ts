@@ -55,7 +55,7 @@ function needs(definition: NodeDefinition): string {
     (need) =>
       `- **${need.capability.replaceAll('-', ' ')}** (${needFacts(definition, need).join(', ')}): ${need.why}. Without it: ${need.without}\n`,
   );
-  return lines.length === 0 ? '' : `\nRequired features:\n\n${lines.join('')}`;
+  return lines.length === 0 ? '' : `\nDevice features:\n\n${lines.join('')}`;
 }
 
 function item(label: string, name: string, facts: readonly string[], doc: string): string {

@@ -104,7 +104,7 @@ export const HEADER_KEYS: Readonly<Record<'root' | 'input' | 'pass', Readonly<Re
     VALUES: 'Numbers that a "long" can be.',
     LABELS: 'What those numbers are called.',
     UNIT: 'm, s, rad, px, K, Hz, cd, ratio or none.',
-    STEP: 'Distance between values.',
+    STEP: 'Difference between a value of the control and the next.',
     OPTIONAL: 'Whether an image may stay unconnected.',
   },
   pass: {

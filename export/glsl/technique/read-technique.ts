@@ -95,7 +95,7 @@ function readImported(header: Header): TechniqueShader['imported'] {
     const path = textOf(property(value, 'PATH'));
     if (!key || name === null) return [];
     if (path === null || !isIdentifier(name) || TAKEN.has(name)) {
-      header.error(key, 'IMPORTED lists pictures of the library: { "strokes": { "PATH": "pictures/strokes.png" } }.');
+      header.error(key, 'IMPORTED lists images of the library: { "strokes": { "PATH": "pictures/strokes.png" } }.');
       return [];
     }
     return [{ name, path, ...header.place(key.offset) }];

@@ -130,7 +130,7 @@ function overflow(port: string): Omit<Diagnostic, 'nodeId'> {
     severity: 'warning',
     port,
     message: `The output emitted more than ${PULSE_CAPACITY} pulses in one frame. The rest are lost.`,
-    fix: 'Emit fewer pulses: add a Gate before the node, or make it slower.',
+    fix: 'Emit fewer pulses: lower the rate of the node, or add a Gate before it.',
   };
 }
 

@@ -27,7 +27,11 @@ export const definition = defineNode({
       label: 'Moved',
       doc: 'A pulse when a tap has moved them, or at the end of a drag, pinch or twist, with the pose. Its number is the scale factor.',
     },
-    removed: { type: 'pulse', label: 'Removed', doc: 'A pulse when their placement ends, by Remove or by another session.' },
+    removed: {
+      type: 'pulse',
+      label: 'Removed',
+      doc: 'A pulse when the objects are no longer placed: after a pulse at “Remove”, or because another session started.',
+    },
   },
   params: {
     mode: {

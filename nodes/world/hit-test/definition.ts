@@ -20,7 +20,7 @@ export const definition = defineNode({
     distanceM: { type: 'number', label: 'Distance', doc: 'From the start of the ray to the surface, in meters. 0 while nothing is hit.' },
     orientation: {
       type: 'text',
-      label: 'Orientation',
+      label: 'Kind of surface',
       doc: '“floor” for surfaces that face up within 20°, tables too; “wall”, “ceiling” or “sloped” for others; empty while nothing is hit.',
     },
     source: {

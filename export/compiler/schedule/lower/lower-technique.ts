@@ -60,7 +60,7 @@ function missingPicture({ id }: FlatNode, { file, imported }: TechniqueShader, p
     line,
     column,
     message: `The image “${path}” is not in the library.`,
-    fix: 'Make it an input of TYPE "image" and connect an image to it.',
+    fix: 'Replace its IMPORTED entry with an input of TYPE "image" and connect an image.',
   };
 }
 

@@ -57,9 +57,9 @@ const SAMPLES = 4;
 const STEPS = 3;
 
 /**
- * Uses a single render call of three.js, because its multisampled targets do not keep depth between calls. For each light, volumes mark
- * pixels in the stencil; receivers add what is blocked there and reset the marks. The target has its own stencil, because WebXR's
- * framebuffers may have none.
+ * Draws a `BlockedPicture` in a single render call of three.js, because its multisampled targets do not keep depth between calls. For each
+ * light, volumes mark pixels in the stencil; receivers add the light's fraction of all light there, 0 to 1, and reset the marks. The
+ * target has its own stencil, because WebXR's framebuffers may have none.
  */
 export function createBlockedPicture({ renderer, casters, catches, limits }: BlockedPictureOptions): BlockedPicture {
   const scene = new Scene();
