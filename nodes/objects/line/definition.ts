@@ -1,0 +1,38 @@
+import { defineNode } from '../../kit/definition.ts';
+
+export const definition = defineNode({
+  type: 'objects/line',
+  version: 1,
+  title: 'Line',
+  doc: 'Draws a straight line between two poses, as a round rod with a width in meters. Real and virtual things in front hide it like other objects. It has the same color in any light.',
+  keywords: ['rod', 'segment', 'ruler', 'connect', 'beam', 'laser', 'stroke', 'measure', 'dimension'],
+  inputs: {
+    from: { type: 'pose', label: 'From', doc: 'The pose at which the line starts.', required: true },
+    to: { type: 'pose', label: 'To', doc: 'The pose at which it ends.', required: true },
+  },
+  outputs: {
+    objects: { type: 'objects', label: 'Line', doc: 'The line; none while a pose is invalid or both are at the same position.' },
+  },
+  params: {
+    widthM: {
+      type: 'number',
+      stage: 'uniform',
+      label: 'Width',
+      doc: 'Diameter of the line.',
+      default: 0.005,
+      min: 0,
+      max: 1,
+      step: 0.001,
+      unit: 'm',
+    },
+    color: {
+      type: 'color',
+      stage: 'uniform',
+      label: 'Color',
+      doc: 'Color of the line. With alpha below 1 it is transparent.',
+      default: [1, 1, 1, 1],
+    },
+    castShadow: { type: 'toggle', stage: 'uniform', label: 'Cast shadows', doc: 'Whether it casts a shadow.', default: false },
+  },
+  lowering: { kind: 'geometry' },
+});

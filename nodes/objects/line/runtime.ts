@@ -1,0 +1,70 @@
+import { CylinderGeometry, Matrix4, Mesh, MeshBasicMaterial, Quaternion, Vector3 } from 'three';
+import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { ObjectItem } from '../../kit/scene-lists.ts';
+import type { definition } from './definition.ts';
+
+/** Shorter lines have no direction. */
+const LEAST_M = 1e-6;
+
+// Filled and read within one call.
+const start = new Vector3();
+const end = new Vector3();
+const along = new Vector3();
+const scale = new Vector3();
+const rotation = new Quaternion();
+const UP = new Vector3(0, 1, 0);
+
+export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
+  const { widthM, color, castShadow } = ctx.params;
+  const { objects } = ctx.outputs;
+  const geometry = new CylinderGeometry(0.5, 0.5, 1, 12);
+  const material = new MeshBasicMaterial();
+  const mesh = new Mesh(geometry, material);
+  mesh.matrixAutoUpdate = false;
+  mesh.matrixWorldAutoUpdate = false;
+  const item: ObjectItem = {
+    key: 'line',
+    root: mesh,
+    worldFromObject: new Matrix4(),
+    role: 'virtual',
+    castsShadow: false,
+    receivesShadow: false,
+  };
+
+  function show(shown: boolean): void {
+    if (objects.items.length > 0 === shown) return;
+    objects.items.length = 0;
+    if (shown) objects.items.push(item);
+    objects.version++;
+  }
+
+  /** Lays the rod from pose to pose; false where there is no line. */
+  function lay(): boolean {
+    const { from, to } = ctx.inputs;
+    if (!from?.valid || !to?.valid) return false;
+    start.fromArray(from.worldFromPose, 12);
+    end.fromArray(to.worldFromPose, 12);
+    const lengthM = along.subVectors(end, start).length();
+    if (lengthM < LEAST_M || widthM.value <= 0) return false;
+    rotation.setFromUnitVectors(UP, along.divideScalar(lengthM));
+    item.worldFromObject.compose(start.add(end).multiplyScalar(0.5), rotation, scale.set(widthM.value, lengthM, widthM.value));
+    return true;
+  }
+
+  return {
+    update: () => {
+      material.color.fromArray(color.value).convertSRGBToLinear();
+      material.opacity = color.value[3] ?? 1;
+      if (material.transparent !== material.opacity < 1) {
+        material.transparent = material.opacity < 1;
+        material.needsUpdate = true;
+      }
+      item.castsShadow = castShadow.value;
+      show(lay());
+    },
+    dispose: () => {
+      geometry.dispose();
+      material.dispose();
+    },
+  };
+}
