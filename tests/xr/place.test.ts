@@ -212,6 +212,24 @@ test('without AR the mouse places and drags the box on the floor', async () => {
   await page.mouse.up();
   // The view has not turned: the box is where the mouse is.
   await showsAt(...to);
+  // It stays there when the graphics context is lost and restored.
+  await page.evaluate(async () => {
+    const canvas = document.querySelector('canvas');
+    const gl = canvas?.getContext('webgl2') as (WebGL2RenderingContext & { drawn?: unknown }) | null | undefined;
+    const extension = gl?.getExtension('WEBGL_lose_context');
+    if (!canvas || !gl || !extension) throw new Error('The context cannot be lost.');
+    const happens = (type: string) => new Promise((resolve) => canvas.addEventListener(type, resolve, { once: true }));
+    const lost = happens('webglcontextlost');
+    extension.loseContext();
+    await lost;
+    // Browsers restore no context before the event has been handled.
+    await new Promise((resolve) => setTimeout(resolve));
+    delete gl.drawn;
+    const restored = happens('webglcontextrestored');
+    extension.restoreContext();
+    await restored;
+  });
+  await showsAt(...to);
   expect(xr.errors).toEqual([]);
   await xr.close();
 });

@@ -7,7 +7,7 @@ import type { SessionFrame } from '../../kit/session.ts';
 export interface Placement {
   /** Meters, world space. */
   readonly positionM: Vector3;
-  /** The surface’s axes at the tap, carried along by drags. */
+  /** The surface's axes at the tap, carried along by drags. */
   readonly rotation: Quaternion;
   /** About the normal, counter-clockwise seen from its tip. */
   turnRad: number;

@@ -2,7 +2,7 @@ import { Quaternion, Vector3 } from 'three';
 import { handOf } from '../../kit/pointers.ts';
 import type { Pointer, ViewFrame } from '../../kit/session.ts';
 
-/** From one of two pointers to the other: its length in any unit, and its angle, counter-clockwise about the surface’s normal. */
+/** From one of two pointers to the other: its length in any unit, and its angle, counter-clockwise about the surface's normal. */
 export interface Span {
   length: number;
   angleRad: number;

@@ -12,7 +12,7 @@ type Params = NonNullable<NonNullable<Parameters<typeof fakeContext<typeof defin
 
 const at = (x: number) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, 0, 0, 1];
 
-/** `capabilities`: of a WebXR session; without it anchors are ideal. */
+/** `xr`: of the frames of a WebXR session; without it anchors are ideal. */
 function start({ pose = createPose(), params = {}, xr = null }: { pose?: PoseOutput | null; params?: Params; xr?: object | null } = {}) {
   const spatial = createSpatial({ gl: {} as never, held: true });
   const anchors: Anchor[] = [];
