@@ -1,4 +1,4 @@
-import { type WebmFrame, writeWebm } from './write-webm.ts';
+import { BufferTarget, EncodedPacket, EncodedVideoPacketSource, Output, WebMOutputFormat } from 'mediabunny';
 
 /** A frame of a video: Y, U and V as the codec takes them (BT.601, video range), and alpha in [0, 255]; rows from the top. */
 export interface FilmPicture {
@@ -16,12 +16,18 @@ export interface Film {
   readonly keyEvery: number;
   readonly bitrate: number;
   readonly pictures: readonly FilmPicture[];
-  /** Whether the file states its duration. */
+  /** Whether the file states its duration. Browser recordings do not. */
   readonly timed?: boolean;
 }
 
 /** VP9 profile 0, level 1, eight bits, which all browsers play. */
 const CODEC = 'vp09.00.10.08';
+
+interface Encoded {
+  readonly chunks: readonly EncodedVideoChunk[];
+  /** Of the first chunk. */
+  readonly metadata: EncodedVideoChunkMetadata | undefined;
+}
 
 /** Encodes a WebM video with WebCodecs in a browser, with alpha if the frames have it. */
 export async function encodeFilm(film: Film): Promise<Uint8Array<ArrayBuffer>> {
@@ -29,12 +35,25 @@ export async function encodeFilm(film: Film): Promise<Uint8Array<ArrayBuffer>> {
   const gray = new Uint8Array((widthPx / 2) * (heightPx / 2)).fill(128);
   const colors = await encode(film, ({ y, u, v }) => [y, u, v]);
   const hasAlpha = pictures.some(({ alpha }) => alpha !== undefined);
-  const alphas = hasAlpha ? await encode(film, ({ y, alpha }) => [alpha ?? y.map(() => 255), gray, gray]) : [];
-  const frames = colors.map((chunk, i): WebmFrame => {
-    const alpha = alphas[i]?.data;
-    return { ...chunk, timeMs: timeMsOf(i, picturesPerS), ...(alpha === undefined ? {} : { alpha }) };
-  });
-  return writeWebm({ codec: 'V_VP9', widthPx, heightPx, durationMs: timed ? timeMsOf(pictures.length, picturesPerS) : null, frames });
+  const alphas = hasAlpha ? await encode(film, ({ y, alpha }) => [alpha ?? y.map(() => 255), gray, gray]) : null;
+  const source = new EncodedVideoPacketSource('vp9');
+  const output = new Output({ format: new WebMOutputFormat({ appendOnly: !timed }), target: new BufferTarget() });
+  output.addVideoTrack(source, { frameRate: picturesPerS });
+  await output.start();
+  for (const [i, chunk] of colors.chunks.entries()) {
+    const alpha = alphas?.chunks[i];
+    const packet = EncodedPacket.fromEncodedChunk(chunk, alpha && { alpha: bytesOf(alpha) });
+    await source.add(packet, colors.metadata);
+  }
+  await output.finalize();
+  if (!output.target.buffer) throw new Error('The film has no bytes.');
+  return new Uint8Array(output.target.buffer);
+}
+
+function bytesOf(chunk: EncodedVideoChunk): Uint8Array {
+  const bytes = new Uint8Array(chunk.byteLength);
+  chunk.copyTo(bytes);
+  return bytes;
 }
 
 function timeMsOf(index: number, picturesPerS: number): number {
@@ -44,14 +63,14 @@ function timeMsOf(index: number, picturesPerS: number): number {
 async function encode(
   { widthPx, heightPx, picturesPerS, keyEvery, bitrate, pictures }: Film,
   planes: (picture: FilmPicture) => readonly Uint8Array[],
-): Promise<{ readonly key: boolean; readonly data: Uint8Array }[]> {
-  const chunks: { readonly key: boolean; readonly data: Uint8Array }[] = [];
+): Promise<Encoded> {
+  const chunks: EncodedVideoChunk[] = [];
+  let metadata: EncodedVideoChunkMetadata | undefined;
   const failures: unknown[] = [];
   const encoder = new VideoEncoder({
-    output: (chunk) => {
-      const data = new Uint8Array(chunk.byteLength);
-      chunk.copyTo(data);
-      chunks.push({ key: chunk.type === 'key', data });
+    output: (chunk, more) => {
+      chunks.push(chunk);
+      metadata ??= more;
     },
     error: (error) => failures.push(error),
   });
@@ -59,12 +78,13 @@ async function encode(
   pictures.forEach((picture, i) => {
     const data = new Uint8Array(planes(picture).flatMap((plane) => [...plane]));
     const timestamp = timeMsOf(i, picturesPerS) * 1000;
-    const frame = new VideoFrame(data, { format: 'I420', codedWidth: widthPx, codedHeight: heightPx, timestamp });
+    const duration = 1e6 / picturesPerS;
+    const frame = new VideoFrame(data, { format: 'I420', codedWidth: widthPx, codedHeight: heightPx, timestamp, duration });
     encoder.encode(frame, { keyFrame: i % keyEvery === 0 });
     frame.close();
   });
   await encoder.flush();
   encoder.close();
   if (failures.length > 0) throw failures[0];
-  return chunks;
+  return { chunks, metadata };
 }

@@ -163,7 +163,7 @@ export const LAYERS: readonly Layer[] = [
     files: ['tools/{examples,sessions}/**'],
     // The studio is filmed in a browser, by the emulator's own means.
     imports: ['kit', 'graph', 'registry of definitions', 'recorded session format', 'tools', 'services', 'emulator'],
-    packages: ['node:*', 'three', '@gltf-transform/core', 'fast-png', 'esbuild', 'playwright-core', 'sharp'],
+    packages: ['node:*', 'three', '@gltf-transform/core', 'fast-png', 'mediabunny', 'esbuild', 'playwright-core', 'sharp'],
   },
   {
     name: 'measured page',
