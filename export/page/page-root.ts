@@ -2,15 +2,15 @@ import { createControls } from './control-elements.ts';
 import type { ControlValues } from './control-values.ts';
 import { element } from './dom.ts';
 import { createNotices, type Notices } from './notices.ts';
-import { createPanel, type Panel, type PanelOptions } from './panel.ts';
 import type { SessionMode } from './session-modes.ts';
+import { createStartCard, type StartCard, type StartCardOptions } from './start-card.ts';
 
 /** The elements of the page. */
 export interface PageRoot {
   readonly canvas: HTMLCanvasElement;
   /** The DOM overlay of AR sessions. */
   readonly overlay: HTMLElement;
-  readonly panel: Panel;
+  readonly panel: StartCard;
   readonly notices: Notices;
   /** Null selects the orbit view. */
   setMode(mode: SessionMode | null): void;
@@ -18,7 +18,7 @@ export interface PageRoot {
   showCanvas(): void;
 }
 
-export interface PageRootOptions extends PanelOptions {
+export interface PageRootOptions extends StartCardOptions {
   readonly values: ControlValues;
   readonly onLeave: () => void;
 }
@@ -31,7 +31,7 @@ export function createPageRoot(options: PageRootOptions): PageRoot {
   const canvas = element(document, 'canvas', {
     attributes: { tabindex: '0', role: 'img', 'aria-label': `${title}: drag or use the arrow keys to look around` },
   });
-  const panel = createPanel(options);
+  const panel = createStartCard(options);
   const notices = createNotices(document);
   const leave = element(document, 'button', { className: 'leave', hidden: true, attributes: { type: 'button' }, onClick: onLeave });
   const controls = createControls(document, options.values);

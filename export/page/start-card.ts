@@ -4,8 +4,8 @@ import { progressText } from './load-progress.ts';
 import type { Ask } from './needs-text.ts';
 import type { SessionMode } from './session-modes.ts';
 
-/** What the panel shows below the title. */
-export type PanelState =
+/** What the card shows below the title: the progress of loading, the session modes, or why the page cannot be shown. */
+export type StartCardState =
   | { readonly kind: 'loading'; readonly loadedBytes: number }
   /** The orbit view is shown. */
   | {
@@ -19,7 +19,7 @@ export type PanelState =
   /** The program cannot be shown. */
   | { readonly kind: 'failed'; readonly reason: string };
 
-export interface PanelOptions {
+export interface StartCardOptions {
   readonly document: Document;
   readonly title: string;
   readonly description: string;
@@ -34,9 +34,9 @@ export interface PanelOptions {
   readonly onEnter: (mode: SessionMode) => void;
 }
 
-export interface Panel {
+export interface StartCard {
   readonly element: HTMLElement;
-  show(state: PanelState): void;
+  show(state: StartCardState): void;
   /** Moves the focus to the first button. */
   focus(): void;
 }
@@ -48,7 +48,7 @@ const LABELS: Readonly<Record<SessionMode, { readonly enter: string; readonly en
 };
 
 /** The card with the title, the description and the session modes with what each requests and lacks. */
-export function createPanel(options: PanelOptions): Panel {
+export function createStartCard(options: StartCardOptions): StartCard {
   const { document, title, description, totalBytes, lacks } = options;
   const bar = element(document, 'progress', { attributes: { max: '1', 'aria-label': 'Loading' } });
   const size = element(document, 'p', { className: 'size' });
@@ -130,7 +130,7 @@ interface ModeElement {
   setBusy(state: 'entering' | 'waiting'): void;
 }
 
-function createModeElement({ document, onEnter }: PanelOptions, mode: SessionMode, texts: readonly HTMLElement[]): ModeElement {
+function createModeElement({ document, onEnter }: StartCardOptions, mode: SessionMode, texts: readonly HTMLElement[]): ModeElement {
   const { enter, entering } = LABELS[mode];
   const id = `about-${mode}`;
   const button = element(
@@ -159,7 +159,7 @@ function createModeElement({ document, onEnter }: PanelOptions, mode: SessionMod
 
 const PRIVACY = 'Everything stays on your device. This page sends no data.';
 
-function arTexts({ document, asks, controls }: PanelOptions): HTMLElement[] {
+function arTexts({ document, asks, controls }: StartCardOptions): HTMLElement[] {
   const motion = 'Your browser will ask whether this page may track how your device moves in the room.';
   const items = asks.flatMap(({ what, why }) => [element(document, 'dt', {}, what), element(document, 'dd', {}, why)]);
   return [
@@ -170,7 +170,7 @@ function arTexts({ document, asks, controls }: PanelOptions): HTMLElement[] {
   ];
 }
 
-function vrTexts({ document, controls }: PanelOptions): HTMLElement[] {
+function vrTexts({ document, controls }: StartCardOptions): HTMLElement[] {
   const asks = 'Your browser will ask whether this page may track your movement. You see a plain room instead of your own.';
   return [
     element(document, 'p', {}, asks),
