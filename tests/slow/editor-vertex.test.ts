@@ -1,7 +1,9 @@
 import { readdir, readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { expect, test } from '@jest/globals';
+import type { Locator } from 'playwright-core';
 import { type GraphText, saveGraphs, useEditor } from '../support/open-editor.ts';
+import { eventually } from '../support/patience.ts';
 
 const openEditor = useEditor();
 
@@ -34,6 +36,10 @@ const ASIDE: GraphText = {
   shaders: { 'aside.fs': FRAGMENT, 'aside.vs': VERTEX },
 };
 
+function topOf(line: Locator): Promise<number> {
+  return line.evaluate((element) => (element as HTMLElement).offsetTop);
+}
+
 test('the vertex shader beside an ISF file is edited, marked, renamed with its file and followed outside', async () => {
   const opened = await openEditor(ASIDE);
   const { page, editor, project } = opened;
@@ -41,6 +47,7 @@ test('the vertex shader beside an ISF file is edited, marked, renamed with its f
   const near = await editor.rewind();
   await editor.openCode('aside-aaaa');
   const files = page.getByRole('group', { name: 'File' });
+  const header = page.locator('.view-line', { hasText: 'How far aside' });
   await files.getByRole('button', { name: 'Vertex' }).click();
   await page.locator('.view-line', { hasText: 'isf_vertShaderInit' }).waitFor();
 
@@ -56,12 +63,8 @@ test('the vertex shader beside an ISF file is edited, marked, renamed with its f
   await page.locator('.view-line', { hasText: 'IMG_NORM_PIXEL' }).waitFor();
   await page.locator('.monaco-editor.focused').waitFor();
   await files.getByRole('button', { name: 'Fragment', pressed: true }).waitFor();
-  expect(
-    await page
-      .locator('.monaco-editor .cursor')
-      .first()
-      .evaluate((cursor) => (cursor as HTMLElement).offsetTop),
-  ).toBe(await page.locator('.view-line', { hasText: 'How far aside' }).evaluate((line) => (line as HTMLElement).offsetTop));
+  // The editor draws lines and cursor in a later frame.
+  await eventually(async () => expect(await topOf(page.locator('.monaco-editor .cursor').first())).toBe(await topOf(header)));
   await files.getByRole('button', { name: 'Vertex' }).click();
   await page.locator('.view-line', { hasText: 'isf_vertShaderInit' }).waitFor();
 
