@@ -28,7 +28,7 @@ describe('npm run new-filter', () => {
   test('its filter is among the nodes, documented', async () => {
     const generated = await readFile(join(copy.root, 'nodes/generated/definitions.gen.ts'), 'utf8');
     expect(generated).toContain('filter/try-it');
-    expect(generated).toContain('Darkens the picture towards its corners.');
+    expect(generated).toContain('Darkens an image towards its corners.');
   });
 
   test('its test is formatted, and holds the filter to its formula', async () => {
@@ -47,8 +47,8 @@ describe('npm run new-filter', () => {
   test('a filter that is there is left alone', async () => {
     const path = join(copy.root, 'shader-library/filters/sepia.fs');
     const before = await readFile(path, 'utf8');
-    await expect(copy.node('tools/new-filter.mjs', 'sepia')).rejects.toThrow('There is a filter sepia already');
-    await expect(copy.node('tools/new-filter.mjs', '../sepia')).rejects.toThrow('no name of a filter');
+    await expect(copy.node('tools/new-filter.mjs', 'sepia')).rejects.toThrow('The filter sepia exists already.');
+    await expect(copy.node('tools/new-filter.mjs', '../sepia')).rejects.toThrow('is not a filter name');
     expect(await readFile(path, 'utf8')).toBe(before);
   });
 });
