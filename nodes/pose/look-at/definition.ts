@@ -5,7 +5,7 @@ export const definition = defineNode({
   version: 1,
   title: 'Look at',
   doc: 'Turns a pose towards another one, with y up; its position stays. Connect “Head pose” as the target to make objects face the visitor. A target straight above or below keeps the x axis; a target at the same position keeps the rotation.',
-  keywords: ['face', 'turn', 'aim', 'billboard', 'towards', 'viewer', 'orient', 'target'],
+  keywords: ['face', 'turn', 'aim', 'billboard', 'towards', 'camera', 'orient', 'target'],
   inputs: {
     pose: { type: 'pose', label: 'Pose', doc: 'The pose to turn.', required: true },
     target: { type: 'pose', label: 'Target', doc: 'Where it turns to. Its rotation does not matter.', required: true },
