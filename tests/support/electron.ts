@@ -107,10 +107,35 @@ export function describeElectron(name: string, electron: FoundElectron, body: (l
 /** The window with the editor. Waits for its content instead of the load event, which may have fired before anything listens. */
 export async function editorWindow(app: ElectronApplication): Promise<Page> {
   const page = await app.firstWindow();
-  await page.waitForURL('scrim://editor/', { waitUntil: 'commit' });
+  await seeNavigation(app, page);
   await page.locator('body *').first().waitFor({ state: 'attached' });
   return page;
 }
+
+const EDITOR_URL = 'scrim://editor/';
+
+/**
+ * Waits until Playwright sees the window at the editor's address. Playwright misses a navigation that commits while it attaches to a
+ * window (its issue 17765): if Electron says that the editor is loaded, and Playwright does not, the window is loaded once more.
+ */
+async function seeNavigation(app: ElectronApplication, page: Page): Promise<void> {
+  const deadlineMs = Date.now() + PATIENCE_MS;
+  const sees = (timeout: number) =>
+    page.waitForURL(EDITOR_URL, { waitUntil: 'commit', timeout }).then(
+      () => true,
+      () => false,
+    );
+  while (!(await sees(ATTACH_MS))) {
+    if (Date.now() > deadlineMs) throw new Error(`The window of Electron is at ${page.url()} instead of ${EDITOR_URL}.`);
+    await app.evaluate(({ BrowserWindow }, url) => {
+      const contents = BrowserWindow.getAllWindows()[0]?.webContents;
+      if (contents?.getURL() === url && !contents.isLoading()) contents.reload();
+    }, EDITOR_URL);
+  }
+}
+
+/** Far longer than a navigation that Electron has committed takes to reach Playwright. */
+const ATTACH_MS = 20_000;
 
 /** Signals of crashes in native code. */
 const FAULTS: ReadonlySet<string | null> = new Set(['SIGSEGV', 'SIGBUS', 'SIGILL', 'SIGTRAP', 'SIGABRT']);
