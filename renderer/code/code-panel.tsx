@@ -18,6 +18,6 @@ export function CodePanel() {
 
   const node = selectedHasShader ? selected : last;
   const exists = useDocument((state) => node !== null && shaderOf(state, node) !== null);
-  if (node === null || !exists) return <p className="code-none">Select a filter, composite, generator or technique to see its shader.</p>;
+  if (node === null || !exists) return <p className="code-none">Select a filter, composite, generator or material to see its shader.</p>;
   return <ShaderView node={node} />;
 }

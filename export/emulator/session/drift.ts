@@ -7,7 +7,7 @@ const scratchDrift = new Matrix4();
 const scratchSpace = new Matrix4();
 
 /**
- * Tracking drifts: all reference spaces but the viewer's move against the room, without an event. Anchors stay at their point of it.
+ * Tracking drifts: all reference spaces but the viewer's move against the room, without an event. Anchors stay at the same point of the room.
  *
  * @param offsetM In the room's axes, meters.
  * @param yawRad About the vertical through the room's origin.

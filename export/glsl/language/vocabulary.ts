@@ -96,7 +96,7 @@ export const HEADER_KEYS: Readonly<Record<'root' | 'input' | 'pass', Readonly<Re
     NAME: 'Name in the GLSL.',
     TYPE: 'Kind of value.',
     LABEL: 'Label in the inspector.',
-    DOC: 'What it does, in a sentence.',
+    DOC: 'What this input does, in one sentence.',
     DEFAULT: 'Initial value.',
     MIN: 'Smallest value.',
     MAX: 'Greatest value.',

@@ -73,8 +73,13 @@ export function samplerFor(image: Image, use: ImageUse): LinkedSampler | null {
 }
 
 /**
- * Declarations and functions of one image. All take a position from (0, 0) at the bottom left to (1, 1) and extend the edge. The mip level
- * is explicit and there are no derivatives, so reads are allowed in any control flow.
+ * GLSL declarations and read functions of one image. A layer is read at a position on the view, from (0, 0) at the bottom left to (1, 1);
+ * positions beyond the view are clamped to its edge, or wrapped if the image repeats. Where the layer does not cover the view, the color is
+ * transparent and the depth 0. A cube takes a direction, a curve one number. The mip level is explicit and there are no derivatives, so
+ * reads are allowed in any control flow.
+ *
+ * @param uses Which functions the shader calls; only these are declared.
+ * @param premultiplied Whether colors are returned as stored. Otherwise alpha is divided out, except in buffers.
  */
 export function imageText(image: Image, uses: ReadonlySet<ImageUse>, premultiplied: boolean): string {
   const parts: string[] = [];

@@ -13,7 +13,7 @@ export const definition = defineNode({
       type: 'number',
       stage: 'uniform',
       label: 'Index',
-      doc: 'Index of the chosen one; 0 is the first. It is rounded, and clamped to the last one.',
+      doc: 'Index of the chosen one; 0 is the first. It is rounded and limited to the range from the first to the last.',
       default: 0,
       step: 1,
     },

@@ -41,7 +41,7 @@ export const definition = defineNode({
     when: {
       type: 'choice',
       stage: 'structure',
-      label: 'When',
+      label: 'Make anchor',
       doc: 'When an anchor is made. Pulses at “Set” always make one.',
       default: 'valid',
       options: [

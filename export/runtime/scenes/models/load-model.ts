@@ -20,8 +20,8 @@ export interface ModelTools {
 export const NO_TOOLS: ModelTools = { decoders: {}, files: () => Promise.reject(new Error('this page has none')) };
 
 /**
- * Creates `loadModel` of the backend, which reads glTF 2.0 models, `.glb` or `.gltf`. It uses the first scene, without its cameras and
- * lights. Rejects with `ModelError`.
+ * Creates `loadModel` of the backend, which reads glTF 2.0 models, `.glb` or `.gltf`. It loads the file's default scene,
+ * or the first one if none is named; cameras and lights of the file are never drawn. Rejects with `ModelError`.
  */
 export function createModelLoader({ decoders, files, inspect }: ModelTools, renderer: WebGLRenderer): SceneBackend['loadModel'] {
   const pool = createDecoderPool(decoders, files, renderer);
