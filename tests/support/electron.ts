@@ -10,7 +10,7 @@ import { afterAll, beforeAll, describe } from '@jest/globals';
 import { _electron, type ElectronApplication, type Page } from 'playwright-core';
 import { prepareContext } from './browser.ts';
 import { type Display, hasDisplay, openDisplay } from './display.ts';
-import { PATIENCE_MS } from './patience.ts';
+import { eventually, PATIENCE_MS } from './patience.ts';
 import { describeMissing } from './required.ts';
 
 const run = promisify(execFile);
@@ -115,27 +115,38 @@ export async function editorWindow(app: ElectronApplication): Promise<Page> {
 const EDITOR_URL = 'scrim://editor/';
 
 /**
- * Waits until Playwright sees the window at the editor's address. Playwright misses a navigation that commits while it attaches to a
- * window (its issue 17765): if Electron says that the editor is loaded, and Playwright does not, the window is loaded once more.
+ * Waits until Playwright sees the frames of the window at the addresses that Electron itself tells. Playwright misses a navigation that
+ * commits while it attaches to a window (its issue 17765); the window is then loaded once more.
  */
 async function seeNavigation(app: ElectronApplication, page: Page): Promise<void> {
-  const deadlineMs = Date.now() + PATIENCE_MS;
-  const sees = (timeout: number) =>
-    page.waitForURL(EDITOR_URL, { waitUntil: 'commit', timeout }).then(
-      () => true,
-      () => false,
-    );
-  while (!(await sees(ATTACH_MS))) {
-    if (Date.now() > deadlineMs) throw new Error(`The window of Electron is at ${page.url()} instead of ${EDITOR_URL}.`);
-    await app.evaluate(({ BrowserWindow }, url) => {
+  let disagreedMs = Date.now();
+  await eventually(async () => {
+    const shown = await app.evaluate(({ BrowserWindow }) => {
       const contents = BrowserWindow.getAllWindows()[0]?.webContents;
-      if (contents?.getURL() === url && !contents.isLoading()) contents.reload();
-    }, EDITOR_URL);
-  }
+      return contents && !contents.isLoading() ? contents.mainFrame.framesInSubtree.map(({ url }) => url) : [];
+    });
+    const seen = page.frames().map((frame) => frame.url());
+    const loaded = shown[0] === EDITOR_URL;
+    if (loaded && namesOf(shown) === namesOf(seen)) return;
+    if (!loaded) disagreedMs = Date.now();
+    if (Date.now() - disagreedMs > ATTACH_MS) {
+      disagreedMs = Date.now();
+      await app.evaluate(({ BrowserWindow }) => BrowserWindow.getAllWindows()[0]?.webContents.reload());
+    }
+    throw new Error(`The window shows ${namesOf(shown)}, and Playwright sees ${namesOf(seen)}.`);
+  });
+}
+
+/** A frame before its first page has no address or about:blank. */
+function namesOf(urls: readonly string[]): string {
+  return urls
+    .map((url) => url || 'about:blank')
+    .sort()
+    .join(' ');
 }
 
 /** Far longer than a navigation that Electron has committed takes to reach Playwright. */
-const ATTACH_MS = 20_000;
+const ATTACH_MS = 10_000;
 
 /** Signals of crashes in native code. */
 const FAULTS: ReadonlySet<string | null> = new Set(['SIGSEGV', 'SIGBUS', 'SIGILL', 'SIGTRAP', 'SIGABRT']);
