@@ -13,9 +13,9 @@ import { hostCheck } from './request-checks.ts';
 export interface ServerOptions {
   readonly installation: Installation;
   readonly startPath: string | null;
-  /** 0 or absent: any free port. */
+  /** Port of the editor. If 0 or absent, the system chooses a free port. */
   readonly port?: number;
-  /** Port of the preview. 0 or absent: any free port. */
+  /** Port of the preview. If 0 or absent, the system chooses a free port. */
   readonly previewPort?: number;
   readonly maxMessageBytes?: number;
   readonly log: (message: string) => void;

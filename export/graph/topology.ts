@@ -32,9 +32,9 @@ export function topologicalOrder<T>(
 }
 
 /**
- * Finds cycles in linear time.
+ * Finds cycles in linear time, not necessarily all of them.
  *
- * @returns The vertices along each cycle found; at least one cycle if the graph has any.
+ * @returns For each cycle its vertices, in the direction of the edges. Empty only if the graph has no cycle.
  */
 export function findCycles<T>(vertices: Iterable<T>, successors: (vertex: T) => Iterable<T>): T[][] {
   const { left } = topologicalOrder(vertices, successors);

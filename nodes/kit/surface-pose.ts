@@ -60,7 +60,7 @@ export function setSurfacePose(
   let zx = lies ? eyeX - px : 0;
   let zy = lies ? 0 : -1;
   let zz = lies ? eyeZ - pz : 0;
-  // The viewer stands right above: any level direction will do.
+  // Directly below or above the viewer the direction is undefined: use +z.
   if (lies && Math.hypot(zx, zz) < 1e-4) {
     zx = 0;
     zz = 1;

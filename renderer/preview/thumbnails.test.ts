@@ -31,48 +31,44 @@ test('layers are read in turn, and reading takes a tenth of the time at most; wh
   expect(thumbnails.afterFrame(player)).toBeGreaterThan(0);
 });
 
-test('while changes follow each other, what was seen before waits for a pause; what was not is read at once', () => {
+/** Thumbnails whose reads take `readS` seconds and are noted with the time of each. The clock is set by the test. */
+function readThumbnails(readS: number) {
   Object.assign(globalThis, { ImageData: class {}, createImageBitmap: () => new Promise(() => {}) });
-  let nowS = 0;
+  const clock = { timeS: 0 };
   const read: number[] = [];
   const thumbnails = createThumbnails(
-    { nowS: () => nowS },
+    { nowS: () => clock.timeS },
     () => {},
     () => {
-      read.push(nowS);
+      read.push(clock.timeS);
+      clock.timeS += readS;
       return { widthPx: 1, heightPx: 1, pixels: new Uint8Array(4) };
     },
   );
+  return { clock, read, thumbnails };
+}
+
+test('while changes follow each other, what was seen before waits for a pause; what was not is read at once', () => {
+  const { clock, read, thumbnails } = readThumbnails(0);
   const player = { inspect: () => null };
   thumbnails.setPorts(['a'], 96);
   thumbnails.invalidateAfterPause();
   expect([thumbnails.afterFrame(player), read]).toEqual([null, [0]]);
   for (const keyS of [1, 1.2, 1.4]) {
-    nowS = keyS;
+    clock.timeS = keyS;
     thumbnails.invalidateAfterPause();
     expect(thumbnails.afterFrame(player)).toBeCloseTo(0.25);
   }
   expect(read).toEqual([0]);
-  nowS = 1.66;
+  clock.timeS = 1.66;
   thumbnails.afterFrame(player);
   expect(read).toEqual([0, 1.66]);
 });
 
 test('what has not been seen yet is read sooner', () => {
-  Object.assign(globalThis, { ImageData: class {}, createImageBitmap: () => new Promise(() => {}) });
-  let nowS = 0;
-  const read: number[] = [];
-  const thumbnails = createThumbnails(
-    { nowS: () => nowS },
-    () => {},
-    () => {
-      read.push(nowS);
-      nowS += 0.3;
-      return { widthPx: 1, heightPx: 1, pixels: new Uint8Array(4) };
-    },
-  );
+  const { clock, read, thumbnails } = readThumbnails(0.3);
   thumbnails.setPorts(['a', 'b', 'c'], 96);
-  for (; read.length < 5; nowS += 1 / 60) thumbnails.afterFrame({ inspect: () => null });
+  for (; read.length < 5; clock.timeS += 1 / 60) thumbnails.afterFrame({ inspect: () => null });
   const [a = 0, b = 0, c = 0, again = 0, later = 0] = read;
   // Each as long as reading takes apart; then in a tenth of the time.
   expect([b - a, c - b, again - c].map((apartS) => Math.round(apartS * 10))).toEqual([6, 6, 6]);

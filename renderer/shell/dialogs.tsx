@@ -108,20 +108,23 @@ function RecoveryDialog({ request, onClose }: RecoveryDialogProps) {
   );
 }
 
-function ChangedOutsideDialog({ onClose }: { readonly onClose: () => void }) {
-  const editor = useEditor();
-  const closeAnd = (run: () => Promise<unknown>) => () => {
+function closeAnd(onClose: () => void, run: () => Promise<unknown>): () => void {
+  return () => {
     onClose();
     void run();
   };
+}
+
+function ChangedOutsideDialog({ onClose }: { readonly onClose: () => void }) {
+  const editor = useEditor();
   return (
     <ChoiceDialog
       title="Project changed on disk"
       onClose={onClose}
       choices={[
         { label: 'Not now', look: 'quiet', run: onClose },
-        { label: 'Load from disk', look: 'danger', run: closeAnd(() => reload(editor)) },
-        { label: 'Overwrite', look: 'primary', run: closeAnd(() => save(editor, true)) },
+        { label: 'Load from disk', look: 'danger', run: closeAnd(onClose, () => reload(editor)) },
+        { label: 'Overwrite', look: 'primary', run: closeAnd(onClose, () => save(editor, true)) },
       ]}
     >
       Another program or window changed this project after you opened it. Nothing is lost yet. Load the version on disk, or overwrite it
@@ -132,18 +135,14 @@ function ChangedOutsideDialog({ onClose }: { readonly onClose: () => void }) {
 
 function LockedDialog({ overwrite, onClose }: { readonly overwrite: boolean; readonly onClose: () => void }) {
   const editor = useEditor();
-  const closeAnd = (run: () => Promise<unknown>) => () => {
-    onClose();
-    void run();
-  };
   return (
     <ChoiceDialog
       title="Project is locked"
       onClose={onClose}
       choices={[
         { label: 'Not now', look: 'quiet', run: onClose },
-        { label: 'Break lock', look: 'danger', run: closeAnd(() => breakLockAndSave(editor, overwrite)) },
-        { label: 'Try again', look: 'primary', run: closeAnd(() => save(editor, overwrite)) },
+        { label: 'Break lock', look: 'danger', run: closeAnd(onClose, () => breakLockAndSave(editor, overwrite)) },
+        { label: 'Try again', look: 'primary', run: closeAnd(onClose, () => save(editor, overwrite)) },
       ]}
     >
       Another window or machine is saving this project, or ended during a save. Nothing was saved. Try again in a minute, when the lock

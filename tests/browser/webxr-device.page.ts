@@ -219,7 +219,7 @@ export function inlineBesideImmersive(): Promise<Facts> {
   });
 }
 
-/** A page that draws with WebGL 1, as most samples do: what is in its framebuffer, and what of its own state is left. */
+/** Draws with WebGL 1, as most samples do, and returns the content of the framebuffer and the WebGL state that the device restores. */
 export function webGl1(): Promise<Facts> {
   return withDevice({ device: 'phone', extra: ['camera-access'], sizePx: [50, 30] }, async (emulator) => {
     const session = await requestSession({ requiredFeatures: ['camera-access'] });

@@ -161,7 +161,7 @@ describe('circles', () => {
     ]);
   });
 
-  test('a folder and what is in it may know each other', () => {
+  test('a folder and its subfolders may import each other', () => {
     expect(circlesOf({ 'renderer/state/a.ts': './files/b.ts', 'renderer/state/files/c.ts': '../d.ts' })).toEqual([]);
   });
 });

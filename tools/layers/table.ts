@@ -47,7 +47,7 @@ export const LAYERS: readonly Layer[] = [
   {
     name: 'kit',
     files: [
-      'nodes/kit/{arithmetic,asset-words,categories,choice-options,curve,definition,diagnostics,ease,expression,facts,frame-times,light-params,play-expression,play-size,surface-params,track-time,wire-types}.ts',
+      'nodes/kit/{arithmetic,asset-words,categories,choice-options,curve,definition,diagnostics,ease,expression,facts,frame-times,light-params,play-expression,play-size,rotation-param,surface-params,track-time,wire-types}.ts',
     ],
   },
   { name: 'kit runtime', files: ['nodes/kit/**'], imports: ['kit'], types: ['three'] },
@@ -209,7 +209,7 @@ export const ROOMS = [
   'renderer',
 ] as const;
 
-/** Below these, folders that stand side by side import each other one way; a folder and what is in it may know each other. */
+/** In these folders, imports between sibling folders go one way. A folder and its subfolders may import each other. */
 export const SIBLINGS = ['renderer'] as const;
 
 /** No two files of these folders, taken together, have the same name, except tests and the names that `FIXED_NAMES` lists. */

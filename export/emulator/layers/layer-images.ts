@@ -1,5 +1,5 @@
 import { borrowGl, type Gl, isWebGl2 } from '../display/app-gl.ts';
-import { clearAll } from '../display/webgl1-target.ts';
+import { clearFramebuffer } from '../display/clear-framebuffer.ts';
 
 /** The textures of one composition layer in the page's context. */
 export interface LayerImages {
@@ -72,7 +72,7 @@ export function createLayerImages(gl: Gl, options: LayerImagesOptions): LayerIma
       borrowGl(gl, () => {
         for (let index = 0; index < Math.max(1, arrayLength); index++) {
           bind(index);
-          clearAll(gl);
+          clearFramebuffer(gl);
         }
       });
     },

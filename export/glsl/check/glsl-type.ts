@@ -68,7 +68,7 @@ export function isImageType(type: GlslType): boolean {
   return type === 'sampler2D' || type === 'samplerCube';
 }
 
-/** `mat2x2` is another name of `mat2`. A rectangle texture, whose coordinates are pixels, is treated as any other image. */
+/** The type that GLSL means by a name: `mat2x2` is `mat2`. `sampler2DRect`, which GLSL ES does not have, is read as `sampler2D`. */
 export function canonicalType(name: string): GlslType {
   if (name === 'sampler2DRect') return 'sampler2D';
   const square = /^mat([234])x\1$/.exec(name);

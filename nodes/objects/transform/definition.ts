@@ -1,4 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
+import { ROTATION_PARAM } from '../../kit/rotation-param.ts';
 
 export const definition = defineNode({
   type: 'objects/transform',
@@ -22,17 +23,7 @@ export const definition = defineNode({
       max: [10, 10, 10],
       unit: 'm',
     },
-    rotationRad: {
-      type: 'vector3',
-      stage: 'uniform',
-      handle: 'rotation',
-      label: 'Rotation',
-      doc: 'Rotation about each axis, counter-clockwise seen from its tip: first z (roll), then x (pitch), then y (yaw).',
-      default: [0, 0, 0],
-      min: [-Math.PI, -Math.PI, -Math.PI],
-      max: [Math.PI, Math.PI, Math.PI],
-      unit: 'rad',
-    },
+    rotationRad: { ...ROTATION_PARAM, handle: 'rotation' },
     scale: {
       type: 'number',
       stage: 'uniform',

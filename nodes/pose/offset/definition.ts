@@ -1,4 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
+import { ROTATION_PARAM } from '../../kit/rotation-param.ts';
 
 export const definition = defineNode({
   type: 'pose/offset',
@@ -17,16 +18,7 @@ export const definition = defineNode({
       default: [0, 0, 0],
       unit: 'm',
     },
-    rotationRad: {
-      type: 'vector3',
-      stage: 'uniform',
-      label: 'Rotation',
-      doc: 'Rotation about each axis, counter-clockwise seen from its tip: first z (roll), then x (pitch), then y (yaw).',
-      default: [0, 0, 0],
-      min: [-Math.PI, -Math.PI, -Math.PI],
-      max: [Math.PI, Math.PI, Math.PI],
-      unit: 'rad',
-    },
+    rotationRad: ROTATION_PARAM,
   },
   lowering: { kind: 'value' },
 });

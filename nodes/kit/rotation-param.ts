@@ -1,0 +1,11 @@
+/** A rotation by Euler angles in radians, applied in the order z, x, y. Spread it into a definition’s params. */
+export const ROTATION_PARAM = {
+  type: 'vector3',
+  stage: 'uniform',
+  label: 'Rotation',
+  doc: 'Rotation about each axis, counter-clockwise seen from its tip: first z (roll), then x (pitch), then y (yaw).',
+  default: [0, 0, 0],
+  min: [-Math.PI, -Math.PI, -Math.PI],
+  max: [Math.PI, Math.PI, Math.PI],
+  unit: 'rad',
+} as const;
