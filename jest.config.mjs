@@ -1,5 +1,11 @@
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import process from 'node:process';
+
 // Jest runs ES modules as they are (three's CommonJS entry cannot be loaded on Node 20), so every script that starts it sets
-// NODE_OPTIONS=--experimental-vm-modules; see tools/test.mjs.
+// NODE_OPTIONS=--experimental-vm-modules; see tools/test.
+process.env.SCRIM_PROJECTS ??= join(tmpdir(), `scrim-projects-${process.pid}`);
+
 const base = {
   testEnvironment: 'node',
   transform: { '\\.(ts|tsx|fs|vs|glsl)$': '<rootDir>/tests/support/transform.mjs' },

@@ -14,7 +14,7 @@ import { NoHost } from './shell/no-host.tsx';
 import { syncNativeMenus } from './state/commands/menus.ts';
 import { createEditor } from './state/editor/editor.ts';
 import { createPreferences, keepPreferences, loadPreferences } from './state/editor/preferences.ts';
-import { keepSizes, loadSizes } from './state/preferences/panel-sizes.ts';
+import { keepLayout, loadLayout } from './state/preferences/panel-layout.ts';
 import { keepRanges } from './state/preview/kept-ranges.ts';
 import { createPreviewSync } from './state/preview-sync/preview-sync.ts';
 import { autosave, handleHostEvents, hasUnsavedWork, openFirst, start } from './state/start.ts';
@@ -41,7 +41,7 @@ async function main(): Promise<void> {
     mac: navigator.platform.startsWith('Mac'),
     clipboard: createPageClipboard(navigator.clipboard),
     keepFile: (file, name) => downloadFile(pageClock, file, name),
-    sizes: loadSizes(localStorage, window.innerWidth),
+    ...loadLayout(localStorage, window.innerWidth, window.innerHeight),
     preferences: loadPreferences(localStorage),
   });
   followAppearance(editor.preferences, window);
@@ -54,7 +54,7 @@ async function main(): Promise<void> {
   handleHostEvents(editor, (id) => runFromMenu(editor, id));
   if (hasMenu) syncNativeMenus(editor);
   autosave(editor);
-  keepSizes(editor, localStorage);
+  keepLayout(editor, localStorage);
   keepRanges(editor, localStorage);
   window.addEventListener('beforeunload', (event) => {
     if (hasUnsavedWork(editor)) event.preventDefault();

@@ -72,13 +72,14 @@ export type ToPreview =
 export type FrameRenderSource =
   | { readonly kind: 'recorded'; readonly url: string }
   /**
-   * An emulated room seen by a phone. `captureUrl` and `tier` are those of the preview source. `worldFromHead`: column-major pose of
+   * An emulated room seen by a phone. `captureUrl`, `tier` and `refuse` are those of the preview source. `worldFromHead`: column-major pose of
    * the head; null for the start pose.
    */
   | {
       readonly kind: 'room';
       readonly captureUrl: string | null;
       readonly tier: PreviewTier;
+      readonly refuse: readonly string[];
       readonly frameRateHz: number;
       readonly lightDirectionWorld: readonly [number, number, number] | null;
       readonly worldFromHead: readonly number[] | null;
@@ -147,6 +148,8 @@ export type PreviewSource =
        * the room.
        */
       readonly tier: PreviewTier;
+      /** WebXR features that the device does not have. */
+      readonly refuse: readonly string[];
     }
   /** The camera of this computer. The browser asks for permission. */
   | { readonly kind: 'camera'; readonly assetBaseUrl: string }

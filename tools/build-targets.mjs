@@ -29,12 +29,12 @@ const NODE_BUILD = {
 /** Targets by name, in build order: their sources, output and build function. */
 export const TARGETS = {
   registry: {
-    sources: ['nodes', 'shader-library', 'export/glsl', 'tools/gen', 'tools/gen.mjs', 'tools/lib'],
+    sources: ['nodes', 'shader-library', 'export/glsl', 'tools/gen', 'tools/run.mjs', 'tools/lib'],
     // What was made counts as well: `npm run gen` on another branch makes another registry, and this stamp does not hear of it.
     made: 'nodes/generated',
     output: 'nodes/generated/definitions.gen.ts',
     build: async () => {
-      const { status } = spawnSync(process.execPath, [join(root, 'tools', 'gen.mjs')], { stdio: ['ignore', 2, 2] });
+      const { status } = spawnSync(process.execPath, [join(root, 'tools/run.mjs'), 'gen/main.ts'], { stdio: ['ignore', 2, 2] });
       if (status !== 0) throw new Error('The registry of nodes could not be made.');
     },
   },

@@ -9,18 +9,19 @@ const root = resolve(import.meta.dirname, '..');
 const cache = join(root, 'node_modules', '.cache', 'scrim', 'tools');
 
 /**
- * Starts a tool written in TypeScript, which Node 20 cannot run: bundles it (some 20 ms) into `node_modules/.cache`, from where
- * it finds the npm packages, and calls its `main(args, { root, version })`. The version is a hash of the tool's own code, for
- * caches of what it makes.
+ * `node tools/run.mjs ENTRY [ARGUMENT…]` starts a tool written in TypeScript, which Node 20 cannot run. It bundles the entry (about 20 ms)
+ * into `node_modules/.cache`, where imports of npm packages resolve, and calls its `main(args, { root, version })`. The version is a
+ * hash of the code of the tool, for caches of its output.
  *
- * @param {string} entry Relative to this folder.
+ * @param {string} entry Path relative to this folder.
+ * @param {readonly string[]} args
  */
-export async function runTool(entry) {
+async function runTool(entry, args) {
   process.setSourceMapsEnabled(true);
   if (process.env.npm_lifecycle_event !== undefined) endWithParent();
   endWithReader();
   const { main, version } = await loadTool(entry);
-  process.exitCode = await main(process.argv.slice(2), { root, version });
+  process.exitCode = await main(args, { root, version });
 }
 
 /**
@@ -74,3 +75,6 @@ async function loadTool(entry) {
     await rm(path, { force: true });
   }
 }
+
+const [entry, ...args] = process.argv.slice(2);
+await runTool(entry, args);

@@ -123,6 +123,8 @@ export const HOST_CONTRACT = {
       /** Templates for new projects; the default is first. */
       templates: z.array(z.object({ name: z.string(), title: z.string(), description: z.string(), picture: pictureUrl })),
       canPickFolders: z.boolean(),
+      /** Folder for the projects of the user. It may not exist yet. */
+      projectsDir: z.string(),
     }),
   },
   /** Closes the window without asking again, in answer to `close-requested`. Does nothing if the host has no window. */

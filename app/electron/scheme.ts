@@ -35,5 +35,7 @@ export function serveScheme(protocol: Protocol, content: Content): void {
 export function answer(content: Content, method: string, url: string): Promise<ContentAnswer> {
   const [, origin = '', path = ''] = /^([^:]+:\/\/[^/?#]*)([^?#]*)/.exec(url) ?? [];
   const name = (['editor', 'preview'] as const).find((key) => ORIGINS[key] === origin);
-  return name === undefined ? Promise.resolve(plain(404, 'There is nothing here.')) : content.answer(name, method, path || '/');
+  return name === undefined
+    ? Promise.resolve(plain(404, 'Not found. No file or command has this address.'))
+    : content.answer(name, method, path || '/');
 }

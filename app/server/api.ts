@@ -82,7 +82,7 @@ export function createApi({ host, session, origin, maxMessageBytes }: ApiOptions
       if (request.method === 'POST' && path.startsWith(CALL)) {
         return call(path.slice(CALL.length), request, response).catch(() => void response.destroy());
       }
-      return refuse(response, 404, 'There is nothing here.');
+      return refuse(response, 404, 'Not found. No file or command has this address.');
     },
     dispose: endStreams,
   };

@@ -59,7 +59,7 @@ export function createContent({ origins, pages }: ContentOptions): Content {
       if (method !== 'GET' && method !== 'HEAD') return plain(405, 'Only GET and HEAD are answered here.');
       const parts = decodeParts(path);
       const found = parts && find(origin, parts);
-      return found ? readFound(found, method === 'HEAD') : plain(404, 'There is nothing here.');
+      return found ? readFound(found, method === 'HEAD') : plain(404, 'Not found. No file or command has this address.');
     },
     show: (name, folder) => {
       shown.set(name, folder);
@@ -96,7 +96,9 @@ async function readFound({ root, path, type, headers }: Found, headOnly: boolean
   } catch {
     return plain(
       404,
-      path === 'index.html' ? `Scrim is not built: ${join(root, path)} is missing. Run: npm run build` : 'There is nothing here.',
+      path === 'index.html'
+        ? `Scrim is not built: ${join(root, path)} is missing. Run: npm run build`
+        : 'Not found. No file or command has this address.',
     );
   }
 }

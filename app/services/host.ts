@@ -4,19 +4,21 @@ import type { Answer } from '../contract/host-error.ts';
 import { POSTER_SIZE } from '../contract/poster-size.ts';
 import { type Content, createContent } from './content.ts';
 import type { Origins } from './content-policy.ts';
+import { copyExample, isExample } from './copy-example.ts';
 import { dispatch, type Handlers } from './dispatch.ts';
 import { createExportJobs } from './export-jobs.ts';
 import { type FileLayer, NODE_FILES } from './file-layer.ts';
 import { findExamples, withPicture } from './find-examples.ts';
 import { createFrameJobs } from './frame-jobs.ts';
+import { fullPath } from './full-path.ts';
 import { importAsset } from './import-asset.ts';
 import type { Installation } from './installation.ts';
 import { createOpenProjects } from './open-projects.ts';
+import { findProject } from './project-files.ts';
 import { readAsset } from './read-asset.ts';
 import { ROOMS } from './rooms.ts';
 import { findSessions } from './session-list.ts';
 import { createProject, findTemplates } from './templates.ts';
-import { wholePath } from './whole-path.ts';
 
 /** What a shell (Electron or the loopback server) provides to the host. */
 export interface Shell {
@@ -78,6 +80,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
         ),
       ),
       canPickFolders: shell.pickFolder !== null,
+      projectsDir: installation.projectsDir,
     }),
     'app.close': async () => {
       shell.closeWindow();
@@ -88,9 +91,14 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       return {};
     },
     'folder.pick': async ({ purpose }) => ({ path: shell.pickFolder ? await shell.pickFolder(purpose) : null }),
-    'project.open': ({ path }, client) => projects.open(wholePath(path, 'SCR004'), client),
+    'project.open': async ({ path }, client) => {
+      const typed = fullPath(path, 'SCR004');
+      const root = await findProject(typed);
+      if (!(await isExample(root, installation.examplesDir))) return projects.open(typed, client);
+      return projects.open(await copyExample({ example: root, projectsDir: installation.projectsDir, files }), client);
+    },
     'project.create': async ({ path, template }, client) => {
-      const root = await createProject({ templatesDir: installation.templatesDir, template, path: wholePath(path, 'SCR060'), files });
+      const root = await createProject({ templatesDir: installation.templatesDir, template, path: fullPath(path, 'SCR060'), files });
       return projects.open(root, client);
     },
     'project.save': (input) => projects.save(input.handle, input.files, input.revision, input.overwrite),
@@ -98,7 +106,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       await projects.breakLock(handle);
       return {};
     },
-    'project.save-as': (input, client) => projects.saveAs(input.handle, wholePath(input.path, 'SCR060'), input.files, client),
+    'project.save-as': (input, client) => projects.saveAs(input.handle, fullPath(input.path, 'SCR060'), input.files, client),
     'project.autosave': async (input) => {
       await projects.autosave(input.handle, input.files);
       return {};
@@ -140,7 +148,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       exports.run(handle, {
         root: projects.rootOf(handle),
         projectFiles,
-        out: wholePath(out, 'SCR060'),
+        out: fullPath(out, 'SCR060'),
         installation,
         files,
         say: (text) => emit({ kind: 'export-progress', handle, text }),
@@ -148,7 +156,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       }),
     'frames.begin': async ({ handle, out, widthPx, heightPx }, client) => {
       projects.rootOf(handle);
-      await frames.begin(handle, client, { out: wholePath(out, 'SCR060'), widthPx, heightPx });
+      await frames.begin(handle, client, { out: fullPath(out, 'SCR060'), widthPx, heightPx });
       return {};
     },
     'frames.add': async ({ handle, number, rgba }) => {

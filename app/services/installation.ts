@@ -1,4 +1,6 @@
+import { homedir } from 'node:os';
 import { join } from 'node:path';
+import process from 'node:process';
 
 /** Folders of this installation of Scrim. */
 export interface Installation {
@@ -14,9 +16,15 @@ export interface Installation {
   readonly sessionsDir: string;
   /** Captures of emulated rooms. */
   readonly roomsDir: string;
+  /** Folder for the projects of the user. */
+  readonly projectsDir: string;
 }
 
-/** @param home Folder with the built files, if it is not `root`: the archive of a packaged app. */
+/**
+ * Environment: `SCRIM_PROJECTS` replaces the default projects folder, `~/Scrim`.
+ *
+ * @param home Folder with the built files, if it is not `root`: the archive of a packaged app.
+ */
 export function installationAt(root: string, version: string, home = root): Installation {
   const examplesDir = join(root, 'examples');
   return {
@@ -26,6 +34,7 @@ export function installationAt(root: string, version: string, home = root): Inst
     examplesDir,
     templatesDir: join(examplesDir, 'templates'),
     sessionsDir: join(examplesDir, 'sessions'),
+    projectsDir: process.env.SCRIM_PROJECTS || join(homedir(), 'Scrim'),
     roomsDir: join(root, 'node_modules', '@iwer', 'sem', 'captures'),
   };
 }

@@ -57,21 +57,26 @@ export async function bundleStyle(root: string): Promise<Uint8Array> {
 
 const OPENERS: Readonly<Record<DecoderName, string>> = { draco: 'openDraco', meshopt: 'openMeshopt', ktx2: 'openKtx2' };
 
-function entryText({ nodeTypes, scenes, spatial, input, panoramas, controls }: ProgramUse, decoders: readonly DecoderName[]): string {
+function entryText(
+  { nodeTypes, scenes, spatial, input, panoramas, controls, labels }: ProgramUse,
+  decoders: readonly DecoderName[],
+): string {
   const played = nodeTypes.filter((type) => Object.hasOwn(RUNTIME_FILES, type));
   const lines = [
     `import { startPage } from './export/page/start-page.ts';`,
     ...(scenes ? [`import { createScenesWith } from './export/runtime/scenes/create-scenes.ts';`] : []),
     ...(spatial ? [`import { createSpatial } from './export/runtime/spatial/create-spatial.ts';`] : []),
     ...(input ? [`import { SESSION_INPUTS } from './export/runtime/sessions/input/session-inputs.ts';`] : []),
+    ...(scenes ? [`import { createLens } from './export/runtime/sessions/camera/lens.ts';`] : []),
     ...(panoramas ? [`import { readRadiance } from './export/runtime/scenes/environments/read-radiance.ts';`] : []),
     ...(controls ? [`import { createRoomPanel } from './export/page/room-panel/room-panel.ts';`] : []),
+    ...(labels ? [`import { createLabelLayer } from './export/page/label-layer.ts';`] : []),
     ...decoders.map((name) => `import { ${OPENERS[name]} } from './export/runtime/scenes/models/decoders/${name}.ts';`),
     ...played.map((type, i) => `import * as node${i} from ${JSON.stringify(`./${RUNTIME_FILES[type]}`)};`),
     `const modules = { ${played.map((type, i) => `${JSON.stringify(type)}: node${i}`).join(', ')} };`,
     `const decoders = { ${decoders.map((name) => `${name}: ${OPENERS[name]}`).join(', ')} };`,
     `const createScenes = ${scenes ? `(files) => createScenesWith({ decoders, files${panoramas ? ', readRadiance' : ''} })` : 'null'};`,
-    `startPage(window, { modules, createScenes, createSpatial${spatial ? '' : ': null'}, inputs: ${input ? 'SESSION_INPUTS' : 'null'}, createRoomPanel${controls ? '' : ': null'} });`,
+    `startPage(window, { modules, createScenes, createSpatial${spatial ? '' : ': null'}, inputs: ${input ? 'SESSION_INPUTS' : 'null'}, createRoomPanel${controls ? '' : ': null'}, createLabelLayer${labels ? '' : ': null'}, createLens${scenes ? '' : ': null'} });`,
   ];
   return lines.join('\n');
 }

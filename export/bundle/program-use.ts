@@ -14,7 +14,9 @@ export interface ProgramUse {
   readonly panoramas: boolean;
   /** Whether it has controls. */
   readonly controls: boolean;
-  /** Whether it has filters in workers. */
+  /** Whether it has labels, which are elements of the page. */
+  readonly labels: boolean;
+  /** Whether it starts workers: those of filters or of other nodes. */
   readonly workers: boolean;
   /** Ids of the assets that operations refer to. */
   readonly assets: ReadonlySet<string>;
@@ -36,8 +38,9 @@ export function programUse(program: Program): ProgramUse {
     spatial,
     input: spatial || controls || program.readsInput === true,
     panoramas: uses('environment'),
-    workers: program.operations.some(({ kind }) => kind === 'cpu'),
+    workers: program.operations.some((operation) => operation.kind === 'cpu' || ('worker' in operation && operation.worker === true)),
     controls,
+    labels: nodes.some(({ type }) => type === 'objects/label'),
     assets,
   };
 }

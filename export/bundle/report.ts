@@ -1,5 +1,7 @@
 import { gzipSync } from 'node:zlib';
-import type { Program, ProgramAsset, ProgramNeed, Tier } from '../program/program.ts';
+import { type DeviceRow, deviceTable } from '../program/devices/device-table.ts';
+import type { ProgramNeed, Tier } from '../program/needs.ts';
+import type { Program, ProgramAsset } from '../program/program.ts';
 import type { WebXrFeatures } from '../program/webxr-features.ts';
 import type { ReportedAsset } from './assets/prepare-assets.ts';
 import type { PageCredit } from './page-credits.ts';
@@ -25,6 +27,8 @@ export interface ExportReport {
   readonly credits: readonly PageCredit[];
   readonly needs: readonly ProgramNeed[];
   readonly tiers: readonly Tier[];
+  /** What each kind of device shows. */
+  readonly devices: readonly DeviceRow[];
 }
 
 export interface ReportedFile extends Sizes {
@@ -71,6 +75,7 @@ export function makeReport({ program, generator, files, scriptParts, features, a
     credits,
     needs: program.needs,
     tiers: program.tiers,
+    devices: deviceTable(program),
   };
 }
 

@@ -1,5 +1,7 @@
 import type { Capability } from '../../nodes/kit/definition.ts';
-import type { NodeOperation, ProgramNeed, Tier } from '../program/program.ts';
+import type { DeviceRow } from '../program/devices/device-table.ts';
+import type { ProgramNeed, Tier } from '../program/needs.ts';
+import type { NodeOperation } from '../program/program.ts';
 
 /** Texts of `scrim plan`, for designers. */
 
@@ -33,6 +35,19 @@ export function needInWords({ capability, required, nodes, why, without }: Progr
 export function tierInWords({ id, without }: Tier): string[] {
   const lost = [...new Set(without.map(({ effect }) => effect))];
   return [TIERS[id], ...(lost.length === 0 ? ['everything works'] : lost.map(asClause))];
+}
+
+/** Describes a device: a line for its kind of session, and one for each effect of a missing feature, with its nodes. */
+export function deviceInWords({ title, tier, lost, worthless, display }: DeviceRow): string[] {
+  const head = `${title}: ${TIERS[tier]}${display === 'additive' ? ', where black is transparent' : ''}`;
+  if (lost.length === 0) return [head, 'everything works'];
+  const nodesOf = new Map<string, string[]>();
+  for (const { effect, fact, node } of lost) {
+    const line = fact.has === 'no' ? asClause(effect) : `perhaps ${asClause(effect)}`;
+    nodesOf.set(line, [...(nodesOf.get(line) ?? []), node]);
+  }
+  const lines = [...nodesOf].map(([line, nodes]) => `${line} (${nodes.join(', ')})`);
+  return worthless ? [head, 'a required feature is missing: the page is of no use here', ...lines] : [head, ...lines];
 }
 
 /** Describes the expression or track of a param; null for other operations. */

@@ -1,10 +1,11 @@
+import { deviceTable } from '../program/devices/device-table.ts';
 import type { CpuOperation, DrawOperation, Operation, PassOperation, Program } from '../program/program.ts';
-import { bindingInWords, needInWords, tierInWords } from './describe-terms.ts';
+import { bindingInWords, deviceInWords, needInWords, tierInWords } from './describe-terms.ts';
 import { REFERENCE_SIZE, type ReferenceSize, type Target, targetBytes, targetSize, targetsOf } from './target-bytes.ts';
 
 /**
  * Describes a program as text, for `scrim plan`: its presentation, the operations in order, the render targets with their sizes, the
- * requested features with their reasons, and the tiers.
+ * requested features with their reasons, the tiers, and what is missing on which devices.
  *
  * @param reference Size of a view, for sizes in pixels and bytes.
  */
@@ -24,6 +25,10 @@ export function describeProgram(program: Program, reference: ReferenceSize = REF
     ...section(
       'Plays in, best first',
       tiers.map((tier) => tierInWords(tier).join('\n     ')),
+    ),
+    ...section(
+      'On devices',
+      deviceTable(program).map((row) => deviceInWords(row).join('\n     ')),
     ),
     ...(assets.length === 0
       ? []

@@ -41,3 +41,13 @@ export function sourcesAt(node: FlatNode, port: string): readonly Source[] {
 export function portKey({ node, port }: Source): string {
   return `${node}.${port}`;
 }
+
+/** Ids of the nodes that act on each node, by its id: these must run too, though nothing reads them. */
+export function actorsOf(nodes: Iterable<FlatNode>): ReadonlyMap<string, readonly string[]> {
+  const actors = new Map<string, string[]>();
+  for (const { id, definition, inputs } of nodes) {
+    if (definition.actsOn === undefined) continue;
+    for (const { node } of inputs.get(definition.actsOn) ?? []) actors.set(node, [...(actors.get(node) ?? []), id]);
+  }
+  return actors;
+}

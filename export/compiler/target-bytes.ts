@@ -1,5 +1,5 @@
 import { playSize, SIZE_STACK_BOTTOM } from '../../nodes/kit/play-size.ts';
-import type { Program, Resource, SizeExpression } from '../program/program.ts';
+import type { Program, Resource, ResourceId, SizeExpression } from '../program/program.ts';
 
 /** Size of one view, for sizes in pixels and bytes. */
 export interface ReferenceSize {
@@ -27,11 +27,14 @@ export function targetSize(target: Target, { slots }: Program, { widthPx, height
   return { widthPx: pixels(target.size.width), heightPx: pixels(target.size.height) };
 }
 
-const BYTES_PER_PIXEL: Readonly<Record<Target['format'], number>> = { rgba8: 4, rgba16f: 8, rgba32f: 16, r32f: 4 };
+const BYTES_PER_PIXEL: Readonly<Record<Target['format'], number>> = { rgba8: 4, scene16f: 8, rgba16f: 8, rgba32f: 16, r32f: 4 };
 const DEPTH_BYTES_PER_PIXEL = 4;
 
+/** Beside the depth of each sample, a multisampled target whose depth is read has two resolved depths and one byte per sample and pixel. */
+const RESOLVED_DEPTHS = 2;
+
 /**
- * Texture memory of a target. A multisampled target includes its resolve texture, a persistent one counts twice, a shared one is 0.
+ * Texture memory of a target. A multisampled target includes its resolve textures, a persistent one counts twice, a shared one is 0.
  *
  * @returns Bytes per view, or null if the size depends on a file.
  */
@@ -39,10 +42,24 @@ export function targetBytes(target: Target, program: Program, reference: Referen
   if (target.shares !== undefined) return 0;
   const size = targetSize(target, program, reference);
   if (size === null) return null;
-  const perSample = BYTES_PER_PIXEL[target.format] + (target.depth === 'window' ? DEPTH_BYTES_PER_PIXEL : 0);
-  const samples = target.samples > 1 ? target.samples + 1 : 1;
+  const { samples } = target;
+  const color = BYTES_PER_PIXEL[target.format] * (samples > 1 ? samples + 1 : 1);
   const copies = target.lifetime === 'persistent' ? 2 : 1;
-  return size.widthPx * size.heightPx * perSample * samples * copies;
+  return size.widthPx * size.heightPx * (color + depthBytesPerPixel(target, program)) * copies;
+}
+
+function depthBytesPerPixel({ id, depth, samples }: Target, program: Program): number {
+  if (depth === 'none') return 0;
+  const drawn = DEPTH_BYTES_PER_PIXEL * samples;
+  return samples > 1 && isDepthRead(id, program) ? drawn + DEPTH_BYTES_PER_PIXEL * RESOLVED_DEPTHS + samples + 1 : drawn;
+}
+
+function isDepthRead(id: ResourceId, { operations, resources }: Program): boolean {
+  const sharing = new Set(resources.flatMap((r) => (r.kind === 'target' && (r.id === id || r.shares === id) ? [r.id] : [])));
+  return operations.some(
+    (operation) =>
+      operation.kind === 'pass' && operation.samplers.some(({ source }) => source.kind === 'depth' && sharing.has(source.depth.resource)),
+  );
 }
 
 function putStart({ slot }: { readonly slot: number }, { numbers, slots }: Program['slots'], stack: Float64Array, at: number): void {

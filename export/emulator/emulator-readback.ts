@@ -35,7 +35,8 @@ export function createReadback(world: SessionWorld): Pick<Emulator, 'readLayer' 
     readRoom: takeRoom,
     readComposite: () => {
       const { session } = presenting();
-      return compositePixels(takeLayer(), takeRoom(), session[P_SESSION].mode === 'immersive-ar' ? world.profile.blend : 'opaque');
+      const blend = session[P_SESSION].mode === 'immersive-ar' ? world.profile.blend : 'opaque';
+      return compositePixels(takeLayer(), takeRoom(), blend, world.settings.displayGain);
     },
     counts: () => {
       const { memory, programs } = world.roomServices().view.renderer.info;

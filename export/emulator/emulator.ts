@@ -2,6 +2,7 @@ import type { XRDevice } from 'iwer';
 import type { DepthState } from './depth/session-depth.ts';
 import type { Pixels } from './display/composite.ts';
 import type { LightState } from './light/session-light.ts';
+import type { Drift } from './world.ts';
 
 /** Controls of an installed device. Poses are in world space: meters, y up, the floor at y = 0. */
 export interface Emulator {
@@ -35,6 +36,14 @@ export interface Emulator {
    * @param yawRad About the vertical through the room's origin.
    */
   drift(offsetM: readonly [number, number, number], yawRad: number): void;
+  /**
+   * From now on tracking drifts steadily, as by 2 cm and 1° a minute; null ends it.
+   *
+   * @param drift Per minute of the session's time; as `drift` otherwise.
+   */
+  setDrift(drift: Drift | null): void;
+  /** The device forgets the anchors that it keeps after sessions, as when the visitor clears its data. */
+  forgetPersistentAnchors(): void;
   setVisibility(state: 'visible' | 'visible-blurred' | 'hidden'): void;
   /** Re-centers: `local` and `local-floor` spaces move to the viewer and dispatch `reset`. */
   recenter(): void;
@@ -50,6 +59,27 @@ export interface Emulator {
   /** Moves the touch; same coordinates as `press`. */
   move(x: number, y: number): void;
   release(): void;
+
+  /** What the visitor uses: the device has either from the next frame on. */
+  setInput(mode: 'controllers' | 'hands'): void;
+  /**
+   * Shapes a bare hand from the next frame on. A pinch selects, as on a device.
+   *
+   * @param gesture A gesture of `HandGesture`, or the name of a capture.
+   * @throws Error for one that there is not.
+   */
+  setGesture(side: 'left' | 'right', gesture: string): void;
+  /**
+   * Adds a gesture from a captured left hand; the right one is its mirror image.
+   *
+   * @param capture In iwer's public form (`hand-capture.ts`).
+   * @throws Error that names what is wrong in it.
+   */
+  addGesture(name: string, capture: unknown): void;
+  /** While false, the device does not see that bare hand. */
+  setHandTracked(side: 'left' | 'right', tracked: boolean): void;
+  /** The last haptic pulse that the page gave a controller; null for none. */
+  lastPulse(side: 'left' | 'right'): { readonly strength: number; readonly durationS: number } | null;
 
   /** Resolves once the page has an immersive session with a layer and has requested a frame. */
   frameRequested(): Promise<void>;

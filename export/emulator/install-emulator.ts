@@ -7,6 +7,7 @@ import type { Emulator, HeadPose } from './emulator.ts';
 import { createReadback } from './emulator-readback.ts';
 import { createFreeSource, createManualSource } from './frame-source.ts';
 import { castRay } from './hit-test/cast-ray.ts';
+import { createHandControls } from './input/hand-controls.ts';
 import { installGlobals } from './install-globals.ts';
 import { LIGHT_DEFAULTS, type LightOptions } from './light/session-light.ts';
 import {
@@ -24,8 +25,11 @@ import { deleteAnchors, driftSpaces } from './session/drift.ts';
 import { levelPose, moveOrigin } from './session/emulated-reference-space.ts';
 import type { EmulatedSession } from './session/emulated-session.ts';
 import { checkModes, grantSession, type SessionWorld } from './session/grant-session.ts';
+import { createPersistentAnchors } from './session/persistent-anchors.ts';
 import type { EmulatedRenderState } from './session/render-state.ts';
-import type { WorldSettings } from './world.ts';
+import type { Drift, WorldSettings } from './world.ts';
+
+const STEADY: Drift = { offsetM: [0, 0, 0], yawRad: 0 };
 
 /**
  * Installs an emulated WebXR device in this page: `navigator.xr` and its interfaces, until `uninstall`. The room is created when the first
@@ -65,6 +69,8 @@ export function installEmulator(options: EmulatorOptions = {}): Emulator {
     depthState: 'working',
     lightState: 'room',
     anchorState: 'tracked',
+    persistentAnchors: createPersistentAnchors(profile.persistentAnchors),
+    drift: STEADY,
     session: null,
     inlineSessions: new Set(),
   };
@@ -107,8 +113,13 @@ export function installEmulator(options: EmulatorOptions = {}): Emulator {
     drift: (offsetM, yawRad) => {
       if (world.session) driftSpaces(world.session, offsetM, yawRad);
     },
+    setDrift: (drift) => {
+      world.drift = drift ?? STEADY;
+    },
+    forgetPersistentAnchors: () => world.persistentAnchors.clear(),
     recenter: () => recenter(world),
     endSession: async () => world.session?.end(),
+    ...createHandControls(device),
     ...createTouch(world),
     ...createStepping(world),
     ...createReadback(world),
@@ -134,10 +145,12 @@ function resolveSettings(resolved: EmulatorOptions & SettledDefaults): WorldSett
   return {
     views: resolved.views ?? views,
     features: new Set([...features, ...resolved.extra].filter((feature) => !refused.has(feature))),
+    roomScanned: resolved.roomScanned,
     sizePx: resolved.sizePx,
     depth: withDefaults<DepthOptions, keyof DepthOptions>({ ...depth, ...DEPTH_DEFAULTS }, resolved.depth ?? {}),
     light: withDefaults<LightOptions, keyof LightOptions>(LIGHT_DEFAULTS, resolved.light ?? {}),
     display: resolved.display,
+    displayGain: resolved.displayGain,
     requireGesture: resolved.requireGesture,
   };
 }

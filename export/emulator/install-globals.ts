@@ -1,12 +1,12 @@
 import { P_DEVICE, XRAnchor, XRAnchorSet, type XRDevice, XRMesh, XRMeshSet, XRPlane, XRPlaneSet } from 'iwer';
 import { EmulatedCpuDepthInformation, EmulatedDepthInformation, EmulatedWebGlDepthInformation } from './depth/depth-information.ts';
+import { EmulatedRay } from './hit-test/emulated-ray.ts';
 import {
   EmulatedHitTestResult,
   EmulatedHitTestSource,
   EmulatedTransientHitTestResult,
   EmulatedTransientHitTestSource,
 } from './hit-test/hit-test-source.ts';
-import { EmulatedRay } from './hit-test/ray.ts';
 import { EmulatedCompositionLayer, EmulatedCylinderLayer, EmulatedProjectionLayer, EmulatedQuadLayer } from './layers/composition-layer.ts';
 import { EmulatedSubImage } from './layers/sub-image.ts';
 import { EmulatedLightEstimate, EmulatedLightProbe } from './light/light-probe.ts';

@@ -2,6 +2,7 @@ import type { FrameClock } from '../runtime/clock.ts';
 import type { DepthNoise } from './depth/depth-noise.ts';
 import type { DepthSensor } from './depth/depth-sensor.ts';
 import type { DepthTransform } from './depth/depth-transform.ts';
+import { DISPLAY_GAIN } from './display/composite.ts';
 import type { LightOptions } from './light/session-light.ts';
 import type { DepthFormat, DepthUsage, DeviceName } from './profiles.ts';
 import type { RoomSource } from './rooms/room-source.ts';
@@ -15,6 +16,8 @@ export interface EmulatorOptions {
   readonly modes?: readonly ('immersive-ar' | 'immersive-vr')[];
   /** What the device sees. Null is empty space without depth or surfaces. */
   readonly room?: RoomSource | null;
+  /** Whether the device knows the room. If not, it detects no planes and meshes before the page calls `initiateRoomCapture`. Default: true. */
+  readonly roomScanned?: boolean;
   /** `manual`: only `stepFrame` runs frames, frame N at N/`framesPerSecond` seconds. `free`: frames follow the display. */
   readonly clock?: 'free' | 'manual';
   /** Frame rate of a manual clock; a low rate makes long waits short. Default: 60. */
@@ -34,6 +37,8 @@ export interface EmulatorOptions {
   readonly requireGesture?: boolean;
   /** Whether to show the image on the page. If false, frames are drawn for readback only. */
   readonly display?: boolean;
+  /** Of an additive display: its white ÷ white of the room. A shadow of light is lost where the room is bright. Default: 2. */
+  readonly displayGain?: number;
   /**
    * Whether edges of the room are antialiased. Default: only with a free clock, because it doubles the frame time on a software renderer.
    */
@@ -75,6 +80,7 @@ export const EMULATOR_DEFAULTS: SettledDefaults = {
   device: 'phone',
   modes: ['immersive-ar', 'immersive-vr'],
   room: null,
+  roomScanned: true,
   clock: 'free',
   framesPerSecond: 60,
   sizePx: null,
@@ -83,6 +89,7 @@ export const EMULATOR_DEFAULTS: SettledDefaults = {
   extra: [],
   requireGesture: false,
   display: true,
+  displayGain: DISPLAY_GAIN,
   container: null,
   frameClock: null,
 };

@@ -13,6 +13,8 @@ export interface DeviceProfile {
   /** Hertz; sessions start with the first. */
   readonly frameRates: readonly number[];
   readonly features: readonly string[];
+  /** How many anchors it keeps after a session. */
+  readonly persistentAnchors: number;
   readonly depth: DepthProfile;
 }
 
@@ -45,6 +47,7 @@ export const DEVICE_PROFILES: Readonly<Record<DeviceName, DeviceProfile>> = {
       'camera-access',
       'dom-overlay',
     ],
+    persistentAnchors: 0,
     depth: { usages: ['cpu-optimized', 'gpu-optimized'], formats: ['luminance-alpha'], sizePx: [160, 120] },
   },
   // A standalone passthrough headset.
@@ -69,6 +72,8 @@ export const DEVICE_PROFILES: Readonly<Record<DeviceName, DeviceProfile>> = {
       'layers',
       'depth-sensing',
     ],
+    // As Quest Browser 31.2.
+    persistentAnchors: 8,
     depth: {
       usages: ['gpu-optimized', 'cpu-optimized'],
       formats: ['unsigned-short', 'float32', 'luminance-alpha'],
@@ -84,6 +89,7 @@ export const DEVICE_PROFILES: Readonly<Record<DeviceName, DeviceProfile>> = {
     controllers: false,
     frameRates: [60],
     features: ['viewer', 'local', 'local-floor', 'unbounded', 'hit-test', 'anchors', 'hand-tracking'],
+    persistentAnchors: 0,
     depth: { usages: [], formats: [], sizePx: [1, 1] },
   },
 };

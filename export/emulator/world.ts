@@ -10,6 +10,7 @@ import type { LightOptions, LightState } from './light/session-light.ts';
 import type { DepthOptions } from './options.ts';
 import type { DeviceProfile } from './profiles.ts';
 import type { PrimaryLight, Room } from './rooms/room.ts';
+import type { PersistentAnchors } from './session/persistent-anchors.ts';
 
 /** The emulated device and its surroundings; they outlive sessions. */
 export interface World {
@@ -27,16 +28,31 @@ export interface World {
   lightState: LightState;
   /** Whether the device sees its anchors. */
   anchorState: 'tracked' | 'lost';
+  readonly persistentAnchors: PersistentAnchors;
+  /** How reference spaces move against the room while a session runs. */
+  drift: Drift;
+}
+
+/** Per minute of the session's time. */
+export interface Drift {
+  /** In the room's axes, meters. */
+  readonly offsetM: readonly [number, number, number];
+  /** About the vertical through the room's origin. */
+  readonly yawRad: number;
 }
 
 export interface WorldSettings {
   readonly views: 1 | 2;
   readonly features: ReadonlySet<string>;
+  /** Whether the device knows the room without a capture. */
+  readonly roomScanned: boolean;
   /** Size of the screen; null for the window's size when a layer is created. */
   sizePx: readonly [width: number, height: number] | null;
   readonly depth: Required<DepthOptions>;
   readonly light: Required<LightOptions>;
   readonly display: boolean;
+  /** White of an additive display ÷ white of the room. */
+  readonly displayGain: number;
   readonly requireGesture: boolean;
 }
 

@@ -14,6 +14,8 @@ export interface MountOptions {
   readonly createScenes: CreateSceneBackend | null;
   /** Hit tests and anchors; null if the program needs neither. */
   readonly createSpatial: CreateSpatial | null;
+  /** The element that labels are shown in; null if the program has none. */
+  readonly overlay: HTMLElement | null;
   readonly assets: AssetSource;
   /** Creates the panel for sessions that hide the page; null without controls. */
   readonly createPanel: ((gl: WebGL2RenderingContext) => RoomPanel) | null;

@@ -1,5 +1,5 @@
 import { expect, test } from '@jest/globals';
-import type { ProgramNeed } from '../program/program.ts';
+import type { ProgramNeed } from '../program/needs.ts';
 import { asksOf } from './needs-text.ts';
 
 const need = (more: Partial<ProgramNeed>): ProgramNeed => ({

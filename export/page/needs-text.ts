@@ -1,5 +1,5 @@
 import type { Capability } from '../../nodes/kit/definition.ts';
-import type { ProgramNeed } from '../program/program.ts';
+import type { ProgramNeed } from '../program/needs.ts';
 
 const WHAT: Readonly<Record<Capability, string>> = {
   'camera-image': 'The camera feed',

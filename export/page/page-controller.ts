@@ -6,6 +6,7 @@ import type { Program } from '../program/program.ts';
 import type { AssetSource } from '../runtime/assets/asset-source.ts';
 import { createBrowserClock } from '../runtime/clock.ts';
 import type { CreateSceneBackend } from '../runtime/scene-backend.ts';
+import type { CreateLens } from '../runtime/sessions/camera/lens.ts';
 import { requestCameraSession } from '../runtime/sessions/camera/request-camera.ts';
 import type { SessionInputs } from '../runtime/sessions/input/session-inputs.ts';
 import { createOrbitSession } from '../runtime/sessions/orbit/orbit-session.ts';
@@ -21,7 +22,9 @@ export interface PageControllerOptions {
   readonly createScenes: CreateSceneBackend | null;
   readonly createSpatial: CreateSpatial | null;
   readonly inputs: SessionInputs | null;
+  readonly createLens: CreateLens | null;
   readonly createPanel: MountOptions['createPanel'];
+  readonly overlay: MountOptions['overlay'];
   readonly page: Window;
   readonly root: PageRoot;
   readonly program: Program;
@@ -114,8 +117,10 @@ export function createPageController({ page, root, program, modes, ...parts }: P
   };
   const request = (mode: SessionMode): Promise<Result<Session>> => {
     const { gl } = mounted;
-    if (mode === 'camera')
-      return requestCameraSession({ window: page, media: page.navigator.mediaDevices, gl, canvas, clock, inputs: parts.inputs });
+    if (mode === 'camera') {
+      const { inputs, createLens } = parts;
+      return requestCameraSession({ window: page, media: page.navigator.mediaDevices, gl, canvas, clock, inputs, createLens });
+    }
     return requestWebXrSession({
       inputs: parts.inputs,
       mode: mode === 'vr' ? 'immersive-vr' : 'immersive-ar',
@@ -177,6 +182,6 @@ const SILENT: Readonly<Partial<Record<Capability, string>>> = {
   'light-estimation': 'The device does not measure the light of the room at the moment. Default light is used.',
 };
 
-const CAMERA_HINT = 'Turn the device to look around. Pinch or scroll to zoom.';
+const CAMERA_HINT = 'Turn the device to look around. Drag up or down until objects stand on the floor. Pinch or scroll to zoom.';
 const CONTEXT_LOST = 'Graphics were interrupted. If they do not return, reload the page.';
 const SHADERS_BROKEN = 'Part of this page cannot be drawn on this device. Try another browser or device.';

@@ -1,4 +1,5 @@
-import type { Control, ProgramCredit, Tier } from '../program/program.ts';
+import type { Tier } from '../program/needs.ts';
+import type { Control, ProgramCredit } from '../program/program.ts';
 import type { Ask } from './needs-text.ts';
 import { type PagePowers, pagePolicy } from './page-policy.ts';
 

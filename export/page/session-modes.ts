@@ -1,4 +1,4 @@
-import type { Tier } from '../program/program.ts';
+import type { Tier } from '../program/needs.ts';
 import { supportsWebXr } from '../runtime/sessions/webxr/request-session.ts';
 
 /** Session modes that a visitor can enter. The orbit view is the initial state. */

@@ -3,10 +3,12 @@ import { type Program, readProgram } from '../program/program.ts';
 import { type AssetSource, createFetchAssetSource } from '../runtime/assets/asset-source.ts';
 import type { CreateSceneBackend } from '../runtime/scene-backend.ts';
 import type { DecoderFiles } from '../runtime/scenes/models/decoders/decoder.ts';
+import type { CreateLens } from '../runtime/sessions/camera/lens.ts';
 import type { SessionInputs } from '../runtime/sessions/input/session-inputs.ts';
-import type { CreateSpatial } from '../runtime/spatial/spatial.ts';
+import type { CreateSpatial, KeptAnchors } from '../runtime/spatial/spatial.ts';
 import { createControlValues } from './control-values.ts';
 import { createEmbeddedAssetSource, hasEmbeddedFiles } from './embedded-files.ts';
+import type { CreateLabelLayer } from './label-layer.ts';
 import { countingFetch } from './load-progress.ts';
 import { browserFetch } from './network.ts';
 import { keepForOffline } from './offline.ts';
@@ -25,6 +27,10 @@ export interface PageParts {
   readonly inputs: SessionInputs | null;
   /** Null if there are no controls. */
   readonly createRoomPanel: CreateRoomPanel | null;
+  /** Null if there are no labels. */
+  readonly createLabelLayer: CreateLabelLayer | null;
+  /** Null without objects, which alone have to keep their place in the camera image. */
+  readonly createLens: CreateLens | null;
 }
 
 /** Runs an exported page: loads the program, starts the orbit view and offers the available session modes. */
@@ -53,7 +59,7 @@ export async function startPage(page: Window, parts: PageParts): Promise<void> {
     const program = await loadProgram(files, config.program);
     const modes = await found;
     const createScenes = parts.createScenes?.((file) => files.load(config.decoders[file] ?? file)) ?? null;
-    const { modules, createSpatial, inputs, createRoomPanel } = parts;
+    const { modules, createSpatial, inputs, createRoomPanel, createLens } = parts;
     const createPanel = createRoomPanel && ((gl: WebGL2RenderingContext) => createRoomPanel({ gl, document, title: config.title, values }));
     controller = createPageController({
       page,
@@ -63,9 +69,11 @@ export async function startPage(page: Window, parts: PageParts): Promise<void> {
       modes,
       modules,
       createScenes,
-      createSpatial,
+      createSpatial: createSpatial && ((given) => createSpatial({ ...given, keptAnchors: keptAnchorsOf(page) })),
       inputs,
+      createLens,
       createPanel,
+      overlay: parts.createLabelLayer?.(root) ?? null,
     });
     await controller.ready;
     panel.show({ kind: 'ready', offers: modes.offers, reason: modes.noAr });
@@ -87,4 +95,13 @@ async function loadProgram(files: AssetSource, path: string): Promise<Program> {
     throw new Error('The page did not load completely. Check the connection, then reload it.');
   });
   return readProgram(JSON.parse(new TextDecoder().decode(bytes)));
+}
+
+/** Storage is refused in sandboxed frames, and with cookies off. */
+function keptAnchorsOf(page: Window): KeptAnchors {
+  try {
+    return { storage: page.localStorage, page: page.location.pathname };
+  } catch {
+    return { storage: null, page: page.location.pathname };
+  }
 }

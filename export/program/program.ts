@@ -1,6 +1,7 @@
 import type { ArithmeticOperation } from '../../nodes/kit/arithmetic.ts';
-import type { AssetKind, Capability, ParamValue } from '../../nodes/kit/definition.ts';
+import type { AssetKind, ParamValue } from '../../nodes/kit/definition.ts';
 import type { ValueType } from '../../nodes/kit/wire-types.ts';
+import type { ProgramNeed, Tier } from './needs.ts';
 
 /**
  * The program: output of the compiler and only input of the runtime. Versioned JSON without data of the editor. This folder imports only
@@ -116,6 +117,8 @@ export type Resource =
   | { readonly id: ResourceId; readonly kind: 'pulses' }
   /** A rigid transform in world space, written in every frame before its readers run. */
   | { readonly id: ResourceId; readonly kind: 'pose' }
+  /** Physics bodies. */
+  | { readonly id: ResourceId; readonly kind: 'bodies' }
   /** A curve as a table of heights (`curve-table.ts`), from the slot. No operation writes it. */
   | { readonly id: ResourceId; readonly kind: 'curve'; readonly slot: number }
   /** A technique. No operation writes it. */
@@ -154,8 +157,11 @@ export interface TechniqueUniform {
   readonly slot: number;
 }
 
-/** `rgba8`: a layer. `rgba16f`: unclamped. `rgba32f`: numbers. `r32f`: depth in meters, 0 where there is none. */
-export type TargetFormat = 'rgba8' | 'rgba16f' | 'rgba32f' | 'r32f';
+/**
+ * `rgba8`: a layer. `scene16f`: a scene layer (ADR 38), linear, unclamped and finite. `rgba16f`: unclamped. `rgba32f`: numbers. `r32f`: depth
+ * in meters, 0 where there is none.
+ */
+export type TargetFormat = 'rgba8' | 'scene16f' | 'rgba16f' | 'rgba32f' | 'r32f';
 
 /** Size in pixels: that of the view or of another resource. Each side is scaled or an ISF size expression over slots. */
 export interface TargetSize {
@@ -214,6 +220,8 @@ export interface NodeOperation extends OperationBase {
   readonly delay?: true;
   /** Whether its output depends on all earlier frames; with a slot, only if its number is above the limit. */
   readonly stateful?: true | { readonly slot: number; readonly above: number };
+  /** Whether it starts a worker of its own. */
+  readonly worker?: true;
   readonly outputs: Readonly<Record<string, OutputRef>>;
   /** Uniform params → slot. */
   readonly params: Readonly<Record<string, number>>;
@@ -360,22 +368,6 @@ export interface Presentation {
   readonly blend: 'alpha';
   /** Start of the orbit camera if it is not the default: its target in world space and its distance, meters. */
   readonly around?: { readonly targetWorld: readonly [number, number, number]; readonly distanceM: number };
-}
-
-export interface ProgramNeed {
-  readonly capability: Capability;
-  readonly required: boolean;
-  /** Nodes that need it. */
-  readonly nodes: readonly string[];
-  readonly why: string;
-  readonly without: string;
-}
-
-/** What one kind of session can play of this program, best first. */
-export interface Tier {
-  readonly id: 'ar-camera' | 'ar' | 'camera' | 'authored-vr' | 'orbit';
-  /** Needs that this tier cannot meet, with the effect on the output. */
-  readonly without: readonly { readonly capability: Capability; readonly effect: string }[];
 }
 
 /**

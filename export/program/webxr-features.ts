@@ -1,5 +1,5 @@
 import type { Capability } from '../../nodes/kit/definition.ts';
-import type { ProgramNeed } from './program.ts';
+import type { ProgramNeed } from './needs.ts';
 
 /** WebXR feature descriptor of each capability; null if WebXR has none. */
 export const WEBXR_FEATURES: Readonly<Record<Capability, string | null>> = {

@@ -16,6 +16,7 @@ import type { PlayState } from './play-state.ts';
 import type { OperationTimer } from './program-instance/operation-timer.ts';
 import type { CreateSceneBackend, SceneBackend } from './scene-backend.ts';
 import type { Spatial, SpatialCounts } from './spatial/spatial.ts';
+import type { NearestDepth } from './targets/nearest-depth.ts';
 
 /** Everything that exists once per WebGL context, independent of the program. */
 export interface Engine {
@@ -24,8 +25,9 @@ export interface Engine {
   readonly drawer: PassDrawer;
   /** Linked together with the first program. */
   readonly copy: GlProgram;
-  /** A program for work outside of frames, linked at the first request and kept. */
+  /** A program of the runtime itself, linked at the first request and kept. */
   tool(shader: LinkedShader): GlProgram;
+  readonly nearestDepth: NearestDepth;
   readonly assets: AssetStore;
   readonly pictures: PictureStore;
   readonly clock: FrameClock;
@@ -52,6 +54,7 @@ export interface EngineOptions {
   readonly createScenes: CreateSceneBackend | null;
   /** Null if the program needs no hit tests and anchors. */
   readonly spatial: Spatial | null;
+  readonly overlay?: HTMLElement | null;
   readonly assets: AssetSource;
   readonly seed: number;
   readonly clock: FrameClock;
@@ -80,6 +83,7 @@ export function createEngine(options: EngineOptions): Engine {
   };
   const tools = new Map<string, GlProgram>();
   let cameraMean: CameraMean | null = null;
+  let nearestDepth: NearestDepth | null = null;
   const assets = createAssetStore({ objects, source: options.assets, scenes, delay: clock.delay });
   const tool = (shader: LinkedShader): GlProgram => {
     const made = tools.get(shader.id) ?? programs.acquire(shader);
@@ -93,6 +97,12 @@ export function createEngine(options: EngineOptions): Engine {
     drawer,
     copy,
     tool,
+    nearestDepth: {
+      createResolve: (...buffer) => {
+        nearestDepth ??= scenes().createNearestDepth(objects, drawer, tool);
+        return nearestDepth.createResolve(...buffer);
+      },
+    },
     assets,
     pictures: createPictureStore(objects),
     clock,
@@ -121,8 +131,14 @@ export function createEngine(options: EngineOptions): Engine {
         get light() {
           return state.frame.light;
         },
+        get overlay() {
+          return options.held || state.hidesPage ? null : (options.overlay ?? null);
+        },
         get sessions() {
           return state.sessions;
+        },
+        get blend() {
+          return state.blend;
         },
         get cameraMean() {
           cameraMean ??= createCameraMean({ objects, drawer, tool }, options.held ?? false);
@@ -130,6 +146,7 @@ export function createEngine(options: EngineOptions): Engine {
         },
         openHitTest: (hitTest) => spatial().openHitTest(hitTest),
         castRay: (worldFromRay, out, sources) => spatial().castRay(worldFromRay, out, sources),
+        depthPicture: (viewIndex) => spatial().depthPicture(viewIndex),
         get anchors() {
           return spatial().anchors;
         },
@@ -137,6 +154,7 @@ export function createEngine(options: EngineOptions): Engine {
       assets,
       board: options.board,
       cpu: { objects, drawer, copy, clock, startWorker: options.startWorker ?? startBlobWorker },
+      startWorker: options.startWorker ?? startBlobWorker,
       scenes,
     },
     scenesIfMade: () => backend,

@@ -1,4 +1,4 @@
-import type { SessionFrame, ViewFrame } from '../../nodes/kit/session.ts';
+import type { Session, SessionFrame, ViewFrame } from '../../nodes/kit/session.ts';
 import { createSessionInput } from './sessions/input/session-input.ts';
 
 /** Current position of the player within a frame; one object that is changed in place. */
@@ -6,6 +6,10 @@ export interface PlayState {
   frame: SessionFrame;
   /** Number of sessions that have begun. */
   sessions: number;
+  /** Whether the session hides the page. */
+  hidesPage: boolean;
+  /** How the display of the session mixes the image with the world. */
+  blend: Session['blend'];
   /** During operations that run once: the first view. */
   viewIndex: number;
   view: ViewFrame | null;
@@ -29,7 +33,7 @@ export const EMPTY_FRAME: SessionFrame = {
 };
 
 export function createPlayState(): PlayState {
-  return { frame: EMPTY_FRAME, sessions: 0, viewIndex: 0, view: null, widthPx: 0, heightPx: 0 };
+  return { frame: EMPTY_FRAME, sessions: 0, hidesPage: false, blend: 'opaque', viewIndex: 0, view: null, widthPx: 0, heightPx: 0 };
 }
 
 export function enterView(state: PlayState, viewIndex: number): void {

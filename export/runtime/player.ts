@@ -30,6 +30,8 @@ export interface PlayerOptions {
   readonly createScenes: CreateSceneBackend | null;
   /** Hit tests and anchors; null or absent for pages whose program needs neither. */
   readonly createSpatial?: CreateSpatial | null;
+  /** The element of the page over the canvas (`SessionService.overlay`). */
+  readonly overlay?: HTMLElement | null;
   readonly assets: AssetSource;
   /** Seed of all random numbers: equal seeds give equal frames. */
   readonly seed: number;
@@ -205,6 +207,8 @@ export function createPlayer(options: PlayerOptions): Player {
       if (next !== session) spatial?.leaveSession();
       if (next !== null && next !== session) state.sessions++;
       session = next;
+      state.hidesPage = next?.hidesPage === true;
+      state.blend = next?.blend ?? 'opaque';
     },
     draw: (frame) => {
       if (!live || !instance || preparing) return;

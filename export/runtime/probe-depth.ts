@@ -48,7 +48,7 @@ export function worldAt(
 function layerMeters(engine: Engine, resources: LiveResources, { depth }: LayerRef, viewIndex: number, u: number, v: number): number {
   const resource = depth ? resources.get(depth.resource) : undefined;
   const buffer = resource?.kind === 'target' ? resource.target.peek(resource.domain === 'view' ? viewIndex : 0) : null;
-  const texture = depth?.encoding === 'window' ? buffer?.depth : buffer?.color;
+  const texture = depth?.encoding === 'window' ? buffer?.readDepth() : buffer?.color;
   return depth && texture ? metersAt(engine, texture, depth.encoding, viewIndex, pointIn(null, u, v)) : 0;
 }
 

@@ -1,6 +1,7 @@
+import type { LayerEncoding } from '../../nodes/kit/definition.ts';
 import type { LinkedShader, ResourceId } from '../program/program.ts';
 import type { Engine } from './engine.ts';
-import { COPY_SAMPLER, COPY_SHADER, COPY_UV } from './gl/copy-shader.ts';
+import { COPY_SAMPLER, COPY_SHADER, COPY_UV, copyShaderFor } from './gl/copy-shader.ts';
 import type { GlProgram } from './gl/program-cache.ts';
 import { prepareReadback } from './gl/upload.ts';
 import type { Inspected } from './inspected.ts';
@@ -10,7 +11,7 @@ import { IDENTITY } from './resources/identity.ts';
 import type { LiveResources } from './resources/resources.ts';
 import { createTargetBuffer, type TargetResource } from './targets/target-buffer.ts';
 
-/** Premultiplied display-referred sRGB, RGBA, rows from the top. */
+/** Premultiplied display-referred sRGB, RGBA, rows from the top; of a scene layer, what a screen can show. */
 export interface LayerPixels {
   readonly widthPx: number;
   readonly heightPx: number;
@@ -77,7 +78,7 @@ export function readColor(inspected: Inspected | null, viewIndex: number, height
   };
   // Reads the framebuffer directly if possible, because sampling could round differently.
   if (picture.framebuffer && scale === 1) return read(picture.framebuffer);
-  return drawn(engine, COPY_SHADER, 'rgba8', width, height, read, (program) => {
+  return drawn(engine, copyShaderFor(picture.encoding), 'rgba8', width, height, read, (program) => {
     const { gl } = engine.objects;
     const location = program.uniform(COPY_SAMPLER);
     if (location) engine.drawer.texture(0, location, picture.texture, 'linear');
@@ -98,7 +99,7 @@ export function readDepth(inspected: Inspected | null, viewIndex: number): Layer
   const { depth } = layer;
   const resource = depth ? resources.get(depth.resource) : undefined;
   const buffer = resource?.kind === 'target' ? resource.target.peek(resource.domain === 'view' ? viewIndex : 0) : null;
-  const texture = depth?.encoding === 'window' ? buffer?.depth : buffer?.color;
+  const texture = depth?.encoding === 'window' ? buffer?.readDepth() : buffer?.color;
   if (!depth || !buffer || !texture) return null;
   const { widthPx, heightPx } = buffer;
   const read = (framebuffer: WebGLFramebuffer): LayerDepth => {
@@ -123,6 +124,7 @@ export interface Picture {
   readonly widthPx: number;
   readonly heightPx: number;
   readonly uvFromViewUv: Float32Array;
+  readonly encoding: LayerEncoding;
 }
 
 /** The current texture of a layer; null if it was not drawn. */
@@ -132,8 +134,10 @@ export function findPicture(state: PlayState, resources: LiveResources, id: Reso
     const buffer = resource.target.peek(resource.domain === 'view' ? viewIndex : 0);
     if (!buffer) return null;
     const { color: texture, widthPx, heightPx, resolvedFramebuffer } = buffer;
-    const framebuffer = resource.target.resource.format === 'rgba8' ? resolvedFramebuffer : null;
-    return { texture, framebuffer, widthPx, heightPx, uvFromViewUv: IDENTITY };
+    const { format } = resource.target.resource;
+    const framebuffer = format === 'rgba8' ? resolvedFramebuffer : null;
+    const encoding = format === 'scene16f' ? 'scene' : 'display';
+    return { texture, framebuffer, widthPx, heightPx, uvFromViewUv: IDENTITY, encoding };
   }
   if (resource?.kind !== 'external') return null;
   const view = resource.layer.views[resource.domain === 'view' ? viewIndex : 0];
@@ -141,7 +145,7 @@ export function findPicture(state: PlayState, resources: LiveResources, id: Reso
   // A layer of the view domain has the size of the view, whatever that of its texture.
   const viewport = resource.domain === 'view' ? state.frame.views[viewIndex]?.viewport : undefined;
   const { widthPx, heightPx } = viewport ?? view;
-  return { texture: view.texture, framebuffer: null, widthPx, heightPx, uvFromViewUv: view.uvFromViewUv };
+  return { texture: view.texture, framebuffer: null, widthPx, heightPx, uvFromViewUv: view.uvFromViewUv, encoding: 'display' };
 }
 
 /** Draws to a temporary target and passes its framebuffer to `read`. */

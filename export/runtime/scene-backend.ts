@@ -3,6 +3,7 @@ import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { SceneService } from '../../nodes/kit/runtime.ts';
 import type { LightList, ObjectList, RoomDepthOutput } from '../../nodes/kit/scene-lists.ts';
 import type { NumberView } from '../../nodes/kit/value-views.ts';
+import type { CreateNearestDepth } from './targets/nearest-depth.ts';
 
 /**
  * Interface of the player to three.js. It has types only, so that pages without objects do not bundle three.js; `scenes/create-scenes.ts`
@@ -30,6 +31,8 @@ export interface SceneBackend {
   loadModel(bytes: ArrayBuffer, path: string, readFile: (path: string) => Promise<ArrayBuffer>): Promise<LoadedModel>;
   /** Loads a panorama and filters it for lighting. Rejects with an `Error` whose message is text for the user. */
   loadEnvironment(bytes: ArrayBuffer): Promise<LoadedEnvironment>;
+  /** Here, because only scenes draw multisampled depth, and other pages leave it out. */
+  readonly createNearestDepth: CreateNearestDepth;
   /** Runs draws that only compile their shaders. Resolves when the driver has finished, without blocking. */
   prepare(draws: () => void): Promise<void>;
   /** Resets the state cache of three.js, after passes have drawn. */

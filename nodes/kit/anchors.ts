@@ -7,10 +7,26 @@ export interface AnchorService {
    *
    * @param at A hit of this frame, or a pose in world space: column-major 4×4, rigid.
    * @returns An anchor, which the caller deletes.
+   * @param keepAs Asks the device to keep it for later visits of the page, under this name. It replaces an earlier one of that name.
    * @throws RangeError for a pose that is not 16 finite numbers.
    */
-  create(at: Hit | ArrayLike<number>): Anchor;
+  create(at: Hit | ArrayLike<number>, keepAs?: string): Anchor;
+  /**
+   * Asks for the anchor that was kept under a name, in this visit or an earlier one.
+   *
+   * @returns An anchor without a pose until it is `tracked`, and `deleted` if the device no longer has it; null if none is kept, or the
+   * session keeps none.
+   */
+  restore(name: string): Anchor | null;
+  /** Keeps no anchor under that name any more. One that is in use stays until it is deleted. */
+  forget(name: string): void;
 }
+
+/**
+ * Whether the device keeps an anchor for later visits: it was not asked, it has not answered, it does, or it refused or keeps no
+ * anchors at all.
+ */
+export type AnchorKeeping = 'not-asked' | 'pending' | 'kept' | 'refused';
 
 /**
  * - `pending`: the device has not confirmed it yet.
@@ -27,6 +43,9 @@ export interface Anchor {
   readonly state: AnchorState;
   /** Column-major 4×4, rigid. Until the device confirms it, the pose that it was created with. The same array every frame. */
   readonly worldFromAnchor: Float32Array;
+  readonly keeping: AnchorKeeping;
+  /** How many older anchors the device had to forget to keep this one. */
+  readonly evicted: number;
   /** Safe to call twice. */
   delete(): void;
 }

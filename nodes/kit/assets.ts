@@ -1,5 +1,6 @@
 import type { AnimationClip, Object3D, Texture } from 'three';
 import type { AssetKind } from './definition.ts';
+import type { PanoramaPixels } from './panorama/pixels.ts';
 import type { AudioAsset } from './sound.ts';
 
 /**
@@ -37,8 +38,11 @@ export interface ImageAsset {
 
 /** A decoded glTF model, in meters, y up. */
 export interface ModelAsset {
-  /** Creates a subtree with its own bones; geometries, materials and textures are shared. */
-  instantiate(): Object3D;
+  /**
+   * Creates a subtree with its own bones; geometries, materials and textures are shared. `normals`: how meshes without normals in the file
+   * are shaded; absent: flat, as glTF demands.
+   */
+  instantiate(normals?: 'flat' | 'smooth'): Object3D;
   readonly clips: readonly AnimationClip[];
 }
 
@@ -47,6 +51,23 @@ export interface EnvironmentAsset {
   readonly texture: Texture;
   readonly widthPx: number;
   readonly heightPx: number;
+  /**
+   * Reads the pixels at the precision of the file. It decodes the file again, so call it once and release the pixels.
+   */
+  readPixels(): PanoramaPixels;
+  /**
+   * Creates a copy in which the pixels of lamps are filled from their surroundings, filtered for lighting.
+   *
+   * @param runs Pixels of an image of `size`, as `[y, first x, last x + 1, …]`, rows from the top.
+   * @param size Size of the image that `runs` refers to.
+   * @returns The caller disposes it.
+   */
+  withoutLamps(runs: readonly number[], size: { readonly widthPx: number; readonly heightPx: number }): DerivedEnvironment;
+}
+
+/** A panorama that a node made of another. */
+export interface DerivedEnvironment extends EnvironmentAsset {
+  dispose(): void;
 }
 
 /** A video file that can be played. */

@@ -6,6 +6,7 @@ test.each([
   ['operator/over', 'composite'],
   ['technique/toon', 'material'],
   ['graph/soft-look', 'subgraph'],
+  ['combination/room-shadow', 'recipe'],
 ])('%s is shown under %s', (type, label) => {
   expect(categoryLabel(type)).toBe(label);
 });

@@ -1,5 +1,10 @@
 /** Labels of the categories that differ from the first part of their node types, which projects store. */
-const LABELS: Readonly<Record<string, string>> = { operator: 'composite', technique: 'material', graph: 'subgraph' };
+const LABELS: Readonly<Record<string, string>> = {
+  operator: 'composite',
+  technique: 'material',
+  graph: 'subgraph',
+  combination: 'recipe',
+};
 
 /**
  * The label of a node type's category, as the palette, the inspector and the reference show it.

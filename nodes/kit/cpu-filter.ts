@@ -27,8 +27,8 @@ export interface WorkerModule {
   readonly worker: string;
 }
 
-/** The module that plays a node: a runtime in the page, or a worker. */
-export type PlayedModule = NodeModule | WorkerModule;
+/** The module that plays a node: a runtime in the page, which may have a worker, or a worker alone. */
+export type PlayedModule = (NodeModule & Partial<WorkerModule>) | WorkerModule;
 
 /** The message to the worker; `buffer` is transferred. */
 export interface CpuTask {

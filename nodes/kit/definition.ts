@@ -52,6 +52,15 @@ export interface NodeDefinition {
    */
   readonly control?: 'slider' | 'toggle' | 'button' | 'choice';
   readonly needs?: readonly Need[];
+  /**
+   * An input port whose sources the node changes, as a world moves bodies: the node is played if a source of the port is, even if the
+   * output does not depend on it otherwise.
+   */
+  readonly actsOn?: string;
+  /** A graph contains at most one node of the type (SCR027). */
+  readonly single?: true;
+  /** Its runtime starts a worker of its own, `worker.ts`, whose text `npm run gen` bundles. */
+  readonly worker?: true;
   /** Its runtime reads `SessionFrame.input`: pages without such a node, hit tests and controls listen to no input. */
   readonly readsInput?: true;
   /** Element `i` migrates saved params from version `i + 1` to `i + 2`. */
@@ -79,6 +88,13 @@ export interface InputPort {
   readonly required: boolean;
   /** Accepts several wires, in the order of the document. */
   readonly multiple?: boolean;
+  /**
+   * Of `depth`: the node measures, as physics does, and is wrong on smoothed surfaces between near and far. A session is asked for raw
+   * depth where all readers of depth say so; others, such as occlusion, flicker with it.
+   */
+  readonly depthType?: 'raw';
+  /** Of layers: the encoding that the node reads. `either`: all inputs with this word get the same. Default: `display`. */
+  readonly encoding?: LayerEncoding | 'either';
 }
 
 /** An output. */
@@ -90,7 +106,20 @@ export interface OutputPort {
   readonly domain?: LayerDomain | 'same';
   /** Of layers: whether the layer has depth; `same` is that of the first layer input. */
   readonly depth?: boolean | 'same';
+  /**
+   * Of layers; `same` is that of the first input with `either`. A param: the value of this structure choice, whose options are the two
+   * encodings. Default: `display`.
+   */
+  readonly encoding?: LayerEncoding | 'same' | { readonly param: string };
+  /** The runtime computes it only if something reads it; otherwise it is absent from `ctx.outputs`. Of nodes that are played. */
+  readonly whenRead?: true;
 }
+
+/**
+ * How a layer stores color (ADR 38), premultiplied in both cases. `display`: sRGB as a screen shows it, clamped to [0, 1], 8 bits.
+ * `scene`: linear sRGB, unclamped and finite, 16-bit floats.
+ */
+export type LayerEncoding = 'display' | 'scene';
 
 /** `view`: aligned with the pixels of the view, one texture per view. `image`: its own size, one texture for all views. */
 export type LayerDomain = 'view' | 'image';
@@ -152,13 +181,18 @@ export interface ToggleParam extends ParamBase {
   readonly default: boolean;
 }
 
-/** A text. */
+/** A param whose value is a text, which the inspector edits in one line. */
 export interface TextParam extends ParamBase {
   readonly type: 'text';
   readonly stage: 'uniform' | 'structure';
   readonly default: string;
   /** The text is an expression (`expression.ts`) with these params as names; the runtime gets it in postfix notation. */
   readonly expression?: { readonly names: readonly string[] };
+  /**
+   * The text lists the characters that the param `of`, which is a uniform text, may show while a wire sets it. The runtime gets the
+   * outlines of what it may show (`glyphs.ts`): of these characters, or of the text itself if no wire sets it.
+   */
+  readonly glyphs?: { readonly of: string; readonly font: string };
 }
 
 /** One of several options. A `uniform` choice has numbers (ISF `long`), a `structure` choice has words. Projects store the value. */
@@ -266,6 +300,8 @@ export interface Need {
   readonly when: 'always' | 'sampled';
   /** Only if a structure param has this value. */
   readonly where?: { readonly param: string; readonly is: string | number | boolean };
+  /** Only if something is connected to this input. */
+  readonly wired?: string;
   /** The purpose, shown to the visitor before the browser asks: “to …”. */
   readonly why: string;
   /** What happens without the feature, as a sentence. */
@@ -287,7 +323,7 @@ export type Migration = (params: SavedParams) => SavedParams;
 /** Definitions and shader texts: the generated library, overridden by a project's own shaders. */
 export interface NodeLibrary {
   definition(type: string): NodeDefinition | undefined;
-  /** The source of an ISF file, a technique or a chunk, or an image of a technique as base64; undefined if there is none. */
+  /** The source of an ISF file, a technique or a chunk, an image of a technique as base64, or the outlines of a font (`glyphs.ts`). */
   shader(name: string): string | undefined;
   types(): Iterable<string>;
 }

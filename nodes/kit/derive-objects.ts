@@ -51,6 +51,7 @@ export function deriveObjects(output: ObjectList, adjust: (item: ObjectItem) => 
         item.worldFromObject.copy(source.worldFromObject);
         item.castsShadow = source.castsShadow;
         item.receivesShadow = source.receivesShadow;
+        item.hidden = source.hidden ?? false;
         adjust(item);
       }
     },

@@ -48,6 +48,9 @@ export const DIAGNOSTICS = {
   SCR024: 'A shadow does not match the shape or transparency of its object',
   SCR025: 'The device does not support the shadow settings',
   SCR026: 'The project has too many nodes',
+  SCR027: 'The graph has several nodes of a type of which it may have one',
+  SCR028: 'The panorama has no lamps',
+  SCR029: 'Pixels of the panorama are invalid',
   // Assets
   SCR030: 'The asset is not in the project',
   SCR031: 'The asset is outside the project folder',
@@ -56,6 +59,8 @@ export const DIAGNOSTICS = {
   SCR034: 'The asset is very large',
   SCR035: 'The model of a phantom has holes',
   SCR036: 'The asset could not be compressed',
+  SCR037: 'A body has the shape of a box instead of its object',
+  SCR038: 'A body belongs to no physics world',
   // Shaders
   SCR040: 'The shader header is invalid',
   SCR041: 'The shader has a syntax error',
@@ -65,6 +70,7 @@ export const DIAGNOSTICS = {
   SCR045: 'The Shadertoy source cannot be converted',
   SCR046: 'The license of an asset or shader forbids commercial use',
   SCR047: 'An effect that runs on the CPU failed',
+  SCR048: 'Layers of different encodings are connected',
   // Sessions
   SCR050: 'The browser does not support WebXR',
   SCR051: 'The device or the visitor refused a request',
@@ -73,6 +79,9 @@ export const DIAGNOSTICS = {
   SCR054: 'The session folder is invalid',
   SCR055: 'A feature is not available; the project plays without it',
   SCR056: 'A node received more pulses in one frame than it can pass on',
+  SCR057: 'The device does not keep an anchor over visits',
+  SCR058: 'The worker of the physics world ended',
+  SCR059: 'A text cannot be drawn completely',
   // Files and export
   SCR060: 'The folder cannot be written',
   SCR061: 'The folder contains files that Scrim did not write',

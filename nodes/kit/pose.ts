@@ -33,13 +33,25 @@ export function createPose(): PoseOutput {
  */
 export function writePose(out: PoseOutput, worldFromPose: ArrayLike<number> | null, jumps: number): void {
   out.jumps = jumps;
-  out.valid = worldFromPose !== null && isFinitePose(worldFromPose);
+  out.valid = worldFromPose !== null && worldFromPose.length === 16 && isPose(worldFromPose);
   if (out.valid && worldFromPose) out.worldFromPose.set(worldFromPose);
 }
 
-function isFinitePose(matrix: ArrayLike<number>): boolean {
-  if (matrix.length !== 16) return false;
-  for (let i = 0; i < 16; i++) if (!Number.isFinite(matrix[i])) return false;
-  // A zero matrix is finite and has no axes.
-  return matrix[15] === 1 && matrix[4] !== undefined && Math.hypot(matrix[4], matrix[5] ?? 0, matrix[6] ?? 0) > 0.5;
+/**
+ * Whether sixteen numbers are a pose: all are finite, and no axis is near zero. Devices that lose tracking give zeros or NaN.
+ *
+ * @param matrices Column-major 4×4, possibly several in a row.
+ * @param offset Index of the first number of the matrix.
+ *
+ * @example
+ * if (isPose(hand.worldFromJoints, 16 * joint)) show(joint);
+ */
+export function isPose(matrices: ArrayLike<number>, offset = 0): boolean {
+  for (let i = 0; i < 16; i++) if (!Number.isFinite(matrices[offset + i])) return false;
+  for (let axis = 0; axis < 12; axis += 4) {
+    const at = offset + axis;
+    // A zero matrix is finite and has no axes.
+    if (Math.hypot(matrices[at] ?? 0, matrices[at + 1] ?? 0, matrices[at + 2] ?? 0) < 0.5) return false;
+  }
+  return Math.abs((matrices[offset + 15] ?? 0) - 1) < 1e-3;
 }

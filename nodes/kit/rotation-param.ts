@@ -3,7 +3,7 @@ export const ROTATION_PARAM = {
   type: 'vector3',
   stage: 'uniform',
   label: 'Rotation',
-  doc: 'Rotation about each axis, counter-clockwise seen from its tip: first z (roll), then x (pitch), then y (yaw).',
+  doc: 'Rotation about each axis, counterclockwise seen from its tip: first z (roll), then x (pitch), then y (yaw).',
   default: [0, 0, 0],
   min: [-Math.PI, -Math.PI, -Math.PI],
   max: [Math.PI, Math.PI, Math.PI],

@@ -1,12 +1,13 @@
 import type { AnchorService } from './anchors.ts';
 import type { AssetService } from './assets.ts';
-import type { InputPort, NodeDefinition, ParamDefinition } from './definition.ts';
+import type { InputPort, NodeDefinition, OutputPort, ParamDefinition } from './definition.ts';
 import type { Diagnostic } from './diagnostics.ts';
 import type { HitRecord, HitSource, HitTest, HitTestOptions } from './hit-test.ts';
+import type { BodyList } from './physics.ts';
 import type { PoseOutput, PoseView } from './pose.ts';
 import type { EnvironmentOutput, LightList, ObjectList, RoomDepthOutput } from './scene-lists.ts';
 import type { SceneLook } from './scene-look.ts';
-import type { LightEstimate, SessionFrame, ViewFrame } from './session.ts';
+import type { DepthPicture, LightEstimate, Session, SessionFrame, ViewFrame } from './session.ts';
 import type { SoundOutput } from './sound.ts';
 import type { TechniqueView } from './technique-view.ts';
 import type { NumberView, ValueViews, Writable } from './value-views.ts';
@@ -29,6 +30,11 @@ export interface NodeModule {
 export interface NodeRuntime {
   /** Once per frame, in program order, before anything is drawn. Allocates nothing. */
   update(frame: SessionFrame): void;
+  /**
+   * For value nodes and behaviors that output objects: called once before the first frame, instead of `update`. Lists the objects that
+   * it may show, as hidden ones, so that their materials are compiled.
+   */
+  prepare?(): void;
   /**
    * For nodes whose content loads asynchronously, such as a frame of a video. Called only while the clock is held (`Clock.held`); the
    * frame is drawn after the promise resolves.
@@ -60,7 +66,8 @@ export interface NodeContext<D extends NodeDefinition> {
   readonly node: string;
   /** Null, or an empty list, where no wire is connected. */
   readonly inputs: { readonly [K in keyof D['inputs']]: InputView<D['inputs'][K]> };
-  readonly outputs: { readonly [K in keyof D['outputs']]: OutputView<D['outputs'][K]['type']> };
+  /** Outputs with `whenRead` are absent while nothing reads them. */
+  readonly outputs: { readonly [K in keyof D['outputs']]: OutputView<D['outputs'][K]['type']> | AbsentOutput<D['outputs'][K]> };
   /** Live values of the `uniform` params. */
   readonly params: {
     readonly [K in keyof D['params'] as D['params'][K]['stage'] extends 'uniform' ? K : never]: ParamView<D['params'][K]>;
@@ -78,6 +85,7 @@ export interface NodeContext<D extends NodeDefinition> {
   readonly assets: AssetService;
   readonly scenes: SceneService;
   readonly session: SessionService;
+  readonly workers: WorkerService;
   /** Shows a problem at the node. Use it for mistakes of users; the frame continues. */
   report(diagnostic: Omit<Diagnostic, 'nodeId'>): void;
 }
@@ -156,9 +164,9 @@ export interface WireViews extends ValueViews {
   audio: SoundOutput;
   pulse: PulseList;
   pose: PoseView;
+  body: BodyList;
   // No node has these yet.
   surfaces: never;
-  body: never;
   capture: never;
 }
 
@@ -178,6 +186,12 @@ type OutputView<T extends WireType> = T extends keyof ValueViews
     : T extends 'pose'
       ? PoseOutput
       : WireView<T>;
+type AbsentOutput<P extends OutputPort> = P extends { readonly whenRead: true }
+  ? undefined
+  : // If the port is not known statically, it may be absent.
+    OutputPort extends P
+    ? undefined
+    : never;
 type ParamView<P extends ParamDefinition> = P extends { type: 'choice' }
   ? NumberView
   : P extends { type: infer T }
@@ -209,12 +223,46 @@ export interface Clock {
   readonly held: boolean;
 }
 
+/** Runs the node's `worker.ts`. Only for definitions with `worker`. */
+export interface WorkerService {
+  /**
+   * Starts a worker. The node disposes it.
+   *
+   * @throws Error where the browser starts none, and for nodes without `worker.ts`.
+   *
+   * @example
+   * const worker = ctx.workers.start({ onMessage: (data) => take(data as Answer), onFailure: restart });
+   */
+  start(listener: WorkerListener): NodeWorker;
+}
+
+/** Hears a worker. */
+export interface WorkerListener {
+  onMessage(data: unknown): void;
+  /** The worker has ended, and answers no more. */
+  onFailure(reason: string): void;
+}
+
+/** A running worker. */
+export interface NodeWorker {
+  /** Sends a message. The buffers in `transfer` belong to the worker from then on. */
+  post(message: unknown, transfer: readonly ArrayBuffer[]): void;
+  dispose(): void;
+}
+
 /** What the session provides, besides the frame that `update` receives. */
 export interface SessionService {
   readonly frame: SessionFrame;
   readonly light: LightEstimate | null;
+  /**
+   * The element of the page over the canvas, of the same size, for nodes that show elements aligned with the room. Null while the page is
+   * not visible, as in headsets, and in renders; absent in the preview, whose frames show everything. Such nodes draw objects instead.
+   */
+  readonly overlay?: HTMLElement | null;
   /** Raised when another session begins, whose world space and room are others. Compare it to forget what belongs to the room. */
   readonly sessions: number;
+  /** How the display mixes the image with the world: `additive` displays cannot darken, and black is transparent on them. */
+  readonly blend: Session['blend'];
   /**
    * Mean linear-sRGB color of the camera image of the first view. It is measured only while it is read, with a delay of some frames;
    * without delay while the clock is held. Null without a camera image and until the first measurement.
@@ -242,6 +290,16 @@ export interface SessionService {
    * if (ctx.session.castRay(pose.worldFromPose, hit)) distance.value = hit.distanceM;
    */
   castRay(worldFromRay: ArrayLike<number>, out: HitRecord, sources?: readonly HitSource[]): boolean;
+  /**
+   * Room depth of a view on the CPU: of this frame, or what was last read back from the GPU. Only for nodes whose definition needs
+   * `hit-test`.
+   *
+   * @returns Null while there is none.
+   *
+   * @example
+   * const picture = ctx.session.depthPicture(0);
+   */
+  depthPicture(viewIndex: number): DepthPicture | null;
   /** Only for nodes whose definition needs `anchors`. */
   readonly anchors: AnchorService;
 }

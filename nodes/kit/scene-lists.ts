@@ -31,6 +31,14 @@ export interface ObjectItem {
   role: 'virtual' | 'phantom';
   castsShadow: boolean;
   receivesShadow: boolean;
+  /**
+   * Not drawn, casts no shadow and cannot be picked, but its materials are compiled: showing it later compiles nothing. Absent: it is shown.
+   */
+  hidden?: boolean;
+  /** False: Pick does not meet it, as with a reticle. Absent: it can be picked. */
+  pickable?: false;
+  /** The node that claims presses on the object, as Place does to move it. Nodes that tell of presses tell of these too. */
+  claimant?: object;
   /** Custom materials instead of its own. */
   techniques?: readonly AppliedTechnique[];
 }

@@ -1,4 +1,5 @@
 import type { Object3D } from 'three';
+import type { LayerEncoding } from './definition.ts';
 import type { ObjectItem, ObjectList, RoomDepthOutput } from './scene-lists.ts';
 import type { NumberView, VectorView } from './value-views.ts';
 
@@ -6,9 +7,9 @@ import type { NumberView, VectorView } from './value-views.ts';
 export type SceneLook =
   /**
    * Virtual objects with their own materials, lit and shadowed; phantoms only as depth. `ambient` is the brightness of the neutral
-   * environment; at 1, the default, it alone renders a white matte surface as white.
+   * environment; at 1, the default, it alone renders a white matte surface as white. `encoding` is that of the layer: display if absent.
    */
-  | { readonly kind: 'shaded'; readonly ambient?: NumberView }
+  | { readonly kind: 'shaded'; readonly ambient?: NumberView; readonly encoding?: LayerEncoding }
   /** Only the shadows on objects: one color, with alpha where light is blocked. */
   | ShadowCatcherLook
   /**
@@ -26,9 +27,30 @@ export interface ShadowCatcherLook {
   readonly on?: 'phantoms' | 'everything';
   /** The casters, to draw with shadow volumes; absent: the shadow maps of the operation are used. */
   readonly volumesOf?: readonly ObjectList[];
+  /** While it is on, draws light around objects, which shadows interrupt, instead of shadows. Only with shadow maps. */
+  readonly glow?: ShadowGlow;
   /**
    * Room depth, and how far behind it a receiver may be and still receive shadows. Real surfaces receive shadows of shadow maps where
    * there is no receiver; receivers behind them receive none.
    */
   readonly room?: { readonly depth: RoomDepthOutput; readonly toleranceM: NumberView };
+}
+
+/** The most spots of a glow: an object in a light has one. */
+export const MAX_GLOW_SPOTS = 16;
+
+/** Light on the surfaces under objects, for displays that cannot darken. Its writer changes it in every frame. */
+export interface ShadowGlow {
+  /** Whether light is drawn instead of shadows. */
+  on: boolean;
+  /** Display-referred sRGB, straight alpha. */
+  readonly color: VectorView;
+  /** The part of the radius over which the light fades to nothing at its border, in (0, 1]. */
+  readonly border: NumberView;
+  /** The number of spots. */
+  count: number;
+  /** Of each spot: x and z of its center, and of the unit vector along its longer axis; world space. */
+  readonly places: Float32Array;
+  /** Of each spot: its two semi-axes, its height, and the distance above and below that at which it has faded; meters. */
+  readonly sizes: Float32Array;
 }

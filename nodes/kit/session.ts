@@ -104,7 +104,7 @@ export interface DetectedMesh extends DetectedSurface {
   readonly indices: Uint32Array;
 }
 
-/** The input of the visitor: taps since the previous frame and the current state of the controllers. */
+/** The input of the visitor: pointers, taps and keys since the previous frame and the current state of the controllers. */
 export interface SessionInput {
   /**
    * Fingers, mouse, controllers, hands and gaze that point somewhere in this frame; only the first `pointerCount` entries are valid.
@@ -121,6 +121,26 @@ export interface SessionInput {
   /** Controllers of a headset, or the halves of a gamepad. */
   readonly left: Controller;
   readonly right: Controller;
+  /** Joints of bare hands. They are tracked only if a node of the program needs `hands` and the session grants it. */
+  readonly leftHand: Hand;
+  readonly rightHand: Hand;
+  /**
+   * Keys pressed on the view since the previous frame, oldest first, with repeats of held keys; only the first `keyCount` entries are
+   * valid. Listed while a node owns the keys (`nodes/kit/keys.ts`); sessions of headsets and phones list none.
+   */
+  readonly keys: readonly KeyPress[];
+  readonly keyCount: number;
+  /** Which node the keys are for; null: the page's own, such as turning the view. Written by `ownKeys` and `freeKeys` alone. */
+  keyOwner: object | null;
+}
+
+/** A key that went down, or repeats. */
+export interface KeyPress {
+  /** As `KeyboardEvent.key`; letters in lower case. */
+  readonly key: string;
+  readonly shift: boolean;
+  /** Control, or Command on a Mac. */
+  readonly control: boolean;
 }
 
 /**
@@ -145,6 +165,8 @@ export interface Pointer {
   readonly xrSource: object | null;
   /** Who claimed it at its start; null while nobody did. Written by `claimPointer` alone. */
   owner: object | null;
+  /** How far along the ray the owner met what it claimed. Written by `claimPointer` alone; without meaning where nobody claimed it. */
+  ownerDistanceM: number;
 }
 
 /** `hover`: nothing is pressed. `cancel`: the system took the press away, which is to be undone. */
@@ -171,8 +193,40 @@ export interface Controller {
   readonly primary: boolean;
   /** The upper button: B on the right, Y on the left. */
   readonly secondary: boolean;
+  /** The thumbstick is pressed down. */
+  readonly stickPressed: boolean;
   /** As `Tap.worldFromRay`; null for gamepads, and while the controller is not tracked. */
   readonly worldFromRay: Float32Array | null;
+  /** WebXR's grip space: the origin is in the palm that holds the controller, -z points along its handle. Null as `worldFromRay`. */
+  readonly worldFromGrip: Float32Array | null;
+  /** A bare hand, which some browsers list as a controller whose trigger is the pinch. */
+  readonly bare: boolean;
+  /** Null if it cannot vibrate. */
+  readonly haptics: Haptics | null;
+}
+
+/** The motor of a controller. */
+export interface Haptics {
+  /**
+   * Vibrates once. A pulse replaces the one before it. Nothing happens where the browser refuses.
+   *
+   * @param strength In [0, 1].
+   * @param durationS Seconds; browsers limit it to 5.
+   */
+  pulse(strength: number, durationS: number): void;
+}
+
+/** A bare hand. `nodes/kit/hand-joints.ts` has the names of the joints, `nodes/kit/hands.ts` what is computed from them. */
+export interface Hand {
+  /** All joints have a pose in this frame. While false, the arrays keep the last poses. */
+  readonly tracked: boolean;
+  /**
+   * Column-major 4×4 of each joint, rigid, in the order of `HAND_JOINTS`. -z points along the bone to the fingertip, y out of the back
+   * of the hand.
+   */
+  readonly worldFromJoints: Float32Array;
+  /** Distance from each joint to the skin, meters. */
+  readonly radiiM: Float32Array;
 }
 
 /** One view of a frame: an eye, or the screen. */
@@ -220,6 +274,20 @@ export interface RoomDepth {
   readonly interpolate?: boolean;
   /** The same samples on the CPU, rows in the order of the texture; null or absent where they are on the GPU alone. */
   readonly meters?: Float32Array | null;
+}
+
+/** Room depth on the CPU, with the view that it was taken for. */
+export interface DepthPicture {
+  /** Along the view's axis, meters, 0 where unknown; rows as in the texture. */
+  readonly meters: Float32Array;
+  readonly widthPx: number;
+  readonly heightPx: number;
+  /** Column-major 3×3, homogeneous: texture UV from view UV. */
+  readonly uvFromViewUv: Float32Array;
+  readonly clipFromView: Float32Array;
+  readonly worldFromView: Float32Array;
+  /** Index of the frame that it was taken in. */
+  readonly frame: number;
 }
 
 /** The estimated light of the room. Spherical harmonics are in the order of WebXR Lighting Estimation §3.2. */

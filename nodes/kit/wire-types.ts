@@ -18,7 +18,7 @@ export interface WireTypeInfo {
 export const WIRE_TYPES = {
   layer: {
     label: 'Layer',
-    doc: 'A rendered image, premultiplied display-referred sRGB, with optional depth in positive view-space meters.',
+    doc: 'A rendered image with optional depth in positive view-space meters. A display layer is premultiplied display-referred sRGB; a scene layer, drawn as a double wire, is linear and unclamped.',
     color: '#4f9dde',
     shape: 'square',
   },

@@ -30,8 +30,9 @@ import { RerouteView } from './reroute-view.tsx';
 import { useCanvasCenter } from './use-canvas-center.ts';
 import { type AnyNode, useCanvasView } from './use-canvas-view.ts';
 import { useGestures } from './use-gestures.ts';
+import { FAR_ZOOM, useLegibleLabels } from './use-legible-labels.ts';
 import { useLongPress } from './use-long-press.ts';
-import { useReveal } from './use-reveal.ts';
+import { FIT_PADDING, useRefit, useReveal } from './use-reveal.ts';
 import { useScale } from './use-scale.ts';
 import { useWheel } from './use-wheel.ts';
 import { useWireTarget } from './use-wire-target.ts';
@@ -41,8 +42,6 @@ const NODE_TYPES = { scrim: NodeView, frame: FrameView, note: NoteView, reroute:
 const WIRE_VIEWS = { scrim: WireView };
 const NO_WIRES: CanvasWire[] = [];
 const SNAP: [number, number] = [8, 8];
-/** Below this zoom only node titles are legible. */
-const FAR_ZOOM = 0.5;
 const ARIA_LABELS = {
   'node.a11yDescription.default': 'Enter selects the node, arrow keys move it, Delete removes it. Its wires are in the inspector.',
   'edge.a11yDescription.default': 'Enter selects the wire, R adds a reroute to it, Delete removes it.',
@@ -67,10 +66,12 @@ function CanvasInside() {
   const drop = useFileDrop(flow.screenToFlowPosition);
   const handlers = useGestures(flow.screenToFlowPosition, flow.flowToScreenPosition);
   useReveal();
+  useRefit();
   useScale();
-  const [fit] = useState(() => ({ padding: 0.15, maxZoom: uiScale() }));
+  const [fit] = useState(() => ({ padding: FIT_PADDING, maxZoom: uiScale() }));
   useLongPress(root);
   useWireTarget();
+  useLegibleLabels(root);
   useCanvasCenter(root, flow.screenToFlowPosition);
   const far = useFlowStore((state) => state.transform[2] < FAR_ZOOM);
   const detail = useFlowStore((state) => detailOf(state.transform[2], nodes.length));

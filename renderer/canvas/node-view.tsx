@@ -3,13 +3,13 @@ import { memo } from 'react';
 import { WIRE_TYPES } from '../../nodes/kit/wire-types.ts';
 import { toggleExpanded } from '../state/editor/canvas-state.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
+import { CategoryMark, categoryColor } from '../ui/category-mark.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { useDetail } from './detail.ts';
 import { NodeCost } from './performance-overlay.tsx';
 import './node-view.css';
 import { BODY_PADDING, HEADER_HEIGHT, type PortView, ROW_HEIGHT } from '../state/graph/node-shape.ts';
 import { NodeThumbnail } from './node-thumbnail.tsx';
-import { PortMark } from './port-mark.tsx';
 import type { CanvasNode, NodeData } from './project-canvas.ts';
 import { useDimmedPorts } from './use-dimmed-ports.ts';
 
@@ -37,10 +37,15 @@ function OverviewNode({ id, data, selected }: NodeBodyProps) {
 
 function FullNode({ id, data, selected }: NodeBodyProps) {
   const dimmed = useDimmedPorts(id, data.shape.ports);
+  const { ports } = data.shape;
   return (
-    <div className={classOf(data, selected, dimmed === 'all')} data-node={id}>
+    <div
+      className={classOf(data, selected, dimmed === 'all')}
+      style={{ ['--category' as string]: categoryColor(data.nodeType) }}
+      data-node={id}
+    >
       <div className="node-head">
-        {data.type && <PortMark type={data.type} />}
+        <CategoryMark type={data.nodeType} />
         <span className="node-title">{data.title}</span>
         {data.problem && (
           <span className="node-problem" data-severity={data.problem.severity} data-tip={data.problem.text}>
@@ -48,12 +53,13 @@ function FullNode({ id, data, selected }: NodeBodyProps) {
           </span>
         )}
       </div>
-      {data.shape.ports.map((port) => (
+      {ports.map((port) => (
         <Port
           key={`${port.side} ${port.name}`}
           port={port}
           value={data.values[port.name]}
           collapsed={data.shape.collapsed === true}
+          alone={!ports.some(({ row, side }) => row === port.row && side !== port.side)}
           dimmed={dimmed !== null && dimmed !== 'all' && dimmed.has(`${port.side} ${port.name}`)}
         />
       ))}
@@ -69,9 +75,11 @@ interface PortProps {
   readonly value: string | undefined;
   readonly dimmed: boolean;
   readonly collapsed: boolean;
+  /** No port is at the other side of its row. */
+  readonly alone: boolean;
 }
 
-function Port({ port, value, dimmed, collapsed }: PortProps) {
+function Port({ port, value, dimmed, collapsed, alone }: PortProps) {
   const { color, shape, label } = WIRE_TYPES[port.type];
   const input = port.side === 'input';
   const top = collapsed ? (HEADER_HEIGHT - ROW_HEIGHT) / 2 : HEADER_HEIGHT + BODY_PADDING + port.row * ROW_HEIGHT;
@@ -88,7 +96,7 @@ function Port({ port, value, dimmed, collapsed }: PortProps) {
         style={{ ['--port' as string]: color, top: top + ROW_HEIGHT / 2 }}
       />
       {!collapsed && (
-        <span className={`port-label port-label-${port.side}`} style={{ top, height: ROW_HEIGHT }}>
+        <span className={`port-label port-label-${port.side}${alone ? ' port-label-alone' : ''}`} style={{ top, height: ROW_HEIGHT }}>
           <span>{port.label}</span>
           {value !== undefined && <span className="port-value">{value}</span>}
         </span>

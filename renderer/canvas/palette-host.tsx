@@ -64,7 +64,7 @@ export function PaletteHost({ toCanvas, canvas }: PaletteHostProps) {
   );
 }
 
-/** Definitions on offer: no subgraph that would contain itself; for a wire or a swap, only types with matching ports. */
+/** Definitions on offer: no subgraph that would contain itself; for a wire or a swap, only those with matching ports. */
 function offered(editor: Editor, { wire, swap }: PaletteRequest, all: readonly NodeDefinition[]): readonly NodeDefinition[] {
   const state = editor.document.getState();
   const possible = all.filter(({ type }) => {
@@ -72,10 +72,11 @@ function offered(editor: Editor, { wire, swap }: PaletteRequest, all: readonly N
     return name === null || !usesGraph(state.project, name, state.graph);
   });
   const types = wire === undefined ? null : wireTypes(editor, wire);
-  if (types) return possible.filter((definition) => portsThrough(definition, types) !== null);
+  const withRecipes = [...possible, ...recipesOf(state.library).map(({ definition }) => definition)];
+  if (types) return withRecipes.filter((definition) => portsThrough(definition, types) !== null);
   const swapped = swap === undefined ? undefined : state.library.definition(nodeOf(state, swap)?.type ?? '');
   if (swapped) return possible.filter((definition) => definition.type !== swapped.type && givesSame(definition, swapped));
-  return [...possible, ...recipesOf(state.library).map(({ definition }) => definition)];
+  return withRecipes;
 }
 
 function givesSame(a: NodeDefinition, b: NodeDefinition): boolean {

@@ -11,6 +11,9 @@ import { type CanvasWire, createWiresProjection, sameParts as same, type WiresIn
 /** Content of one node on the canvas. The object is reused until something in it changes. */
 export interface NodeData extends Record<string, unknown> {
   readonly title: string;
+  /** Type id of the node. */
+  readonly nodeType: string;
+  /** Type of its main output. */
   readonly type: WireType | undefined;
   readonly shape: NodeShape;
   /** Current values of the params shown as ports, as text; connected params have none. */
@@ -131,6 +134,7 @@ function canvasNode(
   }
   const data: NodeData = {
     title: definition?.title ?? node.type,
+    nodeType: node.type,
     type: definition && mainType(definition),
     shape,
     values,

@@ -1,11 +1,12 @@
 import type { Edge } from '@xyflow/react';
+import type { EncodingLookup } from '../../export/graph/encoding-lookup.ts';
 import { inputOf } from '../../export/graph/library/node-interface.ts';
 import type { Graph, GraphLayout, Wire } from '../../export/graph/project.ts';
 import { type Stretch, stretchesOf } from '../../export/graph/routes.ts';
 import { printWire } from '../../export/graph/wires.ts';
 import type { NodeLibrary } from '../../nodes/kit/definition.ts';
 import type { WireType } from '../../nodes/kit/wire-types.ts';
-import { portWords } from '../state/document/plain-words.ts';
+import { portTitle } from '../state/document/message-titles.ts';
 import { itemId } from '../state/editor/item-ids.ts';
 
 export interface WireData extends Record<string, unknown> {
@@ -17,6 +18,8 @@ export interface WireData extends Record<string, unknown> {
   readonly under: boolean;
   /** Drawn as selected, because one of its wires is. */
   readonly lit: boolean;
+  /** It carries a scene layer. */
+  readonly scene: boolean;
 }
 
 /** One drawn stretch: a whole wire, or the part of one or more wires between two reroutes. */
@@ -29,6 +32,8 @@ export interface WiresInput {
   readonly selectedWires: ReadonlySet<string>;
   /** The stretch that the dragged node would be inserted into. */
   readonly wireUnder?: string | null;
+  /** Absent: all layers are display layers. */
+  readonly encodings?: EncodingLookup;
 }
 
 interface CachedWire {
@@ -45,7 +50,7 @@ export function createWiresProjection(): (input: WiresInput) => CanvasWire[] {
   let list: CanvasWire[] = [];
   let seen: readonly unknown[] = [];
   return (input) => {
-    const now = [input.graph, input.layout.routes, input.library, input.selectedWires, input.wireUnder];
+    const now = [input.graph, input.layout.routes, input.library, input.selectedWires, input.wireUnder, input.encodings];
     if (sameParts(now, seen)) return list;
     seen = now;
     wires = projectWires(input, wires);
@@ -71,10 +76,11 @@ function projectWires(input: WiresInput, known: ReadonlyMap<string, CachedWire>)
     const [wire] = stretch.wires;
     const from = typeOf(wire.from.node, wire.from.port, 'output');
     const to = stretch.to === null ? typeOf(wire.to.node, wire.to.port, 'input') : from;
-    const label = stretch.to === null ? wireLabel(input, wire) : '';
+    const scene = input.encodings?.outputOf(wire.from) === 'scene';
+    const label = stretch.to === null ? `${wireLabel(input, wire)}${scene ? ', scene layer' : ''}` : '';
     const lit = stretch.wires.some((one) => input.selectedWires.has(printWire(one)));
     const order = stretch.to === null ? (orders.get(id) ?? null) : null;
-    const key = [from ?? to, to ?? from, order, lit, label, input.wireUnder === id, ...endsOf(stretch)];
+    const key = [from ?? to, to ?? from, order, lit, scene, label, input.wireUnder === id, ...endsOf(stretch)];
     const before = known.get(id);
     next.set(id, before && sameParts(before.key, key) ? before : { key, wire: canvasWire(id, stretch, key) });
   }
@@ -96,10 +102,11 @@ export const REROUTE_IN = 'in';
 export const REROUTE_OUT = 'through';
 
 function canvasWire(id: string, stretch: Stretch, key: readonly unknown[]): CanvasWire {
-  const [from, to, order, lit, ariaLabel, under, source, sourceHandle, target, targetHandle] = key as [
+  const [from, to, order, lit, scene, ariaLabel, under, source, sourceHandle, target, targetHandle] = key as [
     WireType | undefined,
     WireType | undefined,
     number | null,
+    boolean,
     boolean,
     string,
     boolean,
@@ -116,7 +123,7 @@ function canvasWire(id: string, stretch: Stretch, key: readonly unknown[]): Canv
     targetHandle,
     // For keys and screen readers a wire is its last stretch alone; all of its stretches are drawn as selected.
     selected: isLast && lit,
-    data: { from: from ?? 'number', to: to ?? 'number', order, under, lit },
+    data: { from: from ?? 'number', to: to ?? 'number', order, under, lit, scene },
     ...(isLast ? { ariaLabel } : { focusable: false, domAttributes: { 'aria-hidden': true as const } }),
     // A wire is disconnected by dragging its end off a port; at a reroute, a drag moves the reroute.
     reconnectable: isFirst ? isLast || 'source' : isLast && 'target',
@@ -126,7 +133,7 @@ function canvasWire(id: string, stretch: Stretch, key: readonly unknown[]): Canv
 function wireLabel({ graph, library }: WiresInput, { from, to }: Wire): string {
   const words = ({ node, port }: Wire['from']) => {
     const definition = library.definition(graph.nodes[node]?.type ?? '');
-    return definition ? portWords(definition, port) : node;
+    return definition ? portTitle(definition, port) : node;
   };
   return `Wire from ${words(from)} to ${words(to)}`;
 }

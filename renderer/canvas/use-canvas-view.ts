@@ -1,5 +1,6 @@
 import { useMemo } from 'react';
 import { useStore } from 'zustand';
+import { createEncodingLookup } from '../../export/graph/encoding-lookup.ts';
 import { graphOf, layoutOf } from '../state/editor/document.ts';
 import { useDocument, useEditor, useNodeTypes } from '../state/editor/editor-context.ts';
 import { useNodeProblems } from '../state/problems/use-problems.ts';
@@ -39,6 +40,8 @@ export function useCanvasView(): WholeView {
     () => projectReroutes({ open: { project: document, graph: name, library }, wires: graph.wires, selected: selection.items, dragged }),
     [projectReroutes, document, name, library, graph.wires, selection.items, dragged],
   );
+  const { graphs } = document;
+  const encodings = useMemo(() => createEncodingLookup({ graphs }, library, name), [graphs, library, name]);
   const view = useMemo(
     () =>
       project({
@@ -52,8 +55,9 @@ export function useCanvasView(): WholeView {
         dragged,
         problems,
         wireUnder,
+        encodings,
       }),
-    [project, graph, layout, library, selection, shown, pictured, dragged, problems, wireUnder],
+    [project, graph, layout, library, selection, shown, pictured, dragged, problems, wireUnder, encodings],
   );
   return useMemo(() => ({ ...view, items, reroutes }), [view, items, reroutes]);
 }

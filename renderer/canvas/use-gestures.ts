@@ -22,7 +22,7 @@ import { removeWires } from '../state/graph/edit-graph.ts';
 import { compositeOver, dropOnWire } from '../state/graph/insert-on-wire.ts';
 import { boxOfItem, contentOf, moveAll } from '../state/graph/layout-items.ts';
 import { HEADER_HEIGHT, NODE_WIDTH } from '../state/graph/node-shape.ts';
-import { addReroute, stretchCalled, wiresOfStretch } from '../state/graph/reroutes.ts';
+import { addReroute, findStretch, wiresOfStretch } from '../state/graph/reroutes.ts';
 import { openSubgraph } from '../state/graph/subgraphs.ts';
 import { nodeAt } from './node-at.ts';
 import type { CanvasWire } from './project-wires.ts';
@@ -207,7 +207,7 @@ function wireChanges(editor: Editor, changes: readonly EdgeChange<CanvasWire>[],
   const of = (selected: boolean) =>
     changes.flatMap((change): SelectionChange[] => {
       if (change.type !== 'select' || change.selected !== selected) return [];
-      const wires = stretchCalled(state, change.id)?.wires ?? [];
+      const wires = findStretch(state, change.id)?.wires ?? [];
       const meant = byBox && selected ? wires.filter(({ from, to }) => nodes.has(from.node) || nodes.has(to.node)) : wires;
       return meant.map((wire) => ({ kind: 'wire', id: printWire(wire), selected }));
     });

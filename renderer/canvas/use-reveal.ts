@@ -1,11 +1,13 @@
 import { type Rect, useReactFlow, useStoreApi } from '@xyflow/react';
-import { useEffect } from 'react';
+import { useEffect, useRef } from 'react';
 import { useStore } from 'zustand';
 import { useEditor } from '../state/editor/editor-context.ts';
 import type { Reveal } from '../state/editor/ui.ts';
 import { isStill, uiScale } from '../ui/appearance.ts';
 
 const DURATION_MS = 260;
+/** Margin around a graph that fills the view, as a fraction of the view. */
+export const FIT_PADDING = 0.06;
 
 /** Scrolls nodes into view on request from outside the canvas, such as the problems panel. */
 export function useReveal(): void {
@@ -17,7 +19,7 @@ export function useReveal(): void {
     if (reveal === null) return;
     const duration = isStill() ? 0 : DURATION_MS;
     if (reveal.how === 'fit') {
-      void fitView({ ...nodesOf(reveal), padding: 0.15, maxZoom: uiScale(), duration });
+      void fitView({ ...nodesOf(reveal), padding: FIT_PADDING, maxZoom: uiScale(), duration });
       return;
     }
     const bounds = getNodesBounds([...reveal.nodes]);
@@ -26,6 +28,25 @@ export function useReveal(): void {
     if (bounds.width === 0 || isInside(bounds, { x: -x / zoom, y: -y / zoom, width: width / zoom, height: height / zoom })) return;
     void setCenter(bounds.x + bounds.width / 2, bounds.y + bounds.height / 2, { zoom, duration });
   }, [reveal, fitView, getNodesBounds, setCenter, store]);
+}
+
+/** Fits the graph to the canvas after the dock or the extent of the preview has changed its size. */
+export function useRefit(): void {
+  const { ui } = useEditor();
+  const layout = useStore(ui, ({ dock, previewExtent }) => `${dock} ${previewExtent}`);
+  const fitted = useRef(layout);
+  const { fitView } = useReactFlow();
+  const store = useStoreApi();
+  useEffect(() => {
+    if (layout === fitted.current) return;
+    fitted.current = layout;
+    const stop = store.subscribe((now, before) => {
+      if (now.width === before.width && now.height === before.height) return;
+      stop();
+      void fitView({ padding: FIT_PADDING, maxZoom: uiScale() });
+    });
+    return stop;
+  }, [layout, fitView, store]);
 }
 
 function nodesOf({ nodes }: Reveal): { nodes?: { id: string }[] } {

@@ -7,7 +7,7 @@ import type { CanvasWire } from './project-wires.ts';
 import { stretchPath, wirePath } from './wire-path.ts';
 import './wire-view.css';
 
-/** A wire in the color of its type; a gradient if it converts one type to another. */
+/** A wire in the color of its type, double for scene layers; a gradient if it converts one type to another. */
 export const WireView = memo(function WireView(props: EdgeProps<CanvasWire>) {
   const { id, sourceY, targetY, data } = props;
   const fromReroute = itemOf(props.source) !== null;
@@ -30,10 +30,11 @@ export const WireView = memo(function WireView(props: EdgeProps<CanvasWire>) {
       )}
       <BaseEdge
         path={path}
-        className={`wire${data?.lit ? ' wire-selected' : ''}${data?.under ? ' wire-under' : ''}`}
+        className={`wire${data?.scene ? ' wire-scene' : ''}${data?.lit ? ' wire-selected' : ''}${data?.under ? ' wire-under' : ''}`}
         style={{ stroke }}
         interactionWidth={18}
       />
+      {data?.scene && <path className="wire-core" d={path} />}
       {data?.order !== null && data?.order !== undefined && (
         <text className="wire-order" x={targetX - 16} y={targetY - 5} textAnchor="middle">
           {data.order}

@@ -45,5 +45,5 @@ export function CodeBar({ chunk, outside, onTakeBack, onBack }: CodeBarProps) {
 function reason(isChunk: boolean, ofLibrary: boolean, outside: boolean): string {
   const what = isChunk ? 'chunk' : 'shader';
   if (outside) return `This ${what} was saved by another program. It is read-only here and follows the file.`;
-  return ofLibrary ? 'This library chunk is read-only.' : 'Changes apply to every technique of the project that includes this chunk.';
+  return ofLibrary ? 'This library chunk is read-only.' : 'Changes apply to every material of the project that includes this chunk.';
 }

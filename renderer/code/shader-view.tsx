@@ -15,7 +15,7 @@ import { HeaderForm } from './header-form.tsx';
 import type { ShaderEditor } from './monaco.ts';
 
 const OUTSIDE = 'Read-only: another program saved this file. Press “Edit here” above to edit it.';
-const LIBRARY_CHUNK = 'Read-only: techniques of the library share this chunk. Press “Copy chunk into project” above to edit a copy.';
+const LIBRARY_CHUNK = 'Read-only: materials of the library share this chunk. Press “Copy chunk into project” above to edit a copy.';
 const LIBRARY_VERTEX = 'Read-only: this vertex shader is part of the library. Press “Copy into project” above to edit a copy.';
 
 interface Tools {

@@ -3,9 +3,10 @@ import { setPage, setTitle } from '../../export/graph/commands/project-info.ts';
 import { apply, endGesture } from '../state/document/apply.ts';
 import { graphOf } from '../state/editor/document.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { DevicesSection } from './devices-section.tsx';
 import { LibrarySection } from './library-section.tsx';
 
-/** Inspector of the project: title, page description and library. */
+/** Inspector of the project: title, page description, devices and library. */
 export function ProjectInspector() {
   const editor = useEditor();
   const titleId = useId();
@@ -50,6 +51,7 @@ export function ProjectInspector() {
           />
         </div>
       </section>
+      <DevicesSection />
       <LibrarySection />
       <section className="inspector-section" aria-label="Hint">
         <p className="inspector-note">Select a node to change its parameters. Hold Shift to select several.</p>

@@ -1,6 +1,6 @@
 import { useStore } from 'zustand';
 import { runCommand } from '../state/commands/app-commands.ts';
-import { plainWords } from '../state/document/plain-words.ts';
+import { withTitles } from '../state/document/message-titles.ts';
 import { titleOf } from '../state/editor/document.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { selectOnly } from '../state/editor/selection.ts';
@@ -26,7 +26,7 @@ export function SelectionInspector() {
             </li>
           ))}
           {[...wires].map((id) => (
-            <li key={id}>{plainWords(state, id.replace('->', '→'))}</li>
+            <li key={id}>{withTitles(state, id.replace('->', '→'))}</li>
           ))}
         </ul>
         <div className="inspector-actions">

@@ -50,10 +50,10 @@ export function PreviewMenu() {
         kind: 'action',
         label,
         checked: frame === name,
-        run: () => preview.setState({ frame: name, views: name === 'headset' ? 2 : 1 }),
+        run: () => preview.setState({ frame: name, views: name === 'headset' ? 2 : 1, deviceKind: null }),
       }),
     ),
-    ...(isRoom ? tierItems(tier, (next) => preview.setState({ tier: next })) : []),
+    ...(isRoom ? tierItems(tier, (next) => preview.setState({ tier: next, deviceKind: null })) : []),
   ];
   return (
     <>

@@ -1,6 +1,7 @@
 import { type ReactNode, useEffect, useRef } from 'react';
 import { useStore } from 'zustand';
 import { hasErrors } from '../../nodes/kit/diagnostics.ts';
+import { togglePreviewExtent } from '../state/commands/command-actions.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 import type { StopReason } from '../state/editor/preview-state.ts';
 import { chosenSource, frameOf, isLoading, LOCAL_SOURCES, timeOf } from '../state/editor/preview-state.ts';
@@ -135,6 +136,7 @@ function Transport() {
       <PreviewMenu />
       <RoomLight />
       <ViewsToggle />
+      <FullScreenToggle />
       <SourcePicker />
     </div>
   );
@@ -201,6 +203,20 @@ function SourcePicker() {
         )}
       </select>
     </>
+  );
+}
+
+function FullScreenToggle() {
+  const editor = useEditor();
+  const extent = useStore(editor.ui, (state) => state.previewExtent);
+  const isFull = extent !== 'panel';
+  return (
+    <IconButton
+      icon="fit"
+      label={isFull ? 'Leave full screen' : 'Full-screen preview'}
+      pressed={isFull}
+      onPress={() => togglePreviewExtent(editor, isFull ? extent : 'full')}
+    />
   );
 }
 

@@ -4,6 +4,7 @@ import type { Program } from '../../export/program/program.ts';
 import { createFetchAssetSource } from '../../export/runtime/assets/asset-source.ts';
 import type { FrameClock } from '../../export/runtime/clock.ts';
 import { createCameraSession } from '../../export/runtime/sessions/camera/camera-session.ts';
+import { createLens } from '../../export/runtime/sessions/camera/lens.ts';
 import { listenForOrientation } from '../../export/runtime/sessions/camera/orientation-sensor.ts';
 import { requestCameraSession } from '../../export/runtime/sessions/camera/request-camera.ts';
 import { SESSION_INPUTS } from '../../export/runtime/sessions/input/session-inputs.ts';
@@ -15,6 +16,7 @@ import type { FrameTimes } from '../../nodes/kit/frame-times.ts';
 import type { Session } from '../../nodes/kit/session.ts';
 import type { PreviewRange, PreviewSource } from '../preview-protocol.ts';
 import { pageFetch } from './network.ts';
+import { createRoomHands } from './room-hands.ts';
 import { createStillStream } from './still-stream.ts';
 import { createWalk } from './walk.ts';
 
@@ -79,7 +81,9 @@ export function openSession(source: PreviewSource, place: SessionPlace): Promise
 }
 
 async function openCamera({ gl, clock, canvas }: SessionPlace): Promise<OpenSession> {
-  return opened(await requestCameraSession({ window, media: navigator.mediaDevices, gl, canvas, clock, inputs: SESSION_INPUTS }));
+  return opened(
+    await requestCameraSession({ window, media: navigator.mediaDevices, gl, canvas, clock, inputs: SESSION_INPUTS, createLens }),
+  );
 }
 
 async function openStill(picture: Blob, { gl, clock, canvas }: SessionPlace): Promise<OpenSession> {
@@ -156,10 +160,12 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
   }
   const ratio = Math.min(window.devicePixelRatio, MAX_PIXEL_RATIO);
   const sizePx = [Math.max(1, Math.round(window.innerWidth * ratio)), Math.max(1, Math.round(window.innerHeight * ratio))] as const;
-  const { device, views, tier } = source;
-  const refuse = tier === 'ar' ? ['camera-access'] : [];
+  const { device, views, tier, refuse } = source;
   const emulator = installEmulator({ device, views, refuse, room, frameClock: clock, container: screen, sizePx });
   const walk = createWalk(emulator, screen, clock);
+  const hint = screen.ownerDocument.getElementById('hint');
+  // Phones have neither controllers nor hands; pages that read no input have no use for them.
+  const hands = device !== 'phone' && hint && program.readsInput ? createRoomHands(emulator, screen, hint, clock) : null;
   const { output, diagnostics } = await requestWebXrSession({
     xr: navigator.xr,
     inputs: SESSION_INPUTS,
@@ -177,6 +183,7 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
     moveLight: emulator.moveLight,
     end: async () => {
       walk.dispose();
+      hands?.dispose();
       await output?.end();
       await emulator.uninstall();
     },

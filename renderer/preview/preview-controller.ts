@@ -14,6 +14,7 @@ import { type OpenSession, openSession } from './open-session.ts';
 import { createPlayerHost, type PlayerHost } from './player-host.ts';
 import { type CaptureSource, createPosters, type PosterRequest } from './posters.ts';
 import { createProbes } from './probes.ts';
+import { isHandKey } from './room-hands.ts';
 import { createStatus } from './status.ts';
 import { createThumbnails } from './thumbnails.ts';
 import { createTransportClock } from './transport-clock.ts';
@@ -71,7 +72,11 @@ export function createPreviewController({ parent, screen, clock: base, send }: P
   const probes = createProbes(send, () => clock.wake());
   let lightWorld: Extract<ToPreview, { kind: 'room-light' }>['directionWorld'] = null;
   const gizmo = createGizmo(parent, send, () => clock.wake());
-  const keys = createKeys(window, send, (event) => source?.kind === 'room' && isStep(event));
+  const keys = createKeys(
+    window,
+    send,
+    (event) => source?.kind === 'room' && (isStep(event) || (source.device !== 'phone' && isHandKey(event))),
+  );
   let viewer: Extract<ToPreview, { kind: 'viewer' }> = { kind: 'viewer', left: null, right: null, split: 1 };
   const clock = createTransportClock(base, () => {
     posters.beforeFrame();
@@ -361,8 +366,8 @@ function sessionKey(source: PreviewSource, program: Program, resizes: number): s
     case 'recorded':
       return `recorded ${source.url}`;
     case 'room': {
-      const { captureUrl, views, device, tier } = source;
-      return JSON.stringify([captureUrl, views, device, tier, program.needs, program.presentation.antialias, resizes]);
+      const { captureUrl, views, device, tier, refuse } = source;
+      return JSON.stringify([captureUrl, views, device, tier, refuse, program.needs, program.presentation.antialias, resizes]);
     }
     case 'still':
       return `still ${source.key}`;

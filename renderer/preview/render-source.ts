@@ -53,7 +53,7 @@ async function openRecording(url: string, gl: WebGL2RenderingContext, player: Pl
 }
 
 async function openRoom(
-  { captureUrl, tier, frameRateHz, lightDirectionWorld, worldFromHead }: Extract<FrameRenderSource, { kind: 'room' }>,
+  { captureUrl, tier, refuse, frameRateHz, lightDirectionWorld, worldFromHead }: Extract<FrameRenderSource, { kind: 'room' }>,
   gl: WebGL2RenderingContext,
   program: Program,
   player: Player,
@@ -61,7 +61,6 @@ async function openRoom(
   const room = await loadRoom(captureUrl);
   if (room === null) throw new Error('the emulated room could not be read.');
   const sizePx = [gl.drawingBufferWidth, gl.drawingBufferHeight] as const;
-  const refuse = tier === 'ar' ? ['camera-access'] : [];
   const emulator = installEmulator({
     device: 'phone',
     refuse,

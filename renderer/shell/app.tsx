@@ -36,22 +36,14 @@ export function App({ editor, previewSync, previewUrl }: AppProps) {
 }
 
 function Layout({ previewUrl }: { readonly previewUrl: string }) {
-  const { clock } = useEditor();
+  const { clock, ui } = useEditor();
+  const extent = useStore(ui, (state) => state.previewExtent);
   useShortcuts();
   return (
-    <div className="app">
+    <div className="app" data-preview={extent}>
       <TopBar />
       <main className="app-main">
-        <Panes
-          direction="columns"
-          fixed="second"
-          label="Width of preview and inspector"
-          size="sideWidthPx"
-          minPx={300}
-          otherMinPx={360}
-          first={<GraphArea />}
-          second={<SideColumn previewUrl={previewUrl} />}
-        />
+        <Workspace previewUrl={previewUrl} />
       </main>
       <StatusBar />
       <Toasts />
@@ -59,6 +51,25 @@ function Layout({ previewUrl }: { readonly previewUrl: string }) {
       <Dialogs />
       <TooltipLayer clock={clock} />
     </div>
+  );
+}
+
+/** Graph, preview and inspector. A change of the dock moves the panes by CSS alone, so that the preview page is not reloaded. */
+function Workspace({ previewUrl }: { readonly previewUrl: string }) {
+  const dock = useStore(useEditor().ui, (state) => state.dock);
+  const below = dock === 'below';
+  return (
+    <Panes
+      direction={below ? 'rows' : 'columns'}
+      fixed="second"
+      reversed={dock === 'left'}
+      label={below ? 'Height of preview and inspector' : 'Width of preview and inspector'}
+      size={below ? 'belowHeightPx' : 'sideWidthPx'}
+      minPx={below ? 200 : 300}
+      otherMinPx={below ? 200 : 360}
+      first={<GraphArea />}
+      second={<PreviewAndInspector previewUrl={previewUrl} />}
+    />
   );
 }
 
@@ -94,15 +105,16 @@ function GraphAndHelp() {
   );
 }
 
-function SideColumn({ previewUrl }: { readonly previewUrl: string }) {
+function PreviewAndInspector({ previewUrl }: { readonly previewUrl: string }) {
+  const below = useStore(useEditor().ui, (state) => state.dock === 'below');
   return (
     <Panes
-      direction="rows"
-      fixed="first"
-      label="Height of the preview"
-      size="previewHeightPx"
-      minPx={160}
-      otherMinPx={160}
+      direction={below ? 'columns' : 'rows'}
+      fixed={below ? 'second' : 'first'}
+      label={below ? 'Width of the inspector' : 'Height of the preview'}
+      size={below ? 'inspectorWidthPx' : 'previewHeightPx'}
+      minPx={below ? 280 : 160}
+      otherMinPx={below ? 300 : 160}
       first={<PreviewPanel previewUrl={previewUrl} />}
       second={<Inspector />}
     />

@@ -2,6 +2,7 @@ import { useId, useState } from 'react';
 import { useStore } from 'zustand';
 import { useEditor } from '../state/editor/editor-context.ts';
 import { createProject } from '../state/files/files.ts';
+import { suggestFolder } from '../state/files/suggest-folder.ts';
 import { FormDialog } from '../ui/form-dialog.tsx';
 import { FolderField } from './folder-field.tsx';
 import './new-dialog.css';
@@ -18,7 +19,10 @@ export function NewDialog({ chosen, onClose }: NewDialogProps) {
   const id = useId();
   const templates = useStore(editor.document, (state) => state.templates);
   const [template, setTemplate] = useState(chosen ?? templates[0]?.name ?? '');
-  const [path, setPath] = useState('');
+  const [name, setName] = useState('My effect');
+  /** Null while the folder follows the name. */
+  const [typedPath, setTypedPath] = useState<string | null>(null);
+  const path = typedPath ?? suggestFolder(editor, name);
   const [busy, setBusy] = useState(false);
   const ready = !busy && path.trim() !== '' && template !== '';
   const go = async () => {
@@ -29,9 +33,9 @@ export function NewDialog({ chosen, onClose }: NewDialogProps) {
     <FormDialog title="New project" action="Create" ready={ready} onGo={() => void go()} onClose={onClose}>
       <fieldset className="new-templates">
         <legend>Template</legend>
-        {templates.map(({ name, title, description }) => (
-          <label key={name} className="new-template">
-            <input type="radio" name={`${id}-template`} checked={name === template} onChange={() => setTemplate(name)} />
+        {templates.map(({ name: key, title, description }) => (
+          <label key={key} className="new-template">
+            <input type="radio" name={`${id}-template`} checked={key === template} onChange={() => setTemplate(key)} />
             <span>
               <strong>{title}</strong>
               <span className="new-description">{description}</span>
@@ -39,7 +43,16 @@ export function NewDialog({ chosen, onClose }: NewDialogProps) {
           </label>
         ))}
       </fieldset>
-      <FolderField id={id} label="Folder" path={path} purpose="new" onChange={setPath} />
+      <label htmlFor={`${id}-name`}>Name</label>
+      <input
+        id={`${id}-name`}
+        className="field"
+        data-autofocus=""
+        spellCheck={false}
+        value={name}
+        onChange={(event) => setName(event.target.value)}
+      />
+      <FolderField id={id} label="Folder" path={path} purpose="new" onChange={setTypedPath} />
       <p className="dialog-note">The folder must be empty or new; its name becomes the project’s title.</p>
     </FormDialog>
   );

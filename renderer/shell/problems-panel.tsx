@@ -1,5 +1,5 @@
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import { plainWords } from '../state/document/plain-words.ts';
+import { withTitles } from '../state/document/message-titles.ts';
 import type { DocumentState } from '../state/editor/document.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { goToProblem, problemKey } from '../state/problems/problems.ts';
@@ -52,7 +52,7 @@ function Fix({ problem }: { readonly problem: Diagnostic }) {
 }
 
 function placeOf({ nodeId, port, file, line }: Diagnostic, state: DocumentState): string {
-  const node = nodeId === undefined ? '' : plainWords(state, port === undefined ? nodeId : `${nodeId}.${port}`);
+  const node = nodeId === undefined ? '' : withTitles(state, port === undefined ? nodeId : `${nodeId}.${port}`);
   const place = file === undefined ? '' : `${file}${line === undefined ? '' : `:${line}`}`;
   return [node, place].filter(Boolean).join(' · ');
 }

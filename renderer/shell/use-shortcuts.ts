@@ -8,8 +8,10 @@ import type { Editor } from '../state/editor/editor.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 
 /**
- * Keybindings of the window. Text fields and the shader editor keep the keys that edit text; a dialog or the palette keeps all keys.
- * Copy and paste use the clipboard events of the browser, which need no permission.
+ * Keybindings of the window. Keys without modifiers belong to the panel under the pointer, unless the timeline or the preview has the focus:
+ * these have keys of their own, all other panels those of the canvas. Text fields and the shader editor keep the keys that edit text, other focused controls the
+ * keys that operate them; a dialog or the palette keeps all keys. Copy and paste use the clipboard events of the browser, which need no
+ * permission.
  */
 export function useShortcuts(): void {
   const editor = useEditor();
@@ -17,13 +19,21 @@ export function useShortcuts(): void {
     const blocked = () => editor.ui.getState().dialog !== null || editor.ui.getState().palette !== null;
     /** Whether the last pointer press was on the canvas: then Tab opens the palette, else it moves the focus. */
     let pointedAtCanvas = false;
+    let hovered: EventTarget | null = null;
     const onPointerDown = (event: PointerEvent) => {
       pointedAtCanvas = isOnCanvas(event.target);
     };
+    const onPointerOver = (event: PointerEvent) => {
+      hovered = event.target;
+    };
     const onKeyDown = (event: KeyboardEvent) => {
-      if (event.defaultPrevented || blocked()) return;
       const keybinding = keybindingOf(event, editor.mac);
-      const where = isOnTime(event.target) ? 'time' : 'canvas';
+      const [focused, pointed] = [panelOf(event.target), panelOf(hovered)];
+      // React Flow claims Space in the whole page, to pan with it.
+      const isClaimed = event.defaultPrevented && !(keybinding === 'Space' && pointed === 'time');
+      if (isClaimed || blocked()) return;
+      const stays = focused === 'time' || CANVAS_KEYS.includes(keybinding);
+      const where = (stays ? (focused ?? pointed) : (pointed ?? focused)) ?? 'canvas';
       const id = commandOfKeybinding(
         editor,
         keybinding,
@@ -33,15 +43,7 @@ export function useShortcuts(): void {
       const takesTab = pointedAtCanvas && isOnCanvas(event.target);
       if (keybinding === 'Tab' && !takesTab) pointedAtCanvas = false;
       if (id === null || !appCommand(id).enabled(editor)) return;
-      const isOfTime = appCommand(id).where === 'time';
-      if (
-        isOfTime
-          ? isPress(keybinding, event.target)
-          : keybinding === 'Tab'
-            ? !takesTab
-            : !hasModifier(keybinding) && !isOnCanvas(event.target)
-      )
-        return;
+      if (keybinding === 'Tab' ? !takesTab : operates(keybinding, event.target)) return;
       event.preventDefault();
       runCommand(editor, id);
     };
@@ -61,12 +63,14 @@ export function useShortcuts(): void {
       if (pasteText(editor, event.clipboardData?.getData('text/plain') ?? '') !== null) event.preventDefault();
     };
     window.addEventListener('pointerdown', onPointerDown, true);
+    window.addEventListener('pointerover', onPointerOver, true);
     window.addEventListener('keydown', onKeyDown);
     document.addEventListener('copy', onCopy);
     document.addEventListener('cut', onCut);
     document.addEventListener('paste', onPaste);
     return () => {
       window.removeEventListener('pointerdown', onPointerDown, true);
+      window.removeEventListener('pointerover', onPointerOver, true);
       window.removeEventListener('keydown', onKeyDown);
       document.removeEventListener('copy', onCopy);
       document.removeEventListener('cut', onCut);
@@ -75,22 +79,31 @@ export function useShortcuts(): void {
   }, [editor]);
 }
 
-/** Whether a keybinding works in the whole window: with a modifier, or a function key. Others work on the canvas only. */
-function hasModifier(keybinding: string): boolean {
-  return keybinding.startsWith('Mod+') || /^F\d+$/.test(keybinding);
-}
-
 function isOnCanvas(target: EventTarget | null): boolean {
   return target === document.body || (target instanceof Element && target.closest('.canvas') !== null);
+}
+
+/** The panel with keys of its own that the element is in. */
+function panelOf(target: EventTarget | null): 'canvas' | 'time' | null {
+  if (isOnTime(target)) return 'time';
+  return target !== document.body && isOnCanvas(target) ? 'canvas' : null;
 }
 
 function isOnTime(target: EventTarget | null): boolean {
   return target instanceof Element && target.closest('.timeline, .stage') !== null;
 }
 
-/** Whether the key presses the focused button. */
-function isPress(keybinding: string, target: EventTarget | null): boolean {
-  return keybinding === 'Space' && target instanceof HTMLButtonElement;
+/** Keys that act on the focused node or wire, wherever the pointer is. */
+const CANVAS_KEYS = ['Enter', 'Delete', 'Backspace', 'ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown'];
+
+/** Keys that operate a focused control: they press it, move in it or move it. */
+const CONTROL_KEYS = ['Space', 'Enter', 'Delete', 'Backspace', 'ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'Home', 'End'];
+
+/** Whether the key operates the focused control, which the canvas, the timeline and the preview themselves are not. */
+function operates(keybinding: string, target: EventTarget | null): boolean {
+  if (!CONTROL_KEYS.includes(keybinding) || !(target instanceof Element)) return false;
+  if (target instanceof HTMLButtonElement) return keybinding === 'Space' || keybinding === 'Enter' || !isOnTime(target);
+  return target !== document.body && !isOnCanvas(target) && !isOnTime(target);
 }
 
 function isUndo(editor: Editor, keybinding: string): boolean {

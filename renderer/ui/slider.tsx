@@ -12,7 +12,7 @@ interface SliderProps extends EditHandlers<number> {
   readonly valueText: string;
 }
 
-/** A range input whose drag Escape cancels. */
+/** A range input whose drag Escape cancels. After a drag it gives up the focus, so that keys mean what they did before. */
 export function Slider({ value, min, max, step, label, valueText, onEdit, onEnd, onCancel }: SliderProps) {
   const filled = max > min ? Math.min(Math.max((value - min) / (max - min), 0), 1) : 0;
   /** The browser continues the drag after Escape; its edits are ignored until the pointer is released. */
@@ -46,7 +46,10 @@ export function Slider({ value, min, max, step, label, valueText, onEdit, onEnd,
         if (!canceled.current) onEdit(event.target.valueAsNumber);
       }}
       onPointerDown={begin}
-      onPointerUp={end}
+      onPointerUp={({ currentTarget }) => {
+        end();
+        currentTarget.blur();
+      }}
       // The browser takes over a touch without a `pointerup`.
       onPointerCancel={escapeKey.stop}
       onKeyUp={onEnd}

@@ -9,6 +9,8 @@ export interface SplitProps {
   readonly second: ReactNode;
   /** Which of the two keeps its size when the window changes. */
   readonly fixed: 'first' | 'second';
+  /** Draws the second pane before the first. */
+  readonly reversed?: boolean;
   /** Size of the fixed side in CSS pixels. */
   readonly sizePx: number;
   readonly minPx: number;
@@ -23,12 +25,13 @@ const KEY_STEP_PX = 24;
 
 /** Two panes with a handle between them, moved by pointer or arrow keys. */
 export function Split(props: SplitProps) {
-  const { direction, first, second, fixed, sizePx, minPx, otherMinPx, onResize, label } = props;
+  const { direction, first, second, fixed, reversed = false, sizePx, minPx, otherMinPx, onResize, label } = props;
   const frame = useRef<HTMLDivElement>(null);
   const drag = useRef<{ from: number; sizePx: number } | null>(null);
   const columns = direction === 'columns';
-  /** A drag toward the end grows the first pane and shrinks the second. */
-  const sign = fixed === 'first' ? 1 : -1;
+  const isFixedBefore = (fixed === 'first') !== reversed;
+  /** A drag toward the end grows the pane before the handle and shrinks the one after it. */
+  const sign = isFixedBefore ? 1 : -1;
 
   const resize = (wanted: number) => {
     const box = frame.current?.getBoundingClientRect();
@@ -60,11 +63,11 @@ export function Split(props: SplitProps) {
     );
   }
   const limit = `max(${minPx}px, min(${sizePx}px, 100% - ${otherMinPx}px))`;
-  const tracks = fixed === 'first' ? `${limit} 1px minmax(0, 1fr)` : `minmax(0, 1fr) 1px ${limit}`;
+  const tracks = isFixedBefore ? `${limit} 1px minmax(0, 1fr)` : `minmax(0, 1fr) 1px ${limit}`;
   return (
     <div
       ref={frame}
-      className={`split split-${direction}`}
+      className={`split split-${direction}${reversed ? ' split-reversed' : ''}`}
       style={columns ? { gridTemplateColumns: tracks } : { gridTemplateRows: tracks }}
     >
       <div className="split-pane">{first}</div>

@@ -4,6 +4,7 @@
   "CREDIT": "Scrim. Transfer function: IEC 61966-2-1. Luma weights: Rec. ITU-R BT.709",
   "CATEGORIES": ["Light", "Glow", "Blur", "Lens", "Shine"],
   "SCRIM_ALPHA": "premultiplied",
+  "SCRIM_ENCODING": "either",
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer that glows." },
     { "NAME": "level", "TYPE": "float", "LABEL": "Level", "DOC": "Areas brighter than this glow: luminance in linear light, from 0 to 1.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" },
@@ -37,10 +38,14 @@ vec3 displayFromLinear(vec3 color) {
 // Linear light, premultiplied. Scrim passes premultiplied colors (SCRIM_ALPHA); other hosts pass straight alpha.
 vec4 lightAt(vec2 uv) {
   vec4 color = IMG_NORM_PIXEL(inputImage, uv);
+#ifdef SCRIM_SCENE
+  return color;
+#else
 #ifdef SCRIM
   if (color.a > 0.0) color.rgb /= color.a;
 #endif
   return vec4(linearFromDisplay(min(color.rgb, 1.0)) * color.a, color.a);
+#endif
 }
 
 // The light above the level, with the same hue.
@@ -92,6 +97,10 @@ void main() {
   } else {
     vec4 light = lightAt(isf_FragNormCoord);
     vec3 added = strength * IMG_NORM_PIXEL(glow, isf_FragNormCoord).rgb;
+#ifdef SCRIM_SCENE
+    // Light that is added covers nothing.
+    gl_FragColor = vec4(light.rgb + added, light.a);
+#else
     // Where the layer is transparent, the alpha of the glow is its brightest channel.
     vec3 shown = displayFromLinear(min(added, 1.0));
     float alpha = light.a + (1.0 - light.a) * max(shown.r, max(shown.g, shown.b));
@@ -100,6 +109,7 @@ void main() {
     gl_FragColor = vec4(straight * alpha, alpha);
 #else
     gl_FragColor = vec4(straight, alpha);
+#endif
 #endif
   }
 }

@@ -5,6 +5,7 @@
   "CATEGORIES": ["Depth", "Blur", "Lens", "Bokeh", "Focus", "Defocus", "DoF"],
   "SCRIM_ALPHA": "premultiplied",
   "SCRIM_DEPTH": "same",
+  "SCRIM_ENCODING": "either",
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to blur, with depth." },
     { "NAME": "room", "TYPE": "depth", "LABEL": "Room depth", "DOC": "Distance to real surfaces, for layers without depth, such as the camera video.", "OPTIONAL": true },

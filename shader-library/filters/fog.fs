@@ -4,6 +4,7 @@
   "CREDIT": "Scrim. Formulas: those of OpenGL 1.0 §3.10, set by the distance at which 95 % is hidden",
   "CATEGORIES": ["Depth", "Fog", "Mist", "Haze", "Atmosphere"],
   "SCRIM_DEPTH": "same",
+  "SCRIM_ENCODING": "either",
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to add fog to, with depth." },
     { "NAME": "room", "TYPE": "depth", "LABEL": "Room depth", "DOC": "Distance to real surfaces, for layers without depth, such as the camera video.", "OPTIONAL": true },
@@ -29,11 +30,22 @@ float distanceHere() {
 #endif
 }
 
+#ifdef SCRIM_SCENE
+// Linear light from display-referred sRGB (IEC 61966-2-1), per channel.
+vec3 linearFromDisplay(vec3 color) {
+  return mix(pow((color + 0.055) / 1.055, vec3(2.4)), color / 12.92, vec3(lessThanEqual(color, vec3(0.04045))));
+}
+#endif
+
 void main() {
   vec4 picture = IMG_THIS_PIXEL(inputImage);
   float m = distanceHere();
   float x = max(m - near, 0.0) / max(far - near, LEAST_M);
   float grown = falloff == 0 ? 1.0 - exp(-HIDDEN * x) : falloff == 1 ? 1.0 - exp(-HIDDEN * x * x) : min(x, 1.0);
   float fog = m > 0.0 ? grown : empty;
+#ifdef SCRIM_SCENE
+  gl_FragColor = vec4(mix(picture.rgb, linearFromDisplay(color.rgb), fog * color.a), picture.a);
+#else
   gl_FragColor = vec4(mix(picture.rgb, color.rgb, fog * color.a), picture.a);
+#endif
 }

@@ -4,6 +4,7 @@
   "DESCRIPTION": "Changes the exposure of an image: each stop doubles or halves the light. Use “Keep highlights” to compress bright areas instead of clipping them.",
   "CREDIT": "Scrim. Highlights: E. Reinhard et al. 2002, Photographic Tone Reproduction for Digital Images, equation 4. Transfer function: IEC 61966-2-1",
   "CATEGORIES": ["Light", "HDR exposure", "HDR", "Brightness", "Photograph"],
+  "SCRIM_ENCODING": "either",
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to expose." },
     { "NAME": "stops", "TYPE": "float", "LABEL": "Exposure", "DOC": "Exposure in stops: 1 doubles the light, -1 halves it.", "MIN": -5.0, "MAX": 5.0, "DEFAULT": 1.5, "IDENTITY": 0.0, "STEP": 0.1 },
@@ -24,10 +25,16 @@ vec3 displayFromLinear(vec3 color) {
 void main() {
   vec4 color = IMG_THIS_PIXEL(inputImage);
   float gain = exp2(stops);
+#ifdef SCRIM_SCENE
+  // A scene layer clips nothing; a Tone map compresses its highlights.
+  vec3 scene = color.rgb * gain;
+  gl_FragColor = vec4(mix(scene, scene / (1.0 + max(scene, 0.0)), highlights), color.a);
+#else
   vec3 exposed = linearFromDisplay(color.rgb) * gain;
   // The brightest possible value stays white.
   float white = max(gain, 1.0);
   vec3 compressed = exposed * (1.0 + exposed / (white * white)) / (1.0 + exposed);
   vec3 result = mix(min(exposed, 1.0), compressed, highlights);
   gl_FragColor = vec4(displayFromLinear(clamp(result, 0.0, 1.0)), color.a);
+#endif
 }

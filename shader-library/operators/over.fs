@@ -6,6 +6,7 @@
   "CATEGORIES": ["Composite", "Merge", "Blend", "Layer"],
   "SCRIM_ALPHA": "premultiplied",
   "SCRIM_DEPTH": "over",
+  "SCRIM_ENCODING": "either",
   "INPUTS": [
     { "NAME": "top", "TYPE": "image", "LABEL": "Top", "DOC": "The layer in front." },
     { "NAME": "bottom", "TYPE": "image", "LABEL": "Bottom", "DOC": "The layer behind." },

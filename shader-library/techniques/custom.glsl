@@ -18,10 +18,11 @@ void vertex(inout Vertex v) {
 
 // Returns the color of a visible point: red, green and blue in linear light, and opacity.
 vec4 surface(const in Surface s) {
-  vec3 color = s.color.rgb * diffuseLight(s.normal);
+  vec3 light = diffuseLight(s.normal);
+  vec3 color = s.color.rgb * light;
   vec4 layer = IMG_THIS_PIXEL(picture);
   color = mix(color, layer.rgb, layer.a * 0.5);
   float edge = 1.0 - dot(s.normal, s.towardsEye);
-  color = mix(color, tint.rgb, smoothstep(1.0 - rim, 1.0, edge) * tint.a);
+  color = mix(color, tint.rgb * light, smoothstep(1.0 - rim, 1.0, edge) * tint.a);
   return vec4(color, s.color.a);
 }

@@ -12,7 +12,7 @@
     { "NAME": "tint", "TYPE": "color", "LABEL": "Tint", "DOC": "Color of white light after it has passed through the full thickness.", "DEFAULT": [0.93, 0.985, 0.97, 1.0] },
     { "NAME": "dispersion", "TYPE": "float", "LABEL": "Dispersion", "DOC": "Difference of the index between red and blue. It adds color fringes at edges.", "MIN": 0.0, "MAX": 0.2, "DEFAULT": 0.01, "IDENTITY": 0.0 },
     { "NAME": "shine", "TYPE": "float", "LABEL": "Shine", "DOC": "Brightness of the lights' reflections.", "MIN": 0.0, "MAX": 2.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" },
-    { "NAME": "mirror", "TYPE": "float", "LABEL": "Mirror", "DOC": "Brightness of the reflected environment, which is bright above and dark below.", "MIN": 0.0, "MAX": 2.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "mirror", "TYPE": "float", "LABEL": "Mirror", "DOC": "Brightness of the reflected environment.", "MIN": 0.0, "MAX": 2.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" },
     { "NAME": "haze", "TYPE": "float", "LABEL": "Haze", "DOC": "How milky the glass is. Milky glass receives shadows.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.03, "IDENTITY": 0.0, "UNIT": "ratio" }
   ]
 }*/
@@ -64,8 +64,7 @@ vec4 surface(const in Surface s) {
   vec3 passed = pow(max(tint.rgb, 0.001), vec3(thicknessM > 0.0 ? way.lengthM / thicknessM : 0.0)) * (1.0 - reflected);
 
   vec3 mirrored = reflect(-s.towardsEye, s.normal);
-  // An assumed environment: a bright ceiling over a darker floor.
-  vec3 around = AMBIENT * mirror * mix(0.25, 1.0, smoothstep(-0.3, 0.6, mirrored.y));
+  vec3 around = mirror * REFLECTION(mirrored, 0.0);
   vec3 lights = vec3(0.0);
   for (int i = 0; i < LIGHT_COUNT; i++) {
     Light light = LIGHT(i);

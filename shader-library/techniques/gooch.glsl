@@ -1,5 +1,5 @@
 /*{
-  "DESCRIPTION": "Shades objects from cool to warm tones, as technical illustrations do: surfaces that face the light are warm, others are cool, and none is black, so the shape is visible everywhere. Outlines follow the silhouettes. Only the strongest light counts; without lights, the light comes from the camera.",
+  "DESCRIPTION": "Shades objects from cool to warm tones, as technical illustrations do: surfaces that face the light are warm, others are cool, and none is black, so the shape is visible everywhere. Outlines follow the silhouettes. The strongest light sets the direction of the tones, and all light their brightness; the environment counts as a light from its brightest side.",
   "CREDIT": "Scrim. Gooch, Gooch, Shirley, Cohen: A Non-Photorealistic Lighting Model for Automatic Technical Illustration, SIGGRAPH 1998, sections 4.1 and 4.2",
   "CATEGORIES": ["Illustration", "Technical", "NPR", "Cool", "Warm", "Tone", "CAD", "Silhouette"],
   "PASSES": [{ "SIDE": "object" }, { "SIDE": "back" }],
@@ -15,6 +15,7 @@
   ]
 }*/
 #include <light/strongest>
+#include <light/white>
 
 void vertex(inout Vertex v) {
   if (PASSINDEX == 1) v.position += v.outward * (linePx * PIXEL_M(v.position));
@@ -33,8 +34,9 @@ vec4 surface(const in Surface s) {
   float reached = facing > 0.0 ? facing * lit : facing;
   vec3 cool = coolColor.rgb + coolShare * s.color.rgb;
   vec3 warm = warmColor.rgb + warmShare * s.color.rgb;
-  vec3 tone = mix(cool, warm, 0.5 + 0.5 * reached);
+  float brightest = min(lightOnWhite(), 1.0);
+  vec3 tone = mix(cool, warm, 0.5 + 0.5 * reached) * brightest;
   float mirrored = max(dot(reflect(-light.towards, s.normal), s.towardsEye), 0.0);
   float shine = facing > 0.0 ? highlight * lit * pow(mirrored, sharpness) : 0.0;
-  return vec4(mix(tone, vec3(1.0), shine), s.color.a);
+  return vec4(mix(tone, vec3(brightest), shine), s.color.a);
 }

@@ -31,6 +31,13 @@ float inkAt(const in vec2 place, const in float darkness) {
   return dot(light, lightWeights) + dot(dark, darkWeights);
 }
 
+// The darkness at which the mean ink of the map is `covered`; the tones of its pictures are those of `make-tonal-art-maps`.
+float darknessOf(const in float covered) {
+  vec3 light = clamp((covered - vec3(0.0, 0.1, 0.22)) / vec3(0.1, 0.12, 0.14), 0.0, 1.0);
+  vec3 dark = clamp((covered - vec3(0.36, 0.5, 0.65)) / vec3(0.14, 0.15, 0.15), 0.0, 1.0);
+  return dot(light + dark, vec3(1.0));
+}
+
 vec4 surface(const in Surface s) {
   vec3 ink = mix(inkColor.rgb, s.color.rgb * 0.5, ownColor);
   if (PASSINDEX == 1) {
@@ -38,9 +45,10 @@ vec4 surface(const in Surface s) {
     return vec4(ink, inkColor.a * s.color.a);
   }
   float own = dot(s.color.rgb, vec3(0.2126, 0.7152, 0.0722));
-  // Tones are perceptual, light is linear.
-  float tone = pow(lightReceived(s), 0.6) * mix(1.0, pow(own, 0.45), ownTone);
-  float darkness = clamp(6.0 * (1.0 - tone - brightness), 0.0, 6.0);
+  // The eye averages strokes and paper in linear light, so the part of paper is the luminance that a white surface has in this light.
+  float lit = lightReceived(s) * mix(1.0, pow(own, 0.45), ownTone);
+  float tone = pow(lit, (1.0 - brightness) / max(1.0 + brightness, 0.001));
+  float darkness = darknessOf(1.0 - tone);
 
   mat2 turned = mat2(cos(turn), sin(turn), -sin(turn), cos(turn)) * (1.0 / sizeM);
   float ink0 = inkAt(turned * s.rest.zy, darkness);
@@ -50,6 +58,8 @@ vec4 surface(const in Surface s) {
   vec3 sides = pow(abs(s.restNormal), vec3(6.0));
   sides /= sides.x + sides.y + sides.z;
   float covered = mapping == 1 ? byPicture : dot(sides, vec3(ink0, ink1, ink2));
+  // The darkest tone of the map leaves a fifth of the paper, which closes in still darker ones.
+  covered = mix(covered, 1.0, clamp(1.0 - tone / 0.2, 0.0, 1.0));
   vec4 drawn = mix(paperColor, vec4(ink, inkColor.a), clamp(covered, 0.0, 1.0));
   return vec4(drawn.rgb, drawn.a * s.color.a);
 }

@@ -6,7 +6,7 @@
   "INPUTS": [
     { "NAME": "strokePx", "TYPE": "float", "LABEL": "Stroke", "DOC": "Width of a stroke on screen.", "MIN": 0.5, "MAX": 8.0, "DEFAULT": 2.0, "STEP": 0.5, "UNIT": "px" },
     { "NAME": "loosePx", "TYPE": "float", "LABEL": "Looseness", "DOC": "How far strokes deviate from the silhouette.", "MIN": 0.0, "MAX": 24.0, "DEFAULT": 5.0, "UNIT": "px" },
-    { "NAME": "waveM", "TYPE": "float", "LABEL": "Wave", "DOC": "Length of the waves of a stroke.", "MIN": 0.005, "MAX": 1.0, "DEFAULT": 0.06, "UNIT": "m" },
+    { "NAME": "waveM", "TYPE": "float", "LABEL": "Wavelength", "DOC": "Length of the waves of a stroke.", "MIN": 0.005, "MAX": 1.0, "DEFAULT": 0.06, "UNIT": "m" },
     { "NAME": "rate", "TYPE": "float", "LABEL": "Redraw rate", "DOC": "How many times a second the strokes are redrawn. 0 leaves them as they are.", "MIN": 0.0, "MAX": 24.0, "DEFAULT": 4.0, "IDENTITY": 0.0, "UNIT": "Hz" },
     { "NAME": "seed", "TYPE": "float", "LABEL": "Seed", "DOC": "Another seed gives other strokes.", "MIN": 0.0, "MAX": 100.0, "DEFAULT": 1.0, "STEP": 1.0 },
     { "NAME": "inkColor", "TYPE": "color", "LABEL": "Ink", "DOC": "Color of the strokes.", "DEFAULT": [0.12, 0.1, 0.14, 1.0] },
@@ -16,6 +16,7 @@
   ]
 }*/
 #include <light/received>
+#include <light/white>
 #include <noise/value-3d>
 
 // Each stroke has two hulls: the inner one masks the inside of the outer one.
@@ -41,8 +42,9 @@ void vertex(inout Vertex v) {
 
 vec4 surface(const in Surface s) {
   if (PASSINDEX == 0) {
-    float light = smoothstep(0.05, 0.75, lightReceived(s));
-    vec3 wash = mix(vec3(1.0), s.color.rgb, ownColor) * washColor.rgb * mix(1.0 - shade, 1.0, light);
+    float brightest = max(min(lightOnWhite(), 1.0), 0.00001);
+    float light = smoothstep(0.05, 0.75, lightReceived(s) / brightest);
+    vec3 wash = mix(vec3(1.0), s.color.rgb, ownColor) * washColor.rgb * mix(1.0 - shade, 1.0, light) * brightest;
     return vec4(wash, washColor.a * s.color.a);
   }
   // Invisible, but it writes depth.

@@ -5,14 +5,15 @@
   "SCRIM_RENAMED": [{ "outlineM": { "TO": "outlinePx", "TIMES": 750 } }],
   "PASSES": [{ "SIDE": "object" }, { "SIDE": "back" }],
   "INPUTS": [
-    { "NAME": "ramp", "TYPE": "image", "LABEL": "Ramp", "DOC": "Image whose middle row colors the steps, dark to bright from left to right. Not connected: “Darkest” sets the steps.", "OPTIONAL": true, "SPACE": "picture" },
+    { "NAME": "ramp", "TYPE": "image", "LABEL": "Ramp", "DOC": "Image whose middle row colors the steps, dark to bright from left to right. Not connected: “Shadow brightness” sets the steps.", "OPTIONAL": true, "SPACE": "picture" },
     { "NAME": "levels", "TYPE": "long", "LABEL": "Levels", "DOC": "Number of steps of light.", "VALUES": [1, 2, 3, 4, 5, 6], "LABELS": ["1", "2", "3", "4", "5", "6"], "DEFAULT": 3 },
-    { "NAME": "darkest", "TYPE": "float", "LABEL": "Darkest", "DOC": "Brightness of the darkest step; the brightest shows the object's own color.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.25, "UNIT": "ratio" },
+    { "NAME": "darkest", "TYPE": "float", "LABEL": "Shadow brightness", "DOC": "Brightness of the darkest step; the brightest shows the object's own color.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.25, "UNIT": "ratio" },
     { "NAME": "outlinePx", "TYPE": "float", "LABEL": "Outline", "DOC": "Width of the outline on screen. 0 turns it off.", "MIN": 0.0, "MAX": 16.0, "DEFAULT": 3.0, "IDENTITY": 0.0, "STEP": 0.5, "UNIT": "px" },
     { "NAME": "outlineColor", "TYPE": "color", "LABEL": "Outline color", "DOC": "Color of the outline.", "DEFAULT": [0.05, 0.04, 0.08, 1.0] }
   ]
 }*/
 #include <light/received>
+#include <light/white>
 
 void vertex(inout Vertex v) {
   if (PASSINDEX == 1) v.position += v.outward * (outlinePx * PIXEL_M(v.position));
@@ -31,11 +32,13 @@ vec4 surface(const in Surface s) {
     if (outlinePx <= 0.0) discard;
     return vec4(outlineColor.rgb, outlineColor.a * s.color.a);
   }
-  float steps = lightReceived(s) * float(levels);
+  // The steps divide the light that there is. Where it is less than white needs, all steps are darker.
+  float brightest = max(min(lightOnWhite(), 1.0), 0.00001);
+  float steps = min(lightReceived(s) / brightest, 1.0) * float(levels);
   float last = float(levels - 1);
   // Antialiasing: a step rises over the width of a pixel.
   float border = floor(steps + 0.5);
   float up = clamp((steps - border) / max(length(vec2(dFdx(steps), dFdy(steps))), 0.0001) + 0.5, 0.0, 1.0);
   vec3 light = mix(stepColor(clamp(border - 1.0, 0.0, last)), stepColor(clamp(border, 0.0, last)), up);
-  return vec4(s.color.rgb * light, s.color.a);
+  return vec4(s.color.rgb * light * brightest, s.color.a);
 }

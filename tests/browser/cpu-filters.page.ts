@@ -78,15 +78,15 @@ export async function playRunning(program: Program, colors: readonly number[][])
   let buffers = 0;
   /** What came back is another object around the same memory. */
   const returned = new WeakSet<ArrayBuffer>();
-  const startWorker: StartWorker = (text, { onAnswer, onFailure }) => {
-    const remember = (answer: CpuAnswer): void => {
-      returned.add(answer.buffer);
-      onAnswer(answer);
+  const startWorker: StartWorker = (text, { onMessage, onFailure }) => {
+    const remember = (answer: unknown): void => {
+      returned.add((answer as CpuAnswer).buffer);
+      onMessage(answer);
     };
-    const started = startBlobWorker(text, { onAnswer: remember, onFailure });
-    const post = (task: CpuTask): void => {
-      if (!returned.has(task.buffer)) buffers++;
-      started.post(task);
+    const started = startBlobWorker(text, { onMessage: remember, onFailure });
+    const post = (task: unknown, transfer: readonly ArrayBuffer[]): void => {
+      if (!returned.has((task as CpuTask).buffer)) buffers++;
+      started.post(task, transfer);
     };
     return { post, dispose: started.dispose };
   };

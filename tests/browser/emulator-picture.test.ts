@@ -62,7 +62,10 @@ describe('what the user sees', () => {
   test('on glasses, light added to the room', async () => {
     const { layer, room, composite } = await page.call<Blended>('blending', { device: 'glasses' });
     expect(room[0]).toBeGreaterThan(0);
-    expect(composite).toEqual([...[0, 1, 2].map((c) => Math.min(255, (layer[c] ?? 0) + (room[c] ?? 0))), 255]);
+    // The display is twice as bright as the room, and light adds in linear values (sRGB, IEC 61966-2-1).
+    const linear = (byte = 0) => (byte / 255 <= 0.04045 ? byte / 255 / 12.92 : ((byte / 255 + 0.055) / 1.055) ** 2.4);
+    const seen = (c: number) => 255 * (1.055 * Math.min(1, linear(room[c]) + 2 * linear(layer[c])) ** (1 / 2.4) - 0.055);
+    expect(composite).toEqual([...[0, 1, 2].map((c) => expect.closeTo(seen(c), 0)), 255]);
   });
 
   test('nothing of what a page draws into its canvas', async () => {

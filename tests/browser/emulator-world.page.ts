@@ -175,6 +175,21 @@ export function surfaces() {
   );
 }
 
+/** A device that does not know the room: its planes before and after the page asks for a scan, and the error of a second one. */
+export function roomCapture() {
+  return onStage(
+    { device: 'headset', room: 'studio', roomScanned: false },
+    { requiredFeatures: ['plane-detection'] },
+    async ({ frame, session }) => {
+      const count = () => frame((f) => f.detectedPlanes?.size);
+      const before = await count();
+      await session.initiateRoomCapture?.();
+      const after = await count();
+      return { before, after, twice: await nameOfError(() => session.initiateRoomCapture?.()) };
+    },
+  );
+}
+
 function heightOf(m: ArrayLike<number> | undefined, x: number, z: number): number {
   return round((m?.[1] ?? 0) * x + (m?.[9] ?? 0) * z + (m?.[13] ?? 0));
 }

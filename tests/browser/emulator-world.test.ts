@@ -94,6 +94,12 @@ test('planes and meshes are where the room has them, and do not change from fram
   expect(lastIndex).toBeLessThan(vertices);
 });
 
+test('a device that does not know the room has planes once the page has asked for a scan, which it may do once', async () => {
+  const { before, after, twice } = await ask<{ before: number; after: number; twice: string }>('roomCapture');
+  expect([before, twice]).toEqual([0, 'InvalidStateError']);
+  expect(after).toBeGreaterThan(5);
+});
+
 test('nothing was complained about', () => {
   expect(page.errors).toEqual([]);
 });

@@ -213,7 +213,7 @@ function targetOf(pass: LinkedPass, job: DrawJob, buffers: Map<string, Buffer>):
   if (known !== undefined) return known;
   const width = target.kind === 'output' ? job.width : evaluateSize(target.width, job.width, job);
   const height = target.kind === 'output' ? job.height : evaluateSize(target.height, job.height, job);
-  const internal = { rgba8: gl.RGBA8, rgba16f: gl.RGBA16F, rgba32f: gl.RGBA32F, r32f: gl.R32F }[target.format];
+  const internal = { rgba8: gl.RGBA8, scene16f: gl.RGBA16F, rgba16f: gl.RGBA16F, rgba32f: gl.RGBA32F, r32f: gl.R32F }[target.format];
   const textures = [createTexture(internal, width, height), createTexture(internal, width, height)] as const;
   const buffer: Buffer = { width, height, textures, framebuffers: [frame(textures[0]), frame(textures[1])], front: 0 };
   buffers.set(name, buffer);

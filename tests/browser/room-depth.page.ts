@@ -4,89 +4,13 @@ import { createRandom } from '../../export/runtime/random.ts';
 import { createDepthReprojector } from '../../export/runtime/sessions/webxr/reproject-depth.ts';
 import { createViewSources } from '../../export/runtime/sessions/webxr/view-sources.ts';
 import type { AssetService } from '../../nodes/kit/assets.ts';
-import type { NodeRuntime } from '../../nodes/kit/runtime.ts';
-import type { RoomDepth, ViewFrame } from '../../nodes/kit/session.ts';
 import depthViewSource from '../../nodes/layer/depth-view/depth-view.fs';
-import { definition } from '../../nodes/world/depth/definition.ts';
-import { create } from '../../nodes/world/depth/runtime.ts';
 import { trackGl } from '../support/gl-leaks.ts';
-import { type FakeContextOptions, fakeContext } from '../support/node-context.ts';
+import { createSensor, H, metersOf, type Params, samples, seen, stand, UPRIGHT, VIEW_H, VIEW_W, W } from './room-depth-kit.ts';
 import { frame, MEASURED_DEPTH, pass, pixel, stand as playerFor, program, sourceOperation, texture, upset, view } from './runtime-kit.ts';
 import { createGl, room } from './scenes-kit.ts';
 
 /** The node without a player: depth goes in, depth comes out, and its numbers are read back. */
-
-const [W, H] = [32, 18];
-const VIEW_W = 128;
-const VIEW_H = 72;
-const UPRIGHT = [1, 0, 0, 0, 1, 0, 0, 0, 1];
-
-type Params = NonNullable<FakeContextOptions<typeof definition>['params']>;
-
-interface Stand {
-  readonly gl: WebGL2RenderingContext;
-  readonly node: NodeRuntime;
-  /** One more frame, a thirtieth of a second later. */
-  step(views: readonly ViewFrame[]): (RoomDepth | null)[];
-}
-
-function stand(params: Params, services: { gl?: WebGL2RenderingContext; assets?: AssetService } = {}): Stand {
-  const gl = services.gl ?? createGl();
-  const { ctx } = fakeContext(definition, { params, services: { gl, ...(services.assets && { assets: services.assets }) } });
-  ctx.outputs.depth.views.push(null, null);
-  const node = create(ctx);
-  let index = 0;
-  return {
-    gl,
-    node,
-    step: (views) => {
-      upset(gl);
-      node.update(frame(index++, views));
-      return ctx.outputs.depth.views;
-    },
-  };
-}
-
-function seen(depth: RoomDepth | null, more: Partial<ViewFrame> = {}): ViewFrame {
-  return view(0, 0, VIEW_W, VIEW_H, { depth, ...more });
-}
-
-/** Row by row from the bottom. */
-function metersOf(gl: WebGL2RenderingContext, depth: RoomDepth | null | undefined): number[] {
-  if (!depth) return [];
-  const framebuffer = gl.createFramebuffer();
-  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, depth.texture, 0);
-  const rgba = new Float32Array(depth.widthPx * depth.heightPx * 4);
-  gl.pixelStorei(gl.PACK_ALIGNMENT, 1);
-  gl.readPixels(0, 0, depth.widthPx, depth.heightPx, gl.RGBA, gl.FLOAT, rgba);
-  gl.deleteFramebuffer(framebuffer);
-  return Array.from({ length: rgba.length / 4 }, (_, i) => rgba[i * 4] ?? 0);
-}
-
-function samples(metersAt: (x: number, y: number) => number): number[] {
-  return Array.from({ length: W * H }, (_, i) => metersAt(i % W, Math.floor(i / W)));
-}
-
-/** A sensor whose depth is uploaded to the same texture in each frame, as sessions do. */
-function createSensor(gl: WebGL2RenderingContext, uvFromViewUv = UPRIGHT) {
-  const depth = room(
-    gl,
-    W,
-    H,
-    samples(() => 0),
-    uvFromViewUv,
-  );
-  return (meters: readonly number[]): RoomDepth => {
-    gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
-    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
-    gl.pixelStorei(gl.UNPACK_ROW_LENGTH, 0);
-    gl.pixelStorei(gl.UNPACK_SKIP_PIXELS, 0);
-    gl.bindTexture(gl.TEXTURE_2D, depth.texture);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, W, H, gl.RED, gl.FLOAT, Float32Array.from(meters));
-    return depth;
-  };
-}
 
 /** Two halves at 1 m and 3 m with holes of all sizes in each: one sample, a row, and a block that leaves only a rim. */
 export function holes() {
@@ -121,6 +45,60 @@ export function holes() {
       {},
       samples(() => 0),
     ).found.every((m) => m === 0),
+  };
+}
+
+/** Hole x 8–23: a window whose frame is 1.8 m away; below it, a balcony at 3 m; the sky above is cut off by the image, or by a lintel. */
+export function windows() {
+  const isGlass = (x: number): boolean => x >= 8 && x < 24;
+  const cases = {
+    // Middle of the glass. The balcony is farther than the frame.
+    balcony: samples((x, y) => (y < 4 ? 3 : isGlass(x) ? 0 : 1.8)),
+    // Glass that the image cuts off below and above: nothing says how far it is.
+    sky: samples((x) => (isGlass(x) ? 0 : 1.8)),
+    // Glass in a wall is filled as if it were the wall, which is seen obliquely.
+    wall: samples((x, y) => (isGlass(x) && y > 3 && y < 15 ? 0 : 1 / (0.5 + 0.01 * x))),
+    // One sample of the frame is a flying pixel, half way to the balcony.
+    flying: samples((x, y) => (y < 4 ? 3 : x === 7 ? 2.4 : isGlass(x) ? 0 : 1.8)),
+  };
+  return Object.fromEntries(
+    Object.entries(cases).map(([name, meters]) => {
+      const { gl, step, node } = stand({});
+      const found = metersOf(gl, step([seen(room(gl, W, H, meters))])[0]);
+      node.dispose();
+      return [name, { middle: found[9 * W + 15], error: gl.getError() }];
+    }),
+  );
+}
+
+/** Gray along row 9 of a floor-like slope whose right part is 1 m farther and has an unfilled hole; and of an even and a noisy wall. */
+export function confidences() {
+  const rate = (meters: number[], params: Params = {}) => {
+    const { gl, step, node, confidence } = stand(params);
+    step([seen(room(gl, W, H, meters))]);
+    const view = confidence[0];
+    const framebuffer = gl.createFramebuffer();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, view?.texture ?? null, 0);
+    const rgba = new Uint8Array(W * H * 4);
+    gl.readPixels(0, 0, W, H, gl.RGBA, gl.UNSIGNED_BYTE, rgba);
+    gl.deleteFramebuffer(framebuffer);
+    node.dispose();
+    if (gl.getError() !== 0) throw new Error('GL has an error.');
+    return { gray: Array.from({ length: W * H }, (_, i) => rgba[i * 4] ?? 0), size: [view?.widthPx, view?.heightPx] };
+  };
+  const noise = createNoise();
+  const slope = (x: number, y: number): number => 1 + 0.03 * y + (x < 12 ? 0 : 1);
+  const holed = samples((x, y) => (x > 22 && x < 26 && y > 6 && y < 12 ? 0 : slope(x, y)));
+  const filled = rate(holed);
+  const mean = (gray: readonly number[]): number => gray.reduce((a, b) => a + b, 0) / gray.length;
+  return {
+    size: filled.size,
+    row: [4, 8, 10, 11, 12, 13, 17, 24, 30].map((x) => filled.gray[9 * W + x]),
+    open: rate(holed, { fillHoles: false }).gray[9 * W + 24],
+    calm: mean(rate(samples(() => 2 + noise())).gray),
+    noisy: mean(rate(samples(() => 2 + 4 * noise())).gray),
+    plain: rate(holed, { filter: 'nearest', fillHoles: false }).gray[9 * W + 4],
   };
 }
 

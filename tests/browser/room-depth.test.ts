@@ -11,6 +11,30 @@ describe('room depth is cleaned before anything reads it', () => {
     expect(found.holes).toBeGreaterThan(60);
   });
 
+  test('a window is as far as the farthest surface around it, and stays unknown where the image cuts it off', async () => {
+    const at = (m: number, digits = 1) => ({ middle: m === 0 ? 0 : expect.closeTo(m, digits), error: 0 });
+    expect(await page.call('windows')).toEqual({ balcony: at(3, 3), sky: at(0), wall: at(1 / 0.65, 2), flying: at(3, 3) });
+  });
+
+  test('the confidence is low at borders, in noise and where a hole was filled, and full on slopes', async () => {
+    const found = await page.call<{ size: number[]; row: number[]; open: number; calm: number; noisy: number; plain: number }>(
+      'confidences',
+    );
+    const [floor, , near, edge, far, beyond, wall, hole, right] = found.row;
+    expect(found.size).toEqual([32, 18]);
+    expect([floor, wall, right, found.plain]).toEqual([255, 255, 255, 255]);
+    // One sample from the border: 1/4 + 3/4 smoothstep(0.5, 3, 1).
+    expect([edge, far]).toEqual([84, 84]);
+    for (const value of [near, beyond]) {
+      expect(value).toBeGreaterThan(100);
+      expect(value).toBeLessThan(255);
+    }
+    expect([hole, found.open]).toEqual([64, 0]);
+    // Noise of half the typical error does not matter; twice that error does.
+    expect(found.calm).toBeGreaterThan(245);
+    expect(found.noisy).toBeLessThan(170);
+  });
+
   test('smoothing takes noise away, and what moves leaves no trail', async () => {
     const raw = await page.call<{ spreadM: number }>('moving', 0);
     const calm = await page.call<{ trail: number; missing: number; spreadM: number; error: number }>('moving', 0.3);

@@ -23,8 +23,9 @@ function tapsOf({ input }: SessionFrame): TapSeen[] {
   }));
 }
 
-function copyOf({ stick, worldFromRay, ...rest }: Controller) {
-  return { ...rest, stick: [...stick], ray: worldFromRay && [...worldFromRay.slice(12, 15)] };
+function copyOf({ stick, worldFromRay, worldFromGrip, haptics, ...rest }: Controller) {
+  const originOf = (m: Float32Array | null) => m && [...m.slice(12, 15)];
+  return { ...rest, stick: [...stick], ray: originOf(worldFromRay), grip: originOf(worldFromGrip), vibrates: haptics !== null };
 }
 
 let session: Session;
@@ -66,6 +67,7 @@ export async function seen(): Promise<TapSeen[]> {
 }
 
 let phases: string[] = [];
+let started: number[] = [];
 let owner: object | null = null;
 let heading = 0;
 
@@ -77,6 +79,28 @@ export async function pointers(): Promise<{ readonly phases: string[]; readonly 
   return { phases: all, heading };
 }
 
+/** A mouse press at (200, 200) that moves to (260, 200) and ends before the next frame, the direction of its start, and the view's axis. */
+export async function flick(): Promise<{ readonly start: number[]; readonly heading: number }> {
+  const canvas = document.querySelector('canvas') as HTMLCanvasElement;
+  canvas.setPointerCapture = () => {};
+  const send = (type: string, clientX: number, buttons: number) =>
+    canvas.dispatchEvent(
+      new PointerEvent(type, {
+        pointerId: 1,
+        pointerType: 'mouse',
+        button: type === 'pointermove' ? -1 : 0,
+        buttons,
+        clientX,
+        clientY: 200,
+      }),
+    );
+  send('pointerdown', 200, 1);
+  send('pointermove', 260, 1);
+  send('pointerup', 260, 0);
+  await seen();
+  return { start: started, heading };
+}
+
 /** Whether a node claims every press from now on. */
 export function claim(on: boolean): void {
   owner = on ? {} : null;
@@ -85,6 +109,7 @@ export function claim(on: boolean): void {
 function follow({ input, views }: SessionFrame): void {
   for (const pointer of input.pointers.slice(0, input.pointerCount)) {
     if (owner) claimPointer(pointer, owner);
+    if (pointer.phase === 'start') started = [...pointer.worldFromRay.slice(8, 11)].map((x) => -x);
     const word = `${pointer.by} ${pointer.id} ${pointer.phase}${pointer.tapped ? ' tapped' : ''}`;
     if (phases.at(-1) !== word && !(pointer.phase === 'hold' && phases.includes(word))) phases.push(word);
   }

@@ -81,6 +81,21 @@ describe('a canvas on a page', () => {
     await seen();
   });
 
+  test('a press that is over before the next frame starts where it was pressed, and turns the view only if no node claims it', async () => {
+    const flick = () => page.call<{ start: number[]; heading: number }>('flick');
+    await page.page.mouse.move(200, 200);
+    const { heading } = await pointers();
+    await page.call('claim', true);
+    const claimed = await flick();
+    expect(claimed.heading).toBe(heading);
+    // Along the view's axis, on which the press began.
+    expect(Math.atan2(-(claimed.start[0] as number), -(claimed.start[2] as number))).toBeCloseTo(heading, 4);
+    await page.call('claim', false);
+    const free = await flick();
+    expect(Math.abs(free.heading - heading)).toBeGreaterThan(0.1);
+    await pointers();
+  });
+
   test('has a pointer for each finger, and two fingers make no tap', async () => {
     const canvas = page.page.locator('canvas');
     const touch = (type: string, pointerId: number, clientX: number) =>
@@ -122,7 +137,18 @@ describe('a canvas on a page', () => {
   });
 
   test('has the halves of a gamepad as controllers, once the browser tells of it', async () => {
-    const rest = { connected: false, stick: [0, 0], trigger: 0, squeeze: 0, primary: false, secondary: false, ray: null };
+    const buttons = { primary: false, secondary: false, stickPressed: false };
+    const rest = {
+      connected: false,
+      stick: [0, 0],
+      trigger: 0,
+      squeeze: 0,
+      ...buttons,
+      ray: null,
+      grip: null,
+      bare: false,
+      vibrates: false,
+    };
     expect(await page.call('gamepad')).toEqual({
       unheard: rest,
       plugged: { ...rest, connected: true, stick: [0.25, 1], trigger: 0.5, primary: true },

@@ -1,5 +1,6 @@
 import type { DrawOperation } from '../../export/program/program.ts';
 import type { Player } from '../../export/runtime/player.ts';
+import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
 import * as cameraVideo from '../../nodes/source/camera-video/runtime.ts';
@@ -126,7 +127,7 @@ export async function setUp() {
         pass('screen', 1, 'screen', { blend: 'over', samplers: [colorSampler('picture', 'history')] }),
       ],
     }),
-    { modules: { add: addOne, draw: drawing, 'source/camera-video': cameraVideo, 'world/depth': MEASURED_DEPTH } },
+    { createScenes, modules: { add: addOne, draw: drawing, 'source/camera-video': cameraVideo, 'world/depth': MEASURED_DEPTH } },
   );
   player = stage.player;
   player.setSession({ world: 'image', blend: 'opaque' });

@@ -1,6 +1,7 @@
 import type { DrawOperation, NodeOperation, Program } from '../../export/program/program.ts';
 import type { PlayResult } from '../../export/runtime/player.ts';
 import { readColor, readDepth } from '../../export/runtime/readback.ts';
+import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
 import type { NodeContext, NodeModule } from '../../nodes/kit/runtime.ts';
 import { trackGl } from '../support/gl-leaks.ts';
 import { colorSampler, createGl, frame, HEIGHT, pass, pixel, program, shader, stand, target, view, WIDTH } from './runtime-kit.ts';
@@ -186,7 +187,7 @@ export async function drawingLivesOn() {
         ...(to === 'screen' ? [] : [pass('swap', 0, 'screen', { samplers: [colorSampler('picture', 'layer')] })]),
       ],
     });
-  const { gl, player } = await stand(drawn('screen'), { modules: { draw: fills } });
+  const { gl, player } = await stand(drawn('screen'), { modules: { draw: fills }, createScenes });
   const shown: number[][] = [];
   for (const to of ['screen', 'layer', 'screen'] as const) {
     await player.replaceProgram(drawn(to));
@@ -281,7 +282,7 @@ export async function taps() {
       'outside.layer': { color: 'outside', depth: null },
     },
   });
-  const { gl, player } = await stand(first, { modules: { draw: drawing } });
+  const { gl, player } = await stand(first, { modules: { draw: drawing }, createScenes });
   const undrawn = readColor(player.inspect('scene.layer'), 0);
   player.draw(frame(0, [view(0, 0, 32, 32), view(32, 0, 32, 32)]));
   const at = (picture: { widthPx: number; pixels: Uint8Array } | null, x: number, y: number) =>

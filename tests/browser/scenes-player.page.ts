@@ -70,8 +70,9 @@ function createBuilder() {
           .filter(([, param]) => param.stage === stage)
           .map(([name, param]) => [name, make(name, param, values[name] ?? param.default)]),
       );
-    const draws = Object.values(definition.outputs).some(({ type }) => type === 'layer');
-    const outputs = draws ? {} : Object.fromEntries(Object.keys(definition.outputs).map((port) => [port, `${id}.${port}`]));
+    const made = Object.keys(definition.outputs).filter((port) => !definition.outputs[port]?.whenRead);
+    const draws = made.some((port) => definition.outputs[port]?.type === 'layer');
+    const outputs = draws ? {} : Object.fromEntries(made.map((port) => [port, `${id}.${port}`]));
     return {
       id,
       node: id,

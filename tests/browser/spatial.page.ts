@@ -2,7 +2,7 @@
 import type { Emulator } from '../../export/emulator/emulator.ts';
 import { installEmulator } from '../../export/emulator/install-emulator.ts';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
-import type { ProgramNeed } from '../../export/program/program.ts';
+import type { ProgramNeed } from '../../export/program/needs.ts';
 import { SESSION_INPUTS } from '../../export/runtime/sessions/input/session-inputs.ts';
 import { requestWebXrSession } from '../../export/runtime/sessions/webxr/request-session.ts';
 import { createSpatial } from '../../export/runtime/spatial/create-spatial.ts';

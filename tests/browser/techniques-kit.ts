@@ -95,14 +95,16 @@ export interface Shot {
   readonly suns?: readonly LightItem[];
   readonly occlusion?: DrawBinding['occlusion'];
   readonly camera?: typeof FRONT;
+  /** Brightness of the neutral environment. */
+  readonly ambient?: number;
 }
 
-export function shoot({ items, suns = [sun(TOWARDS_SUN)], occlusion = null, camera = FRONT }: Shot): Uint8Array {
+export function shoot({ items, suns = [sun(TOWARDS_SUN)], occlusion = null, camera = FRONT, ambient = 0 }: Shot): Uint8Array {
   const { backend, layer } = stand;
   const list = objects(...items);
   const lit = lights(...suns);
   const shadowMaps = suns.some((light) => 'shadow' in light && light.shadow !== null) ? backend.createShadowMaps([list], [lit]) : null;
-  const scene = backend.serviceFor({ shadowMaps, occlusion }).createScene({ kind: 'shaded', ambient: { value: 0 } });
+  const scene = backend.serviceFor({ shadowMaps, occlusion }).createScene({ kind: 'shaded', ambient: { value: ambient } });
   scene.update([list], [lit]);
   shadowMaps?.update();
   layer.clear();

@@ -1,5 +1,7 @@
-import { BoxGeometry, Matrix4, Mesh, MeshLambertMaterial, PlaneGeometry, SphereGeometry, Vector3 } from 'three';
-import { bulb, covered, HEIGHT, item, lookingAt, pixel, project, room, sun, translation, WIDTH } from './scenes-kit.ts';
+import { BoxGeometry, Matrix4, Mesh, MeshLambertMaterial, MeshStandardMaterial, PlaneGeometry, SphereGeometry, Vector3 } from 'three';
+import type { LightItem } from '../../nodes/kit/scene-lists.ts';
+import { writeHdr } from '../../tools/examples/write-hdr.ts';
+import { bulb, covered, difference, HEIGHT, item, lookingAt, pixel, project, room, sun, translation, WIDTH } from './scenes-kit.ts';
 import {
   differing,
   drawnWith,
@@ -153,4 +155,49 @@ export function parts() {
     veil: pixel(seeThrough, WIDTH / 2, HEIGHT / 2),
     error: stand.gl.getError(),
   };
+}
+
+const HARMONICS = Float32Array.of(1.1, 0.9, 0.8, 0.3, 0.25, 0.4, -0.1, 0.12, 0.05, 0.2, -0.1, 0.02, ...new Array(15).fill(0));
+
+/** A panorama of 64 × 32 pixels, with another color in each direction. */
+function colorful(): ArrayBuffer {
+  const rgb: number[] = [];
+  for (let y = 0; y < 32; y++)
+    for (let x = 0; x < 64; x++) rgb.push(0.5 + 0.4 * Math.sin((x * Math.PI) / 32), 0.9 - y / 40, 0.3 + 0.2 * Math.cos((x * Math.PI) / 32));
+  return writeHdr(64, 32, rgb).buffer;
+}
+
+/** Differences of techniques and three.js' own materials in the light of an environment, and the mean of their bytes. */
+export async function environment(kind: 'panorama' | 'estimate' | 'neutral', stops: number) {
+  const asset = kind === 'panorama' ? await stand.backend.loadEnvironment(colorful()) : null;
+  const intensity = 2 ** stops;
+  const suns: LightItem[] = [];
+  if (asset) suns.push({ key: 'sky', kind: 'environment', environment: asset, intensity, rotationRad: 0.7, visible: false });
+  if (kind === 'estimate') suns.push({ key: 'probe', kind: 'probe', sphericalHarmonics: HARMONICS, reflection: null, intensity });
+  const seen = (ball: Mesh, text: string | null): Uint8Array => {
+    const view = text ? viewOfText(`/*{ "INPUTS": [] }*/\n${text}`, 'own') : null;
+    return shoot({ items: [drawnWith(ball, view)], suns, ambient: kind === 'neutral' ? intensity : 0 });
+  };
+  const matt = sphere();
+  const own = seen(matt, null);
+  const metal = new Mesh(new SphereGeometry(1, 128, 64), new MeshStandardMaterial({ metalness: 1, roughness: 0.0525 }));
+  const result = {
+    matt: difference(own, seen(matt, 'vec4 surface(const in Surface s) { return vec4(IRRADIANCE(s.normal) / 3.14159265, 1.0); }')),
+    ambient: difference(own, seen(matt, 'vec4 surface(const in Surface s) { return vec4(AMBIENT, 1.0); }')),
+    metal: difference(
+      seen(metal, null),
+      seen(metal, 'vec4 surface(const in Surface s) { return vec4(REFLECTION(reflect(-s.towardsEye, s.normal), 0.0525), 1.0); }'),
+      2,
+    ),
+    brick: Math.max(
+      ...shoot({ items: [drawnWith(matt, technique('brick'))], suns, ambient: kind === 'neutral' ? intensity : 0 }).filter(
+        (_, i) => i % 4 < 3,
+      ),
+    ),
+    covered: covered(own),
+    matt255: Math.max(...own.filter((_, i) => i % 4 < 3)),
+    error: stand.gl.getError(),
+  };
+  asset?.dispose();
+  return result;
 }

@@ -69,6 +69,36 @@ describe('technique/gooch', () => {
   });
 });
 
+interface InEnvironment {
+  readonly matt: { readonly pixels: number; readonly largest: number };
+  readonly ambient: { readonly pixels: number; readonly largest: number };
+  readonly metal: { readonly pixels: number; readonly largest: number };
+  /** The largest byte of a ball of bricks, and of one that is white and matte. */
+  readonly covered: number;
+  readonly brick: number;
+  readonly matt255: number;
+  readonly error: number;
+}
+
+describe('the environment lights techniques as it does three.js’ own materials', () => {
+  test.each([
+    ['panorama', 0],
+    ['panorama', -7],
+    ['estimate', -1],
+    ['neutral', -1],
+  ])('a %s at %d stops, by normal and by reflection', async (kind, stops) => {
+    const { matt, ambient, metal, covered, brick, matt255, error } = await page.call<InEnvironment>('environment', kind, stops);
+    expect(error).toBe(NO_ERROR);
+    expect(matt.largest).toBeLessThanOrEqual(1);
+    expect(ambient.largest).toBeLessThanOrEqual(1);
+    // A metal mirrors all; at its border three.js blurs where normals turn quickly.
+    expect(metal.pixels / covered).toBeLessThan(0.05);
+    expect(brick).toBeLessThanOrEqual(matt255);
+    expect(brick).toBeGreaterThan(matt255 / 4);
+    if (stops < -5) expect(matt255).toBeLessThan(32);
+  });
+});
+
 interface ToonSphere {
   readonly colors: readonly (readonly [color: string, count: number])[];
   readonly outside: { readonly outline: number; readonly other: number };

@@ -3,12 +3,19 @@ import { programUse } from '../../export/bundle/program-use.ts';
 import { describeProgram } from '../../export/compiler/describe.ts';
 import type { Program } from '../../export/program/program.ts';
 import { sessionInit } from '../../export/runtime/sessions/webxr/session-init.ts';
+import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts';
 import { formatDiagnostic } from '../../nodes/kit/diagnostics.ts';
+import { definition as depthView } from '../../nodes/layer/depth-view/definition.ts';
 import { LIBRARY } from '../support/library.ts';
 import { readShader } from '../support/test-library.ts';
 import { TestStudio } from '../support/test-studio.ts';
 
 /** What an exported page asks of its visitors, by the nodes that ship: no more than the picture on screen needs. */
+
+/** The library, with a node type of the test. */
+function libraryWith(made: NodeDefinition): NodeLibrary {
+  return { ...LIBRARY, definition: (type) => (type === made.type ? made : LIBRARY.definition(type)), types: () => LIBRARY.types() };
+}
 
 function program(studio: TestStudio): Program {
   const { output, diagnostics } = studio.compile();
@@ -101,6 +108,33 @@ describe('the depth of the room', () => {
     expect(asked(styled(hidden()))).toEqual(['camera-access', 'depth-sensing']);
   });
 
+  test('is asked for smooth, and raw only where all that reads it measures', () => {
+    const measuring = libraryWith({
+      ...depthView,
+      type: 'test/measures',
+      inputs: { depth: { ...depthView.inputs.depth, depthType: 'raw' } },
+    });
+    const shown = (type: string) =>
+      new TestStudio({ library: measuring, readShader })
+        .add('room-a', 'world/depth')
+        .add('shown-a', type)
+        .add('screen-a', 'output/screen')
+        .wire('room-a.depth -> shown-a.depth', 'shown-a.layer -> screen-a.layer');
+    const typesOf = (studio: TestStudio) => sessionInit(program(studio).needs, null).depthSensing?.depthTypeRequest;
+    expect(typesOf(shown('test/measures'))).toEqual(['raw', 'smooth']);
+    expect(typesOf(shown('layer/depth-view'))).toEqual(['smooth', 'raw']);
+    const both = shown('test/measures')
+      .add('view-a', 'layer/depth-view')
+      .add('over-a', 'operator/over')
+      .wire(
+        'room-a.depth -> view-a.depth',
+        'view-a.layer -> over-a.top',
+        'shown-a.layer -> over-a.bottom',
+        'over-a.layer -> screen-a.layer',
+      );
+    expect(typesOf(both)).toEqual(['smooth', 'raw']);
+  });
+
   test('is not asked for where the hiding is muted', () => {
     expect(asked(hidden().mute('hide-a'))).toEqual([]);
   });
@@ -147,7 +181,7 @@ describe('the plan says in words', () => {
     const plays = (studio: TestStudio) => {
       const plan = describeProgram(program(studio));
       return plan
-        .slice(plan.indexOf('Plays in'))
+        .slice(plan.indexOf('Plays in'), plan.indexOf('On devices'))
         .split('\n')
         .slice(1)
         .filter((line) => /^ {2}\d\./.test(line));

@@ -1,6 +1,6 @@
 import { decode } from 'fast-png';
+import { addDepthNoise, type DepthNoise } from '../../export/emulator/depth/depth-noise.ts';
 import { ROOM_DEPTH_TEXT } from '../../export/program/room-depth.ts';
-import { createRandom } from '../../export/runtime/random.ts';
 import type { CameraImage, RoomDepth } from '../../nodes/kit/session.ts';
 import { definition } from '../../nodes/world/depth/definition.ts';
 import { createDepthDrawing } from '../../nodes/world/depth/drawing.ts';
@@ -13,18 +13,20 @@ const WIDTH = 640;
 const HEIGHT = 480;
 /** What a phone gives. */
 const COLUMNS = 160;
-const ROWS = 90;
+const ROWS = 120;
 /** A sheet across the view at each of these distances cuts the room of the recording. */
 const SHEETS_M = [1.25, 1.5, 1.75, 2, 2.25];
 /** On either side of the true border. */
 const REACH_PX = 3;
 const UPRIGHT = Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
 
+/** How far the camera image is from where it belongs, as a fraction of its width; null without one. */
 const WAYS = {
-  nearest: { filter: 'nearest', guided: false },
-  linear: { filter: 'linear', guided: false },
-  'edge-aware without camera': { filter: 'edge-aware', guided: false },
-  'edge-aware': { filter: 'edge-aware', guided: true },
+  nearest: { filter: 'nearest', offset: null },
+  linear: { filter: 'linear', offset: null },
+  'edge-aware without camera': { filter: 'edge-aware', offset: null },
+  'edge-aware, camera shifted': { filter: 'edge-aware', offset: 0.06 },
+  'edge-aware': { filter: 'edge-aware', offset: 0 },
 } as const;
 
 export type Way = keyof typeof WAYS;
@@ -35,31 +37,55 @@ export interface Counts {
   shownEver: number;
   hidden: number;
   hiddenEver: number;
+  /** Pixels that are shown or hidden wrongly, in the band and outside. */
+  near: number;
+  far: number;
 }
 
 /** One frame of the recording, bottom row first. */
-export async function compare(depthUrl: string, colorUrl: string, seed: number): Promise<Record<Way, Counts>> {
+export async function compare(depthUrl: string, colorUrl: string, noise: DepthNoise): Promise<Record<Way, Counts>> {
   const gl = createGl(WIDTH, HEIGHT);
   const truth = await readMeters(depthUrl);
-  const sensed = sense(truth, seed);
+  const sensed = sense(truth, noise);
   const image = await readImage(gl, colorUrl);
   const result: [string, Counts][] = [];
-  for (const [way, { filter, guided }] of Object.entries(WAYS)) {
+  for (const [way, { filter, offset }] of Object.entries(WAYS)) {
     const { ctx } = fakeContext(definition, { params: { filter }, services: { gl } });
     ctx.outputs.depth.views.push(null);
     const node = create(ctx);
     const depth = room(gl, COLUMNS, ROWS, sensed);
-    node.update(frame(0, [view(0, 0, WIDTH, HEIGHT, { depth, cameraImage: guided ? image : null })]));
+    node.update(frame(0, [view(0, 0, WIDTH, HEIGHT, { depth, cameraImage: offset === null ? null : shifted(image, offset) })]));
     const [refined] = ctx.outputs.depth.views;
     if (!refined) throw new Error('There is no depth.');
     const found = readByPixel(gl, refined);
-    const counts: Counts = { shown: 0, shownEver: 0, hidden: 0, hiddenEver: 0 };
+    const counts: Counts = { shown: 0, shownEver: 0, hidden: 0, hiddenEver: 0, near: 0, far: 0 };
     for (const sheetM of SHEETS_M) count(counts, truth, found, sheetM);
     result.push([way, counts]);
     node.dispose();
   }
   if (gl.getError() !== 0) throw new Error('GL has an error.');
   return Object.fromEntries(result) as Record<Way, Counts>;
+}
+
+/** Shares of the pixels without depth, as windows are, whose panel at a distance is hidden: as measured, and with holes filled. */
+export async function hiddenPanel(depthUrl: string, panelM: number): Promise<{ unfilled: number; filled: number; holes: number }> {
+  const gl = createGl(WIDTH, HEIGHT);
+  const truth = await readMeters(depthUrl);
+  const holes = truth.reduce((count, m) => (m === 0 ? count + 1 : count), 0);
+  const hidden = (fillHoles: boolean): number => {
+    const { ctx } = fakeContext(definition, { params: { fillHoles }, services: { gl } });
+    ctx.outputs.depth.views.push(null);
+    const node = create(ctx);
+    node.update(
+      frame(0, [view(0, 0, WIDTH, HEIGHT, { depth: room(gl, COLUMNS, ROWS, sense(truth, { sigmaM: 0.01, sigmaPerM: 0.005, seed: 1 })) })]),
+    );
+    const [refined] = ctx.outputs.depth.views;
+    if (!refined) throw new Error('There is no depth.');
+    const found = readByPixel(gl, refined);
+    node.dispose();
+    return found.filter((m, i) => truth[i] === 0 && m > 0 && m < panelM).length / holes;
+  };
+  return { unfilled: hidden(false), filled: hidden(true), holes };
 }
 
 async function readMeters(url: string): Promise<Float32Array> {
@@ -80,16 +106,19 @@ async function readImage(gl: WebGL2RenderingContext, url: string): Promise<Camer
   return { texture, widthPx: bitmap.width, heightPx: bitmap.height, uvFromViewUv: UPRIGHT };
 }
 
-/** Every so many-th pixel, off by 1 cm and 0.5 % of the distance (normally distributed, by Box and Muller). */
-function sense(truth: Float32Array, seed: number): number[] {
-  const { next } = createRandom(seed, 'sensor');
-  return Array.from({ length: COLUMNS * ROWS }, (_, i) => {
+function shifted(image: CameraImage, offset: number): CameraImage {
+  return { ...image, uvFromViewUv: Float32Array.of(1, 0, 0, 0, 1, 0, offset, 0, 1) };
+}
+
+/** Every so many-th pixel, with the noise of the emulator's sensors. */
+function sense(truth: Float32Array, noise: DepthNoise): number[] {
+  const sensed = Float32Array.from({ length: COLUMNS * ROWS }, (_, i) => {
     const x = Math.floor((((i % COLUMNS) + 0.5) * WIDTH) / COLUMNS);
     const y = Math.floor(((Math.floor(i / COLUMNS) + 0.5) * HEIGHT) / ROWS);
-    const m = truth[y * WIDTH + x] ?? 0;
-    const off = Math.sqrt(-2 * Math.log(1 - next())) * Math.cos(2 * Math.PI * next());
-    return m > 0 ? m + off * (0.01 + 0.005 * m) : 0;
+    return truth[y * WIDTH + x] ?? 0;
   });
+  addDepthNoise(sensed, noise, 'frame');
+  return [...sensed];
 }
 
 /** What occlusions read at the middle of each pixel. */
@@ -118,9 +147,11 @@ float meters() { return scrim_roomM(room, interpolate, place(roomFromView, uv));
 function count(counts: Counts, truth: Float32Array, found: Float32Array, sheetM: number): void {
   const band = bandOf(truth, sheetM);
   for (let i = 0; i < band.length; i++) {
-    if (!band[i] || truth[i] === 0) continue;
+    if (truth[i] === 0) continue;
     const isShown = sheetM <= (truth[i] ?? 0);
     const looksShown = found[i] === 0 || sheetM <= (found[i] ?? 0);
+    if (isShown !== looksShown) counts[band[i] ? 'near' : 'far']++;
+    if (!band[i]) continue;
     if (isShown && looksShown) counts.shown++;
     if (isShown || looksShown) counts.shownEver++;
     if (!isShown && !looksShown) counts.hidden++;

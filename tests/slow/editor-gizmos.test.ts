@@ -85,6 +85,15 @@ async function tip(axis: Axis, by: (point: Point) => number): Promise<Point> {
   return { x: mean(({ x }) => x), y: mean(({ y }) => y) };
 }
 
+/** The pixel of an axis in the lower half that is farthest from the others: rings cross. */
+async function apart(axis: Axis, others: readonly Axis[]): Promise<Point> {
+  const points = await seeAxis(axis);
+  const crossing = (await Promise.all(others.map(seeAxis))).flat();
+  const middle = points.reduce((sum, { y }) => sum + y, 0) / points.length;
+  const distance = (a: Point): number => Math.min(...crossing.map((b) => Math.hypot(a.x - b.x, a.y - b.y)));
+  return points.filter(({ y }) => y > middle).reduce((best, point) => (distance(point) > distance(best) ? point : best));
+}
+
 /** The preview shows the gizmo of a tool, of a document as it was when the tool was chosen or later. */
 async function holds(mode: 'move' | 'rotate' | 'scale'): Promise<void> {
   await open.editor.preview.locator(`#gizmo[data-mode="${mode}"]`).waitFor();
@@ -190,7 +199,7 @@ test('Ctrl snaps to tenths of a meter, rings turn by 15°, boxes resize by tenth
     .and(page.locator('[aria-pressed="true"]'))
     .waitFor();
   await holds('rotate');
-  const ring = await tip('y', ({ y }) => y);
+  const ring = await apart('y', ['x', 'z']);
   await page.mouse.move(ring.x, ring.y);
   await page.mouse.down();
   await page.mouse.move(ring.x + 40, ring.y, { steps: 6 });

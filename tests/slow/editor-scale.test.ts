@@ -158,9 +158,8 @@ describe.each([
     await page.keyboard.press('Control+z');
 
     const handle = page.getByRole('separator', { name: 'Width of preview and inspector' });
-    const middle = await centerOf(handle);
-    // In the middle it may meet the handle below the preview.
-    const from = { x: middle.x, y: middle.y - 100 };
+    // Beside the preview, because it meets the handle below the preview farther down.
+    const from = { x: (await centerOf(handle)).x, y: (await boxOf(handle)).y + 60 };
     await editor.drag(from, { x: from.x - 60, y: from.y });
     await eventually(async () => expect(Math.abs((await centerOf(handle)).x - from.x + 60)).toBeLessThan(2));
     await editor.drag({ x: from.x - 60, y: from.y }, from);

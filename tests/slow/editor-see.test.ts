@@ -146,3 +146,20 @@ test('a picture stands in for the camera, and so does the webcam', async () => {
   await source().selectOption('camera');
   await shows(isGreen, 0.5);
 });
+
+test('the table of devices says what each shows, and plays as a headset', async () => {
+  const { page, editor } = open;
+  await page.keyboard.press('Escape');
+  await page.locator('.react-flow__pane').click({ position: { x: 20, y: 20 } });
+  const devices = page.getByRole('region', { name: 'Devices' });
+  const row = (name: string) => devices.locator('.device-row', { hasText: name });
+  expect(await row('Android phone').textContent()).toMatch(/everything works/);
+  await row('Meta Quest').getByRole('button', { name: 'Play as Meta Quest (Browser)' }).click();
+  await eventually(async () => expect(await source().inputValue()).toMatch(/^room/));
+  await editor.settled();
+  await page
+    .getByRole('button', { name: 'Two views' })
+    .or(page.getByRole('button', { name: 'One view' }))
+    .waitFor();
+  await row('Meta Quest').getByRole('button', { pressed: true }).waitFor();
+});

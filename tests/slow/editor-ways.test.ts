@@ -125,7 +125,10 @@ test('a problem is fixed by its button', async () => {
   const label = await fix.textContent();
   await fix.click();
   if (label?.startsWith('Delete')) await editor.node('sepia').waitFor({ state: 'detached' });
-  else await page.getByRole('combobox', { name: 'Search nodes' }).waitFor();
+  else {
+    await page.getByRole('combobox', { name: 'Search nodes' }).waitFor();
+    await page.keyboard.press('Escape');
+  }
 });
 
 test('keyframes are set by the diamond beside a value, dragged in the panel, and taken away', async () => {

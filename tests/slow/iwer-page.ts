@@ -1,6 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { resolve } from 'node:path';
 import { build } from 'esbuild';
+import type { XRDevice } from 'iwer';
 import type { Browser, Page } from 'playwright-core';
 import { collectErrors } from '../support/browser.ts';
 import { fromGl, type Picture } from '../support/picture.ts';
@@ -39,6 +40,7 @@ export interface IwerOptions {
 }
 
 interface TestIwer {
+  readonly device: XRDevice;
   readonly sessions: XRSession[];
 }
 
@@ -92,7 +94,7 @@ navigator.xr.requestSession = async (...given) => {
   sessions.push(session);
   return session;
 };
-globalThis.testIwer = { sessions };
+globalThis.testIwer = { device, sessions };
 // The page's own three.js is not the room's.
 Reflect.deleteProperty(globalThis, '__THREE__');
 `;

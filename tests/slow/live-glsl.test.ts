@@ -124,7 +124,7 @@ describe('the text helps', () => {
     await editor.type('x');
     expect(await page.locator('.monaco-editor .view-lines').first().textContent()).toBe(before);
     await page
-      .getByText(/techniques of the library share this chunk/)
+      .getByText(/materials of the library share this chunk/)
       .first()
       .waitFor();
     await editor.press('Back to the shader');
@@ -139,7 +139,7 @@ describe('the text helps', () => {
     await page.keyboard.press('F12');
     const bar = page.locator('.code-bar');
     await bar.getByText('chunks/paint/wash.glsl').waitFor();
-    await bar.getByText(/^Changes apply to every technique/).waitFor();
+    await bar.getByText(/^Changes apply to every material/).waitFor();
     await page.locator('.monaco-editor.focused').waitFor();
     expect(await editor.lineText()).toBe('vec3 wash() { return vec3(0.1, 0.2, 0.9); }');
 
@@ -154,7 +154,7 @@ describe('the text helps', () => {
 
     // Here, it is typed again; a mistake is marked where it is, and the last good one plays on.
     await editor.press('Edit here');
-    await bar.getByText(/^Changes apply to every technique/).waitFor();
+    await bar.getByText(/^Changes apply to every material/).waitFor();
     await editor.findInText('vec3(0.9');
     await editor.type('w');
     await page.locator('.monaco-editor .squiggly-error').first().waitFor();

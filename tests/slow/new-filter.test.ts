@@ -20,8 +20,8 @@ describe('npm run new-filter', () => {
 
   beforeAll(async () => {
     copy = await copyRepository([...PARTS, ...FILES]);
-    await copy.node('tools/new-filter.mjs', 'try-it');
-    await copy.node('tools/gen.mjs');
+    await copy.node('tools/run.mjs', 'new-filter/main.ts', 'try-it');
+    await copy.node('tools/run.mjs', 'gen/main.ts');
   });
   afterAll(() => copy.dispose());
 
@@ -47,8 +47,8 @@ describe('npm run new-filter', () => {
   test('a filter that is there is left alone', async () => {
     const path = join(copy.root, 'shader-library/filters/sepia.fs');
     const before = await readFile(path, 'utf8');
-    await expect(copy.node('tools/new-filter.mjs', 'sepia')).rejects.toThrow('The filter sepia exists already.');
-    await expect(copy.node('tools/new-filter.mjs', '../sepia')).rejects.toThrow('is not a filter name');
+    await expect(copy.node('tools/run.mjs', 'new-filter/main.ts', 'sepia')).rejects.toThrow('The filter sepia exists already.');
+    await expect(copy.node('tools/run.mjs', 'new-filter/main.ts', '../sepia')).rejects.toThrow('is not a filter name');
     expect(await readFile(path, 'utf8')).toBe(before);
   });
 });

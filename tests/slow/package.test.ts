@@ -37,7 +37,7 @@ describeElectron('the packaged app', electron, () => {
     const { version } = JSON.parse(await readFile(join(ROOT, 'node_modules/electron/package.json'), 'utf8')) as { version: string };
     const found = (await readFile(join(folder, 'version'), 'utf8')).trim().replace(/^v/, '');
     if (found !== version) process.stderr.write(`The packaged app is made with the tests' Electron ${found}, not with ${version}.\n`);
-    const made = spawnSync(process.execPath, [join(ROOT, 'tools/package.mjs'), '--electron', folder, '--out', base], {
+    const made = spawnSync(process.execPath, [join(ROOT, 'tools/run.mjs'), 'package/main.ts', '--electron', folder, '--out', base], {
       encoding: 'utf8',
       env: environment(),
     });

@@ -2,7 +2,7 @@
 import { Matrix4, Mesh, MeshLambertMaterial, SphereGeometry, Vector3 } from 'three';
 import { installEmulator } from '../../export/emulator/install-emulator.ts';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
-import type { ProgramNeed } from '../../export/program/program.ts';
+import type { ProgramNeed } from '../../export/program/needs.ts';
 import { requestWebXrSession } from '../../export/runtime/sessions/webxr/request-session.ts';
 import type { Capability } from '../../nodes/kit/definition.ts';
 import type { DetectedPlane, SessionFrame } from '../../nodes/kit/session.ts';

@@ -62,7 +62,7 @@ describeWithData('occlusion on a recorded room', 'sessions/icl-livingroom', (rec
     base = await mkdtemp(join(tmpdir(), 'scrim-occlusion-'));
     const session = join(base, 'project', 'sessions', 'room');
     await mkdir(dirname(session), { recursive: true });
-    await promisify(execFile)(process.execPath, [join(ROOT, 'tools/convert-session.mjs'), recording, session]);
+    await promisify(execFile)(process.execPath, [join(ROOT, 'tools/run.mjs'), 'sessions/convert-session.ts', recording, session]);
     const frames = await thinOut(join(session, 'session.json'));
     await writeProject(join(base, 'project'), { 'project.scrim.json': projectText(GRAPH) });
     await mkdir(join(base, 'project', 'assets'));

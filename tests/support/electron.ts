@@ -7,10 +7,10 @@ import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { promisify } from 'node:util';
 import { afterAll, beforeAll, describe } from '@jest/globals';
-import { _electron, type ElectronApplication, type Page } from 'playwright-core';
+import { _electron, type ElectronApplication, errors, type Page } from 'playwright-core';
 import { prepareContext } from './browser.ts';
 import { type Display, hasDisplay, openDisplay } from './display.ts';
-import { eventually, PATIENCE_MS } from './patience.ts';
+import { eventually } from './patience.ts';
 import { describeMissing } from './required.ts';
 
 const run = promisify(execFile);
@@ -88,12 +88,11 @@ export function describeElectron(name: string, electron: FoundElectron, body: (l
     body(async (args, env = {}) => {
       const settings = await mkdtemp(join(tmpdir(), 'scrim-electron-'));
       cleanUps.push(() => rm(settings, { recursive: true, force: true }));
-      const app = await _electron.launch({
+      const app = await launchAttached({
         executablePath: electron.executablePath,
         // Chromium’s sandbox does not work as root, such as in a container.
         args: [...(process.getuid?.() === 0 ? ['--no-sandbox'] : []), ...args],
         env: environment({ ...env, DISPLAY: display?.name ?? '', XDG_CONFIG_HOME: settings }),
-        timeout: PATIENCE_MS,
       });
       prepareContext(app.context());
       // Playwright does not return the process of an app that has exited.
@@ -102,6 +101,25 @@ export function describeElectron(name: string, electron: FoundElectron, body: (l
       return app;
     });
   });
+}
+
+/** Far longer than a launch takes, even on a busy machine. */
+const LAUNCH_MS = 60_000;
+const LAUNCHES = 4;
+
+/**
+ * Launches Electron, and launches it again if Playwright does not attach. Playwright hangs when it attaches during the first navigation of
+ * a window (its issues 17765 and 29386, both open), and kills the process when its timeout ends.
+ */
+async function launchAttached(options: NonNullable<Parameters<typeof _electron.launch>[0]>): Promise<ElectronApplication> {
+  for (let launch = 1; ; launch++) {
+    try {
+      return await _electron.launch({ ...options, timeout: LAUNCH_MS });
+    } catch (error) {
+      if (!(error instanceof errors.TimeoutError) || launch === LAUNCHES) throw error;
+      process.stderr.write(`Playwright did not attach to Electron within ${LAUNCH_MS / 1000} s. Electron is launched again.\n`);
+    }
+  }
 }
 
 /** The window with the editor. Waits for its content instead of the load event, which may have fired before anything listens. */

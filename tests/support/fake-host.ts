@@ -51,6 +51,7 @@ export function createFakeHost(
       examples: [],
       templates: [{ name: 'empty', title: 'Empty', description: 'Nothing yet.' }],
       canPickFolders: false,
+      projectsDir: '/home/me/Scrim',
     }),
     'app.close': () => ({}),
     'menu.show': () => ({}),

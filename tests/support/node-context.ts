@@ -10,8 +10,8 @@ export interface FakeContextOptions<D extends NodeDefinition> {
   readonly params?: { readonly [K in keyof D['params']]?: ParamValue };
   /** Values of inputs. Others are not connected. */
   readonly inputs?: Partial<NodeContext<D>['inputs']>;
-  /** Services that the node uses (`gl`, `scenes`, `assets`, `session`). Access to others throws. */
-  readonly services?: Partial<Pick<NodeContext<D>, 'gl' | 'scenes' | 'assets' | 'session' | 'random'>>;
+  /** Services that the node uses (`gl`, `scenes`, `assets`, `session`, `workers`). Access to others throws. */
+  readonly services?: Partial<Pick<NodeContext<D>, 'gl' | 'scenes' | 'assets' | 'session' | 'random' | 'workers'>>;
 }
 
 export interface FakeContext<D extends NodeDefinition> {
@@ -39,7 +39,9 @@ export function fakeContext<const D extends NodeDefinition>(definition: D, optio
   const params = ofStage('uniform', (value, param) => ({ value: live(value, param) }));
   const clock = { timeS: 0, deltaS: 0, frame: 0, held: false };
   const reports: Omit<Diagnostic, 'nodeId'>[] = [];
-  const outputs = Object.fromEntries(Object.entries(definition.outputs).map(([name, port]) => [name, emptyOutput(port.type)]));
+  // As where nothing reads outputs that are computed only then.
+  const written = Object.entries(definition.outputs).filter(([, port]) => !port.whenRead);
+  const outputs = Object.fromEntries(written.map(([name, port]) => [name, emptyOutput(port.type)]));
   const context = {
     node: `${definition.type.split('/')[1]}-test`,
     inputs: {
@@ -110,6 +112,8 @@ function emptyOutput(type: WireType): unknown {
     case 'objects':
     case 'lights':
       return { version: 0, items: [] };
+    case 'body':
+      return { version: 0, bodies: [] };
     case 'environment':
       return { asset: null, intensity: 1, rotationRad: 0 };
     case 'audio':
@@ -124,7 +128,7 @@ function emptyOutput(type: WireType): unknown {
 
 /** The given services; access to others throws with their name. */
 function services(given: Readonly<Record<string, unknown>>): Record<string, unknown> {
-  const all = ['gl', 'scenes', 'assets', 'session'].map((name) => [name, given[name] ?? refusing(name)] as const);
+  const all = ['gl', 'scenes', 'assets', 'session', 'workers'].map((name) => [name, given[name] ?? refusing(name)] as const);
   return { ...Object.fromEntries(all), ...(given.random === undefined ? {} : { random: given.random }) };
 }
 

@@ -42,10 +42,11 @@ describe.each(FOLDERS)('nodes/%s', (type) => {
     const kind = definition?.lowering.kind;
     const hasRuntime = kind !== 'image' && kind !== 'present' && kind !== 'cpu';
     expect(existsSync(join(folder, 'runtime.ts'))).toBe(hasRuntime);
-    expect(existsSync(join(folder, 'worker.ts'))).toBe(kind === 'cpu');
+    const hasWorker = kind === 'cpu' || definition?.worker === true;
+    expect(existsSync(join(folder, 'worker.ts'))).toBe(hasWorker);
     const played = RUNTIMES[type] ?? {};
     expect('create' in played && typeof played.create === 'function').toBe(hasRuntime);
-    expect('worker' in played && played.worker !== '').toBe(kind === 'cpu');
+    expect('worker' in played && played.worker !== '').toBe(hasWorker);
   });
 
   test('says whether its runtime reads input', () => {

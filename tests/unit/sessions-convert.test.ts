@@ -18,7 +18,7 @@ let folder: string;
 /** The converter as a user starts it. */
 async function convert(input: string, output: string, ...options: string[]): Promise<{ readonly code: number; readonly said: string }> {
   try {
-    const { stdout, stderr } = await run(process.execPath, ['tools/convert-session.mjs', input, output, ...options]);
+    const { stdout, stderr } = await run(process.execPath, ['tools/run.mjs', 'sessions/convert-session.ts', input, output, ...options]);
     return { code: 0, said: stdout + stderr };
   } catch (error) {
     const { code, stdout, stderr } = error as { code: number; stdout: string; stderr: string };

@@ -4,6 +4,7 @@ import { createRandom } from '../../export/runtime/random.ts';
 import type { PulseQueue } from '../../export/runtime/values/pulses.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import type { NodeDefinition, ParamDefinition, ParamValue } from '../../nodes/kit/definition.ts';
+import { HAND_JOINTS, jointIndex } from '../../nodes/kit/hand-joints.ts';
 import { createHit, type Hit, type HitRecord } from '../../nodes/kit/hit-test.ts';
 import { createPose, type PoseView, writePose } from '../../nodes/kit/pose.ts';
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
@@ -11,6 +12,7 @@ import type { ObjectList } from '../../nodes/kit/scene-lists.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
 import { LIBRARY } from '../support/library.ts';
 import { fakeContext, pulseNumbers } from '../support/node-context.ts';
+import { FIXED, IN_BROWSERS, SHOWING, SHOWN_ELSEWHERE } from './stateful-cases.ts';
 
 /**
  * Every node type is played twice, once from frame 0 and once from frame 14, with inputs that change in every frame, and compared at
@@ -22,30 +24,9 @@ const RATE_HZ = 10;
 /** The first of the frames that are played before a reset. */
 const OTHERS = 100;
 
-/** What draws nothing but the scene it is given, which the fake scene takes; and what the GPU alone would show. */
-const GPU_ALONE: Readonly<Record<string, string>> = {
-  'world/depth': 'Only its steadier keeps a picture, on the GPU, and only where smoothing is on: tests/browser/room-depth.test.ts.',
-};
-
-/** Params that keep a node off the GPU. */
-const FIXED: Readonly<Record<string, Readonly<Record<string, ParamValue>>>> = {
-  'world/depth': { source: 'device', filter: 'nearest', fillHoles: false, smoothingS: 0 },
-  'source/camera-video': { withoutImage: 'transparent' },
-};
-
-/** Values, kept in all frames, at which what a node keeps is seen. */
-const SHOWING: Readonly<Record<string, Readonly<Record<string, ParamValue>>>> = {
-  'pulse/every': { periodS: 0.25 },
-  'pulse/on-start': { delayS: 0.05 },
-  'pulse/on-change': { least: 1 },
-  'pose/follow': { timeConstantS: 1 },
-  'pose/inside-box': { sizeM: [1, 1, 1], marginM: 1 },
-  'world/measure': { moveM: 10 },
-};
-
 const TYPES = Object.keys(RUNTIMES).filter((type) => {
   const module = RUNTIMES[type];
-  return module !== undefined && 'create' in module && LIBRARY.definition(type) !== undefined;
+  return module !== undefined && 'create' in module && LIBRARY.definition(type) !== undefined && !IN_BROWSERS.includes(type);
 });
 
 function definitionOf(type: string): NodeDefinition {
@@ -105,8 +86,18 @@ function controller(frame: number, last: number, salt: number) {
     squeeze: chance(frame, salt + 2),
     primary: pressed(3),
     secondary: pressed(4),
+    stickPressed: pressed(5),
     worldFromRay: new Float32Array(16).fill(frame),
+    worldFromGrip: null,
+    haptics: null,
   };
+}
+
+/** Its tips of thumb and index finger touch two frames before the last, and are within the hysteresis of a pinch in the next one. */
+function hand(frame: number, last: number) {
+  const worldFromJoints = new Float32Array(16 * HAND_JOINTS.length).map((_, i) => ((i % 16) % 5 === 0 ? 1 : 0));
+  worldFromJoints[16 * jointIndex('index-finger-tip') + 12] = frame === last - 2 ? 0.005 : frame === last - 1 ? 0.02 : 0.1;
+  return { tracked: true, worldFromJoints, radiiM: new Float32Array(HAND_JOINTS.length) };
 }
 
 /** Each is there for two frames. */
@@ -158,7 +149,15 @@ function sessionFrame(frame: number, first: number, last: number): SessionFrame 
     deltaS: frame === first ? 0 : 1 / RATE_HZ,
     viewCount: 1,
     views: [
-      { eye: 'none', worldFromView: pointer(frame).worldFromRay, cameraImage: picture, depth: { ...picture, texture: `depth ${frame}` } },
+      {
+        eye: 'none',
+        worldFromView: pointer(frame).worldFromRay,
+        viewFromWorld: pointer(frame, 1).worldFromRay,
+        clipFromView: Float32Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -0.2, 0),
+        nearM: 0.1,
+        cameraImage: picture,
+        depth: { ...picture, texture: `depth ${frame}` },
+      },
     ],
     light: null,
     surfaces: surfaces(frame),
@@ -170,6 +169,8 @@ function sessionFrame(frame: number, first: number, last: number): SessionFrame 
       tapCount: tapped ? 1 : 0,
       left: controller(frame, last, 31),
       right: controller(frame, last, 37),
+      leftHand: hand(frame, last),
+      rightHand: hand(frame, last),
     },
   } as unknown as SessionFrame;
 }
@@ -188,7 +189,7 @@ function written(value: unknown): string {
   // By `this`, because three's objects write themselves otherwise, with an id that is new each time.
   return JSON.stringify(value, function (this: Readonly<Record<string, unknown>>, key) {
     const part = this[key];
-    if (key === 'version' || typeof part === 'function') return undefined;
+    if (key === 'version' || key === 'claimant' || typeof part === 'function') return undefined;
     if (ArrayBuffer.isView(part)) return [...(part as Float32Array)];
     if (part instanceof Matrix4) return part.elements;
     if (isObject3D(part)) {
@@ -226,12 +227,15 @@ function giveAt(
     light: null as unknown,
     cameraMean: null as unknown,
     sessions: 1,
+    frame: sessionFrame(0, 0, 0),
     anchors: {
       create: (at: Hit | ArrayLike<number>) => {
         const worldFromAnchor = Float32Array.from('worldFromHit' in at ? at.worldFromHit : at);
-        return { id: 'anchor', state: 'tracked', worldFromAnchor, delete: () => {} };
+        return { id: 'anchor', state: 'tracked', worldFromAnchor, keeping: 'not-asked', evicted: 0, delete: () => {} };
       },
+      ...{ restore: () => null, forget: () => {} },
     },
+    depthPicture: () => null,
     openHitTest: () => ({ read: () => hits(now), close: () => {} }),
     castRay: (ray: Float32Array, out: HitRecord) => {
       out.worldFromHit.set(ray);
@@ -261,13 +265,19 @@ function giveAt(
     Object.entries(definition.params).flatMap(([name, { stage }]) => (stage === 'asset' ? [[name, 'a']] : [])),
   );
   const random = createRandom(1, 'node');
-  const services = { session, assets, scenes, random: random.next } as never;
+  const workers = {
+    start: () => {
+      throw new Error('There is no worker.');
+    },
+  };
+  const services = { session, assets, scenes, workers, random: random.next } as never;
   const params = { ...files, ...FIXED[type], ...start } as never;
   const fake = fakeContext(definition, { params, inputs: inputs as never, services });
   const clock = fake.ctx.clock as { timeS: number; deltaS: number; frame: number; held: boolean };
   clock.held = true;
   const { outputs } = fake.ctx;
   for (const [name, port] of Object.entries(definition.outputs)) {
+    if (port.whenRead) continue;
     const { views } = outputs[name] as unknown as { views: unknown[] };
     if (port.type === 'layer') views.push({ texture: null, widthPx: 0, heightPx: 0, uvFromViewUv: new Float32Array(9) });
     if (port.type === 'depth') views.push(null);
@@ -293,8 +303,9 @@ function giveAt(
       // None in the last two frames, where it could hide what came before.
       if (frame < last - 1 && chance(frame, salt) < 0.4) queue.emit().number = frame;
     });
-    for (const { items } of objects) for (const { worldFromObject } of items) worldFromObject.makeTranslation(frame, 0, 0);
-    node.update(sessionFrame(frame, first, last));
+    for (const { items } of objects) for (const { worldFromObject } of items) worldFromObject.makeTranslation(chance(frame, 3), 0, -2);
+    session.frame = sessionFrame(frame, first, last);
+    node.update(session.frame);
     node.remember?.();
   };
   // As the player does it.
@@ -312,7 +323,8 @@ function giveAt(
     if (wire === 'pose') return [name, (output as PoseView).valid ? output : 'invalid'];
     if (wire === 'pulse') return [name, pulseNumbers(output)];
     // In whatever order surfaces were found.
-    if (wire === 'objects') return [name, [...(output as ObjectList).items].sort((a, b) => a.key.localeCompare(b.key))];
+    if (wire === 'objects')
+      return [name, [...((output as ObjectList | undefined)?.items ?? [])].sort((a, b) => a.key.localeCompare(b.key))];
     return [name, output];
   });
   const text = written([given, asked]);
@@ -358,7 +370,7 @@ describe.each(TYPES.filter((type) => stateless(definitionOf(type)) !== null))('%
   });
 });
 
-describe.each(TYPES.filter((type) => definitionOf(type).stateful !== undefined && !(type in GPU_ALONE)))('%s', (type) => {
+describe.each(TYPES.filter((type) => definitionOf(type).stateful !== undefined && !(type in SHOWN_ELSEWHERE)))('%s', (type) => {
   test('is rightly declared stateful: a frame differs when it is played from the one before', () => {
     const start = SHOWING[type] ?? {};
     const lasts = Array.from({ length: LAST }, (_, i) => i + 5);

@@ -14,7 +14,7 @@ beforeAll(async () => {
     {
       nodes: {
         'box-x1': ['objects/primitive', { sizeM: [0.2, 0.2, 0.2] }],
-        'place-x1': 'objects/place',
+        'place-x1': ['objects/place', { reticle: false }],
         'scene-x1': 'layer/scene',
         'sun-x1': 'light/directional',
         'screen-x1': 'output/screen',
@@ -65,7 +65,8 @@ interface Drawn {
 function drawnBy({ page }: XrPage): Promise<Drawn | null> {
   return page.evaluate(() => {
     const gl = document.querySelector('canvas')?.getContext('webgl2') as { drawn?: Drawn } | null | undefined;
-    return gl?.drawn ?? null;
+    // The quads that filter the environment have no view matrix.
+    return gl?.drawn && 'viewMatrix' in gl.drawn ? gl.drawn : null;
   });
 }
 
@@ -115,6 +116,15 @@ async function touch(xr: XrPage, ...points: readonly (readonly [x: number, y: nu
   await xr.page.evaluate(() => scrimEmulator?.current?.release());
   await xr.step(3);
 }
+
+/** Counts the programs that the page links. */
+const COUNT = `
+  const { linkProgram } = WebGL2RenderingContext.prototype;
+  WebGL2RenderingContext.prototype.linkProgram = function (program) {
+    globalThis.linked = (globalThis.linked ?? 0) + 1;
+    linkProgram.call(this, program);
+  };
+`;
 
 /** 1 mm. */
 const near = (place: readonly number[]) => place.map((x) => expect.closeTo(x, 3));
@@ -212,6 +222,11 @@ test('without AR the mouse places and drags the box on the floor', async () => {
   await page.mouse.up();
   // The view has not turned: the box is where the mouse is.
   await showsAt(...to);
+  // The arrow keys move it, and do not turn the view.
+  await page.keyboard.press('ArrowRight');
+  await eventually(async () => expect((await box())?.[1]).toBeGreaterThan(to[0] + 5));
+  await page.keyboard.press('Control+z');
+  await showsAt(...to);
   // It stays there when the graphics context is lost and restored.
   await page.evaluate(async () => {
     const canvas = document.querySelector('canvas');
@@ -230,6 +245,67 @@ test('without AR the mouse places and drags the box on the floor', async () => {
     await restored;
   });
   await showsAt(...to);
+  // After Escape they turn the view.
+  await page.keyboard.press('Escape');
+  await eventually(async () => {
+    await page.keyboard.press('ArrowRight');
+    expect((await box())?.[1]).not.toBeCloseTo(to[0], 0);
+  });
   expect(xr.errors).toEqual([]);
   await xr.close();
+});
+
+test.each([
+  ['phone', 'move'],
+  ['headset', 'add'],
+] as const)('a first tap on a %s compiles nothing', async (device, mode) => {
+  const shadowed = await serveProjectText(
+    {
+      nodes: {
+        'box-x1': ['objects/primitive', { sizeM: [0.2, 0.2, 0.2] }],
+        'place-x1': ['objects/place', { mode }],
+        'scene-x1': 'layer/scene',
+        'sun-x1': 'light/directional',
+        'shadow-x1': 'layer/shadow',
+        'planes-x1': 'world/planes',
+        'over-x1': 'operator/over',
+        'screen-x1': 'output/screen',
+      },
+      wires: [
+        'box-x1.objects -> place-x1.objects',
+        'place-x1.objects -> scene-x1.objects',
+        'sun-x1.lights -> scene-x1.lights',
+        'place-x1.objects -> shadow-x1.casters',
+        'planes-x1.objects -> shadow-x1.receivers',
+        'sun-x1.lights -> shadow-x1.lights',
+        'scene-x1.layer -> over-x1.top',
+        'shadow-x1.layer -> over-x1.bottom',
+        'over-x1.layer -> screen-x1.layer',
+      ],
+    },
+    {},
+  );
+  const xr = await openXrPage(chromium.browser, shadowed.url, { device, room: 'studio' }, SIZE, `${WATCH}${COUNT}`);
+  await xr.setPose(HEAD);
+  await xr.enter();
+  await xr.step(3);
+  const linked = () => xr.page.evaluate(() => (globalThis as { linked?: number }).linked ?? 0);
+  const before = await linked();
+  expect(before).toBeGreaterThan(2);
+  if (device === 'phone') await touch(xr, [0.6, 0.55]);
+  else {
+    for (const trigger of [0, 1, 0]) {
+      await xr.page.evaluate((trigger) => {
+        const controller = scrimEmulator?.current?.device.controllers.right;
+        controller?.position.set(0.2, 1.2, 0.5);
+        controller?.quaternion.set(-Math.SQRT1_2, 0, 0, Math.SQRT1_2);
+        controller?.updateButtonValue('trigger', trigger);
+      }, trigger);
+      await xr.step(2);
+    }
+  }
+  expect(await linked()).toBe(before);
+  expect(xr.errors).toEqual([]);
+  await xr.close();
+  await shadowed.close();
 });

@@ -27,6 +27,10 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
   SCR025:
     'Choose a lower resolution or “Soft” edges, so that all devices show the same shadows. This device limits the texture size or has no 32-bit float textures.',
   SCR026: 'Delete unused nodes, or nest fewer instances of subgraphs. Each instance counts with all its nodes.',
+  SCR027: 'Connect everything to one of the two nodes, and delete the other.',
+  SCR028:
+    'Use a panorama in which lamps or windows are visible, choose the other method, or add a Directional light. Until then the whole panorama lights the scene.',
+  SCR029: 'Export the panorama again from the program that made it, without infinite, negative or undefined numbers.',
   SCR030: 'Import the file into the project, or choose another in the inspector.',
   SCR031: 'Copy the file into the project’s `assets` folder and choose it from there.',
   SCR032: 'Open the file in the program that made it and save it again: images as PNG, JPEG or WebP, models as glTF 2.0 (.glb).',
@@ -37,6 +41,9 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
     'Close the holes in a 3D program where visitors can see into them. Hidden objects and shadows show through the holes of a phantom. Other models are not checked.',
   SCR036:
     'No action is needed: the page contains the uncompressed model. To compress it, try to save it again in the program that made it.',
+  SCR037:
+    'Choose “Box” as the shape if a box is right. Otherwise use a model that is solid and has fewer vertices: flat models, models without volume and models of more than 200,000 vertices have no useful hull.',
+  SCR038: 'Connect the output “Body” to the input “Bodies” of a Physics world, or delete the Body node.',
   SCR040: 'Fix the JSON in the shader’s first comment at the line that the message names.',
   SCR041: 'Fix the line that the message names. Until then the last working version plays.',
   SCR042: 'Fix the line that the message names; the graphics driver rejected it. Until then the last working version plays.',
@@ -49,6 +56,8 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
     'Ask the author of the work for other terms, use another work, or publish the page non-commercially. Works under “NC” licenses may be shown with their credit for non-commercial purposes.',
   SCR047:
     'Reload the page. If the browser starts no workers, for example because the site’s policy forbids them, remove the effect. For your own effect, the message contains the error in its `worker.ts`. Until then the layer is shown without the effect.',
+  SCR048:
+    'Insert a Tone map into the wire of a scene layer that should become a display layer, or “To scene” into the wire of a display layer. The problem list offers both.',
   SCR050: 'Open the page in a browser with WebXR, such as Chrome on an AR phone; other browsers show the page without AR.',
   SCR051: 'Allow the requested features in the browser’s site settings, and start again.',
   SCR052: 'Start the session again.',
@@ -57,6 +66,10 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
   SCR055: 'No action is needed. For the complete effect, use a device with the feature that the message names.',
   SCR056:
     'Find the source of the pulses: an interval that is too short, or a cycle of wires. A node passes on at most 16 pulses per frame; the rest is lost.',
+  SCR057: 'Place the objects anew at the next visit, or remove anchors that are no longer needed by a pulse at “Clear”.',
+  SCR058:
+    'If it happens once, no action is needed: a new worker goes on from the last step. If it happens again, reload the page and simulate fewer bodies.',
+  SCR059: 'Shorten the text. For characters that the font of Text 3D lacks, use a Label, which draws with the fonts of the browser.',
   SCR060: 'Choose a folder with write permission, or change its permissions.',
   SCR061: 'Choose an empty or new folder, or one of an earlier export; nothing was changed.',
   SCR062: 'Free some disk space and try again; the files on disk are unchanged.',

@@ -315,7 +315,7 @@ export const SECTIONS: readonly Section[] = [
         shows: height('counter.number'),
       },
       {
-        title: 'Gamepad: the stick',
+        title: 'Controller: the stick',
         nodes: {
           gamepad: ['input/gamepad', { deadZone: 0 }],
           x: ['value/math', { operation: 'multiply', b: 0.4 }],

@@ -7,6 +7,7 @@ import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts'
 import type { ToolMain } from '../lib/tool.ts';
 import { makeChime } from './chime.ts';
 import { GALLERY_FILES, makeGallery } from './gallery.ts';
+import { makeLitRoom } from './lit-room.ts';
 import { makeFilm } from './make-film.ts';
 import { makeHands } from './paper/hands.ts';
 import { makeProject } from './paper/recipe.ts';
@@ -30,6 +31,7 @@ const SKY_PATHS = [
   'nodes/light/environment/example/assets/sky.hdr',
   `examples/gallery/assets/${GALLERY_FILES.sky}`,
 ];
+const LIT_ROOM_PATHS = ['nodes/light/from-panorama/example/assets/room.hdr'];
 const CHIME_PATHS = ['nodes/source/audio-file/example/assets/chime.wav'];
 const BALL_PATHS = ['nodes/source/video-file/example/assets/film.webm'];
 const STRIPES_PATHS = [`examples/gallery/assets/${GALLERY_FILES.film}`];
@@ -51,6 +53,7 @@ export const main: ToolMain = async (_args, { root }) => {
   );
   await place(root, PINWHEEL_PATHS, await makePinwheel());
   await place(root, SKY_PATHS, makeSky());
+  await place(root, LIT_ROOM_PATHS, makeLitRoom());
   await place(root, CHIME_PATHS, makeChime());
   await place(root, BALL_PATHS, await makeFilm(root, 'makeBall'));
   await place(root, STRIPES_PATHS, await makeFilm(root, 'makeStripes'));

@@ -11,9 +11,8 @@ import { writePicture } from './write-picture.ts';
 const OWN_SHEET = 'docs/gallery.jpg';
 
 /**
- * Makes a contact sheet of all examples over the studio, `docs/gallery.jpg`, and the small pictures of them and of the templates that
- * the editor shows. With folders of recorded sessions named, and a folder to
- * write to before them, makes one sheet for each session there instead: `npm run gallery -- /tmp/sheets recordings/desk`.
+ * `npm run gallery` renders all examples in the studio to a contact sheet, `docs/gallery.jpg`, and to the thumbnails of examples and templates
+ * that the editor shows. `npm run gallery -- OUT SESSION…` writes one contact sheet per recorded session to the folder OUT instead.
  */
 export const main: ToolMain = async ([out, ...sessions], { root }) => {
   const { examplesDir, templatesDir } = installationAt(root, '0.0.0');

@@ -7,7 +7,7 @@ export interface NodeFolder {
   /** `CATEGORY/NAME`, which is also the node's type. */
   readonly type: string;
   readonly hasRuntime: boolean;
-  /** Changes pixels in a worker (`worker.ts`). */
+  /** Has a worker (`worker.ts`): a CPU filter, or the worker of its runtime. */
   readonly hasWorker: boolean;
 }
 

@@ -69,7 +69,9 @@ describe('gen', () => {
       params: { amount: { type: 'number', default: 0.5, min: 0, max: 1 } },
       lowering: { kind: 'image', shader: 'filters/negate.fs', access: 'pointwise' },
     });
-    expect(SHADERS).toEqual({ 'filters/negate.fs': FILTER, 'layer/hide/hide.fs': 'void main() {}\n' });
+    const { 'fonts/inter': font = '', ...shaders } = SHADERS;
+    expect(font).toContain('\nA\t');
+    expect(shaders).toEqual({ 'filters/negate.fs': FILTER, 'layer/hide/hide.fs': 'void main() {}\n' });
 
     const { RUNTIMES } = await load<{ RUNTIMES: Record<string, { create(): string }> }>('runtimes.gen.ts');
     expect(Object.keys(RUNTIMES)).toEqual(['value/twice']);

@@ -2,6 +2,7 @@ import { join } from 'node:path';
 import { writeIfChanged } from '../lib/files.ts';
 import type { ToolContext } from '../lib/tool.ts';
 import { findNodes } from './find-nodes.ts';
+import { fontLibrary } from './font.ts';
 import { isfDefinitions } from './isf.ts';
 import { printDefinitions, printRuntimeFiles, printRuntimes } from './print.ts';
 import { writeWorkers } from './workers.ts';
@@ -12,7 +13,8 @@ import { writeWorkers } from './workers.ts';
  */
 export async function main(_args: readonly string[], context: ToolContext): Promise<number> {
   const { root } = context;
-  const found = await findNodes(root);
+  const files = await findNodes(root);
+  const found = { ...files, library: [...files.library, await fontLibrary()] };
   const folder = join(root, 'nodes', 'generated');
   const { definitions, problems: shaderProblems } = await isfDefinitions(found.library, context);
   const problems = [...shaderProblems, ...(await writeWorkers(root, found))];

@@ -17,7 +17,7 @@ export function printDefinitions(found: Found, isfDefinitions: readonly NodeDefi
     ...imports,
     '\nexport const DEFINITIONS: readonly NodeDefinition[] = [\n',
     ...entries,
-    '];\n\n/** ISF files and techniques by the name that `lowering.shader` gives; chunks as `chunks/NAME.glsl`. */\n',
+    '];\n\n/** ISF files and techniques by the name that `lowering.shader` gives; chunks as `chunks/NAME.glsl`, fonts as `fonts/NAME`. */\n',
     'export const SHADERS: Readonly<Record<string, string>> = {\n',
     ...shaders,
     '};\n',

@@ -14,19 +14,20 @@ export function workerFile(type: string): string {
 }
 
 /**
- * One module per `worker.ts`, with the text of a whole worker: pages start it from a blob, because those opened from a disk get none
+ * One module per `worker.ts`, with the text of a whole worker and the runtime of the node, if there is one: pages start it from a blob, because those opened from a disk get none
  * from a file. Gives what is wrong with those that cannot be bundled.
  */
 export async function writeWorkers(root: string, { nodes }: Found): Promise<string[]> {
   const folder = join(root, 'nodes', 'generated', WORKERS_FOLDER);
-  const types = nodes.flatMap(({ type, hasWorker }) => (hasWorker ? [type] : []));
-  const kept = new Set(types.map(workerFile));
+  const found = nodes.filter(({ hasWorker }) => hasWorker);
+  const kept = new Set(found.map(({ type }) => workerFile(type)));
   for (const file of await readdir(folder).catch(() => [])) if (!kept.has(file)) await rm(join(folder, file));
   const problems: string[] = [];
-  for (const type of types) {
+  for (const { type, hasRuntime } of found) {
     try {
-      const text = await bundleWorker(root, type);
-      await writeIfChanged(join(folder, workerFile(type)), `${HEADER}\nexport const worker = ${JSON.stringify(text)};\n`);
+      const text = await bundleWorker(root, type, hasRuntime);
+      const played = hasRuntime ? `export { create } from '../../${type}/runtime.ts';\n` : '';
+      await writeIfChanged(join(folder, workerFile(type)), `${HEADER}\n${played}export const worker = ${JSON.stringify(text)};\n`);
     } catch (error) {
       problems.push(`nodes/${type}/worker.ts: ${error instanceof Error ? error.message : String(error)}`);
     }
@@ -34,13 +35,10 @@ export async function writeWorkers(root: string, { nodes }: Found): Promise<stri
   return problems;
 }
 
-async function bundleWorker(root: string, type: string): Promise<string> {
+async function bundleWorker(root: string, type: string, hasRuntime: boolean): Promise<string> {
   const { outputFiles } = await build({
     stdin: {
-      contents: `import { servePixels } from './nodes/kit/serve-pixels.ts';
-import { process } from './nodes/${type}/worker.ts';
-servePixels(self, process);
-`,
+      contents: hasRuntime ? serveNode(type) : servePixels(type),
       resolveDir: root,
       sourcefile: `${type}.ts`,
       loader: 'ts',
@@ -56,4 +54,19 @@ servePixels(self, process);
     logLevel: 'silent',
   });
   return outputFiles[0]?.text ?? '';
+}
+
+/** A CPU filter: `process` changes pixels. */
+function servePixels(type: string): string {
+  return `import { servePixels } from './nodes/kit/serve-pixels.ts';
+import { process } from './nodes/${type}/worker.ts';
+servePixels(self, process);
+`;
+}
+
+/** A worker of its own kind: `serve` listens to its runtime. */
+function serveNode(type: string): string {
+  return `import { serve } from './nodes/${type}/worker.ts';
+serve(self);
+`;
 }

@@ -24,6 +24,7 @@ const TEST_FILES = ['**/*.test.{ts,tsx}', 'tests/**'];
 const SHELLS = 'app/{services,electron,server,cli}/**';
 const PAGES = '{export/runtime,export/page,export/emulator,renderer}/**';
 const EXPORT_KIT = ['kit', 'kit runtime'];
+const NODE_KIT = [...EXPORT_KIT, 'kit with three'];
 const HOST = [
   'kit',
   'contract',
@@ -47,16 +48,18 @@ export const LAYERS: readonly Layer[] = [
   {
     name: 'kit',
     files: [
-      'nodes/kit/{arithmetic,asset-words,categories,choice-options,curve,definition,diagnostics,ease,expression,facts,frame-times,light-params,play-expression,play-size,rotation-param,surface-params,track-time,wire-types}.ts',
+      'nodes/kit/panorama/**',
+      'nodes/kit/{arithmetic,asset-words,categories,choice-options,color-math,curve,definition,diagnostics,ease,expression,facts,frame-times,glyphs,hand-joints,light-params,play-expression,play-size,rotation-param,surface-params,track-time,wire-types}.ts',
     ],
   },
+  { name: 'kit with three', files: ['nodes/kit/three/**'], imports: EXPORT_KIT, packages: ['three'] },
   { name: 'kit runtime', files: ['nodes/kit/**'], imports: ['kit'], types: ['three'] },
   { name: 'registry of definitions', files: ['nodes/generated/definitions.gen.ts'], imports: ['kit', 'node definition'] },
   { name: 'registry of runtimes', files: ['nodes/generated/runtimes.gen.ts'], imports: ['kit runtime', 'node', 'workers as text'] },
-  { name: 'workers as text', files: ['nodes/generated/workers/*.gen.ts'] },
+  { name: 'workers as text', files: ['nodes/generated/workers/*.gen.ts'], imports: ['node'] },
   { name: 'registry of runtime files', files: ['nodes/generated/runtime-files.gen.ts'] },
   { name: 'node definition', files: ['nodes/*/*/definition.ts'], imports: ['kit'], own: 'none' },
-  { name: 'node', files: ['nodes/*/*/**'], imports: EXPORT_KIT, packages: ['three', 'cannon-es'], own: 'folder' },
+  { name: 'node', files: ['nodes/*/*/**'], imports: NODE_KIT, packages: ['three', 'cannon-es'], own: 'folder' },
   { name: 'shader library', files: ['shader-library/**'], noCode: true },
 
   { name: 'program', files: ['export/program/**'], types: ['kit'] },

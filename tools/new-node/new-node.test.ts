@@ -40,9 +40,10 @@ describe('npm run new-node', () => {
 
   beforeAll(async () => {
     copy = await copyRepository([...PARTS, ...FILES]);
-    await copy.node('tools/gen.mjs');
-    for (const [type, ...template] of NODES) await copy.node('tools/new-node.mjs', type, ...template.filter((name) => name !== undefined));
-    await copy.node('tools/gen.mjs');
+    await copy.node('tools/run.mjs', 'gen/main.ts');
+    for (const [type, ...template] of NODES)
+      await copy.node('tools/run.mjs', 'new-node/main.ts', type, ...template.filter((name) => name !== undefined));
+    await copy.node('tools/run.mjs', 'gen/main.ts');
   });
   afterAll(() => copy.dispose());
 
@@ -80,7 +81,7 @@ describe('npm run new-node', () => {
   });
 
   test('its files keep to the layers', async () => {
-    expect(await copy.node('tools/layers.mjs')).toContain('keep to the table');
+    expect(await copy.node('tools/run.mjs', 'layers/main.ts')).toContain('keep to the table');
   });
 
   test('its tests pass', async () => {
@@ -102,7 +103,9 @@ describe('npm run new-node', () => {
   test('an existing folder does not change', async () => {
     const path = join(copy.root, 'nodes/value/try-it/definition.ts');
     const before = await readFile(path, 'utf8');
-    await expect(copy.node('tools/new-node.mjs', 'value/try-it')).rejects.toThrow('The node type value/try-it exists already');
+    await expect(copy.node('tools/run.mjs', 'new-node/main.ts', 'value/try-it')).rejects.toThrow(
+      'The node type value/try-it exists already',
+    );
     expect(await readFile(path, 'utf8')).toBe(before);
   });
 });

@@ -1,3 +1,4 @@
+import { convertLayers } from '../../export/graph/commands/convert-layers.ts';
 import { addNode } from '../../export/graph/commands/node-commands.ts';
 import { connect } from '../../export/graph/commands/wire-commands.ts';
 import { EMPTY_LAYOUT, newProject } from '../../export/graph/new-project.ts';
@@ -20,19 +21,25 @@ export function surround(library: NodeLibrary, type: string, title: string): Pro
   if (!own) throw new Error(`The node type ${type} does not exist.`);
   const builder = createBuilder(library, title);
   const suppliers = cheapestSuppliers(definitions);
+  /** The nodes that supply inputs, by `node.port`. */
+  const supplied = new Map<string, { readonly id: string; readonly definition: NodeDefinition }>();
   const supply = (id: string, definition: NodeDefinition, taken: string | null): void => {
     for (const [name, port] of Object.entries(definition.inputs)) {
       if (!port.required || name === taken) continue;
       const supplier = suppliers.get(port.type);
       if (!supplier) continue;
       const from = builder.place(supplier.definition);
+      supplied.set(`${id}.${name}`, { id: from, definition: supplier.definition });
       supply(from, supplier.definition, null);
       builder.wire({ node: from, port: supplier.port }, { node: id, port: name });
     }
   };
   let last = builder.place(own);
   supply(last, own, null);
-  for (const step of chainToOutput(own, definitions)) {
+  // A node that acts on another is seen by what it does to that one.
+  const shown = (own.actsOn !== undefined && supplied.get(`${last}.${own.actsOn}`)) || { id: last, definition: own };
+  last = shown.id;
+  for (const step of chainToOutput(shown.definition, definitions)) {
     const id = builder.place(step.definition);
     builder.wire({ node: last, port: step.fromPort }, { node: id, port: step.toPort });
     supply(id, step.definition, step.toPort);
@@ -50,21 +57,26 @@ function createBuilder(library: NodeLibrary, title: string) {
   };
   return {
     place: ({ type }: NodeDefinition): string => {
-      const stem = type.slice(type.indexOf('/') + 1);
-      const taken = project.graphs[MAIN_GRAPH]?.nodes ?? {};
-      let number = 1;
-      while (Object.hasOwn(taken, `${stem}-x${number}`)) number++;
-      const id = `${stem}-x${number}`;
+      const id = freeId(project, type);
       apply(addNode(project, { library, graph: MAIN_GRAPH, id, type, x: 0, y: 0 }));
       return id;
     },
     wire: (from: PortAddress, to: PortAddress): void => apply(connect(project, { library, graph: MAIN_GRAPH, from, to })),
     finish: (): Project => {
+      apply(convertLayers(project, { library, graph: MAIN_GRAPH, first: [], except: [], makeId: freeId }));
       const graph = project.graphs[MAIN_GRAPH];
       if (!graph) throw new Error('A project has a main graph.');
       return { ...project, layout: { [MAIN_GRAPH]: { ...EMPTY_LAYOUT, nodes: placeNodes(graph, undefined) } } };
     },
   };
+}
+
+function freeId(project: Project, type: string): string {
+  const stem = type.slice(type.indexOf('/') + 1);
+  const taken = project.graphs[MAIN_GRAPH]?.nodes ?? {};
+  let number = 1;
+  while (Object.hasOwn(taken, `${stem}-x${number}`)) number++;
+  return `${stem}-x${number}`;
 }
 
 interface Supplier {

@@ -31,6 +31,11 @@ export class Hands {
     await this.count({ kind: 'click', what, at });
   }
 
+  async clickAt(what: string, at: Point): Promise<void> {
+    await this.page.mouse.click(at.x, at.y);
+    await this.count({ kind: 'click', what, at });
+  }
+
   async drag(what: string, from: Point, to: Point): Promise<void> {
     const { mouse } = this.page;
     await mouse.move(from.x, from.y);
@@ -47,6 +52,13 @@ export class Hands {
     await this.page.keyboard.type(text, { delay: KEY_MS });
     await this.page.keyboard.press('Enter');
     await this.count({ kind: 'type', what, at });
+  }
+
+  /** Chooses an option of a list. */
+  async choose(what: string, list: Locator, option: string): Promise<void> {
+    const at = await centerOf(list);
+    await list.selectOption({ label: option });
+    await this.count({ kind: 'click', what, at });
   }
 
   /** Presses a single key. Counts like a field. */

@@ -18,10 +18,10 @@ const SIZE = { width: 1440, height: 900 };
 const FRAME_MS = 900;
 const LAST_MS = 4000;
 
-/** `npm run newcomer-film`: plays the newcomer's script in the built editor, and makes the animated picture of the README of it. */
+/** `npm run newcomer-film`: runs the newcomer's script in the built editor and writes the animated image of the README. */
 export const main: ToolMain = async (_args, { root }) => {
   const found = await findChromium();
-  if (found === null) throw new Error('No browser was found to play it in. Install Chromium, or name it in SCRIM_CHROMIUM.');
+  if (found === null) throw new Error('No browser was found. Install Chromium, or set SCRIM_CHROMIUM to its path.');
   const base = await mkdtemp(join(tmpdir(), 'scrim-newcomer-'));
   const server = await startServer({ installation: installationAt(root, '0.0.0'), startPath: null, log: console.log });
   const browser = await startBrowser(found);
@@ -47,7 +47,7 @@ export const main: ToolMain = async (_args, { root }) => {
   }
 };
 
-/** What is seen once an interaction has taken effect, with where and what it was. */
+/** A screenshot after an interaction, with a mark at its place and its caption. */
 async function film(page: Page, done: Interaction, count: number): Promise<Uint8Array> {
   await page.waitForFunction(() => !/Compiling/.test(document.querySelector('.status-bar')?.textContent ?? ''));
   await markInteraction(page, done, count);

@@ -32,7 +32,7 @@ export async function playNewcomer({ page, model, project, exportTo, onDone }: N
   const input = (stem: string, name: string) => port(node(stem), name, 'target');
   /** Drags a wire from a port onto the empty canvas, and adds the node that the query finds. */
   const grow = async (from: Point, to: Point, query: string, made: string) => {
-    await hands.drag('Pull a wire out of a port', from, to);
+    await hands.drag('Drag a wire from a port', from, to);
     await hands.type(`“${query}”`, query, page.getByRole('combobox', { name: 'Search nodes' }));
     await node(made).first().waitFor();
   };
@@ -44,25 +44,30 @@ export async function playNewcomer({ page, model, project, exportTo, onDone }: N
   if (!canvas) throw new Error('There is no canvas.');
   const at = (x: number, y: number): Point => ({ x: canvas.x + x, y: canvas.y + y });
 
-  await hands.dropFile('Drop a model', model, at(30, 50));
-  await grow(await output('model', 'objects'), at(280, 98), 'transform', 'transform');
+  /** A point on a wire, which is symmetric about its middle. */
+  const onWire = (from: Point, to: Point, part = 0.5): Point => ({
+    x: from.x + part * (to.x - from.x),
+    y: from.y + part * (to.y - from.y),
+  });
+  /** Selects a wire, and inserts the node that the query finds. */
+  const insert = async (from: Point, to: Point, query: string, made: string) => {
+    await hands.clickAt('Select a wire', onWire(from, to));
+    await hands.press('Add a node: Tab', 'Tab');
+    await hands.type(`“${query}”`, query, page.getByRole('combobox', { name: 'Search nodes' }));
+    await node(made).first().waitFor();
+  };
+
+  await hands.dropFile('Drop a model', model, at(30, 330));
+  await node('scene').waitFor();
   await hands.type('To the right: 0.3 m', '0.3', field('Position X'));
   await hands.type('Away: −0.85 m', '-0.85', field('Position Z'));
   await hands.type('Larger: 2.2', '2.2', field('Scale'));
-  await grow(await output('transform', 'objects'), at(530, 98), 'cartoon', 'apply');
-  await grow(await output('apply', 'objects'), at(780, 98), 'scene', 'scene');
-  await grow(await input('scene', 'lights'), at(720, 230), 'directional', 'directional');
-  await hands.type('From the left: −110°', '-110', field('Azimuth'));
-  await grow(await output('scene', 'layer'), at(800, 310), 'occlusion', 'depth-occlusion');
-
-  /** A point on a wire between the camera and the Output. */
-  const onWire = (from: Point, to: Point, part: number) => ({ x: from.x + part * (to.x - from.x), y: from.y + part * (to.y - from.y) });
-  const toScreen = onWire(await output('video', 'layer'), await input('screen', 'layer'), 0.75);
-  await hands.drag('Lay it over the video', await output('depth-occlusion', 'layer'), toScreen);
-  await node('over').waitFor();
-  await grow(await output('transform', 'objects'), at(480, 620), 'shadow on floor', 'shadow');
+  await insert(await output('transform', 'objects'), await input('scene', 'objects'), 'cartoon', 'apply');
+  await insert(await output('scene', 'layer'), await input('over', 'top'), 'depth occlusion', 'depth-occlusion');
+  await grow(await output('transform', 'objects'), at(430, 700), 'shadow on floor', 'shadow');
   const clipped = await port(page.locator('[data-node^="depth-occlusion"]').last(), 'layer', 'source');
-  await hands.drag('Lay it under', clipped, onWire(await output('video', 'layer'), await input('over', 'bottom'), 0.4));
+  const video = onWire(await output('video', 'layer'), await input('over', 'bottom'), 0.4);
+  await hands.drag('Composite it under the model', clipped, video);
   await page.waitForFunction(() => document.querySelectorAll('[data-node^="over"]').length === 2);
   await hands.press('Tidy up: L', 'l');
 

@@ -16,6 +16,9 @@ export interface UserString {
   readonly text: string;
 }
 
+/** Name of a project's file in its folder. */
+const PROJECT_FILE = 'project.scrim.json';
+
 const KIND_OF_KEY: Readonly<Record<string, StringKind>> = {
   title: 'title',
   label: 'label',
@@ -32,8 +35,9 @@ const SPOKEN_ATTRIBUTES = new Set(['title', 'label', 'aria-label', 'placeholder'
 const SILENT_CALLS =
   /^(Error|TypeError|RangeError|SyntaxError|DOMException|querySelector|querySelectorAll|matchMedia|closest|matches|RegExp|fail)$/;
 
-/** Reads a TypeScript module by its syntax tree, or a shader by the header at its top. */
+/** Reads a TypeScript module by its syntax tree, a shader by the header at its top, and a project by its title and description. */
 export function readStrings(path: string, text: string): UserString[] {
+  if (path.endsWith(PROJECT_FILE)) return readProject(path, text);
   return /\.(fs|glsl)$/.test(path) ? readHeader(path, text) : readModule(path, text);
 }
 
@@ -41,6 +45,14 @@ export function readStrings(path: string, text: string): UserString[] {
 export function printTable(strings: readonly UserString[]): string {
   const lines = strings.map(({ kind, file, text }) => `${kind}\t${file}\t${text.replaceAll('\t', ' ')}`);
   return `kind\tfile\ttext\n${lines.join('\n')}\n`;
+}
+
+function readProject(path: string, text: string): UserString[] {
+  const { title, page } = JSON.parse(text) as { title?: string; page?: { description?: string } };
+  const found: UserString[] = [];
+  if (title) found.push({ file: path, kind: 'title', text: title });
+  if (page?.description) found.push({ file: path, kind: 'doc', text: page.description });
+  return found;
 }
 
 function readModule(path: string, text: string): UserString[] {

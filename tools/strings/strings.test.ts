@@ -46,6 +46,14 @@ describe('strings that a user reads', () => {
       ['doc', 'How "much".'],
     ]);
   });
+
+  test('are found in the projects of examples', () => {
+    const project = '{ "title": "Sepia", "page": { "description": "Brown tones." }, "graphs": { "main": { "title": "Not this" } } }';
+    expect(kindsAndTexts('examples/sepia/project.scrim.json', project)).toEqual([
+      ['title', 'Sepia'],
+      ['doc', 'Brown tones.'],
+    ]);
+  });
 });
 
 test('each kind has its rules', () => {

@@ -15,7 +15,7 @@ export const checkCommand: Command = {
   project: 'required',
   options: { 'no-driver': NO_DRIVER_OPTION },
   examples: [
-    { line: 'scrim check my-project', says: 'Prints one line per problem.' },
+    { line: 'scrim check my-project', says: 'Prints each problem on its own line.' },
     {
       line: 'scrim check my-project --json',
       says: 'For other programs: { ok, driver, diagnostics: [{ code, severity, message, nodeId, file, line, … }] }; driver is yes, not-needed, not-wanted or no-browser.',

@@ -14,7 +14,10 @@ export const shaderCheckCommand: Command = {
   operand: { word: 'FILE|DIR', doc: 'a shader, or a folder with shaders at any depth', many: true },
   options: {},
   examples: [
-    { line: 'scrim shader check my-project/shaders', says: 'Prints one line per problem: file:line:column: error SCR042: message.' },
+    {
+      line: 'scrim shader check my-project/shaders',
+      says: 'Prints each problem on its own line, as file:line:column: error SCR042: message.',
+    },
     { line: 'scrim shader check glow.fs edge.fs --json', says: 'For other programs: { files: [{ path, ok, diagnostics }] }.' },
   ],
   run: async ({ operands }, { installation, say, interrupted }) => {

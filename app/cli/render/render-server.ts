@@ -29,7 +29,7 @@ export async function startRenderServer({ script, folders }: RenderServerOptions
 
   const answer = async (request: IncomingMessage, response: ServerResponse) => {
     const [path = ''] = (request.url ?? '').split('?');
-    if (!path.startsWith(prefix)) return send(response, 404, 'text/plain', 'There is nothing here.');
+    if (!path.startsWith(prefix)) return send(response, 404, 'text/plain', 'Not found. No file or command has this address.');
     const rest = path.slice(prefix.length);
     if (request.method === 'POST' && rest === 'picture') {
       picture = await readAll(request);
@@ -39,13 +39,13 @@ export async function startRenderServer({ script, folders }: RenderServerOptions
     if (rest === 'render.js') return send(response, 200, 'text/javascript', script);
     const [folder = '', ...parts] = rest.split('/').map(decodeURIComponent);
     const root = Object.hasOwn(folders, folder) ? folders[folder] : undefined;
-    if (root === undefined) return send(response, 404, 'text/plain', 'There is nothing here.');
+    if (root === undefined) return send(response, 404, 'text/plain', 'Not found. No file or command has this address.');
     const file = parts.join('/');
     return send(response, 200, passiveMediaTypeOf(file), await readBytes(await resolveInside(root, file), MAX_ASSET_BYTES));
   };
 
   const server = createServer((request, response) => {
-    answer(request, response).catch(() => send(response, 404, 'text/plain', 'There is nothing here.'));
+    answer(request, response).catch(() => send(response, 404, 'text/plain', 'Not found. No file or command has this address.'));
   });
   await new Promise<void>((resolve, reject) => {
     server.once('error', reject);

@@ -1,9 +1,12 @@
+import type { LayerEncoding } from '../../../nodes/kit/definition.ts';
 import { type Diagnostic, hasErrors, type Result } from '../../../nodes/kit/diagnostics.ts';
 import { parseBinding, parseValue } from '../../graph/expression/param-expression.ts';
+import { CONVERSIONS, neededEncoding, outputEncoding } from '../../graph/layer-encoding.ts';
 import { boundValue } from '../../graph/library/param-value.ts';
 import { topologicalOrder } from '../../graph/topology.ts';
 import { validateProject } from '../../graph/validate/validate.ts';
-import type { FlatGraph, FlatNode, Source } from '../flat-graph.ts';
+import { encodedNode } from '../encoded-node.ts';
+import { actorsOf, type FlatGraph, type FlatNode, portKey, type Source, sourcesAt } from '../flat-graph.ts';
 import type { Resolved } from '../resolve/resolve.ts';
 
 /** A graph that can be lowered. */
@@ -36,9 +39,10 @@ export function check({ project, library, graph }: Resolved, taps: readonly stri
   const order = orderOf(graph);
   const liveIds = nodesBehind(graph, [screen.id]);
   const live = order.filter(({ id }) => liveIds.has(id));
-  diagnostics.push(...live.flatMap(checkNode));
+  const encodings = encodingsOf(order);
+  diagnostics.push(...live.flatMap((node) => checkNode(node, encodings)), ...checkSingle(live));
   if (hasErrors(diagnostics)) return { output: null, diagnostics };
-  const whole = completeTaps(graph, order, taps);
+  const whole = completeTaps(graph, order, taps, encodings);
   const viewedIds = nodesBehind(
     graph,
     whole.map(({ source }) => source.node),
@@ -62,12 +66,14 @@ function orderOf({ nodes }: FlatGraph): FlatNode[] {
   return order.flatMap((id) => nodes.get(id) ?? []);
 }
 
-/** @returns The ids of `roots` and of all nodes that they depend on. */
+/** @returns The ids of `roots` and of all nodes that they depend on, with the nodes that act on those. */
 export function nodesBehind({ nodes }: FlatGraph, roots: Iterable<string>): ReadonlySet<string> {
   const behind = new Set(roots);
+  const actors = actorsOf(nodes.values());
   // The set grows during the iteration.
   for (const id of behind) {
     for (const sources of nodes.get(id)?.inputs.values() ?? []) for (const { node } of sources) behind.add(node);
+    for (const actor of actors.get(id) ?? []) behind.add(actor);
   }
   return behind;
 }
@@ -83,7 +89,7 @@ function isReadable({ definition, bindings }: FlatNode): boolean {
 }
 
 /** Checks that need the flat graph. */
-function checkNode(node: FlatNode): Diagnostic[] {
+function checkNode(node: FlatNode, encodings: Encodings): Diagnostic[] {
   const { id: nodeId, definition } = node;
   const diagnostics: Diagnostic[] = [];
   for (const [port, muted] of node.muteBlocked) {
@@ -91,11 +97,57 @@ function checkNode(node: FlatNode): Diagnostic[] {
     const message = `Input “${definition.inputs[port].label}” of ${nodeId} receives nothing: ${muted} is muted and passes nothing through.`;
     diagnostics.push({ code: 'SCR015', severity: 'error', nodeId, port, message, fix: `Unmute ${muted}, or mute ${nodeId} too.` });
   }
-  return diagnostics;
+  return [...diagnostics, ...checkEncodings(node, encodings)];
 }
 
-function completeTaps({ replacements }: FlatGraph, order: readonly FlatNode[], taps: readonly string[]): Tap[] {
-  const whole = taps.length === 0 ? new Map<string, FlatNode>() : completeNodes(order);
+/** Types of which a graph may have one node have one. */
+function checkSingle(live: readonly FlatNode[]): Diagnostic[] {
+  const first = new Map<string, FlatNode>();
+  return live.flatMap((node): Diagnostic[] => {
+    const { id: nodeId, definition } = node;
+    if (!definition.single) return [];
+    const other = first.get(definition.type);
+    if (!other) {
+      first.set(definition.type, node);
+      return [];
+    }
+    const message = `The graph has two nodes “${definition.title}”: ${other.id} and ${nodeId}.`;
+    return [{ code: 'SCR027', severity: 'error', nodeId, message, fix: `Connect everything to ${other.id}, and delete ${nodeId}.` }];
+  });
+}
+
+/** Encoding of each layer output, by `portKey`. */
+type Encodings = ReadonlyMap<string, LayerEncoding>;
+
+/** Of all outputs; a delay outputs display layers, so its inputs need not be known. */
+function encodingsOf(order: readonly FlatNode[]): Encodings {
+  const encodings = new Map<string, LayerEncoding>();
+  for (const node of order) {
+    const encoded = encodedNode(node, (source) => encodings.get(portKey(source)) ?? 'display');
+    for (const [port, { type }] of Object.entries(node.definition.outputs)) {
+      if (type === 'layer') encodings.set(portKey({ node: node.id, port }), outputEncoding(encoded, port));
+    }
+  }
+  return encodings;
+}
+
+function checkEncodings(node: FlatNode, encodings: Encodings): Diagnostic[] {
+  const { id: nodeId, definition } = node;
+  const encoded = encodedNode(node, (source) => encodings.get(portKey(source)) ?? 'display');
+  return Object.entries(definition.inputs).flatMap(([port, { type, label }]): Diagnostic[] => {
+    const [source] = type === 'layer' ? sourcesAt(node, port) : [];
+    const needed = neededEncoding(encoded, port);
+    const given = encoded.encodingAt(port);
+    if (!source || needed === null || given === null || given === needed) return [];
+    const other = definition.inputs[port]?.encoding === 'either' ? ', as its first layer is' : '';
+    const message = `Input “${label}” of ${nodeId} needs a ${needed} layer${other}, but ${portKey(source)} is a ${given} layer.`;
+    const fix = `Insert “${CONVERSIONS[needed].title}” into the wire.`;
+    return [{ code: 'SCR048', severity: 'error', nodeId, port, message, fix }];
+  });
+}
+
+function completeTaps({ replacements }: FlatGraph, order: readonly FlatNode[], taps: readonly string[], encodings: Encodings): Tap[] {
+  const whole = taps.length === 0 ? new Map<string, FlatNode>() : completeNodes(order, encodings);
   return [...new Set(taps)].sort().flatMap((name): Tap[] => {
     const dot = name.lastIndexOf('.');
     const source = replacements.get(name) ?? { node: name.slice(0, dot), port: name.slice(dot + 1) };
@@ -105,11 +157,11 @@ function completeTaps({ replacements }: FlatGraph, order: readonly FlatNode[], t
 }
 
 /** Nodes whose required inputs are connected, and those of all nodes that they depend on. */
-function completeNodes(order: readonly FlatNode[]): ReadonlyMap<string, FlatNode> {
+function completeNodes(order: readonly FlatNode[], encodings: Encodings): ReadonlyMap<string, FlatNode> {
   const isComplete = (node: FlatNode) =>
     Object.entries(node.definition.inputs).every(([port, { required }]) => !required || node.inputs.has(port));
   const whole = new Map(
-    order.filter((node) => isComplete(node) && checkNode(node).length === 0 && isReadable(node)).map((node) => [node.id, node]),
+    order.filter((node) => isComplete(node) && checkNode(node, encodings).length === 0 && isReadable(node)).map((node) => [node.id, node]),
   );
   // In graph order one pass finds all nodes, except for loops through delays.
   for (let before = -1; before !== whole.size; ) {

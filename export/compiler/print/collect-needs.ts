@@ -1,5 +1,5 @@
 import type { Capability, Need, ParamValue } from '../../../nodes/kit/definition.ts';
-import type { ProgramNeed } from '../../program/program.ts';
+import type { ProgramNeed } from '../../program/needs.ts';
 import type { FlatNode } from '../flat-graph.ts';
 import { startValue } from '../schedule/slot-allocator.ts';
 
@@ -10,21 +10,36 @@ import { startValue } from '../schedule/slot-allocator.ts';
 export function collectNeeds(nodes: readonly FlatNode[], working: ReadonlySet<string>): ProgramNeed[] {
   const needs = new Map<Capability, ProgramNeed>();
   const isAlone = nodes.filter((node) => isOriginalLayer(node)).every((node) => needsOf(node).some(({ required }) => required === 'alone'));
+  const depthType = depthTypeOf(nodes);
   for (const node of nodes) {
     const { id } = node;
     for (const { capability, required: demand, when, why, without } of needsOf(node)) {
       if (when === 'sampled' && !working.has(id)) continue;
       const required = demand === 'alone' ? isAlone : demand;
       const known = needs.get(capability);
-      if (!known) needs.set(capability, { capability, required, nodes: [id], why, without });
-      else needs.set(capability, { ...known, required: known.required || required, nodes: [...known.nodes, id] });
+      if (!known) needs.set(capability, { capability, required, nodes: [id], why, without, ...(capability === 'depth' ? depthType : {}) });
+      else {
+        const withoutByNode = without === known.without ? known.withoutByNode : { ...known.withoutByNode, [id]: without };
+        const merged = { ...known, required: known.required || required, nodes: [...known.nodes, id] };
+        needs.set(capability, withoutByNode ? { ...merged, withoutByNode } : merged);
+      }
     }
   }
   return [...needs.values()].sort((a, b) => (a.capability < b.capability ? -1 : 1));
 }
 
+/** Raw only where some node reads depth, and none of those wants it smooth. */
+function depthTypeOf(nodes: readonly FlatNode[]): { readonly depthType?: 'raw' } {
+  const readers = nodes.flatMap(({ definition, inputs }) =>
+    Object.entries(definition.inputs).flatMap(([name, port]) => (port.type === 'depth' && inputs.has(name) ? [port] : [])),
+  );
+  return readers.length > 0 && readers.every((port) => port.depthType === 'raw') ? { depthType: 'raw' } : {};
+}
+
 function needsOf(node: FlatNode): readonly Need[] {
-  return (node.definition.needs ?? []).filter(({ where }) => !where || structureValue(node, where.param) === where.is);
+  return (node.definition.needs ?? []).filter(
+    ({ where, wired }) => (!where || structureValue(node, where.param) === where.is) && (!wired || node.inputs.has(wired)),
+  );
 }
 
 /** Whether the node outputs a layer that is not made from other layers. */

@@ -1,5 +1,6 @@
 import type { Capability } from '../../../nodes/kit/definition.ts';
-import type { Presentation, ProgramNeed, Tier } from '../../program/program.ts';
+import type { ProgramNeed, Tier } from '../../program/needs.ts';
+import type { Presentation } from '../../program/program.ts';
 
 /** Capabilities of each kind of session, best first (docs/ARCHITECTURE.md, “Sessions”; devices: WebXR implementations of 2026). */
 const TIERS: readonly { readonly id: Tier['id']; readonly offers: readonly Capability[] }[] = [

@@ -1,4 +1,4 @@
-import { type FlatGraph, type FlatNode, portKey, type Source } from '../flat-graph.ts';
+import { actorsOf, type FlatGraph, type FlatNode, portKey, type Source } from '../flat-graph.ts';
 import { drawBehind } from './layers.ts';
 
 /** What must be computed to show some layers. */
@@ -32,9 +32,11 @@ export function findDemand(graph: FlatGraph, order: readonly FlatNode[], start: 
     fused.set(occlusion.id, draw);
     nodes.add(occlusion.id).add(draw.id);
   }
+  const actors = actorsOf(order);
   const walked = new Set<string>();
   const walk = (node: FlatNode) => {
     walked.add(node.id);
+    for (const actor of actors.get(node.id) ?? []) nodes.add(actor);
     const draw = drawBehind(graph, node);
     if (draw && !fused.has(node.id)) {
       fused.set(node.id, draw);

@@ -1,9 +1,12 @@
-import type { LayerDomain } from '../../../nodes/kit/definition.ts';
+import type { LayerDomain, LayerEncoding } from '../../../nodes/kit/definition.ts';
+import { outputEncoding } from '../../graph/layer-encoding.ts';
+import { encodedNode } from '../encoded-node.ts';
 import { type FlatGraph, type FlatNode, portKey, type Source, sourcesAt } from '../flat-graph.ts';
 
 /** Static properties of a layer. */
 export interface LayerInfo {
   readonly domain: LayerDomain;
+  readonly encoding: LayerEncoding;
   /**
    * Source of its depth: the nearest layer towards its origin that has or may get its own depth. Null if there is none, or if pixels were
    * moved since.
@@ -20,7 +23,14 @@ export function describeLayers(order: Iterable<FlatNode>): LayerTable {
     for (const [port, output] of Object.entries(node.definition.outputs)) {
       if (output.type !== 'layer') continue;
       const source = { node: node.id, port };
-      layers.set(portKey(source), { domain: domainOf(node, port, layers), depth: depthOf(node, source, layers) });
+      layers.set(portKey(source), {
+        domain: domainOf(node, port, layers),
+        encoding: outputEncoding(
+          encodedNode(node, (input) => layers.get(portKey(input))?.encoding ?? 'display'),
+          port,
+        ),
+        depth: depthOf(node, source, layers),
+      });
     }
   }
   return layers;

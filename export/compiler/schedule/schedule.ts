@@ -59,7 +59,8 @@ export function schedule(checked: Checked, options: ScheduleOptions): ScheduleRe
   const plan = planScreen(graph, screen, layers, uses);
   const { antialias, around } = readScreen(screen);
   const samples = antialias ? DRAW_SAMPLES : 1;
-  const lowering = createLowering({ graph, layers, order, compiledIn: plan.blended, onMoved: lowerMovedParam, samples, ...options });
+  const read = new Set([...readOutputs(order), ...checked.taps.map(({ source }) => portKey(source))]);
+  const lowering = createLowering({ graph, layers, order, read, compiledIn: plan.blended, onMoved: lowerMovedParam, samples, ...options });
   const demand = findDemand(graph, live, demandStart(plan));
   const shown = lowerShown(lowering, live, plan.leaves, demand);
   const { diagnostics, above } = lowering;
@@ -92,6 +93,11 @@ export function schedule(checked: Checked, options: ScheduleOptions): ScheduleRe
     diagnostics,
     above: [],
   };
+}
+
+/** Keys of the outputs that are connected to a node. */
+function readOutputs(nodes: readonly FlatNode[]): readonly string[] {
+  return nodes.flatMap(({ inputs }) => [...inputs.values()].flat().map(portKey));
 }
 
 function demandStart({ leaves }: ScreenPlan): DemandStart {

@@ -1,7 +1,7 @@
 import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
 import type { Result } from '../../../nodes/kit/diagnostics.ts';
 import { isfDefinition, shaderName } from '../../glsl/isf/isf-definition.ts';
-import type { IsfShader } from '../../glsl/isf/isf-shader.ts';
+import { type IsfShader, sceneVariant } from '../../glsl/isf/isf-shader.ts';
 import { linkAbove } from '../../glsl/link/link-above.ts';
 import { linkIsfDepth } from '../../glsl/link/link-depth.ts';
 import { linkIsf } from '../../glsl/link/link-isf.ts';
@@ -19,6 +19,8 @@ export interface LinkVariant {
   readonly absent: readonly string[];
   /** Image inputs whose layer has no depth. */
   readonly withoutDepth: readonly string[];
+  /** Whether a shader for either encoding reads and outputs scene layers. */
+  readonly scene: boolean;
 }
 
 /**
@@ -78,7 +80,7 @@ export function createShaderStore(): ShaderStore {
       const { shader, links } = entryOf(file, source, vertex);
       if (shader.output === null) return { output: null, diagnostics: shader.diagnostics, above: null };
       const key = keyOf(variant);
-      const known = links.get(key) ?? linkImage(shader.output, variant);
+      const known = links.get(key) ?? linkImage(variantOf(shader.output, variant), variant);
       links.set(key, known);
       return known;
     },
@@ -87,11 +89,15 @@ export function createShaderStore(): ShaderStore {
       const { shader, depths } = headerOf(file, source);
       if (shader.output === null) throw new Error(`${file} has been linked and cannot be read.`);
       const key = keyOf(variant);
-      const known = depths.get(key) ?? linkIsfDepth(shader.output, { node: '', ...variant });
+      const known = depths.get(key) ?? linkIsfDepth(variantOf(shader.output, variant), { node: '', ...variant });
       depths.set(key, known);
       return known;
     },
   };
+}
+
+function variantOf(shader: IsfShader, { scene }: LinkVariant): IsfShader {
+  return scene && shader.encoding === 'either' ? sceneVariant(shader) : shader;
 }
 
 function linkImage(shader: IsfShader, variant: LinkVariant): ShaderLink<readonly LinkedPass[]> {
@@ -104,6 +110,6 @@ function linkImage(shader: IsfShader, variant: LinkVariant): ShaderLink<readonly
   return { output, diagnostics: [...above.diagnostics, ...diagnostics], above: { shaders, before: above.before } };
 }
 
-function keyOf({ loopBudget, absent, withoutDepth }: LinkVariant): string {
-  return [String(loopBudget), absent.join(), withoutDepth.join()].join(';');
+function keyOf({ loopBudget, absent, withoutDepth, scene }: LinkVariant): string {
+  return [String(loopBudget), String(scene), absent.join(), withoutDepth.join()].join(';');
 }

@@ -9,8 +9,11 @@ test('a layer over the room', () => {
   expect([...compositePixels(LAYER, ROOM, 'alpha-blend').rgba]).toEqual([164, 50, 25, 255, 10, 20, 30, 255]);
 });
 
-test('a layer added to the room, up to white', () => {
-  expect([...compositePixels(LAYER, ROOM, 'additive').rgba]).toEqual([255, 100, 50, 255, 10, 20, 30, 255]);
+test('a layer adds its light to the room, up to white', () => {
+  // Red in linear light: 0.5776 + 2 × 0.0513 = 0.6802, which is 215 of 255.
+  expect([...compositePixels(LAYER, ROOM, 'additive').rgba]).toEqual([215, 100, 50, 255, 10, 20, 30, 255]);
+  expect(compositePixels(LAYER, ROOM, 'additive', 1).rgba[0]).toBe(208);
+  expect(compositePixels(LAYER, ROOM, 'additive', 100).rgba[0]).toBe(255);
 });
 
 test('a layer alone', () => {

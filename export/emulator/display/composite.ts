@@ -7,22 +7,41 @@ export interface Pixels {
   readonly rgba: Uint8Array;
 }
 
+/** White of an additive display ÷ white of the room. */
+export const DISPLAY_GAIN = 2;
+
 /**
  * Composites the page's premultiplied layer with the room, as the user of the device sees it: `alpha-blend` draws the layer over the room,
- * `additive` adds it (WebXR Augmented Reality Module §3.2). Integer arithmetic gives the same result on every machine.
+ * `additive` adds its light (WebXR Augmented Reality Module §3.2): seen = room + gain × display, in linear light.
+ *
+ * @param gain Of additive displays: white of the display ÷ white of the room.
  */
-export function compositePixels(layer: Pixels, room: Pixels, blend: BlendMode): Pixels {
+export function compositePixels(layer: Pixels, room: Pixels, blend: BlendMode, gain = DISPLAY_GAIN): Pixels {
   const rgba = new Uint8Array(layer.rgba.length);
   for (let i = 0; i < rgba.length; i += 4) {
     const alpha = layer.rgba[i + 3] ?? 0;
     for (let c = i; c < i + 3; c++) {
       const above = layer.rgba[c] ?? 0;
       const below = room.rgba[c] ?? 0;
-      rgba[c] = Math.min(255, above + behind(below, alpha, blend));
+      rgba[c] = blend === 'additive' ? added(below, above, gain) : Math.min(255, above + behind(below, alpha, blend));
     }
     rgba[i + 3] = 255;
   }
   return { widthPx: layer.widthPx, heightPx: layer.heightPx, rgba };
+}
+
+/** A pixel that the display leaves black shows the room unchanged. */
+function added(below: number, above: number, gain: number): number {
+  return above === 0 ? below : encoded(linear(below) + gain * linear(above));
+}
+
+function linear(byte: number): number {
+  const value = byte / 255;
+  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+}
+
+function encoded(light: number): number {
+  return Math.round(255 * Math.min(1, light <= 0.0031308 ? light * 12.92 : 1.055 * light ** (1 / 2.4) - 0.055));
 }
 
 /** Flips rows read from WebGL, which come from the bottom. */
@@ -36,6 +55,5 @@ export function turnRows(rgba: Uint8Array, widthPx: number, heightPx: number): P
 }
 
 function behind(below: number, alpha: number, blend: BlendMode): number {
-  if (blend === 'opaque') return 0;
-  return blend === 'additive' ? below : Math.round((below * (255 - alpha)) / 255);
+  return blend === 'opaque' ? 0 : Math.round((below * (255 - alpha)) / 255);
 }

@@ -1,6 +1,7 @@
 import {
   CustomBlending,
   DataTexture,
+  FramebufferTexture,
   Mesh,
   NoBlending,
   OneFactor,
@@ -24,8 +25,8 @@ export interface RoomView {
   resize(widthPx: number, heightPx: number): void;
   /** Draws the room alone, for every eye, as the device's cameras see it. */
   drawRoom(eyes: readonly Eye[]): void;
-  /** Composites a layer over the current image. `rgba` is premultiplied, rows from the bottom, of the canvas size. */
-  drawLayer(rgba: Uint8Array, blend: BlendMode): void;
+  /** Composites a layer over the current image; `gain` is that of additive displays. `rgba` is premultiplied, rows from the bottom, of the canvas size. */
+  drawLayer(rgba: Uint8Array, blend: BlendMode, gain: number): void;
   /** Reads the current image, rows from the bottom. */
   readPixels(out: Uint8Array): void;
   dispose(): void;
@@ -68,10 +69,10 @@ export function createRoomView(room: Room | null, antialias: boolean): RoomView 
         renderer.render(scene, camera);
       }
     },
-    drawLayer: (rgba, blend) => {
+    drawLayer: (rgba, blend, gain) => {
       renderer.setRenderTarget(null);
       renderer.setViewport(0, 0, renderer.domElement.width, renderer.domElement.height);
-      overlay.draw(renderer, rgba, blend);
+      overlay.draw(renderer, rgba, blend, gain);
     },
     readPixels: (out) => {
       renderer.setRenderTarget(null);
@@ -86,17 +87,41 @@ export function createRoomView(room: Room | null, antialias: boolean): RoomView 
   };
 }
 
+/** With a gain, seen = room + gain × layer in linear light, which `compositePixels` computes on the CPU. */
+const OVERLAY_FRAGMENT = /* glsl */ `
+uniform sampler2D layer;
+uniform sampler2D room;
+uniform float gain;
+varying vec2 layerUv;
+
+vec3 linear( const in vec3 c ) {
+  return mix( pow( ( c + 0.055 ) / 1.055, vec3( 2.4 ) ), c / 12.92, vec3( lessThanEqual( c, vec3( 0.04045 ) ) ) );
+}
+
+vec3 encoded( const in vec3 c ) {
+  return mix( 1.055 * pow( c, vec3( 1.0 / 2.4 ) ) - 0.055, c * 12.92, vec3( lessThanEqual( c, vec3( 0.0031308 ) ) ) );
+}
+
+void main() {
+  gl_FragColor = texture( layer, layerUv );
+  if ( gain == 0.0 ) return;
+  vec3 below = texture( room, layerUv ).rgb;
+  vec3 seen = encoded( min( linear( below ) + gain * linear( gl_FragColor.rgb ), 1.0 ) );
+  gl_FragColor = vec4( mix( seen, below, vec3( equal( gl_FragColor.rgb, vec3( 0.0 ) ) ) ), 1.0 );
+}
+`;
+
 interface Overlay {
-  draw(renderer: WebGLRenderer, rgba: Uint8Array, blend: BlendMode): void;
+  draw(renderer: WebGLRenderer, rgba: Uint8Array, blend: BlendMode, gain: number): void;
   dispose(): void;
 }
 
 function createOverlay(): Overlay {
   const material = new ShaderMaterial({
-    uniforms: { layer: { value: null } },
+    uniforms: { layer: { value: null }, room: { value: null }, gain: { value: 0 } },
     // The plane covers the canvas regardless of the camera.
     vertexShader: 'varying vec2 layerUv; void main() { layerUv = uv; gl_Position = vec4(position.xy * 2.0, 0.0, 1.0); }',
-    fragmentShader: 'uniform sampler2D layer; varying vec2 layerUv; void main() { gl_FragColor = texture(layer, layerUv); }',
+    fragmentShader: OVERLAY_FRAGMENT,
     depthTest: false,
     depthWrite: false,
     blendSrc: OneFactor,
@@ -107,8 +132,9 @@ function createOverlay(): Overlay {
   scene.add(plane);
   const camera = createEyeCamera();
   let texture: DataTexture | null = null;
+  let behind: FramebufferTexture | null = null;
   return {
-    draw: (renderer, rgba, blend) => {
+    draw: (renderer, rgba, blend, gain) => {
       const { width, height } = renderer.domElement;
       if (!texture || texture.image.width !== width || texture.image.height !== height) {
         texture?.dispose();
@@ -117,12 +143,23 @@ function createOverlay(): Overlay {
       texture.image.data = rgba;
       texture.needsUpdate = true;
       material.uniforms.layer = { value: texture };
-      material.blending = blend === 'opaque' ? NoBlending : CustomBlending;
-      material.blendDst = blend === 'additive' ? OneFactor : OneMinusSrcAlphaFactor;
+      // Light is added in the shader, because blending adds encoded values.
+      if (blend === 'additive') {
+        if (behind?.image.width !== width || behind.image.height !== height) {
+          behind?.dispose();
+          behind = new FramebufferTexture(width, height);
+        }
+        renderer.copyFramebufferToTexture(behind);
+      }
+      material.uniforms.room = { value: behind };
+      material.uniforms.gain = { value: blend === 'additive' ? gain : 0 };
+      material.blending = blend === 'alpha-blend' ? CustomBlending : NoBlending;
+      material.blendDst = OneMinusSrcAlphaFactor;
       renderer.render(scene, camera);
     },
     dispose: () => {
       texture?.dispose();
+      behind?.dispose();
       plane.geometry.dispose();
       material.dispose();
     },

@@ -3,7 +3,7 @@ import { type GlobalSpace, XRSpace } from 'iwer';
 import { Matrix4, Vector3 } from 'three';
 import type { Room } from '../rooms/room.ts';
 import { castRay, type HitKind, type RayHit } from './cast-ray.ts';
-import { EmulatedRay } from './ray.ts';
+import { EmulatedRay } from './emulated-ray.ts';
 
 export interface HitTestWishes {
   readonly space?: XRSpace;

@@ -2,21 +2,29 @@ import type { XRFrame } from 'iwer';
 import { type GlobalSpace, NativeMesh, NativePlane, P_FRAME, XRMesh, XRPlane, XRRigidTransform, XRSpace } from 'iwer';
 import type { Room } from '../rooms/room.ts';
 
-/** Detected planes and meshes of a session: created in the first frame and never changed. */
+/** Detected planes and meshes of a session: created in the first frame with a known room and never changed. */
 export interface Surfaces {
   addPlanes(frame: XRFrame): void;
   addMeshes(frame: XRFrame): void;
+  /** From now on the room is known. */
+  scan(): void;
 }
 
-export function createSurfaces(room: () => Room | null, world: GlobalSpace): Surfaces {
+export function createSurfaces(room: () => Room | null, world: GlobalSpace, isScanned: boolean): Surfaces {
+  let scanned = isScanned;
   let planes: XRPlane[] | null = null;
   let meshes: XRMesh[] | null = null;
   return {
+    scan: () => {
+      scanned = true;
+    },
     addPlanes: (frame) => {
+      if (!scanned) return;
       planes ??= (room()?.planes ?? []).map((plane) => new EmulatedPlane(plane, world, frame.predictedDisplayTime));
       for (const plane of planes) frame[P_FRAME].detectedPlanes.add(plane);
     },
     addMeshes: (frame) => {
+      if (!scanned) return;
       meshes ??= (room()?.meshes ?? []).map((mesh) => new EmulatedMesh(mesh, world, frame.predictedDisplayTime));
       for (const mesh of meshes) frame[P_FRAME].detectedMeshes.add(mesh);
     },

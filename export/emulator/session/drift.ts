@@ -1,6 +1,7 @@
 import type { XRSession } from 'iwer';
 import { P_ANCHOR, P_REF_SPACE, P_SESSION, P_SPACE, XRReferenceSpaceType } from 'iwer';
 import { Matrix4 } from 'three';
+import type { Drift } from '../world.ts';
 import { writeMatrix } from '../write-matrix.ts';
 
 const scratchDrift = new Matrix4();
@@ -21,6 +22,13 @@ export function driftSpaces(session: XRSession, offsetM: readonly [number, numbe
     scratchSpace.fromArray(Array.from(space[P_SPACE].offsetMatrix)).premultiply(scratchDrift);
     writeMatrix(space[P_SPACE].offsetMatrix, scratchSpace.elements);
   }
+}
+
+/** Drifts by what belongs to the time since the last frame. */
+export function driftSteadily(session: XRSession, { offsetM: [x, y, z], yawRad }: Drift, deltaS: number): void {
+  if (deltaS <= 0 || (x === 0 && y === 0 && z === 0 && yawRad === 0)) return;
+  const share = deltaS / 60;
+  driftSpaces(session, [x * share, y * share, z * share], yawRad * share);
 }
 
 /** The system deletes all anchors of the session, as when it forgets the room. */

@@ -1,5 +1,6 @@
-import type { XRAnchor, XRPose, XRReferenceSpace, XRRigidTransform, XRSpace } from 'iwer';
-import { P_ANCHOR, P_DEVICE, P_FRAME, P_SESSION, XRFrame, XRViewerPose } from 'iwer';
+import type { XRAnchor, XRPose, XRReferenceSpace, XRRigidTransform } from 'iwer';
+import { P_ANCHOR, P_DEVICE, P_FRAME, P_SESSION, XRFrame, XRSpace, XRViewerPose } from 'iwer';
+import { Matrix4 } from 'three';
 import { EmulatedCpuDepthInformation } from '../depth/depth-information.ts';
 import {
   computeHits,
@@ -78,8 +79,11 @@ export class EmulatedFrame extends XRFrame {
 
   override async createAnchor(pose: XRRigidTransform, space: XRSpace): Promise<XRAnchor> {
     this.#check();
-    this.#session.requireFeature('anchors');
-    return super.createAnchor(pose, space);
+    // A pose relative to the space in this frame, which stays at its point of the room.
+    const { globalSpace } = this.#session[P_EMULATED].world.device[P_DEVICE];
+    const worldFromSpace = new Matrix4().fromArray(this.getPose(space, globalSpace).transform.matrix);
+    const worldFromAnchor = worldFromSpace.multiply(new Matrix4().fromArray(Array.from(pose.matrix)));
+    return this.#session.anchorAt(new XRSpace(globalSpace, new Float32Array(worldFromAnchor.elements)));
   }
 
   // --- Light: WebXR Lighting Estimation §4.3 ---

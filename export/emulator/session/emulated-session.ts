@@ -35,6 +35,8 @@ export interface EmulatedSessionState {
   readonly disposers: (() => void)[];
   /** Eyes of the current or last frame. */
   eyes: readonly Eye[];
+  /** Time of the last frame; null before the first. */
+  lastFrameS: number | null;
   /** Origin of `local` spaces: the viewer's pose when the session started or was re-centered. */
   localOrigin: Float32Array;
   /** One per eye. */
@@ -52,6 +54,7 @@ export interface SessionGrant {
 export class EmulatedSession extends XRSession {
   readonly [P_EMULATED]: EmulatedSessionState;
   #stopFrames: () => void = () => {};
+  #capturedRoom = false;
 
   constructor(world: World, grant: SessionGrant) {
     super(world.device, grant.mode, [...grant.features]);
@@ -65,11 +68,12 @@ export class EmulatedSession extends XRSession {
       depth: grant.depth ? createSessionDepth(world.roomServices().view, grant.depth, world.settings.depth) : null,
       light: createSessionLight(() => world.roomServices().light(), world.settings.light),
       overlayRoot: grant.overlayRoot,
-      surfaces: createSurfaces(() => world.roomServices().room, world.device[P_DEVICE].globalSpace),
+      surfaces: createSurfaces(() => world.roomServices().room, world.device[P_DEVICE].globalSpace, world.settings.roomScanned),
       hitTests: { active: new Set(), wishes: new WeakMap() },
       probes: [],
       disposers: [],
       eyes: [],
+      lastFrameS: null,
       localOrigin: levelPose(world.device[P_DEVICE].viewerSpace[P_SPACE].offsetMatrix),
       viewportScales: [createViewportScale(), createViewportScale()],
     };
@@ -176,10 +180,40 @@ export class EmulatedSession extends XRSession {
   /** Creates an anchor at the current origin of `space`; resolves in the next frame. */
   async anchorAt(space: XRSpace): Promise<XRAnchor> {
     this.requireFeature('anchors');
-    const anchor = new XRAnchor(space, this);
+    return this.confirmed(new XRAnchor(space, this));
+  }
+
+  /** Resolves when the device tracks the anchor: in the next frame. */
+  async confirmed(anchor: XRAnchor): Promise<XRAnchor> {
+    const { persistentAnchors } = this[P_EMULATED].world;
+    anchor.requestPersistentHandle = async () => persistentAnchors.keep(anchor);
     return new Promise((resolve, reject) => {
       this[P_SESSION].newAnchors.set(anchor, { resolve: (value) => resolve(value as XRAnchor), reject });
     });
+  }
+
+  override get persistentAnchors(): string[] {
+    return [...this[P_EMULATED].world.persistentAnchors.handles];
+  }
+
+  override async restorePersistentAnchor(handle: string): Promise<XRAnchor> {
+    this.requireFeature('anchors');
+    return this.confirmed(this[P_EMULATED].world.persistentAnchors.restore(handle, this));
+  }
+
+  override async deletePersistentAnchor(handle: string): Promise<undefined> {
+    this.requireFeature('anchors');
+    this[P_EMULATED].world.persistentAnchors.delete(handle);
+  }
+
+  // --- Room capture: WebXR Plane Detection §4 ---
+
+  /** Scans the room at once. A session can do so once. */
+  async initiateRoomCapture(): Promise<void> {
+    this.requireFeature('plane-detection');
+    if (this.#capturedRoom) throw new DOMException('The session has captured the room already.', 'InvalidStateError');
+    this.#capturedRoom = true;
+    this[P_EMULATED].surfaces.scan();
   }
 
   // --- Depth: WebXR Depth Sensing §2.3 ---

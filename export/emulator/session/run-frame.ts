@@ -3,6 +3,7 @@ import { Matrix4 } from 'three';
 import type { Eye } from '../display/eye.ts';
 import { P_EMULATED } from '../private.ts';
 import type { World } from '../world.ts';
+import { driftSteadily } from './drift.ts';
 import { EmulatedFrame } from './emulated-frame.ts';
 import type { EmulatedSession } from './emulated-session.ts';
 import { type Presentation, presentationOf } from './presentation.ts';
@@ -22,6 +23,9 @@ export function runFrame(session: EmulatedSession, timeS: number): boolean {
 
   const { canvas } = roomServices.view;
   if (canvas.width !== shown.widthPx || canvas.height !== shown.heightPx) roomServices.view.resize(shown.widthPx, shown.heightPx);
+  const { lastFrameS } = session[P_EMULATED];
+  session[P_EMULATED].lastFrameS = timeS;
+  if (lastFrameS !== null) driftSteadily(session, world.drift, timeS - lastFrameS);
   device.updateViews();
   const frame = new EmulatedFrame(session, state.frameHandle, timeS * 1000);
   // Updates input, visibility and resets and dispatches their events; also applies recorded poses.
@@ -53,7 +57,11 @@ export function runFrame(session: EmulatedSession, timeS: number): boolean {
 /** Composites the page's layers over the room on the device's screen. */
 export function showPresentation(session: EmulatedSession, shown: Presentation): void {
   const { roomServices, world } = session[P_EMULATED];
-  roomServices.view.drawLayer(shown.read(), session[P_SESSION].mode === 'immersive-ar' ? world.profile.blend : 'opaque');
+  roomServices.view.drawLayer(
+    shown.read(),
+    session[P_SESSION].mode === 'immersive-ar' ? world.profile.blend : 'opaque',
+    world.settings.displayGain,
+  );
 }
 
 /** “Apply the pending render state”: shows the screen if the layers changed. */

@@ -42,11 +42,19 @@ function checkWhole(parsed: ParsedShader, given: ReadonlyMap<string, VariableSym
 const VERTEX_STARTS: ReadonlySet<string> = new Set(['isf_vertShaderInit', 'vv_vertShaderInit']);
 
 function parse(shader: IsfShader): ParsedShader {
-  return shader.dialect === 'transition' ? parseTransition(shader) : parseShader(shader.source);
+  return shader.dialect === 'transition' ? parseTransition(shader) : parseShader(shader.source, macrosOf(shader));
+}
+
+/** `SCRIM_SCENE` tells a shader for either encoding that its layers are linear and unclamped. */
+function macrosOf({ readsScene }: IsfShader): Readonly<Record<string, number>> {
+  return readsScene ? { SCRIM_SCENE: 1 } : {};
 }
 
 function checkVertex(shader: IsfShader, partial: boolean): CheckedIsf['vertex'] {
   if (shader.vertex === null) return null;
   const given = givenSymbols(shader, 'vertex');
-  return inFile(shader.vertex.file, () => ({ given, checked: checkWhole(parseShader(shader.vertex?.source ?? ''), given, partial) }));
+  return inFile(shader.vertex.file, () => ({
+    given,
+    checked: checkWhole(parseShader(shader.vertex?.source ?? '', macrosOf(shader)), given, partial),
+  }));
 }

@@ -23,7 +23,7 @@ const FIT: ChoiceParam = {
  * GLSL says.
  */
 export function isfDefinition(shader: IsfShader, name: string, access = findAccess(shader)): NodeDefinition {
-  const inputs = portsOf(shader.inputs);
+  const inputs = portsOf(shader.inputs, inputEncoding(shader));
   const params = paramsOf(shader.inputs);
   if (shader.kind === 'operator' && findInput(shader, FIT_PARAM) === undefined) params[FIT_PARAM] = { ...FIT, default: shader.fit };
   const title = shader.title ?? titleFrom(name);
@@ -49,13 +49,25 @@ export function shaderName(file: string): string {
 }
 
 /** Inputs that only wires can provide, by name. */
-export function portsOf(inputs: readonly IsfInput[]): Record<string, InputPort> {
+export function portsOf(inputs: readonly IsfInput[], encoding: InputPort['encoding'] = 'display'): Record<string, InputPort> {
   return Object.fromEntries(
     inputs.flatMap((input) => {
       const port = portOf(input);
-      return port === null ? [] : [[input.name, port]];
+      if (port === null) return [];
+      return [[input.name, port.type === 'layer' && encoding !== 'display' ? { ...port, encoding } : port]];
     }),
   );
+}
+
+function inputEncoding({ encoding, readsScene }: IsfShader): NonNullable<InputPort['encoding']> {
+  if (encoding === 'either') return 'either';
+  return readsScene ? 'scene' : 'display';
+}
+
+/** Nothing for display, the default. */
+function outputEncoding({ encoding, writesScene }: IsfShader): Pick<OutputPort, 'encoding'> {
+  if (encoding === 'either') return { encoding: 'same' };
+  return writesScene ? { encoding: 'scene' } : {};
 }
 
 function portOf(input: IsfInput): InputPort | null {
@@ -154,7 +166,7 @@ function unit(input: IsfInput): { unit?: IsfInput['unit'] } {
 
 /** The output. A layer keeps its depth if its pixels are not moved. */
 function outputOf(shader: IsfShader, access: ReturnType<typeof findAccess>): OutputPort {
-  const port = { type: 'layer', label: 'Layer', doc: 'The result.' } as const;
+  const port = { type: 'layer', label: 'Layer', doc: 'The result.', ...outputEncoding(shader) } as const;
   if (imageInputs(shader).length === 0) return { ...port, domain: 'view', depth: false };
   const stays = access === 'pointwise' || access === 'neighborhood';
   const depth = { auto: stays ? ('same' as const) : false, same: 'same' as const, none: false, over: true }[shader.depth];

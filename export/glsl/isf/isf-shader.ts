@@ -32,10 +32,27 @@ export interface IsfShader {
   readonly premultiplied: boolean;
   /** `SCRIM_DEPTH`: depth of the output; `auto` depends on the access. */
   readonly depth: 'auto' | 'same' | 'none' | 'over';
+  /** `SCRIM_ENCODING`: encoding of the layers that it reads and outputs; `either`: the output is encoded as the inputs are. */
+  readonly encoding: (typeof SHADER_ENCODINGS)[number];
+  /** Whether it reads scene layers, or outputs one. False of shaders for either; their other variant is `sceneVariant`. */
+  readonly readsScene: boolean;
+  readonly writesScene: boolean;
   /** `SCRIM_FIT`: default for fitting images of another size to the view. */
   readonly fit: 'cover' | 'contain' | 'stretch';
   /** `SCRIM_RENAMED`: names of inputs in earlier versions. */
   readonly renamed: NonNullable<NodeDefinition['renamed']>;
+}
+
+/** Words of `SCRIM_ENCODING`; the first is the default. */
+export const SHADER_ENCODINGS = ['display', 'scene', 'either', 'scene to display', 'display to scene'] as const;
+
+const sceneVariants = new WeakMap<IsfShader, IsfShader>();
+
+/** A shader for either encoding as it reads and writes scene layers: the macro `SCRIM_SCENE` is defined in it. */
+export function sceneVariant(shader: IsfShader): IsfShader {
+  const known = sceneVariants.get(shader) ?? { ...shader, readsScene: true, writesScene: true };
+  sceneVariants.set(shader, known);
+  return known;
 }
 
 export interface VertexFile {

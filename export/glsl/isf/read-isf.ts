@@ -1,7 +1,7 @@
 import { hasErrors, type Result } from '../../../nodes/kit/diagnostics.ts';
 import { findTerms } from './find-terms.ts';
 import { type Header, items, property, readHeader, textOf } from './isf-header.ts';
-import type { IsfInput, IsfShader } from './isf-shader.ts';
+import { type IsfInput, type IsfShader, SHADER_ENCODINGS } from './isf-shader.ts';
 import { readInputs } from './read-inputs.ts';
 import { readImported, readPasses } from './read-passes.ts';
 import { readRenamed } from './read-renamed.ts';
@@ -18,6 +18,7 @@ export function readIsf(source: string, file: string, vertex: string | null = nu
   const { header, diagnostics } = readHeader(source, file);
   if (header === null) return { output: null, diagnostics };
   const inputs = readInputs(header);
+  const encoding = readWord(header, 'SCRIM_ENCODING', SHADER_ENCODINGS);
   const shader: IsfShader = {
     file,
     source,
@@ -38,6 +39,9 @@ export function readIsf(source: string, file: string, vertex: string | null = nu
     imported: readImported(header),
     premultiplied: readWord(header, 'SCRIM_ALPHA', ['straight', 'premultiplied']) === 'premultiplied',
     depth: readWord(header, 'SCRIM_DEPTH', ['auto', 'same', 'none', 'over']),
+    encoding,
+    readsScene: encoding === 'scene' || encoding === 'scene to display',
+    writesScene: encoding === 'scene' || encoding === 'display to scene',
     fit: readWord(header, 'SCRIM_FIT', ['cover', 'contain', 'stretch']),
     renamed: readRenamed(header),
   };

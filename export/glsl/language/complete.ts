@@ -1,4 +1,5 @@
 import { getLocation } from 'jsonc-parser';
+import { SHADER_ENCODINGS } from '../isf/isf-shader.ts';
 import type { Place } from '../syntax/token.ts';
 import { TYPES } from '../syntax/words.ts';
 import { BUILTIN_FUNCTIONS } from './builtin-docs.ts';
@@ -206,6 +207,8 @@ function valuesAt(key: string, isTechnique: boolean, inputs: readonly string[]):
       return { straight: '', premultiplied: '' };
     case 'SCRIM_DEPTH':
       return { auto: '', same: '', none: '', over: '' };
+    case 'SCRIM_ENCODING':
+      return Object.fromEntries(SHADER_ENCODINGS.map((word) => [word, '']));
     case 'SIDE':
       return { object: 'As the object says', front: '', back: '', both: '' };
     case 'WIDTH':

@@ -157,7 +157,7 @@ describe('completion', () => {
     expect(labels(text, header, 'a.glsl')).toEqual(['towards', 'radiance', 'lit']);
     const { document, place } = at('#include <light/strength>\nvoid x() { light|Strength(LIGHT(0)); }', header, 'a.glsl');
     expect(definitionsAt(document, place)).toEqual([
-      { file: 'chunks/light/strength.glsl', range: { start: { line: 2, column: 7 }, end: { line: 2, column: 20 } } },
+      { file: 'chunks/light/strength.glsl', range: { start: { line: 4, column: 7 }, end: { line: 4, column: 20 } } },
     ]);
     expect(hoverAt(document, place)).toMatchObject({
       code: 'float lightStrength(const in Light light)',

@@ -1,6 +1,8 @@
 import { CURVE_WIDTH_PX } from '../../program/curve-table.ts';
 import { ROOM_DEPTH_TEXT } from '../../program/room-depth.ts';
+import type { IsfShader } from '../isf/isf-shader.ts';
 import type { LinkedSampler, LinkedSound } from './linked-pass.ts';
+import { FINITE_TEXT } from './prelude.ts';
 
 /** An image that a pass may read. */
 export interface Image {
@@ -79,9 +81,10 @@ export function samplerFor(image: Image, use: ImageUse): LinkedSampler | null {
  * reads are allowed in any control flow.
  *
  * @param uses Which functions the shader calls; only these are declared.
- * @param premultiplied Whether colors are returned as stored. Otherwise alpha is divided out, except in buffers.
+ * @param reading How colors are returned: `premultiplied`: as stored; otherwise alpha is divided out, except in buffers. `readsScene`:
+ * colors of layers are unclamped and finite.
  */
-export function imageText(image: Image, uses: ReadonlySet<ImageUse>, premultiplied: boolean): string {
+export function imageText(image: Image, uses: ReadonlySet<ImageUse>, reading: Reading): string {
   const parts: string[] = [];
   if (image.kind === 'absent') {
     if (uses.has('size')) parts.push(`const vec2 ${sizeUniform(image)} = vec2(1.0);`);
@@ -94,12 +97,15 @@ export function imageText(image: Image, uses: ReadonlySet<ImageUse>, premultipli
   const type = image.kind === 'cube' ? 'samplerCube' : 'sampler2D';
   if (uses.has('color') || uses.has('size')) parts.push(`uniform ${type} ${image.sampler};`);
   if (uses.has('size')) parts.push(`uniform vec2 ${sizeUniform(image)};`);
-  if (uses.has('color')) parts.push(colorText(image, premultiplied));
+  if (uses.has('color')) parts.push(colorText(image, reading));
   if (uses.has('depth')) parts.push(depthText(image));
   return parts.join('\n');
 }
 
-function colorText(image: Image, premultiplied: boolean): string {
+type Reading = Pick<IsfShader, 'premultiplied' | 'readsScene'>;
+
+function colorText(image: Image, reading: Reading): string {
+  const { premultiplied } = reading;
   const read = `textureLod(${image.sampler}, uv, 0.0)`;
   switch (image.kind) {
     case 'buffer':
@@ -112,17 +118,18 @@ function colorText(image: Image, premultiplied: boolean): string {
     case 'cube':
       return `vec4 ${colorFunction(image)}(vec3 uv) { return ${premultiplied ? read : `scrim_straight(${read})`}; }`;
     default:
-      return inputColor(image, premultiplied);
+      return inputColor(image, reading);
   }
 }
 
 /** A layer: fitted to the view, transparent outside of itself, with straight alpha unless the file reads it as stored. */
-function inputColor(image: Image, premultiplied: boolean): string {
+function inputColor(image: Image, { premultiplied, readsScene }: Reading): string {
   const { sampler } = image;
+  const read = `textureLod(${sampler}, at, 0.0)`;
   return `uniform mat3 ${sampler}_uvFromViewUv;
 vec4 ${colorFunction(image)}(vec2 uv) {
   vec2 at = scrim_place(${sampler}_uvFromViewUv, ${image.repeat ? 'fract(uv)' : 'uv'});
-  vec4 color = scrim_inside(at) ? textureLod(${sampler}, at, 0.0) : vec4(0.0);
+  vec4 color = scrim_inside(at) ? ${readsScene ? `scrim_finite(${read})` : read} : vec4(0.0);
   return ${premultiplied ? 'color' : 'scrim_straight(color)'};
 }`;
 }
@@ -174,6 +181,7 @@ const IMAGE_HELPERS = {
   scrim_inside: `bool scrim_inside(vec2 at) {
   return all(lessThanEqual(abs(at - 0.5), vec2(0.50001)));
 }`,
+  scrim_finite: FINITE_TEXT,
   scrim_straight: `vec4 scrim_straight(vec4 color) {
   return color.a > 0.0 ? vec4(color.rgb / color.a, color.a) : vec4(0.0);
 }`,

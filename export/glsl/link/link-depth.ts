@@ -34,7 +34,7 @@ export function linkIsfDepth(shader: IsfShader, options: LinkOptions): LinkedPas
   const uniforms: LinkedUniform[] = fades ? [{ name: names.of(opacity as VariableSymbol), type: 'float', source: { param: OPACITY } }] : [];
   const uses = new Map([[top, new Set<ImageUse>(['color', 'depth'])]]);
   if (bottom !== top) uses.set(bottom, new Set<ImageUse>(['depth']));
-  const texts = [...uses].map(([image, use]) => imageText(image, use, shader.premultiplied));
+  const texts = [...uses].map(([image, use]) => imageText(image, use, shader));
   const head = [FRAGMENT_HEAD, ...uniforms.map((u) => `uniform ${u.type} ${u.name};`), ...helpersFor(texts.join('\n'), false), ...texts];
   const alpha = `${colorFunction(top)}(scrim_uv).a${uniforms.map((u) => ` * ${u.name}`).join('')}`;
   const writer = createLineWriter(0);

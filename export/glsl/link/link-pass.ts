@@ -21,7 +21,7 @@ import {
 import type { PrintContext } from './print-context.ts';
 import { printAuthorsText, printHoistedGlobals } from './print-shader.ts';
 import { findReach, type Reach } from './reach.ts';
-import { builtinUniforms, paramUniforms, usesFragCoord } from './uniforms.ts';
+import { builtinUniforms, paramUniforms, usesFragCoord } from './uniforms-in-use.ts';
 
 /** Everything that `main` uses in this pass. */
 export function reachOfPass(unit: LinkUnit, pass: PlannedPass): Reach {
@@ -57,14 +57,14 @@ export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (Func
 
   const params = paramUniforms(shader, reach, given, names);
   const builtins = builtinUniforms(reach);
-  const imageTexts = [...reach.images].map(([image, uses]) => imageText(image, uses, shader.premultiplied));
+  const imageTexts = [...reach.images].map(([image, uses]) => imageText(image, uses, shader));
   const head = [
     FRAGMENT_HEAD,
     ...(unit.vertex === null ? [] : [`in vec2 ${NORM_COORD};`]),
     ...(context.loopBudget ? [loops === 'counted' ? COUNTED_LOOPS_TEXT : LOOP_BUDGET_TEXT] : []),
     ...builtins.map((name) => `uniform ${UNIFORM_TYPES[name]} ${name};`),
     ...params.map((uniform) => `uniform ${uniform.type} ${uniform.name};`),
-    ...helpersFor(imageTexts.join('\n'), context.found.projects),
+    ...helpersFor(`${imageTexts.join('\n')}\n${outputText(shader.premultiplied, pass.target)}`, context.found.projects),
     ...imageTexts,
     ...(usesFragCoord(reach) ? ['vec4 scrim_fragCoord;'] : []),
     ...(context.found.discards ? ['bool scrim_discarded = false;'] : []),
@@ -95,11 +95,12 @@ function linkCopy(unit: LinkUnit, pass: PlannedPass, images: ReadonlyMap<string,
   const writer = createLineWriter(0);
   writer.own(`void main() {\n  vec4 scrim_fragColor = ${colorFunction(image)}(scrim_uv);`);
   writer.indent(1);
-  writer.own(outputText(unit.shader.premultiplied, pass.target));
+  const output = outputText(unit.shader.premultiplied, pass.target);
+  writer.own(output);
   writer.indent(-1);
   writer.own('}');
   return {
-    shader: linkedShader(unit, [FRAGMENT_HEAD, imageText(image, uses, unit.shader.premultiplied)].join('\n'), writer),
+    shader: linkedShader(unit, [FRAGMENT_HEAD, ...helpersFor(output, false), imageText(image, uses, unit.shader)].join('\n'), writer),
     passIndex: pass.passIndex,
     target: pass.target,
     samplers: samplersOf([{ images: new Map([[image, uses]]) }], images),

@@ -12,7 +12,7 @@ import { vertexHead, vertexMain } from './prelude.ts';
 import type { PrintContext } from './print-context.ts';
 import { printAuthorsText, printHoistedGlobals } from './print-shader.ts';
 import { findReach, type Reach } from './reach.ts';
-import { builtinUniforms, paramUniforms } from './uniforms.ts';
+import { builtinUniforms, paramUniforms } from './uniforms-in-use.ts';
 
 /** The author's vertex shader, linked for one pass. */
 export interface LinkedVertex {
@@ -93,7 +93,7 @@ function printVertex(unit: LinkUnit, fragment: CheckedShader, pass: PlannedPass,
   const main = checked.main.symbol === null ? '' : (reach.instances.get(checked.main.symbol)?.[0]?.name ?? '');
   writer.own(vertexMain(main, NORM_COORD, isBounded));
 
-  const imageTexts = [...reach.images].map(([image, uses]) => imageText(image, uses, shader.premultiplied));
+  const imageTexts = [...reach.images].map(([image, uses]) => imageText(image, uses, shader));
   const head = [
     vertexHead(NORM_COORD),
     ...(isBounded ? [GATE_TEXT] : []),

@@ -31,7 +31,13 @@ export function planPasses(shader: IsfShader): PlannedPass[] {
     if (pass.target === null && passIndex < last) return;
     const seen = new Map(readable);
     if (passIndex === last && !pass.persistent && !sized) {
-      planned.push({ kind: 'author', passIndex, target: { kind: 'output', format: outputFormat(pass) }, readable: seen, copyFrom: null });
+      planned.push({
+        kind: 'author',
+        passIndex,
+        target: { kind: 'output', format: outputFormat(pass, shader) },
+        readable: seen,
+        copyFrom: null,
+      });
       return;
     }
     const target = pass.target ?? freeName(shader, 'result');
@@ -39,13 +45,13 @@ export function planPasses(shader: IsfShader): PlannedPass[] {
     versions.set(target, version + 1);
     // Authors' names cannot contain “#”.
     const buffer = pass.persistent || version === 0 ? target : `${target}#${version}`;
-    planned.push({ kind: 'author', passIndex, target: bufferTarget(pass, buffer), readable: seen, copyFrom: null });
+    planned.push({ kind: 'author', passIndex, target: bufferTarget(pass, buffer, shader), readable: seen, copyFrom: null });
     readable.set(target, buffer);
     if (passIndex === last) {
       planned.push({
         kind: 'copy',
         passIndex,
-        target: { kind: 'output', format: outputFormat(pass) },
+        target: { kind: 'output', format: outputFormat(pass, shader) },
         readable: new Map(readable),
         copyFrom: target,
       });
@@ -67,16 +73,19 @@ function withBufferSettings(pass: IsfPass, shader: IsfShader): IsfPass {
   };
 }
 
-function bufferTarget(pass: IsfPass, name: string): PassTarget {
-  return { kind: 'buffer', name, format: bufferFormat(pass), persistent: pass.persistent, width: pass.width, height: pass.height };
+function bufferTarget(pass: IsfPass, name: string, shader: IsfShader): PassTarget {
+  return { kind: 'buffer', name, format: bufferFormat(pass, shader), persistent: pass.persistent, width: pass.width, height: pass.height };
 }
 
-function bufferFormat({ float, half }: IsfPass): PassTarget['format'] {
-  return float && !half ? 'rgba32f' : outputFormat({ float });
+/** Buffers of a shader that reads scene layers hold their colors, which 8 bits would clamp. */
+function bufferFormat({ float, half }: IsfPass, { readsScene }: IsfShader): PassTarget['format'] {
+  if (float && !half) return 'rgba32f';
+  return float || readsScene ? 'rgba16f' : 'rgba8';
 }
 
 /** Format of the output. It contains colors, possibly above 1, for which 16 bits suffice. */
-function outputFormat({ float }: Pick<IsfPass, 'float'>): PassTarget['format'] {
+function outputFormat({ float }: IsfPass, { writesScene }: IsfShader): PassTarget['format'] {
+  if (writesScene) return 'scene16f';
   return float ? 'rgba16f' : 'rgba8';
 }
 

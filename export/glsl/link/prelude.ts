@@ -85,10 +85,25 @@ export function spend(line: number): string {
 }
 
 /**
+ * Replaces what is no number, and bounds the rest to what a half float holds, because one NaN spreads with each blur. Bits are compared,
+ * because drivers optimize `isnan` away.
+ */
+export const FINITE_TEXT = `float scrim_finite(float x) {
+  return (floatBitsToUint(x) & 0x7FFFFFFFu) > 0x7F800000u ? 0.0 : clamp(x, -65504.0, 65504.0);
+}
+vec4 scrim_finite(vec4 color) {
+  return vec4(scrim_finite(color.r), scrim_finite(color.g), scrim_finite(color.b), clamp(scrim_finite(color.a), 0.0, 1.0));
+}`;
+
+/**
  * Converts the author's color to the content of the target. It is clamped before premultiplication, because bright colors would exceed
- * their alpha. The node's own buffers, and layers of premultiplied files, get the color as it is.
+ * their alpha; in scene layers it may. The node's own buffers, and layers of premultiplied files, get the color as it is.
  */
 export function outputText(premultiplied: boolean, target: PassTarget): string {
+  if (target.format === 'scene16f') {
+    const finite = 'scrim_fragColor = scrim_finite(scrim_fragColor);\nscrim_output = ';
+    return premultiplied ? `${finite}scrim_fragColor;` : `${finite}vec4(scrim_fragColor.rgb * scrim_fragColor.a, scrim_fragColor.a);`;
+  }
   if (premultiplied || target.kind === 'buffer') return 'scrim_output = scrim_fragColor;';
   const clamped = target.format === 'rgba8' ? 'scrim_fragColor = clamp(scrim_fragColor, 0.0, 1.0);\n' : '';
   return `${clamped}scrim_output = vec4(scrim_fragColor.rgb * scrim_fragColor.a, scrim_fragColor.a);`;

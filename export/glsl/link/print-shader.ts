@@ -4,7 +4,7 @@ import { walkStatement } from '../syntax/walk.ts';
 import type { PrintContext } from './print-context.ts';
 import { needsHoisting, printFunctionHead, printGlobals, printHoisted } from './print-declaration.ts';
 import { printBlock } from './print-statement.ts';
-import { zeroOf } from './zero.ts';
+import { zeroOf } from './zero-value.ts';
 
 /** Prints the author's functions and variables that `context.reach` contains. */
 export function printAuthorsText(checked: CheckedShader, context: PrintContext): void {

@@ -5,7 +5,7 @@ import { spend } from './prelude.ts';
 import type { PrintContext } from './print-context.ts';
 import { printVariables } from './print-declaration.ts';
 import { printExpression } from './print-expression.ts';
-import { zeroOf } from './zero.ts';
+import { zeroOf } from './zero-value.ts';
 
 /** Prints one statement on a new line. */
 function printStatement(statement: Statement, context: PrintContext): void {

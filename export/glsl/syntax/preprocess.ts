@@ -42,12 +42,13 @@ interface Branch {
 /**
  * Evaluates all directives of a source and returns plain GLSL tokens with the author's positions.
  *
+ * @param defined Further predefined macros.
  * @throws GlslError at the first mistake.
  */
-export function preprocess(source: string): Token[] {
+export function preprocess(source: string, defined: Readonly<Record<string, number>> = {}): Token[] {
   const tokens = lex(source);
   const macros: MacroTable = new Map();
-  for (const [name, value] of Object.entries(PREDEFINED)) macros.set(name, predefined(name, value));
+  for (const [name, value] of [...Object.entries(PREDEFINED), ...Object.entries(defined)]) macros.set(name, predefined(name, value));
   const budget = createExpansionBudget();
   const branches: Branch[] = [];
   const output: Token[] = [];

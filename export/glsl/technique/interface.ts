@@ -4,7 +4,7 @@
  *
  * Positions are in meters, directions have unit length, both in world space; colors are linear-sRGB with straight alpha. `rest` is the
  * position in local space, in meters, before skinning. `outward` is the hull normal, for outlines: moving each vertex by it moves all
- * adjacent faces by one, so that no gaps open at hard edges.
+ * adjacent faces by one, so that no gaps open at hard edges. `AMBIENT` is `IRRADIANCE` of the surface's own normal, divided by π.
  */
 export const TECHNIQUE_INTERFACE = `struct Vertex { vec3 position; vec3 normal; vec2 uv; vec4 color; vec3 rest; vec3 outward; };
 struct Surface { vec3 position; vec3 normal; vec3 towardsEye; vec2 uv; vec4 color; bool front; vec3 rest; vec3 restNormal; };
@@ -16,19 +16,25 @@ int PASSINDEX;
 float TIME;
 vec2 RENDERSIZE;
 Light LIGHT(const in int index);
+vec3 IRRADIANCE(const in vec3 normal);
+vec3 REFLECTION(const in vec3 direction, const in float roughness);
+Light ENVIRONMENT();
 vec2 VIEW_UV(const in vec3 position);
 float VIEW_DEPTH(const in vec3 position);
 float PIXEL_M(const in vec3 position);
 `;
 
 /**
- * The structs and functions as both stages declare them; `LIGHT` is for the surface only. Where the author discards, the text sets
+ * The structs and functions as both stages declare them; those of light are for the surface only. Where the author discards, the text sets
  * `scrim_discarded` and returns.
  */
 export const PRINTED_STRUCTS = `struct a_Vertex { vec3 position; vec3 normal; vec2 uv; vec4 color; vec3 rest; vec3 outward; };
 struct a_Surface { vec3 position; vec3 normal; vec3 towardsEye; vec2 uv; vec4 color; bool front; vec3 rest; vec3 restNormal; };
 struct a_Light { vec3 towards; vec3 radiance; float lit; };
 a_Light a_LIGHT(const in int index);
+vec3 a_IRRADIANCE(const in vec3 normal);
+vec3 a_REFLECTION(const in vec3 direction, const in float roughness);
+a_Light a_ENVIRONMENT();
 vec2 a_VIEW_UV(const in vec3 position);
 float a_VIEW_DEPTH(const in vec3 position);
 float a_PIXEL_M(const in vec3 position);
@@ -36,5 +42,5 @@ bool scrim_discarded = false;`;
 
 export const INTERFACE_LINES = TECHNIQUE_INTERFACE.split('\n').length - 1;
 
-/** The function that returns a light. */
-export const INTERFACE_FUNCTION = 'LIGHT';
+/** Functions that only the surface has. */
+export const LIGHT_FUNCTIONS: ReadonlySet<string> = new Set(['LIGHT', 'IRRADIANCE', 'REFLECTION', 'ENVIRONMENT']);

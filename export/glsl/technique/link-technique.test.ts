@@ -48,11 +48,12 @@ vec4 surface(const in Surface s) { return vec4(s.color.rgb * tint.rgb, 1.0); }`)
   test('with chunks, each once, and every printed line knows its file and line', () => {
     const { trial } = linked(text('techniques/toon.glsl'));
     const map = trial.sourceMap;
-    expect(map?.sources).toEqual(['techniques/test.glsl', 'chunks/light/received.glsl', 'chunks/light/strength.glsl']);
+    const chunks = ['received', 'diffuse', 'luminance', 'white', 'strength'].map((name) => `chunks/light/${name}.glsl`);
+    expect(map?.sources).toEqual(['techniques/test.glsl', ...chunks]);
     const lines = trial.fragment.split('\n');
     expect(lines.filter((line) => line.includes('float a_lightStrength('))).toHaveLength(1);
     const at = (word: string) => map?.lines[lines.findIndex((line) => line.includes(word))];
-    expect(at('return dot(light.radiance')).toEqual([2, 3, expect.any(Number)]);
+    expect(at('luminance(light.radiance')).toEqual([5, 5, expect.any(Number)]);
     const author = text('techniques/toon.glsl').split('\n');
     const wanted = author.findIndex((line) => line.includes('if (outlinePx <= 0.0) discard;')) + 1;
     expect(at('scrim_discarded = true')?.slice(0, 2)).toEqual([0, wanted]);

@@ -21,7 +21,7 @@ import { parseShader } from '../syntax/parse.ts';
 import { textAbove } from '../syntax/text-above.ts';
 import { GlslError, type Place } from '../syntax/token.ts';
 import { type ExpandedText, expandIncludes } from './expand-includes.ts';
-import { INTERFACE_FUNCTION, INTERFACE_LINES, PRINTED_STRUCTS, TECHNIQUE_INTERFACE } from './interface.ts';
+import { INTERFACE_LINES, LIGHT_FUNCTIONS, PRINTED_STRUCTS, TECHNIQUE_INTERFACE } from './interface.ts';
 import { techniqueImages, techniqueImageText } from './technique-images.ts';
 import type { TechniqueShader } from './technique-shader.ts';
 
@@ -239,7 +239,7 @@ function usesOf(unit: Unit, root: FunctionDeclaration, names = namesFor(unit)): 
 
 function refuseLights(unit: Unit, vertex: FunctionDeclaration): void {
   for (const symbol of usesOf(unit, vertex).reach.instances.keys()) {
-    if (symbol.name === INTERFACE_FUNCTION)
+    if (LIGHT_FUNCTIONS.has(symbol.name))
       throw new GlslError(vertex.name, 'Lights are available in "surface" only, not in "vertex".', 'SCR043');
   }
 }
@@ -335,6 +335,9 @@ uniform float a_TIME;
 uniform vec2 a_RENDERSIZE;`;
 
 const TRIAL_TAIL = `a_Light a_LIGHT(const in int index) { return a_Light(a_EYE, a_AMBIENT, 1.0); }
+vec3 a_IRRADIANCE(const in vec3 normal) { return a_AMBIENT * normal; }
+vec3 a_REFLECTION(const in vec3 direction, const in float roughness) { return a_AMBIENT * direction * roughness; }
+a_Light a_ENVIRONMENT() { return a_Light(a_EYE, a_AMBIENT, 1.0); }
 vec2 a_VIEW_UV(const in vec3 position) { return position.xy; }
 float a_VIEW_DEPTH(const in vec3 position) { return position.z; }
 float a_PIXEL_M(const in vec3 position) { return position.z; }

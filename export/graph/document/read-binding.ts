@@ -7,7 +7,7 @@ import { getOwn } from '../record.ts';
 
 const REPEATS = ['once', 'loop', 'mirror'] as const satisfies readonly Track['repeat'][];
 
-/** Reads a binding. A plain value is a value; every other binding is an object with one key. */
+/** Reads what a param is bound to: a plain JSON value, or an object whose only key is `track`, `expression` or `port`. */
 export function readBinding(reader: ShapeReader, json: unknown, path: JsonPath): Binding {
   if (!isObject(json)) return { value: readValue(reader, json, path) };
   const fields = reader.fields(json, path, ['track', 'expression', 'port']);

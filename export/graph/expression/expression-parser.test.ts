@@ -55,7 +55,7 @@ describe('what cannot be read is told with its column', () => {
     ['1 + 🦊', 5, '“🦊” is not expected here'],
     ['speed * 2', 1, 'Unknown name “speed”; use one of a, b, c, d, time, frame, pi, tau'],
     ['constructor', 1, 'Unknown name “constructor”'],
-    ['2 * sine(a)', 5, 'Unknown function “sine”'],
+    ['2 * sine(a)', 5, 'Unknown function “sine”; use one of sin, cos, tan, asin'],
     ['eval(1)', 1, 'Unknown function'],
     ['sin', 4, 'Expected the “(” of sin(angle)'],
     ['mix(1, 2)', 1, 'mix(from, to, amount) takes 3 arguments but has 2'],

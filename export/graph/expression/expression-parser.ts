@@ -106,9 +106,9 @@ function parseWords(words: readonly Word[], count: number, names: readonly strin
     else if (constant !== undefined) out.push(String(constant));
     else if (names.includes(text) || EXPRESSION_CLOCK.some((name) => name === text)) out.push(text);
     else {
-      const known = [...names, ...EXPRESSION_CLOCK, ...Object.keys(EXPRESSION_CONSTANTS)].join(', ');
       const isCall = next().text === '(';
-      throw new Mistake(word, `Unknown ${isCall ? 'function' : 'name'} “${text}”${isCall ? '' : `; use one of ${known}`}`);
+      const known = isCall ? Object.keys(EXPRESSION_FUNCTIONS) : [...names, ...EXPRESSION_CLOCK, ...Object.keys(EXPRESSION_CONSTANTS)];
+      throw new Mistake(word, `Unknown ${isCall ? 'function' : 'name'} “${text}”; use one of ${known.join(', ')}`);
     }
   }
 

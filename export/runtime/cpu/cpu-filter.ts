@@ -1,5 +1,5 @@
 import type { CpuAnswer, WorkerModule } from '../../../nodes/kit/cpu-filter.ts';
-import type { NodeContext, NodeRuntime } from '../../../nodes/kit/runtime.ts';
+import type { NodeContext, NodeRuntime, NodeWorker } from '../../../nodes/kit/runtime.ts';
 import type { FrameClock } from '../clock.ts';
 import { COPY_SAMPLER, COPY_UV } from '../gl/copy-shader.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
@@ -9,7 +9,7 @@ import { IDENTITY } from '../resources/identity.ts';
 import { MAX_VIEWS } from '../targets/target.ts';
 import type { TargetBuffer } from '../targets/target-buffer.ts';
 import { createViewExchange } from './view-exchange.ts';
-import type { CpuWorker, StartWorker } from './worker-source.ts';
+import type { StartWorker } from './worker-source.ts';
 
 /** Plays a node whose pixels are computed by a worker (ADR 21). */
 export interface CpuFilter extends NodeRuntime {
@@ -49,8 +49,9 @@ export function createCpuFilter({ worker: text }: WorkerModule, node: CpuNode, m
   const views = Array.from({ length: MAX_VIEWS }, () => ({ exchange: createViewExchange(objects), framesAway: 0 }));
   const params = Object.entries(node.params);
   const values: Record<string, unknown> = { ...node.config };
+  const transfer: ArrayBuffer[] = [];
   const task = { view: 0, turn: 0, buffer: new ArrayBuffer(0), widthPx: 0, heightPx: 0, params: values };
-  let worker: CpuWorker | null = null;
+  let worker: NodeWorker | null = null;
   /** Failed or disposed: the input is passed through. */
   let ended = false;
   /** Incremented by a reset: results of earlier tasks are dropped. */
@@ -101,8 +102,9 @@ export function createCpuFilter({ worker: text }: WorkerModule, node: CpuNode, m
     task.heightPx = bytes.heightPx;
     for (const [name, view] of params) values[name] = view.value;
     try {
-      worker ??= startWorker(text, { onAnswer, onFailure: fail });
-      worker.post(task);
+      worker ??= startWorker(text, { onMessage: (data) => onAnswer(data as CpuAnswer), onFailure: fail });
+      transfer[0] = task.buffer;
+      worker.post(task, transfer);
     } catch (error) {
       fail(error instanceof Error ? error.message : String(error));
     }

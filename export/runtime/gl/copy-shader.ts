@@ -1,3 +1,4 @@
+import type { LayerEncoding } from '../../../nodes/kit/definition.ts';
 import { GATE_TEXT } from '../../program/loop-budget.ts';
 import type { LinkedShader } from '../../program/program.ts';
 
@@ -27,6 +28,31 @@ export const GATED_COPY_SHADER: LinkedShader = {
   vertex: vertexShader(`${GATE_TEXT}\n`, 'scrim_isShut() ? vec4(2.0, 2.0, 2.0, 1.0) : vec4(viewUv * 2.0 - 1.0, 0.0, 1.0)'),
   fragment: COPY_SHADER.fragment,
 };
+
+/** Copies a scene layer as a display layer: clamped, for looking at it. Transfer function: IEC 61966-2-1. */
+export const COPY_SCENE_SHADER: LinkedShader = {
+  id: 'scrim:copy-scene',
+  vertex: COPY_SHADER.vertex,
+  fragment: `#version 300 es
+precision highp float;
+uniform highp sampler2D picture;
+uniform mat3 picture_uvFromViewUv;
+in vec2 viewUv;
+out vec4 color;
+void main() {
+  vec3 uv = picture_uvFromViewUv * vec3(viewUv, 1.0);
+  vec4 light = texture(picture, uv.xy / uv.z);
+  vec3 straight = clamp(light.rgb / max(light.a, 0.0001), 0.0, 1.0);
+  vec3 display = mix(1.055 * pow(straight, vec3(1.0 / 2.4)) - 0.055, straight * 12.92, vec3(lessThanEqual(straight, vec3(0.0031308))));
+  color = vec4(display * light.a, light.a);
+}
+`,
+};
+
+/** The shader that copies a layer of a target for display. */
+export function copyShaderFor(encoding: LayerEncoding): LinkedShader {
+  return encoding === 'scene' ? COPY_SCENE_SHADER : COPY_SHADER;
+}
 
 export const COPY_SAMPLER = 'picture';
 export const COPY_UV = 'picture_uvFromViewUv';

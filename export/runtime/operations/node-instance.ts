@@ -2,10 +2,11 @@ import type { PlayedModule } from '../../../nodes/kit/cpu-filter.ts';
 import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import { PULSE_CAPACITY } from '../../../nodes/kit/pulse-capacity.ts';
-import type { Clock, NodeContext, NodeRuntime, SceneService, SessionService } from '../../../nodes/kit/runtime.ts';
+import type { Clock, NodeContext, NodeRuntime, SceneService, SessionService, WorkerService } from '../../../nodes/kit/runtime.ts';
 import type { DrawOperation, NodeOperation, ProgramAsset } from '../../program/program.ts';
 import type { AssetStore } from '../assets/asset-store.ts';
 import { type CpuMeans, createCpuFilter } from '../cpu/cpu-filter.ts';
+import type { StartWorker } from '../cpu/worker-source.ts';
 import type { DiagnosticsBoard } from '../diagnostics-board.ts';
 import { createRandom } from '../random.ts';
 import { type LiveResources, liveResource } from '../resources/resources.ts';
@@ -39,6 +40,7 @@ export interface NodeHost {
   readonly assets: AssetStore;
   readonly board: DiagnosticsBoard;
   readonly cpu: CpuMeans;
+  readonly startWorker: StartWorker;
   /** Creates the backend at the first call. */
   scenes(): SceneBackend;
 }
@@ -86,6 +88,7 @@ export function createNodeInstance(
       return onGpu(scenes);
     },
     session: host.session,
+    workers: createWorkerService('worker' in module ? module.worker : undefined, operation.type, host.startWorker),
     report,
   } satisfies Record<keyof NodeContext<NodeDefinition>, unknown>;
   for (const [port, queue] of ports.pulseOutputs) {
@@ -120,6 +123,15 @@ export function createNodeInstance(
     dispose: () => {
       runtime.dispose();
       host.board.clear(node);
+    },
+  };
+}
+
+function createWorkerService(text: string | undefined, type: string, startWorker: StartWorker): WorkerService {
+  return {
+    start: (listener) => {
+      if (text === undefined) throw new Error(`The node type ${type} has no worker.`);
+      return startWorker(text, listener);
     },
   };
 }

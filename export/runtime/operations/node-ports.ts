@@ -89,6 +89,7 @@ function viewOf(id: string, resources: LiveResources): object {
   switch (resource?.kind) {
     case 'objects':
     case 'lights':
+    case 'bodies':
       return resource.list;
     case 'room-depth':
       return resource.depth;

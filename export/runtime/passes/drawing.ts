@@ -7,7 +7,7 @@ import type { PlayState } from '../play-state.ts';
 import type { LiveResources } from '../resources/resources.ts';
 import type { Imports } from './imports.ts';
 import { createSamplers, type Sampler } from './samplers.ts';
-import type { SetUniform } from './uniforms.ts';
+import type { SetUniform } from './uniform-setters.ts';
 
 /** Values of the gate uniform in bounded shaders, see `export/program/loop-budget.ts`. */
 export const GATE = { open: 0, unlessExceeded: 1, ifExceeded: 2 } as const;

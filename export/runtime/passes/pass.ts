@@ -10,7 +10,7 @@ import type { Slots } from '../values/slots.ts';
 import { createDrawing, createHandOn, type Drawing, GATE } from './drawing.ts';
 import type { Imports } from './imports.ts';
 import { createSamplers } from './samplers.ts';
-import { createUniforms } from './uniforms.ts';
+import { createUniformSetters } from './uniform-setters.ts';
 
 /** A full-screen pass, drawn once per view or frame. */
 export interface Pass {
@@ -97,6 +97,6 @@ export function createPass(operation: PassOperation, program: GlProgram, parts: 
 function createOwn(operation: PassOperation, program: GlProgram, parts: PassParts, probe: WebGLTexture | null): Drawing {
   const { gl, drawer } = parts;
   const samplers = createSamplers(gl, drawer, program, operation, parts.resources, parts.imports);
-  const uniforms = createUniforms(gl, program, operation, parts.slots, parts.clock, parts.resources);
+  const uniforms = createUniformSetters(gl, program, operation, parts.slots, parts.clock, parts.resources);
   return createDrawing(gl, drawer, program, samplers, uniforms, probe);
 }

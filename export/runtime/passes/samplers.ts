@@ -145,10 +145,13 @@ function layerDepth(
   encoding: LayerDepthRef['encoding'],
 ): Sampler {
   return {
-    prepare: (state) => target.front(domain === 'view' ? state.viewIndex : 0),
+    prepare: (state) => {
+      const buffer = target.front(domain === 'view' ? state.viewIndex : 0);
+      if (encoding === 'window') buffer.readDepth();
+    },
     bind: (state) => {
       const buffer = target.front(domain === 'view' ? state.viewIndex : 0);
-      if (locations.texture) drawer.texture(unit, locations.texture, encoding === 'window' ? buffer.depth : buffer.color, 'nearest');
+      if (locations.texture) drawer.texture(unit, locations.texture, encoding === 'window' ? buffer.readDepth() : buffer.color, 'nearest');
       setPlacement(gl, locations, IDENTITY, buffer.widthPx, buffer.heightPx, 'none', state);
       if (locations.decode) setDecode(gl, locations.decode, encoding, state.view?.clipFromView);
     },

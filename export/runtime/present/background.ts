@@ -7,7 +7,7 @@ import type { GlProgram } from '../gl/program-cache.ts';
 import type { PlayState } from '../play-state.ts';
 
 /** What the player needs of the session. */
-export type SessionTraits = Pick<Session, 'world' | 'blend'>;
+export type SessionTraits = Pick<Session, 'world' | 'blend' | 'hidesPage'>;
 
 /** The background of a view. */
 export interface Background {

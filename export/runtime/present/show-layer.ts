@@ -1,5 +1,5 @@
 import { clearRectangle } from '../gl/clear.ts';
-import { COPY_SAMPLER, COPY_UV } from '../gl/copy-shader.ts';
+import { COPY_SAMPLER, COPY_SCENE_SHADER, COPY_UV } from '../gl/copy-shader.ts';
 import type { Inspected } from '../inspected.ts';
 import { findPicture } from '../readback.ts';
 
@@ -10,11 +10,12 @@ const CLEAR = new Float32Array(4);
  * fully visible. Returns false, and draws nothing, if the layer is not viewed or was not drawn.
  */
 export function showLayer({ engine, resources, layer }: Inspected, viewIndex: number, from: number, to: number): boolean {
-  const { state, objects, drawer, copy } = engine;
+  const { state, objects, drawer } = engine;
   const { gl } = objects;
   if (layer === null) return false;
   const view = state.frame.views[viewIndex];
   const picture = findPicture(state, resources, layer.color, viewIndex);
+  const copy = picture?.encoding === 'scene' ? engine.tool(COPY_SCENE_SHADER) : engine.copy;
   const location = copy.state === 'linked' ? copy.uniform(COPY_SAMPLER) : null;
   if (!view || !picture || !location) return false;
   const { x, y, widthPx, heightPx } = view.viewport;

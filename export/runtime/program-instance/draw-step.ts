@@ -48,7 +48,7 @@ export function createDrawStep(engine: Engine, operation: DrawOperation, instanc
       for (let i = 0; i < sampled.length; i++) sampled[i]?.target.front(sampled[i]?.domain === 'view' ? viewIndex : 0);
       if (destination) {
         const buffer = destination.target.back(viewIndex);
-        clearAll(gl, buffer.framebuffer, buffer.depth !== null);
+        clearAll(gl, buffer.framebuffer, buffer.hasDepth);
         viewport.x = 0;
         viewport.y = 0;
         viewport.widthPx = buffer.widthPx;

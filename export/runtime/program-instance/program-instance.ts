@@ -63,8 +63,9 @@ export function createProgramInstance(
   const { program } = loaded;
   const { state } = engine;
   const slots = createSlots(program.slots);
-  const resources = createResources(program, engine.objects, before?.resources ?? null);
+  const resources = createResources(program, engine, before?.resources ?? null);
   pointResources(program, resources, engine, slots);
+  reportMissingFloats(program, engine);
   const instances = createNodeInstances(engine, program, slots, resources, before?.instances ?? null);
   const runtimes: readonly NodeRuntime[] = [...instances.nodes.values()].map((node) => node.runtime);
   const delays = runtimes.filter((runtime) => runtime.remember !== undefined);
@@ -125,7 +126,11 @@ export function createProgramInstance(
       if (!backend) return;
       state.frame = createEmptyWorld();
       enterView(state, 0);
-      for (const [id, { runtime }] of instances.nodes) if (!makesValues(program, id)) runtime.update(state.frame);
+      for (const [id, { runtime }] of instances.nodes) {
+        // Nodes with state begin with the first frame.
+        if (makesValues(program, id)) runtime.prepare?.();
+        else runtime.update(state.frame);
+      }
       const compiled = backend.prepare(() => {
         for (const step of [...once, ...each]) step.prepare?.(state);
       });
@@ -154,6 +159,22 @@ export function createProgramInstance(
       return { resources: left.resources, instances: left, loops: null };
     },
   };
+}
+
+/** Reports once, at the first node, that scene layers are stored as display layers are. */
+function reportMissingFloats({ resources, operations }: Program, { objects, host }: Engine): void {
+  if (objects.limits.halfFloatTargets) return;
+  const scenes = new Set(
+    resources.flatMap((resource) => (resource.kind === 'target' && resource.format === 'scene16f' ? [resource.id] : [])),
+  );
+  const first = operations.find(({ writes }) => writes.some((id) => scenes.has(id)));
+  if (!first) return;
+  host.board.report(first.node, {
+    code: 'SCR055',
+    severity: 'warning',
+    message: 'This GPU cannot draw to 16-bit floats, so scene layers lose what is brighter than white.',
+    fix: 'Use display layers, or keep the light of the scene below white.',
+  });
 }
 
 const PREPARED_SIDE_PX = 64;

@@ -1,9 +1,11 @@
+import type { BodyList } from '../../../nodes/kit/physics.ts';
 import { createPose, type PoseOutput } from '../../../nodes/kit/pose.ts';
 import type { LayerOutput } from '../../../nodes/kit/runtime.ts';
 import type { EnvironmentOutput, LightList, ObjectList, RoomDepthOutput } from '../../../nodes/kit/scene-lists.ts';
 import type { Program, Resource, ResourceId } from '../../program/program.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
 import { createLiveSound, type LiveSound } from '../sound/live-sound.ts';
+import type { NearestDepth } from '../targets/nearest-depth.ts';
 import { createTarget, MAX_VIEWS } from '../targets/target.ts';
 import { createPulseQueue, type PulseQueue } from '../values/pulses.ts';
 import type { Slots } from '../values/slots.ts';
@@ -22,14 +24,21 @@ export type LiveResource =
   | { readonly kind: 'curve'; readonly curve: LiveCurve }
   | { readonly kind: 'pulses'; readonly queue: PulseQueue }
   | { readonly kind: 'pose'; readonly pose: PoseOutput }
+  | { readonly kind: 'bodies'; readonly list: BodyList }
   | { readonly kind: 'technique'; readonly technique: LiveTechnique }
   /** Created by its operation. */
   | { readonly kind: 'shadow-maps' };
 
+/** Parts of the engine that targets are made with. */
+export interface TargetParts {
+  readonly objects: GlObjects;
+  readonly nearestDepth: NearestDepth;
+}
+
 export type LiveResources = ReadonlyMap<ResourceId, LiveResource>;
 
 /** Creates the resources of a program and reuses unchanged ones of `before`. The caller disposes the rest with `disposeUnused`. */
-export function createResources(program: Program, objects: GlObjects, before: LiveResources | null): LiveResources {
+export function createResources(program: Program, { objects, nearestDepth }: TargetParts, before: LiveResources | null): LiveResources {
   const tapped = new Set(Object.values(program.taps).flatMap((layer) => [layer.color, layer.depth?.resource ?? layer.color]));
   const live = new Map<ResourceId, LiveResource>();
   const taken = new Set<LiveResource>();
@@ -38,7 +47,7 @@ export function createResources(program: Program, objects: GlObjects, before: Li
     const old = before?.get(resource.id);
     // Two resources that shared a texture may have separate ones now.
     const kept = old && !taken.has(old) && isSame(old, resource, tapped.has(resource.id));
-    const made = kept ? old : create(resource, objects, tapped.has(resource.id));
+    const made = kept ? old : create(resource, { objects, nearestDepth }, tapped.has(resource.id));
     taken.add(made);
     live.set(resource.id, made);
   }
@@ -111,6 +120,10 @@ export function clearOutput(resource: LiveResource): void {
     case 'pulses':
       resource.queue.clear();
       break;
+    case 'bodies':
+      resource.list.bodies.length = 0;
+      resource.list.version++;
+      break;
     case 'pose':
       resource.pose.valid = false;
       resource.pose.jumps++;
@@ -125,10 +138,10 @@ export function clearOutput(resource: LiveResource): void {
   }
 }
 
-function create(resource: Resource, objects: GlObjects, tapped: boolean): LiveResource {
+function create(resource: Resource, { objects, nearestDepth }: TargetParts, tapped: boolean): LiveResource {
   switch (resource.kind) {
     case 'target':
-      return { kind: 'target', domain: resource.domain, target: createTarget(objects, resource, tapped), tapped };
+      return { kind: 'target', domain: resource.domain, target: createTarget(objects, resource, tapped, nearestDepth), tapped };
     case 'external':
       return { kind: 'external', domain: resource.domain, layer: createExternalLayer(resource.domain === 'view' ? MAX_VIEWS : 1) };
     case 'room-depth':
@@ -147,6 +160,8 @@ function create(resource: Resource, objects: GlObjects, tapped: boolean): LiveRe
       return { kind: 'pulses', queue: createPulseQueue() };
     case 'pose':
       return { kind: 'pose', pose: createPose() };
+    case 'bodies':
+      return { kind: 'bodies', list: { version: 0, bodies: [] } };
     case 'technique':
       return { kind: 'technique', technique: createLiveTechnique(resource.id) };
     case 'shadow-maps':

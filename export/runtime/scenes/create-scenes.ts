@@ -1,5 +1,6 @@
 import type { NumberView } from '../../../nodes/kit/value-views.ts';
 import type { CreateSceneBackend, SceneBackend, SceneHost, ShadowMaps } from '../scene-backend.ts';
+import { createNearestDepth } from '../targets/nearest-depth.ts';
 import { createNeutralEnvironment } from './environments/neutral.ts';
 import { createPanoramaStore } from './environments/panorama-store.ts';
 import { type ReadRadiance, readRadiance } from './environments/read-radiance.ts';
@@ -46,6 +47,7 @@ function create(host: SceneHost, tools: SceneTools): SceneBackend {
                 neutral,
                 panoramas,
                 ambient: look.ambient ?? FULL_AMBIENT,
+                encoding: look.encoding ?? 'display',
                 shadowMaps,
                 occlusion,
                 watchLimits: createLightLimits(binding.report, 'all', limits),
@@ -62,6 +64,7 @@ function create(host: SceneHost, tools: SceneTools): SceneBackend {
     createShadowMaps: (casters, lights) => createShadowMaps(renderer, casters, lights),
     loadModel: createModelLoader(tools, renderer.three),
     loadEnvironment: panoramas.load,
+    createNearestDepth,
     prepare: renderer.prepare,
     invalidateState: renderer.invalidateState,
     counts: () => {

@@ -57,6 +57,7 @@ export function pickObject(inspected: Seen & Pick<Inspected, 'engine'>, viewInde
     if (draw.kind !== 'draw') continue;
     for (const list of objectsInto(inspected, draw)) {
       for (const item of list.items) {
+        if (item.hidden) continue;
         // The subtree is stored as if it were at the origin, so the ray is transformed.
         const objectFromWorld = scratchMatrix.copy(item.worldFromObject).invert();
         ray.origin.copy(from).applyMatrix4(objectFromWorld);

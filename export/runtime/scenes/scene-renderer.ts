@@ -1,5 +1,6 @@
 import {
   type Camera,
+  LinearSRGBColorSpace,
   NoToneMapping,
   PCFShadowMap,
   type Scene,
@@ -8,6 +9,7 @@ import {
   WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
+import type { LayerEncoding } from '../../../nodes/kit/definition.ts';
 import type { DrawView } from '../../../nodes/kit/runtime.ts';
 import type { SceneHost } from '../scene-backend.ts';
 import { catchLeftovers } from './leftovers.ts';
@@ -15,8 +17,8 @@ import { catchLeftovers } from './leftovers.ts';
 /** The renderer of three.js without its own clearing, output encoding and scheduling. */
 export interface SceneRenderer {
   readonly three: ThreeRenderer;
-  /** Draws over the content of the view's framebuffer and leaves it bound. */
-  draw(view: DrawView, scene: Scene, camera: Camera): void;
+  /** Draws over the content of the view's framebuffer and leaves it bound. `encoding` is that of the layer; the default is display. */
+  draw(view: DrawView, scene: Scene, camera: Camera, encoding?: LayerEncoding): void;
   /** Clears a render target of three.js, or one face of a cube, to depth 1 and color 0, and draws to it; leaves no framebuffer bound. */
   drawDepth(target: WebGLRenderTarget, scene: Scene, camera: Camera, face?: number): void;
   /**
@@ -47,8 +49,9 @@ interface ExternalFramebuffers {
  * `setRenderTargetFramebuffer` makes `setRenderTarget` bind an external framebuffer with the target's viewport; `isXRRenderTarget` makes
  * materials encode to the texture's color space, as for the canvas. `tests/browser/scenes-three.test.ts` tests both.
  */
-function createFramebufferTarget(): WebGLRenderTarget {
-  const target = new WebGLRenderTarget(1, 1, { colorSpace: SRGBColorSpace, depthBuffer: true });
+function createFramebufferTarget(encoding: LayerEncoding): WebGLRenderTarget {
+  const colorSpace = encoding === 'scene' ? LinearSRGBColorSpace : SRGBColorSpace;
+  const target = new WebGLRenderTarget(1, 1, { colorSpace, depthBuffer: true });
   return Object.assign(target, { isXRRenderTarget: true });
 }
 
@@ -69,7 +72,7 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
   three.shadowMap.autoUpdate = false;
   three.shadowMap.needsUpdate = false;
 
-  const target = createFramebufferTarget();
+  const targets = { display: createFramebufferTarget('display'), scene: createFramebufferTarget('scene') };
   const external = three as unknown as ExternalFramebuffers;
   let stale = true;
   /** Collects compilations while `prepare` runs draws. */
@@ -87,8 +90,9 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
 
   return {
     three,
-    draw: (view, scene, camera) => {
+    draw: (view, scene, camera, encoding = 'display') => {
       restoreState();
+      const target = targets[encoding];
       const { x, y, widthPx, heightPx } = view.viewport;
       external.setRenderTargetFramebuffer(target, view.framebuffer);
       target.viewport.set(x, y, widthPx, heightPx);
@@ -167,7 +171,8 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
       stale = true;
     },
     dispose: () => {
-      target.dispose();
+      targets.display.dispose();
+      targets.scene.dispose();
       three.dispose();
       leftovers.free();
     },

@@ -1,4 +1,5 @@
 import { BackSide, DoubleSide, FrontSide, type Material, Scene } from 'three';
+import type { LayerEncoding } from '../../../nodes/kit/definition.ts';
 import type { DrawnScene } from '../../../nodes/kit/runtime.ts';
 import type { ObjectItem } from '../../../nodes/kit/scene-lists.ts';
 import type { NumberView } from '../../../nodes/kit/value-views.ts';
@@ -27,6 +28,8 @@ export interface ShadedSceneOptions {
   readonly panoramas: PanoramaStore;
   /** Brightness of the neutral environment; with 1 it alone renders a white matte surface white. */
   readonly ambient: NumberView;
+  /** Encoding of the layer. */
+  readonly encoding: LayerEncoding;
   readonly shadowMaps: RenderedShadowMaps | null;
   readonly occlusion: OcclusionPatch | null;
   readonly watchLimits: LightLimits;
@@ -45,7 +48,7 @@ type Side = LayerTwinOptions['side'];
 
 /** Draws virtual objects with their own materials, lights and shadows, and the depth of phantoms. */
 export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
-  const { renderer, shadowMaps, occlusion, watchLimits, textureLimits } = options;
+  const { renderer, encoding, shadowMaps, occlusion, watchLimits, textureLimits } = options;
   const scene = new Scene();
   scene.matrixWorldAutoUpdate = false;
   const view = createViewCamera();
@@ -60,7 +63,8 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
   const onChange = (): void => {
     outdated = true;
   };
-  const techniques = createTechniquePlans({ twins, translucentShadows, ambient: options.ambient, occlusion, onChange });
+  const layerOptions = { encoding, occlusion, translucentShadows, onChange };
+  const techniques = createTechniquePlans({ twins, translucentShadows, occlusion, onChange });
 
   function plan(master: Drawable, item: ObjectItem): readonly ProxyPlan[] {
     const features = programFeatures(master);
@@ -69,12 +73,12 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
     if (item.role === 'phantom') return [{ material: depth(), renderOrder: PHANTOMS_FIRST }];
     const draw = (side: Side): ProxyPlan => ({
       material: mapMaterials(master, (part) =>
-        twins.get(part, `${features}|${side ?? ''}`, () => createLayerTwin(part, { side, occlusion, translucentShadows, onChange })),
+        twins.get(part, `${features}|${side ?? ''}`, () => createLayerTwin(part, { side, ...layerOptions })),
       ),
       renderOrder: master.renderOrder,
     });
     const byTechnique = techniques.plan(master, item, DEPTH_FIRST, (part) =>
-      twins.get(part, `${features}|`, () => createLayerTwin(part, { side: null, occlusion, translucentShadows, onChange })),
+      twins.get(part, `${features}|`, () => createLayerTwin(part, { side: null, ...layerOptions })),
     );
     if (byTechnique) return byTechnique;
     const colors = isTwoPass(master.material) ? [draw(BackSide), draw(FrontSide)] : [draw(null)];
@@ -99,10 +103,11 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
         outdated = false;
         twins.sweep();
         techniques.sweep();
-        lit = proxies.proxies.some(({ object }) => materialsOf(object).some(isLit));
+        lit = techniques.isUsed() || proxies.proxies.some(({ object }) => materialsOf(object).some(isLit));
       }
       watchLimits(lightLists);
       surroundings.update(lightLists, lit);
+      techniques.light(scene);
       lights.update(lightLists);
     },
     draw: (drawView) => {
@@ -110,7 +115,7 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
       textureLimits.tell(0, lights.bindShadows(shadowMaps, translucentShadows, maxTextures));
       occlusion?.bind(drawView);
       techniques.bind(drawView);
-      renderer.draw(drawView, scene, view.camera);
+      renderer.draw(drawView, scene, view.camera, encoding);
     },
     dispose: () => {
       proxies.dispose();

@@ -47,6 +47,46 @@ export interface SessionFileFrame {
   readonly depth?: string;
   readonly worldFromCamera: readonly number[];
   readonly light?: SessionFileLight;
+  readonly input?: SessionFileInput;
+}
+
+/** What the visitor did in a frame; as `SessionInput` in `nodes/kit/session.ts`. */
+export interface SessionFileInput {
+  readonly pointers?: readonly SessionFilePointer[];
+  readonly left?: SessionFileController;
+  readonly right?: SessionFileController;
+  readonly leftHand?: SessionFileHand;
+  readonly rightHand?: SessionFileHand;
+}
+
+export interface SessionFilePointer {
+  /** From 1; the same as long as it is the same pointer. */
+  readonly id: number;
+  readonly by: 'screen' | 'mouse' | 'left' | 'right' | 'left-hand' | 'right-hand' | 'gaze';
+  readonly phase: 'hover' | 'start' | 'hold' | 'end' | 'cancel';
+  readonly worldFromRay: readonly number[];
+  readonly worldFromGrip?: readonly number[];
+  readonly pinch: number;
+  /** Of the phase `end`. */
+  readonly tapped?: boolean;
+}
+
+export interface SessionFileController {
+  readonly stick: readonly [number, number];
+  readonly trigger: number;
+  readonly squeeze: number;
+  readonly primary?: boolean;
+  readonly secondary?: boolean;
+  readonly stickPressed?: boolean;
+  readonly bare?: boolean;
+  readonly worldFromRay?: readonly number[];
+  readonly worldFromGrip?: readonly number[];
+}
+
+/** 25 joints in the order of `nodes/kit/hand-joints.ts`. */
+export interface SessionFileHand {
+  readonly worldFromJoints: readonly number[];
+  readonly radiiM: readonly number[];
 }
 
 /** As `LightEstimate` in `nodes/kit/session.ts`: 27 numbers, coefficient by coefficient, RGB within each. */

@@ -1,9 +1,12 @@
-import type { Anchor, AnchorService, AnchorState } from '../../../nodes/kit/anchors.ts';
+import type { Anchor, AnchorKeeping, AnchorService, AnchorState } from '../../../nodes/kit/anchors.ts';
 import type { Hit } from '../../../nodes/kit/hit-test.ts';
 import { multiplyMatrices } from '../../../nodes/kit/matrices.ts';
 import type { SessionFrame, XrAccess } from '../../../nodes/kit/session.ts';
 import { setRigidInverse } from '../sessions/matrix.ts';
+import type { AnchorMemory } from './anchor-memory.ts';
 import type { FoundHit } from './hit-test.ts';
+import { forgetAnchor, keepAnchor } from './keep-anchor.ts';
+import { toXrTransform } from './to-xr-transform.ts';
 import type { WebXrLedger } from './webxr-hits.ts';
 
 /** All anchors of a player. */
@@ -26,6 +29,8 @@ class StoredAnchor implements Anchor {
   /** The pose that was asked for, in the space of the browser's anchor; null where they are the same. */
   xrFromAnchor: Float32Array | null = null;
   wasTracked = false;
+  keeping: AnchorKeeping = 'not-asked';
+  evicted = 0;
   /** The node or the session is done with it. */
   over = false;
 
@@ -52,7 +57,7 @@ class StoredAnchor implements Anchor {
   }
 }
 
-export function createAnchorStore(frameNow: () => SessionFrame, ledger: WebXrLedger): AnchorStore {
+export function createAnchorStore(frameNow: () => SessionFrame, ledger: WebXrLedger, memory: AnchorMemory): AnchorStore {
   const anchors: StoredAnchor[] = [];
   let made = 0;
   const forget = (anchor: StoredAnchor): void => {
@@ -60,7 +65,7 @@ export function createAnchorStore(frameNow: () => SessionFrame, ledger: WebXrLed
     if (index >= 0) anchors.splice(index, 1);
   };
 
-  function request(anchor: StoredAnchor, at: Hit | ArrayLike<number>, xr: XrAccess): void {
+  function request(anchor: StoredAnchor, at: Hit | ArrayLike<number>, xr: XrAccess, keepAs: string | undefined): void {
     const result = 'worldFromHit' in at ? (at as FoundHit).xrResult : null;
     const createAnchor = (at as FoundHit).anchorable ? result?.createAnchor?.bind(result) : undefined;
     if (createAnchor) {
@@ -68,27 +73,54 @@ export function createAnchorStore(frameNow: () => SessionFrame, ledger: WebXrLed
       anchor.xrFromAnchor = new Float32Array(16);
       multiplyMatrices(anchor.xrFromAnchor, scratchInverse, anchor.worldFromAnchor);
     }
+    const { frame, referenceSpace } = xr;
+    receive(
+      anchor,
+      () => createAnchor?.() ?? (frame as XRFrame).createAnchor?.(toXrTransform(anchor.worldFromAnchor), referenceSpace as XRSpace),
+      () => {
+        anchor.state = 'unsupported';
+        if (keepAs !== undefined) anchor.keeping = 'refused';
+      },
+      keepAs === undefined ? undefined : (made) => void keep(anchor, made, xr.session as XRSession, keepAs),
+    );
+  }
+
+  /** Calls `make`, which may throw, at once, and gives the anchor what it resolves to. */
+  function receive(
+    anchor: StoredAnchor,
+    make: () => Promise<XRAnchor> | undefined,
+    refuse: () => void,
+    then: ((made: XRAnchor) => void) | undefined,
+  ): void {
     ledger.pending++;
-    void created(
-      () => createAnchor?.() ?? (xr.frame as XRFrame).createAnchor?.(toXrTransform(anchor.worldFromAnchor), xr.referenceSpace as XRSpace),
-    )
+    void created(make)
       .then((made) => {
         if (!made) throw new Error('The browser makes no anchors.');
         if (anchor.over) made.delete();
-        else anchor.xr = made;
+        else {
+          anchor.xr = made;
+          then?.(made);
+        }
       })
       .catch(() => {
-        if (!anchor.over) anchor.state = 'unsupported';
+        if (!anchor.over) refuse();
       })
       .finally(() => {
         ledger.pending--;
       });
   }
+
+  async function keep(anchor: StoredAnchor, made: XRAnchor, session: XRSession, name: string): Promise<void> {
+    const anchorFromPose = anchor.xrFromAnchor && Array.from(anchor.xrFromAnchor);
+    const { kept, evicted } = await keepAnchor(made, session, memory, { name, anchorFromPose });
+    anchor.keeping = kept ? 'kept' : 'refused';
+    anchor.evicted = evicted;
+  }
   return {
     get count() {
       return anchors.length;
     },
-    create: (at) => {
+    create: (at, keepAs) => {
       const matrix = 'worldFromHit' in at ? at.worldFromHit : at;
       const anchor = new StoredAnchor(`anchor-${++made}`, forget);
       for (let i = 0; i < 16; i++) {
@@ -98,10 +130,37 @@ export function createAnchorStore(frameNow: () => SessionFrame, ledger: WebXrLed
       }
       anchors.push(anchor);
       const { xr } = frameNow();
+      const isGranted = xr?.capabilities.has('anchors') ?? false;
+      if (keepAs !== undefined) anchor.keeping = isGranted ? 'pending' : 'refused';
       if (!xr) anchor.state = 'tracked';
-      else if (xr.capabilities.has('anchors')) request(anchor, at, xr);
+      else if (isGranted) request(anchor, at, xr, keepAs);
       else anchor.state = 'unsupported';
       return anchor;
+    },
+    restore: (name) => {
+      const { xr } = frameNow();
+      const session = xr?.session as XRSession | undefined;
+      const kept = memory.find(name);
+      if (!kept || !session?.restorePersistentAnchor || !xr?.capabilities.has('anchors')) return null;
+      const anchor = new StoredAnchor(`anchor-${++made}`, forget);
+      anchor.keeping = 'kept';
+      anchor.xrFromAnchor = kept.anchorFromPose && Float32Array.from(kept.anchorFromPose);
+      anchors.push(anchor);
+      receive(
+        anchor,
+        () => session.restorePersistentAnchor?.(kept.handle),
+        // The place may be in another room, so its handle stays.
+        () => anchor.end(),
+        undefined,
+      );
+      return anchor;
+    },
+    forget: (name) => {
+      const kept = memory.find(name);
+      if (!kept) return;
+      const { xr } = frameNow();
+      if (xr) void forgetAnchor(xr.session as XRSession, memory, kept);
+      else memory.remove(kept.handle);
     },
     update: ({ xr }) => {
       // Backwards: those that the device deleted leave the list.
@@ -148,18 +207,4 @@ function poseOf(anchor: XRAnchor, frame: XRFrame, xr: XrAccess): Float32Array | 
 /** `create` may throw at once, and the method may be missing. */
 async function created(create: () => Promise<XRAnchor> | undefined): Promise<XRAnchor | undefined> {
   return create();
-}
-
-function toXrTransform(m: Float32Array): XRRigidTransform {
-  const at = (i: number): number => m[i] ?? 0;
-  // Shepperd's method: the largest of the four components first.
-  const trace = at(0) + at(5) + at(10);
-  let q: [number, number, number, number];
-  if (trace > at(0) && trace > at(5) && trace > at(10)) q = [at(6) - at(9), at(8) - at(2), at(1) - at(4), 1 + trace];
-  else if (at(0) > at(5) && at(0) > at(10)) q = [1 + at(0) - at(5) - at(10), at(1) + at(4), at(8) + at(2), at(6) - at(9)];
-  else if (at(5) > at(10)) q = [at(1) + at(4), 1 + at(5) - at(0) - at(10), at(6) + at(9), at(8) - at(2)];
-  else q = [at(8) + at(2), at(6) + at(9), 1 + at(10) - at(0) - at(5), at(1) - at(4)];
-  const length = Math.hypot(...q);
-  const [x, y, z, w] = q;
-  return new XRRigidTransform({ x: at(12), y: at(13), z: at(14) }, { x: x / length, y: y / length, z: z / length, w: w / length });
 }

@@ -1,5 +1,6 @@
 import type { HitTest } from '../../../nodes/kit/hit-test.ts';
 import { EMPTY_FRAME } from '../play-state.ts';
+import { createAnchorMemory } from './anchor-memory.ts';
 import { createAnchorStore } from './anchor-store.ts';
 import { castAtRoom, HIT_SOURCES } from './cast/cast-room.ts';
 import { createDepthPictures } from './depth-pictures.ts';
@@ -17,13 +18,14 @@ const scratchRay = createRay();
 /**
  * Creates hit tests from the device, detected surfaces, room depth and the floor; anchors from the device, or ideal ones without a device.
  */
-export const createSpatial: CreateSpatial = ({ gl, held }) => {
+export const createSpatial: CreateSpatial = ({ gl, held, keptAnchors }) => {
   const depth = createDepthPictures(gl, held);
   const ledger: WebXrLedger = { sources: 0, pending: 0 };
   const open = new Set<HitTest>();
   let frame = EMPTY_FRAME;
   let round = 0;
-  const anchors = createAnchorStore(() => frame, ledger);
+  const memory = createAnchorMemory(keptAnchors?.storage ?? null, keptAnchors?.page ?? '');
+  const anchors = createAnchorStore(() => frame, ledger, memory);
   const waitForDevice = async (): Promise<void> => {
     for (let i = 0; i < PATIENCE && ledger.pending > 0; i++) await null;
   };
@@ -42,6 +44,7 @@ export const createSpatial: CreateSpatial = ({ gl, held }) => {
     },
     castRay: (worldFromRay, out, sources = HIT_SOURCES) =>
       setRay(scratchRay, worldFromRay) && castAtRoom(out, scratchRay, frame, depth, sources),
+    depthPicture: (viewIndex) => depth.picture(frame, viewIndex),
     anchors,
     enterFrame: (next) => {
       frame = next;

@@ -1,12 +1,13 @@
 import type { AnchorService } from '../../../nodes/kit/anchors.ts';
 import type { SessionService } from '../../../nodes/kit/runtime.ts';
 import type { SessionFrame } from '../../../nodes/kit/session.ts';
+import type { AnchorStorage } from './anchor-memory.ts';
 
 /**
  * Hit tests and anchors of a player. Pages whose program needs neither `hit-test` nor `anchors` are bundled without it. It lives as
  * long as the player, because the state of nodes outlives a lost context.
  */
-export interface Spatial extends Pick<SessionService, 'openHitTest' | 'castRay'> {
+export interface Spatial extends Pick<SessionService, 'openHitTest' | 'castRay' | 'depthPicture'> {
   readonly anchors: AnchorService;
   /** Once a frame, before nodes are updated. */
   enterFrame(frame: SessionFrame): void;
@@ -27,4 +28,16 @@ export interface SpatialCounts {
   readonly anchors: number;
 }
 
-export type CreateSpatial = (parts: { readonly gl: WebGL2RenderingContext; readonly held: boolean }) => Spatial;
+/** Where a page stores which anchors the device keeps for it. */
+export interface KeptAnchors {
+  readonly storage: AnchorStorage | null;
+  /** Path of the page, which tells its anchors from those of other pages of the origin. */
+  readonly page: string;
+}
+
+export type CreateSpatial = (parts: {
+  readonly gl: WebGL2RenderingContext;
+  readonly held: boolean;
+  /** Absent: kept anchors are known until the player is disposed. */
+  readonly keptAnchors?: KeptAnchors;
+}) => Spatial;

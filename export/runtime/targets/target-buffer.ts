@@ -1,6 +1,7 @@
 import type { Resource } from '../../program/program.ts';
 import { allocateTexture } from '../gl/allocate-texture.ts';
 import type { GlLimits, GlObjects } from '../gl/gl-objects.ts';
+import type { DepthResolve, NearestDepth } from './nearest-depth.ts';
 
 export type TargetResource = Extract<Resource, { kind: 'target' }>;
 
@@ -9,49 +10,71 @@ export interface TargetBuffer {
   readonly widthPx: number;
   readonly heightPx: number;
   readonly color: WebGLTexture;
-  /** Window-space depth; null if the target has none. */
-  readonly depth: WebGLTexture | null;
+  /** Whether it has depth. */
+  readonly hasDepth: boolean;
   /** The framebuffer to draw to. */
   readonly framebuffer: WebGLFramebuffer;
-  /** Framebuffer with `color` and `depth`; the same as `framebuffer` without multisampling. */
+  /** Framebuffer with `color`; the same as `framebuffer` without multisampling. */
   readonly resolvedFramebuffer: WebGLFramebuffer;
-  /** Resolves the multisampled image to the textures; does nothing without multisampling. */
+  /** Resolves the multisampled color to its texture; does nothing without multisampling. */
   resolve(): void;
+  /**
+   * Window-space depth of the nearest covered sample, or null if the target has none. With multisampling, the first call after `resolve`
+   * draws it, which binds framebuffers; further ones only return it. Its memory is allocated at the first call, because few layers need it.
+   */
+  readDepth(): WebGLTexture | null;
   dispose(): void;
 }
 
-/** Creates a transparent buffer. Leaves its framebuffer bound. */
-export function createTargetBuffer(objects: GlObjects, resource: TargetResource, widthPx: number, heightPx: number): TargetBuffer {
+/** Creates a transparent buffer. Leaves its framebuffer bound. `nearest` is needed if it has multisampled depth. */
+export function createTargetBuffer(
+  objects: GlObjects,
+  resource: TargetResource,
+  widthPx: number,
+  heightPx: number,
+  nearest: NearestDepth | null = null,
+): TargetBuffer {
   const { gl, limits } = objects;
   const format = colorFormat(gl, resource, limits);
   const color = allocateTexture(gl, objects.createTexture(), format.internal, format.filter, widthPx, heightPx);
+  const hasDepth = resource.depth === 'window';
+  const samples = resource.samples > 1 ? Math.min(resource.samples, maxSamplesOf(gl, format.internal, limits)) : 1;
   const depth =
-    resource.depth === 'window' ? allocateTexture(gl, objects.createTexture(), gl.DEPTH_COMPONENT24, gl.NEAREST, widthPx, heightPx) : null;
+    hasDepth && samples <= 1 ? allocateTexture(gl, objects.createTexture(), gl.DEPTH_COMPONENT24, gl.NEAREST, widthPx, heightPx) : null;
   const resolvedFramebuffer = objects.createFramebuffer();
   gl.bindFramebuffer(gl.FRAMEBUFFER, resolvedFramebuffer);
   gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, color, 0);
   if (depth) gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, depth, 0);
 
-  const samples = Math.min(resource.samples, limits.maxSamples);
-  const multisampled = samples > 1 ? createMultisampled(objects, format.internal, depth !== null, samples, widthPx, heightPx) : null;
-  const mask = gl.COLOR_BUFFER_BIT | (depth ? gl.DEPTH_BUFFER_BIT : 0);
+  const multisampled = samples > 1 ? createMultisampled(objects, format.internal, hasDepth, samples, widthPx, heightPx) : null;
+  let depthResolve: DepthResolve | null = null;
+  let isDepthStale = true;
   return {
     widthPx,
     heightPx,
     color,
-    depth,
+    hasDepth,
     framebuffer: multisampled?.framebuffer ?? resolvedFramebuffer,
     resolvedFramebuffer,
     resolve: () => {
       if (!multisampled) return;
+      isDepthStale = true;
       // The scissor test also limits a blit.
       gl.disable(gl.SCISSOR_TEST);
       gl.bindFramebuffer(gl.READ_FRAMEBUFFER, multisampled.framebuffer);
       gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, resolvedFramebuffer);
-      gl.blitFramebuffer(0, 0, widthPx, heightPx, 0, 0, widthPx, heightPx, mask, gl.NEAREST);
+      gl.blitFramebuffer(0, 0, widthPx, heightPx, 0, 0, widthPx, heightPx, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+    },
+    readDepth: () => {
+      if (!multisampled?.depth) return depth;
+      depthResolve ??= nearest?.createResolve(multisampled.depth, multisampled.framebuffer, samples, widthPx, heightPx) ?? null;
+      if (isDepthStale) depthResolve?.run();
+      isDepthStale = false;
+      return depthResolve?.texture ?? null;
     },
     dispose: () => {
       multisampled?.dispose();
+      depthResolve?.dispose();
       objects.deleteFramebuffer(resolvedFramebuffer);
       objects.deleteTexture(color);
       if (depth) objects.deleteTexture(depth);
@@ -61,12 +84,15 @@ export function createTargetBuffer(objects: GlObjects, resource: TargetResource,
 
 /**
  * Numbers are stored in 32-bit floats if those can be filtered, else in 16. Without 32-bit float targets, meters are stored in 16 bits (1
- * mm at 1 m); without any float targets, color and depth are clamped. Every WebGL 2 device seen since 2020 renders to 16-bit float.
+ * mm at 1 m); without any float targets, color and depth are clamped, and scene layers are too (SCR055). Every WebGL 2 device seen since 2020 renders to 16-bit float.
  */
 function colorFormat(gl: WebGL2RenderingContext, resource: TargetResource, limits: GlLimits): { internal: GLenum; filter: GLenum } {
   switch (resource.format) {
     case 'rgba8':
       return { internal: gl.RGBA8, filter: gl.LINEAR };
+    case 'scene16f':
+      // Linear colors in 8 bits would show bands; the GPU converts those of an sRGB texture.
+      return { internal: limits.halfFloatTargets ? gl.RGBA16F : gl.SRGB8_ALPHA8, filter: gl.LINEAR };
     case 'rgba16f':
       return { internal: limits.halfFloatTargets ? gl.RGBA16F : gl.RGBA8, filter: gl.LINEAR };
     case 'rgba32f':
@@ -77,8 +103,16 @@ function colorFormat(gl: WebGL2RenderingContext, resource: TargetResource, limit
   }
 }
 
+/** Devices need not multisample 16-bit floats. */
+function maxSamplesOf(gl: WebGL2RenderingContext, format: GLenum, { maxSamples }: GlLimits): number {
+  if (format !== gl.RGBA16F) return maxSamples;
+  const counts = gl.getInternalformatParameter(gl.RENDERBUFFER, format, gl.SAMPLES) as Int32Array | null;
+  return counts?.[0] ?? 1;
+}
+
 interface Multisampled {
   readonly framebuffer: WebGLFramebuffer;
+  readonly depth: WebGLRenderbuffer | null;
   dispose(): void;
 }
 
@@ -104,6 +138,7 @@ function createMultisampled(
   const depth = withDepth ? attach(gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT24) : null;
   return {
     framebuffer,
+    depth,
     dispose: () => {
       objects.deleteFramebuffer(framebuffer);
       objects.deleteRenderbuffer(color);

@@ -1,5 +1,6 @@
 import { clearAll } from '../gl/clear.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
+import type { NearestDepth } from './nearest-depth.ts';
 import { createTargetBuffer, type TargetBuffer, type TargetResource } from './target-buffer.ts';
 
 /**
@@ -35,7 +36,7 @@ interface ViewState {
   unresolved: boolean;
 }
 
-export function createTarget(objects: GlObjects, resource: TargetResource, ownPerView: boolean): Target {
+export function createTarget(objects: GlObjects, resource: TargetResource, ownPerView: boolean, nearest: NearestDepth): Target {
   const { gl } = objects;
   const persistent = resource.lifetime === 'persistent';
   const separate = persistent || ownPerView;
@@ -62,12 +63,12 @@ export function createTarget(objects: GlObjects, resource: TargetResource, ownPe
       stateOf[viewIndex] = state;
       if (hasSize(state.front, widthPx, heightPx)) return;
       const before = state.front;
-      const front = createTargetBuffer(objects, resource, widthPx, heightPx);
+      const front = createTargetBuffer(objects, resource, widthPx, heightPx, nearest);
       if (persistent && before) copyScaled(gl, before, front, resource.format === 'r32f' ? gl.NEAREST : gl.LINEAR);
       before?.dispose();
       state.back?.dispose();
       state.front = front;
-      state.back = persistent ? createTargetBuffer(objects, resource, widthPx, heightPx) : null;
+      state.back = persistent ? createTargetBuffer(objects, resource, widthPx, heightPx, nearest) : null;
       state.unresolved = false;
     },
     back: (viewIndex) => present(at(viewIndex).back ?? at(viewIndex).front, resource),

@@ -1,3 +1,4 @@
+import { writePose } from '../../kit/pose.ts';
 import type { NodeContext, NodeRuntime, PulseOutput } from '../../kit/runtime.ts';
 import type { Controller } from '../../kit/session.ts';
 import type { definition } from './definition.ts';
@@ -8,10 +9,14 @@ const LET_GO = 0.4;
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { hand } = ctx.config;
-  const { outputs } = ctx;
+  const { inputs, outputs } = ctx;
   let wasPulled = false;
   let hadPrimary = false;
   let hadSecondary = false;
+  let hadStick = false;
+  /** Whose poses were given last, and how often that has changed. */
+  let lastPosed: Controller | null = null;
+  let changes = 0;
 
   const push = ({ stick }: Controller): number => Math.hypot(stick[0] ?? 0, stick[1] ?? 0);
 
@@ -24,10 +29,26 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     outputs.y.value = (controller.stick[1] ?? 0) * scale;
   }
 
+  function writePoses(posed: Controller, frameJumps: number): void {
+    if (lastPosed !== null && posed !== lastPosed) changes++;
+    lastPosed = posed;
+    writePose(outputs.ray, posed.worldFromRay, frameJumps + changes);
+    writePose(outputs.grip, posed.worldFromGrip, frameJumps + changes);
+  }
+
+  function vibrate(one: Controller, other: Controller): void {
+    if (inputs.vibrate.count === 0) return;
+    const { strength, durationS } = ctx.params;
+    one.haptics?.pulse(strength.value, durationS.value);
+    if (other.haptics !== one.haptics) other.haptics?.pulse(strength.value, durationS.value);
+  }
+
   return {
-    update: ({ input }) => {
+    update: ({ input, jumps }) => {
       const one = hand === 'right' ? input.right : input.left;
       const other = hand === 'left' ? input.left : input.right;
+      writePoses(other.worldFromRay ? other : one, jumps);
+      vibrate(one, other);
       const firm = one.trigger >= other.trigger ? one : other;
       writeStick(push(one) >= push(other) ? one : other);
       outputs.trigger.value = firm.trigger;
@@ -40,14 +61,20 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       if (pulled && !wasPulled) point(outputs.pulled, firm);
       if (primary && !hadPrimary) point(outputs.primary, one.primary ? one : other);
       if (secondary && !hadSecondary) point(outputs.secondary, one.secondary ? one : other);
+      const stick = one.stickPressed || other.stickPressed;
+      if (stick && !hadStick) point(outputs.stickPressed, one.stickPressed ? one : other);
       wasPulled = pulled;
       hadPrimary = primary;
       hadSecondary = secondary;
+      hadStick = stick;
     },
     reset: () => {
       wasPulled = false;
       hadPrimary = false;
       hadSecondary = false;
+      hadStick = false;
+      lastPosed = null;
+      changes = 0;
     },
     dispose: () => {},
   };

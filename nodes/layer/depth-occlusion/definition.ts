@@ -7,7 +7,7 @@ export const definition = defineNode({
   doc: 'Hides the parts of a layer that are behind real surfaces. Where the depth of the layer or of the room is unknown, nothing is hidden. Directly after a Scene node, each transparent object is hidden by its own depth; after filters, by the nearest depth of the pixel.',
   keywords: ['occlude', 'hide', 'behind', 'depth', 'mask', 'real'],
   inputs: {
-    layer: { type: 'layer', label: 'Layer', doc: 'The layer to occlude. It needs depth.', required: true },
+    layer: { type: 'layer', label: 'Layer', doc: 'The layer to occlude. It needs depth.', required: true, encoding: 'either' },
     depth: { type: 'depth', label: 'Room depth', doc: 'Distance to real surfaces.', required: true },
   },
   outputs: {
@@ -17,6 +17,7 @@ export const definition = defineNode({
       doc: 'The parts of the layer that are in front of real surfaces.',
       domain: 'same',
       depth: 'same',
+      encoding: 'same',
     },
   },
   params: {

@@ -16,7 +16,12 @@ describe('the shader of depth occlusion', () => {
     expect(Object.entries(own.inputs).map(([name, port]) => [name, port.type])).toEqual(
       Object.entries(definition.inputs).map(([name, port]) => [name, port.type]),
     );
-    expect(own.outputs.layer).toMatchObject({ domain: definition.outputs.layer.domain, depth: definition.outputs.layer.depth });
+    expect(own.outputs.layer).toMatchObject({
+      domain: definition.outputs.layer.domain,
+      depth: definition.outputs.layer.depth,
+      encoding: definition.outputs.layer.encoding,
+    });
+    expect(own.inputs.layer?.encoding).toBe(definition.inputs.layer.encoding);
     for (const [name, { type, default: value, min, max, unit }] of Object.entries(definition.params)) {
       expect(own.params[name]).toMatchObject({ type, default: value, min, max, unit });
     }

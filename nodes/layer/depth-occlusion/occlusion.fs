@@ -6,6 +6,7 @@
   "CATEGORIES": ["Composite", "Depth"],
   "SCRIM_ALPHA": "premultiplied",
   "SCRIM_DEPTH": "same",
+  "SCRIM_ENCODING": "either",
   "INPUTS": [
     { "NAME": "layer", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to occlude." },
     { "NAME": "depth", "TYPE": "depth", "LABEL": "Room depth", "DOC": "Distance to real surfaces." },

@@ -17,7 +17,14 @@ export const definition = defineNode({
     },
   },
   outputs: {
-    layer: { type: 'layer', label: 'Layer', doc: 'The objects, transparent where there are none.', domain: 'view', depth: true },
+    layer: {
+      type: 'layer',
+      label: 'Layer',
+      doc: 'The objects, transparent where there are none.',
+      domain: 'view',
+      depth: true,
+      encoding: { param: 'encoding' },
+    },
   },
   params: {
     ambient: {
@@ -37,6 +44,17 @@ export const definition = defineNode({
       label: 'Shadows',
       doc: 'Whether objects cast shadows on each other.',
       default: true,
+    },
+    encoding: {
+      type: 'choice',
+      stage: 'structure',
+      label: 'Encoding',
+      doc: 'Display: colors as a screen shows them; what is brighter than white is lost. Scene: linear light of any brightness, for Exposure, Bloom and Depth of field; a Tone map then makes it a display layer. Scene layers take twice the memory.',
+      default: 'display',
+      options: [
+        { value: 'display', label: 'Display' },
+        { value: 'scene', label: 'Scene' },
+      ],
     },
   },
   lowering: { kind: 'geometry', shadowMap: { casters: ['objects'], lights: 'lights', enabledBy: 'shadows' } },

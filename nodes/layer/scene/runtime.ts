@@ -2,7 +2,7 @@ import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
-  const scene = ctx.scenes.createScene({ kind: 'shaded', ambient: ctx.params.ambient });
+  const scene = ctx.scenes.createScene({ kind: 'shaded', ambient: ctx.params.ambient, encoding: ctx.config.encoding });
   return {
     update: () => scene.update(ctx.inputs.objects, ctx.inputs.lights),
     draw: scene.draw,

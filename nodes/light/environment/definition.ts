@@ -26,7 +26,7 @@ export const definition = defineNode({
       type: 'number',
       stage: 'uniform',
       label: 'Rotation',
-      doc: 'Rotates the environment about the vertical axis, counter-clockwise seen from above. It adds to the rotation of the Panorama node.',
+      doc: 'Rotates the environment about the vertical axis, counterclockwise seen from above. It adds to the rotation of the Panorama node.',
       default: 0,
       min: -Math.PI,
       max: Math.PI,

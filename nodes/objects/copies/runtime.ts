@@ -1,8 +1,8 @@
 import { Matrix4 } from 'three';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { ObjectList } from '../../kit/scene-lists.ts';
+import { type CopiedObject, createCopiedObject } from '../../kit/three/copied-objects.ts';
 import { createVersionWatch } from '../../kit/version-watch.ts';
-import { type Copied, canBeInstances, createCopied } from './copied.ts';
 import type { definition } from './definition.ts';
 import { placeCopy } from './place-copy.ts';
 
@@ -14,12 +14,12 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { pattern } = ctx.config;
   const { objects } = ctx.outputs;
   const watch = createVersionWatch();
-  const copied: { readonly of: Copied; readonly asInstances: boolean }[] = [];
+  const copied: CopiedObject[] = [];
   const places: Matrix4[] = [];
   const arrangement = { count: 0, stepM: stepM.value, radiusM: 0, turnRad: 0, sizeSpread: 0, seed: 0 };
 
   function clear(): void {
-    for (const { of } of copied) of.dispose();
+    for (const each of copied) each.dispose();
     copied.length = 0;
     objects.items.length = 0;
   }
@@ -31,9 +31,9 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     if (count > 0) {
       inputs.forEach((list, i) => {
         for (const source of list.items) {
-          const of = createCopied(source, `${i}/${source.key}`, count);
-          copied.push({ of, asInstances: canBeInstances(source.root) });
-          objects.items.push(...of.items);
+          const made = createCopiedObject(source, `${i}/${source.key}`, count);
+          copied.push(made);
+          objects.items.push(...made.items);
         }
       });
     }
@@ -42,10 +42,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
 
   /** Whether a material has become transparent or opaque. */
   function changedKind(): boolean {
-    for (let i = 0; i < copied.length; i++) {
-      const entry = copied[i];
-      if (entry && canBeInstances(entry.of.source.root) !== entry.asInstances) return true;
-    }
+    for (let i = 0; i < copied.length; i++) if (copied[i]?.isOutdated()) return true;
     return false;
   }
 
@@ -64,7 +61,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
         const place = places[i];
         if (place) placeCopy(pattern, i, arrangement, place);
       }
-      for (let i = 0; i < copied.length; i++) copied[i]?.of.update(places);
+      for (let i = 0; i < copied.length; i++) copied[i]?.update(places);
     },
     dispose: clear,
   };

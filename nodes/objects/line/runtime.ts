@@ -1,6 +1,7 @@
 import { CylinderGeometry, Matrix4, Mesh, MeshBasicMaterial, Quaternion, Vector3 } from 'three';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { ObjectItem } from '../../kit/scene-lists.ts';
+import { setMaterialColor } from '../../kit/three/material-color.ts';
 import type { definition } from './definition.ts';
 
 /** Shorter lines have no direction. */
@@ -53,12 +54,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
 
   return {
     update: () => {
-      material.color.fromArray(color.value).convertSRGBToLinear();
-      material.opacity = color.value[3] ?? 1;
-      if (material.transparent !== material.opacity < 1) {
-        material.transparent = material.opacity < 1;
-        material.needsUpdate = true;
-      }
+      setMaterialColor(material, color.value);
       item.castsShadow = castShadow.value;
       show(lay());
     },

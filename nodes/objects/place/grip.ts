@@ -1,27 +1,35 @@
 import { Vector3 } from 'three';
 import type { Hit } from '../../kit/hit-test.ts';
+import { canPinch, type PointerSpan, writePointerSpan } from '../../kit/pointer-span.ts';
 import { pointerById } from '../../kit/pointers.ts';
 import type { Pointer, SessionFrame } from '../../kit/session.ts';
-import type { Placement } from './placement.ts';
-import { canPinch, type Span, writeSpan } from './span.ts';
+import { restorePose, type Spot, type SpotState, stateOf } from './spot.ts';
 
 /** What a press does to the placed objects: one pointer drags them, two scale and rotate them. */
 export interface Grip {
-  /** Whether a press holds the objects. */
-  readonly isHeld: boolean;
+  /** The copy that a press holds. */
+  readonly held: Spot | null;
   /** Whether another press can take part. */
   accepts(pointer: Pointer, frame: SessionFrame): boolean;
-  /** A press that `accepts` has accepted. */
-  begin(pointer: Pointer): void;
+  /** A press that `accepts` has accepted, on `held` where there is one. */
+  begin(pointer: Pointer, spot: Spot): void;
   /**
    * Moves the objects. Once a frame.
    *
    * @param hitOf The surface that a pointer meets, if the objects may stand there.
-   * @returns How a gesture has ended in this frame that changed them; null otherwise.
+   * @returns How a gesture that changed them has ended in this frame; null otherwise.
    */
-  update(frame: SessionFrame, hitOf: (pointer: Pointer) => Hit | null, limits: ScaleLimits): 'changed' | 'undone' | null;
+  update(frame: SessionFrame, hitOf: (pointer: Pointer) => Hit | null, limits: ScaleLimits): GripEnd | null;
   /** The pose has changed for another reason: nothing is held. */
   letGo(): void;
+  /** Undoes the gesture and ends it. */
+  cancel(): GripEnd | null;
+}
+
+export interface GripEnd {
+  readonly outcome: 'changed' | 'undone';
+  /** The copy as it was before. */
+  readonly before: SpotState;
 }
 
 export interface ScaleLimits {
@@ -37,9 +45,13 @@ const COS_SAME_SURFACE = Math.cos((15 * Math.PI) / 180);
 // Filled and read within one call.
 const scratchPoint = new Vector3();
 const scratchNormal = new Vector3();
-const scratchSpan: Span = { length: 0, angleRad: 0 };
+const scratchSpan: PointerSpan = { lengthM: 0, angleRad: 0 };
 
-export function createGrip(placement: Placement): Grip {
+/** @param owner Who has claimed the presses. */
+export function createGrip(owner: object): Grip {
+  let spot: Spot | null = null;
+  /** Before the gesture, in case the system cancels the press or a hand is lost. */
+  let before: SpotState | null = null;
   /** Ids; 0 for none. */
   let first = 0;
   let second = 0;
@@ -55,11 +67,8 @@ export function createGrip(placement: Placement): Grip {
   let isDragging = false;
 
   /** Of a pinch: in the last frame. */
-  const lastSpan: Span = { length: 0, angleRad: 0 };
+  const lastSpan: PointerSpan = { lengthM: 0, angleRad: 0 };
   let hasSpan = false;
-
-  /** Before the gesture, in case the system cancels the press. */
-  const before = { positionM: new Vector3(), rotation: placement.rotation.clone(), turnRad: 0, scale: 1 };
 
   function restart(): void {
     hasStart = false;
@@ -67,19 +76,28 @@ export function createGrip(placement: Placement): Grip {
     hasSpan = false;
   }
   function letGo(): void {
+    spot = null;
+    before = null;
     first = 0;
     second = 0;
     hasChanged = false;
     restart();
   }
-  function undo(): void {
-    placement.positionM.copy(before.positionM);
-    placement.rotation.copy(before.rotation);
-    placement.turnRad = before.turnRad;
-    placement.scale = before.scale;
+  /** Ends the gesture; `before` is read first, because `letGo` forgets it. */
+  function end(outcome: GripEnd['outcome']): GripEnd | null {
+    const ended = hasChanged && before ? { outcome, before } : null;
+    letGo();
+    return ended;
+  }
+  function isLost(pointer: Pointer): boolean {
+    return pointer.owner !== null && pointer.owner !== owner;
+  }
+  function cancel(): GripEnd | null {
+    if (before) restorePose(before);
+    return end('undone');
   }
 
-  function drag(hit: Hit): void {
+  function drag({ placement }: Spot, hit: Hit): void {
     const m = hit.worldFromHit;
     scratchPoint.fromArray(m, 12);
     scratchNormal.fromArray(m, 4);
@@ -99,24 +117,24 @@ export function createGrip(placement: Placement): Grip {
     placement.slide(scratchPoint, scratchNormal);
   }
 
-  function pinch(a: Pointer, b: Pointer, frame: SessionFrame, { minScale, maxScale }: ScaleLimits): void {
+  function pinch({ placement }: Spot, a: Pointer, b: Pointer, frame: SessionFrame, { minScale, maxScale }: ScaleLimits): void {
     const view = frame.views[0];
-    if (!view || !writeSpan(scratchSpan, a, b, view, placement.rotation)) return;
+    if (!view || !writePointerSpan(scratchSpan, a, b, view, placement.rotation)) return;
     if (hasSpan) {
       const turnedRad = scratchSpan.angleRad - lastSpan.angleRad;
       placement.turnRad += Math.atan2(Math.sin(turnedRad), Math.cos(turnedRad));
-      const scale = (placement.scale * scratchSpan.length) / lastSpan.length;
+      const scale = (placement.scale * scratchSpan.lengthM) / lastSpan.lengthM;
       placement.scale = Math.min(Math.max(scale, minScale), Math.max(minScale, maxScale));
-      hasChanged ||= placement.scale !== before.scale || placement.turnRad !== before.turnRad;
+      hasChanged ||= placement.scale !== before?.scale || placement.turnRad !== before.turnRad;
     }
     hasSpan = true;
-    lastSpan.length = scratchSpan.length;
+    lastSpan.lengthM = scratchSpan.lengthM;
     lastSpan.angleRad = scratchSpan.angleRad;
   }
 
   return {
-    get isHeld() {
-      return first !== 0;
+    get held() {
+      return spot;
     },
     accepts: (pointer, { input }) => {
       if (second !== 0) return false;
@@ -124,47 +142,42 @@ export function createGrip(placement: Placement): Grip {
       const holder = pointerById(input, first);
       return holder !== null && canPinch(holder, pointer);
     },
-    begin: (pointer) => {
+    begin: (pointer, pressed) => {
       if (first === 0) {
         first = pointer.id;
-        before.positionM.copy(placement.positionM);
-        before.rotation.copy(placement.rotation);
-        before.turnRad = placement.turnRad;
-        before.scale = placement.scale;
+        spot = pressed;
+        before = stateOf(pressed);
       } else second = pointer.id;
       restart();
     },
     update: (frame, hitOf, limits) => {
-      if (first === 0) return null;
+      if (spot === null) return null;
       // The start of a drag was measured in another world space.
       if (frame.jumps !== jumps && !isDragging) restart();
       jumps = frame.jumps;
       const a = pointerById(frame.input, first);
       const b = second === 0 ? null : pointerById(frame.input, second);
-      if (a?.phase === 'cancel' || b?.phase === 'cancel') {
-        const wasChanged = hasChanged;
-        undo();
-        letGo();
-        return wasChanged ? 'undone' : null;
-      }
-      if (a && b) pinch(a, b, frame, limits);
-      else if (a && second === 0) {
+      // A press that is gone without an end, as that of a hand that is no longer tracked, is canceled too.
+      if (a === null || a.phase === 'cancel' || (second !== 0 && (b === null || b.phase === 'cancel'))) return cancel();
+      // Something nearer has claimed the press after this node did.
+      if (isLost(a) || (b && isLost(b))) return cancel();
+      if (b) pinch(spot, a, b, frame, limits);
+      else {
         const hit = hitOf(a);
-        if (hit) drag(hit);
+        if (hit) drag(spot, hit);
       }
-      const aIsOver = a === null || a.phase === 'end' || a.phase === 'hover';
-      const bIsOver = b === null || b.phase === 'end' || b.phase === 'hover';
-      if (second !== 0 && (aIsOver || bIsOver)) {
-        // The one that stays drags on.
-        if (aIsOver) first = second;
-        second = 0;
-        restart();
-        if (!aIsOver || !bIsOver) return null;
-      } else if (!aIsOver) return null;
-      const wasChanged = hasChanged;
-      letGo();
-      return wasChanged ? 'changed' : null;
+      const aIsOver = a.phase === 'end' || a.phase === 'hover';
+      if (b === null) return aIsOver ? end('changed') : null;
+      const bIsOver = b.phase === 'end' || b.phase === 'hover';
+      if (aIsOver && bIsOver) return end('changed');
+      if (!aIsOver && !bIsOver) return null;
+      // The one that stays drags on.
+      if (aIsOver) first = second;
+      second = 0;
+      restart();
+      return null;
     },
     letGo,
+    cancel,
   };
 }

@@ -9,7 +9,7 @@ export interface Placement {
   readonly positionM: Vector3;
   /** The surface's axes at the tap, carried along by drags. */
   readonly rotation: Quaternion;
-  /** About the normal, counter-clockwise seen from its tip. */
+  /** About the normal, counterclockwise seen from its tip. */
   turnRad: number;
   scale: number;
   /** Takes the pose of the anchor. Once a frame. */
@@ -18,14 +18,18 @@ export interface Placement {
   stand(hit: Hit): void;
   /** Moves to a point of a surface, and tilts with its normal; the heading stays. */
   slide(pointM: Vector3, normal: Vector3): void;
-  /** Ties the current pose to the room. The hit is the one that the pose comes from, if it is unchanged. */
-  fasten(frame: SessionFrame, hit?: Hit): void;
+  /**
+   * Ties the current pose, moved to the grid, to the room. The hit is the one that the pose comes from, if it is unchanged.
+   *
+   * @param gridM Spacing of the grid; 0: none.
+   */
+  fasten(frame: SessionFrame, gridM: number, hit?: Hit): void;
   /** Unties it. */
   release(): void;
   /** In another session: the pose that the viewer of this frame sees as the viewer of the last `fasten` did. */
   recall(frame: SessionFrame): void;
-  /** Writes the rigid pose with the twist. */
-  writePose(out: Matrix4, snapRad: number): void;
+  /** Writes the rigid pose with the twist; while it is not tied to the room, on the grid. */
+  writePose(out: Matrix4, snapRad: number, gridM: number): void;
 }
 
 const UP = new Vector3(0, 1, 0);
@@ -39,6 +43,9 @@ const scratchLevel = new Matrix4();
 const scratchNormal = new Vector3();
 const scratchScale = new Vector3();
 const scratchQuaternion = new Quaternion();
+const scratchPoint = new Vector3();
+const scratchAcross = new Vector3();
+const scratchAlong = new Vector3();
 
 export function createPlacement(anchors: () => AnchorService): Placement {
   const positionM = new Vector3();
@@ -69,13 +76,14 @@ export function createPlacement(anchors: () => AnchorService): Placement {
       if (scratchNormal.dot(normal) > SAME_NORMAL) return;
       rotation.premultiply(scratchQuaternion.setFromUnitVectors(scratchNormal, normal)).normalize();
     },
-    fasten: (frame, hit) => {
+    fasten: (frame, gridM, hit) => {
       release();
+      if (gridM > 0) snapToGrid(positionM, rotation, gridM);
       scratchMatrix.compose(positionM, rotation, ONE);
       writeLevelViewer(scratchLevel, frame);
       levelFromBase.copy(scratchLevel).invert().multiply(scratchMatrix);
-      // A hit below the floor was raised to it.
-      const isUnchanged = hit !== undefined && (hit.worldFromHit[13] ?? 0) >= 0;
+      // A hit below the floor was raised to it, one beside the grid moved.
+      const isUnchanged = hit !== undefined && gridM === 0 && (hit.worldFromHit[13] ?? 0) >= 0;
       anchor = anchors().create(isUnchanged ? hit : scratchMatrix.elements);
     },
     release,
@@ -84,12 +92,32 @@ export function createPlacement(anchors: () => AnchorService): Placement {
       writeLevelViewer(scratchLevel, frame);
       scratchMatrix.multiplyMatrices(scratchLevel, levelFromBase).decompose(positionM, rotation, scratchScale);
     },
-    writePose: (out, snapRad) => {
+    writePose: (out, snapRad, gridM) => {
       const turnRad = snapRad > 0 ? Math.round(placement.turnRad / snapRad) * snapRad : placement.turnRad;
-      out.compose(positionM, scratchQuaternion.setFromAxisAngle(UP, turnRad).premultiply(rotation), ONE);
+      scratchPoint.copy(positionM);
+      if (anchor === null && gridM > 0) snapToGrid(scratchPoint, rotation, gridM);
+      out.compose(scratchPoint, scratchQuaternion.setFromAxisAngle(UP, turnRad).premultiply(rotation), ONE);
     },
   };
   return placement;
+}
+
+/**
+ * Moves a point along its surface to the nearest point of a grid with the axes of world space: x and z on floors; the horizontal and
+ * the steepest direction on others. The grid goes through the projection of the origin.
+ */
+function snapToGrid(pointM: Vector3, rotation: Quaternion, gridM: number): void {
+  scratchNormal.copy(UP).applyQuaternion(rotation);
+  scratchAcross.crossVectors(UP, scratchNormal);
+  // On a level surface every direction is horizontal: x.
+  if (scratchAcross.length() < 0.05) scratchAcross.set(1, 0, 0).addScaledVector(scratchNormal, -scratchNormal.x);
+  scratchAcross.normalize();
+  scratchAlong.crossVectors(scratchNormal, scratchAcross);
+  const acrossM = pointM.dot(scratchAcross);
+  const alongM = pointM.dot(scratchAlong);
+  pointM.addScaledVector(scratchAcross, Math.round(acrossM / gridM) * gridM - acrossM);
+  pointM.addScaledVector(scratchAlong, Math.round(alongM / gridM) * gridM - alongM);
+  pointM.y = Math.max(0, pointM.y);
 }
 
 /** Below the viewer, on the floor at y = 0, with -z level and ahead. */

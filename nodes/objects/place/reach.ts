@@ -9,26 +9,40 @@ const scratchOrigin = new Vector3();
 const scratchAhead = new Vector3();
 
 /**
- * Whether a ray meets the bounding sphere of objects. For the start of a press, because it looks at all geometries.
+ * Writes the bounding sphere of objects in their own space. For the start of a press, because it looks at all geometries.
  *
- * @param worldFromRay Column-major 4×4, rigid; the ray follows its -z axis.
- * @param worldFromPlaced What all objects are moved by.
+ * @returns False where there is nothing.
  */
-export function meetsObjects(worldFromRay: ArrayLike<number>, inputs: readonly ObjectList[], worldFromPlaced: Matrix4): boolean {
+export function writeBounds(out: Sphere, inputs: readonly ObjectList[]): boolean {
   scratchBox.makeEmpty();
   for (const { items } of inputs) {
-    for (const { root, worldFromObject } of items) {
+    for (const { root, worldFromObject, hidden } of items) {
+      if (hidden) continue;
       scratchPart.setFromObject(root);
       if (!scratchPart.isEmpty()) scratchBox.union(scratchPart.applyMatrix4(worldFromObject));
     }
   }
   if (scratchBox.isEmpty()) return false;
-  scratchBox.getBoundingSphere(scratchSphere).applyMatrix4(worldFromPlaced);
+  scratchBox.getBoundingSphere(out);
+  return true;
+}
+
+/**
+ * How far along a ray its nearest point to the center of a sphere is.
+ *
+ * @param worldFromRay Column-major 4×4, rigid; the ray follows its -z axis.
+ * @param bounds Before the objects are placed.
+ * @param worldFromPlaced What the objects are moved by.
+ * @returns Meters; infinity where the ray misses the sphere.
+ */
+export function distanceToBounds(worldFromRay: ArrayLike<number>, bounds: Sphere, worldFromPlaced: Matrix4): number {
+  scratchSphere.copy(bounds).applyMatrix4(worldFromPlaced);
   const at = (i: number): number => worldFromRay[i] ?? 0;
   scratchOrigin.set(at(12), at(13), at(14));
   const toCenter = scratchSphere.center.sub(scratchOrigin);
   const alongM = toCenter.dot(scratchAhead.set(-at(8), -at(9), -at(10)));
   const { radius } = scratchSphere;
   // The center is ahead, or the ray starts inside.
-  return (alongM > 0 || toCenter.length() <= radius) && toCenter.lengthSq() - alongM * alongM <= radius * radius;
+  const isAhead = alongM > 0 || toCenter.length() <= radius;
+  return isAhead && toCenter.lengthSq() - alongM * alongM <= radius * radius ? alongM : Number.POSITIVE_INFINITY;
 }

@@ -1,165 +1,311 @@
-import { Matrix4, Vector3 } from 'three';
-import { deriveObjects } from '../../kit/derive-objects.ts';
+import { Matrix4, Sphere, Vector3 } from 'three';
 import type { Hit } from '../../kit/hit-test.ts';
+import { freeKeys, ownKeys } from '../../kit/keys.ts';
 import { claimPointer } from '../../kit/pointers.ts';
-import { writePose } from '../../kit/pose.ts';
+import { isPose, writePose } from '../../kit/pose.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { Pointer, SessionFrame } from '../../kit/session.ts';
 import { surfaceOrientation } from '../../kit/surface-pose.ts';
 import type { definition } from './definition.ts';
-import { createGrip } from './grip.ts';
-import { createPlacement } from './placement.ts';
-import { meetsObjects } from './reach.ts';
+import { createGrip, type GripEnd } from './grip.ts';
+import { createHistory } from './history.ts';
+import { applyKey } from './keyboard.ts';
+import { distanceToBounds, writeBounds } from './reach.ts';
+import { createReticle } from './reticle.ts';
+import { createShownObjects } from './shown-objects.ts';
+import { createSpot, restorePose, type Spot, stateOf, vacate, writeSpot } from './spot.ts';
 
 const IDENTITY = new Matrix4();
+/** A ring on a floor farther away is too flat to see, and often behind a wall. */
+const RETICLE_REACH_M = 8;
 
 // Filled and read within one call.
 const scratchPoint = new Vector3();
+const scratchBounds = new Sphere();
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
-  const { mode, surfaces, gestures, showBefore, nextSession } = ctx.config;
-  const { nearM, minScale, maxScale, snapRad } = ctx.params;
+  const { mode, surfaces, gestures, showBefore, nextSession, maxCopies, reticle: hasReticle } = ctx.config;
+  const { nearM, minScale, maxScale, snapRad, gridM } = ctx.params;
   const { inputs, outputs, session } = ctx;
   const hitTest = session.openHitTest({ from: 'pointers' });
-  const placement = createPlacement(() => session.anchors);
-  const grip = createGrip(placement);
-  /** Rigid. */
-  const worldFromPose = new Matrix4();
-  const worldFromPlaced = new Matrix4();
-  const limits = { minScale: 1, maxScale: 1 };
-  let isPlaced = false;
+  const viewTest = hasReticle ? session.openHitTest({ from: 'viewer' }) : null;
+  const copies = mode === 'add' ? Math.max(1, Math.floor(maxCopies)) : 1;
+  const spots = Array.from({ length: copies }, (_, i) => createSpot(i, () => session.anchors));
+  const [firstSpot] = spots as [Spot, ...Spot[]];
+  const places: (Matrix4 | null)[] = spots.map(() => null);
+  const grip = createGrip(ctx);
+  const history = createHistory();
+  const reticle = hasReticle ? createReticle() : null;
+  const shown = createShownObjects(outputs.objects, reticle?.items ?? [], gestures ? ctx : null);
+  const steps = { minScale: 1, maxScale: 1, snapRad: 0, gridM: 0 };
+  /** The copy that was placed or touched last. */
+  let newest = firstSpot;
   let taps = 0;
   let jumps = 0;
   let frameJumps = 0;
   let lastSession = session.sessions;
 
-  const derived = deriveObjects(outputs.objects, (item) => {
-    item.worldFromObject.premultiply(isPlaced ? worldFromPlaced : IDENTITY);
-  });
-
   const hitOf = ({ id }: Pointer): Hit | null => {
     const hits = hitTest.read();
     for (let i = 0; i < hits.count; i++) {
       const hit = hits.at(i);
-      if (hit.pointer !== id) continue;
-      return surfaces === 'any' || surfaceOrientation(hit.worldFromHit) === surfaces ? hit : null;
+      if (hit.pointer === id) return suits(hit) ? hit : null;
     }
     return null;
   };
-
-  function writeMatrices(): void {
-    placement.writePose(worldFromPose, snapRad.value);
-    worldFromPlaced.copy(worldFromPose).scale(scratchPoint.setScalar(placement.scale));
+  function suits({ worldFromHit }: Hit): boolean {
+    return isPose(worldFromHit) && (surfaces === 'any' || surfaceOrientation(worldFromHit) === surfaces);
   }
 
-  function endPlacement(): void {
-    grip.letGo();
-    placement.release();
-    placement.turnRad = 0;
-    placement.scale = 1;
-    if (isPlaced) outputs.removed.emit().setPose(worldFromPose.elements);
-    isPlaced = false;
+  function write(spot: Spot): void {
+    if (spot.isPlaced) writeSpot(spot, steps.snapRad, steps.gridM);
+  }
+  function writeAll(): void {
+    for (let i = 0; i < spots.length; i++) write(spots[i] as Spot);
+  }
+  function countPlaced(): number {
+    let count = 0;
+    for (let i = 0; i < spots.length; i++) if (spots[i]?.isPlaced) count++;
+    return count;
+  }
+  function turnTo(spot: Spot): void {
+    if (spot !== newest) jumps++;
+    newest = spot;
+  }
+  function emit(output: 'placed' | 'moved' | 'removed', spot: Spot): void {
+    const pulse = outputs[output].emit();
+    pulse.number = output === 'moved' ? spot.placement.scale : output === 'placed' ? taps : 0;
+    pulse.bodyKey = `${ctx.node}/${spot.index}`;
+    pulse.setPose(spot.worldFromPose.elements);
   }
 
+  function remove(spot: Spot): void {
+    if (!spot.isPlaced) return;
+    if (grip.held === spot) grip.letGo();
+    vacate(spot);
+    emit('removed', spot);
+    spot.isPlaced = false;
+    if (newest !== spot) return;
+    for (let i = 0; i < spots.length; i++) {
+      const other = spots[i];
+      if (other?.isPlaced) turnTo(other);
+    }
+  }
+  function removeAll(): void {
+    history.remember(spots.filter(({ isPlaced }) => isPlaced).map(stateOf));
+    for (const spot of spots) remove(spot);
+  }
+  function undo(frame: SessionFrame): void {
+    const ended = grip.cancel();
+    if (ended) {
+      finish(ended, frame);
+      return;
+    }
+    for (const state of history.undo() ?? []) {
+      const { spot } = state;
+      const wasPlaced = spot.isPlaced;
+      if (!state.isPlaced) {
+        remove(spot);
+        continue;
+      }
+      restorePose(state);
+      spot.isPlaced = true;
+      spot.placement.fasten(frame, 0);
+      write(spot);
+      turnTo(spot);
+      jumps++;
+      emit(wasPlaced ? 'moved' : 'placed', spot);
+    }
+  }
   function enterSession(frame: SessionFrame): void {
     lastSession = session.sessions;
     jumps++;
-    if (!isPlaced) return;
     grip.letGo();
-    if (nextSession === 'unplaced') endPlacement();
-    else {
-      placement.recall(frame);
-      placement.fasten(frame);
+    history.clear();
+    if (nextSession === 'unplaced') freeKeys(frame.input, ctx);
+    for (const spot of spots) {
+      if (!spot.isPlaced) continue;
+      if (nextSession === 'unplaced') remove(spot);
+      else {
+        spot.placement.recall(frame);
+        spot.placement.fasten(frame, 0);
+      }
     }
   }
 
+  /** The copy that a tap places; null where it places none. */
+  function spotForTap(): Spot | null {
+    if (mode === 'add') return spots.find(({ isPlaced }) => !isPlaced) ?? null;
+    return mode === 'once' && firstSpot.isPlaced ? null : firstSpot;
+  }
   function place(hit: Hit, frame: SessionFrame): void {
-    const wasPlaced = isPlaced;
-    if (wasPlaced && mode === 'once') return;
-    grip.letGo();
+    const spot = spotForTap();
+    if (!spot) return;
+    const wasPlaced = spot.isPlaced;
+    const { placement } = spot;
+    if (grip.held === spot) grip.letGo();
+    history.remember([stateOf(spot)]);
     placement.stand(hit);
-    placement.fasten(frame, hit);
+    placement.fasten(frame, steps.gridM, hit);
     if (!wasPlaced || mode === 'replace') {
       placement.turnRad = 0;
-      placement.scale = Math.min(Math.max(1, minScale.value), Math.max(minScale.value, maxScale.value));
+      placement.scale = Math.min(Math.max(1, steps.minScale), Math.max(steps.minScale, steps.maxScale));
     }
-    isPlaced = true;
+    spot.isPlaced = true;
     taps++;
     jumps++;
-    writeMatrices();
-    if (wasPlaced && mode === 'move') emitMoved();
-    else {
-      const pulse = outputs.placed.emit();
-      pulse.number = taps;
-      pulse.setPose(worldFromPose.elements);
-    }
+    newest = spot;
+    ownKeys(frame.input, ctx);
+    write(spot);
+    emit(wasPlaced && mode === 'move' ? 'moved' : 'placed', spot);
   }
 
-  function emitMoved(): void {
-    const pulse = outputs.moved.emit();
-    pulse.number = placement.scale;
-    pulse.setPose(worldFromPose.elements);
-  }
-
-  /** Whether a press that starts belongs to the placed objects. */
-  function isMine(pointer: Pointer, frame: SessionFrame): boolean {
-    if (!grip.accepts(pointer, frame)) return false;
+  /** How far along the ray the copy is that `spotUnder` has found, meters. */
+  let foundM = 0;
+  /** The placed copy that a press which starts belongs to: the nearest one. */
+  function spotUnder(pointer: Pointer, frame: SessionFrame): Spot | null {
+    if (!grip.accepts(pointer, frame)) return null;
+    foundM = 0;
     // The second finger or hand presses anywhere.
-    if (grip.isHeld) return true;
+    if (grip.held) return grip.held;
+    if (!isPose(pointer.worldFromRay)) return null;
     const hit = hitOf(pointer);
-    if (hit && scratchPoint.fromArray(hit.worldFromHit, 12).distanceTo(placement.positionM) <= nearM.value) return true;
-    return meetsObjects(pointer.worldFromRay, inputs.objects, worldFromPlaced);
+    const hasBounds = writeBounds(scratchBounds, inputs.objects);
+    let found: Spot | null = null;
+    foundM = Number.POSITIVE_INFINITY;
+    for (const spot of spots) {
+      if (!spot.isPlaced) continue;
+      const isNear = hit && scratchPoint.fromArray(hit.worldFromHit, 12).distanceTo(spot.placement.positionM) <= nearM.value;
+      const metM = hasBounds ? distanceToBounds(pointer.worldFromRay, scratchBounds, spot.worldFromPlaced) : Number.POSITIVE_INFINITY;
+      const distanceM = Math.min(metM, isNear ? hit.distanceM : Number.POSITIVE_INFINITY);
+      if (distanceM >= foundM) continue;
+      foundM = distanceM;
+      found = spot;
+    }
+    return found;
   }
-
-  function take(frame: SessionFrame): void {
+  function takePointers(frame: SessionFrame): void {
     const { input } = frame;
     for (let i = 0; i < input.pointerCount; i++) {
       const pointer = input.pointers[i];
       if (!pointer) continue;
-      if (pointer.phase === 'start' && isPlaced && gestures) {
-        if (isMine(pointer, frame) && claimPointer(pointer, ctx)) grip.begin(pointer);
+      if (pointer.phase === 'start' && gestures) {
+        const spot = spotUnder(pointer, frame);
+        if (!spot || !claimPointer(pointer, ctx, foundM)) continue;
+        grip.begin(pointer, spot);
+        turnTo(spot);
+        ownKeys(input, ctx);
       } else if (pointer.phase === 'end' && pointer.tapped && pointer.owner === null) {
         const hit = hitOf(pointer);
         if (hit) place(hit, frame);
       }
     }
   }
+  function takeKeys(frame: SessionFrame): void {
+    const { input } = frame;
+    for (let i = 0; i < input.keyCount && input.keyOwner === ctx; i++) {
+      const press = input.keys[i];
+      if (!press) continue;
+      const before = stateOf(newest);
+      const action = applyKey(press, newest.placement, frame, steps);
+      if (action === 'undo') undo(frame);
+      else if (action === 'leave') {
+        const ended = grip.cancel();
+        if (ended) finish(ended, frame);
+        else freeKeys(input, ctx);
+      } else if (newest.isPlaced && (action === 'changed' || action === 'remove')) {
+        history.remember([before]);
+        if (action === 'remove') remove(newest);
+        else {
+          grip.letGo();
+          newest.placement.fasten(frame, steps.gridM);
+          write(newest);
+          emit('moved', newest);
+        }
+      }
+    }
+  }
+  function finish({ outcome, before }: GripEnd, frame: SessionFrame): void {
+    const { spot } = before;
+    spot.placement.fasten(frame, outcome === 'changed' ? steps.gridM : 0);
+    write(spot);
+    if (outcome === 'undone') return;
+    history.remember([before]);
+    emit('moved', spot);
+  }
+
+  function showReticle(frame: SessionFrame): void {
+    if (!reticle || !viewTest) return;
+    const seen = viewTest.read();
+    let hit: Hit | null = null;
+    for (let i = 0; i < frame.input.pointerCount && !hit; i++) {
+      const pointer = frame.input.pointers[i];
+      if (pointer?.phase === 'hover') hit = hitOf(pointer);
+    }
+    for (let i = 0; i < seen.count && !hit; i++) if (suits(seen.at(i))) hit = seen.at(i);
+    if (hit && hit.distanceM > RETICLE_REACH_M) hit = null;
+    const wants = mode === 'add' ? countPlaced() < copies : !firstSpot.isPlaced;
+    reticle.update(wants, hit?.worldFromHit ?? null, frame, ctx.clock.timeS);
+  }
+  function show(): void {
+    for (let i = 0; i < spots.length; i++) {
+      const spot = spots[i];
+      places[i] = spot?.isPlaced ? spot.worldFromPlaced : showBefore && i === 0 && mode !== 'add' ? IDENTITY : null;
+    }
+    shown.update(inputs.objects, places);
+  }
 
   return {
     update: (frame) => {
       // Every frame, because the device starts to follow pointers when it is asked.
       hitTest.read();
-      if (frame.jumps !== frameJumps) jumps++;
+      steps.minScale = minScale.value;
+      steps.maxScale = maxScale.value;
+      steps.snapRad = snapRad.value;
+      steps.gridM = gridM.value;
+      if (frame.jumps !== frameJumps) {
+        jumps++;
+        history.clear();
+      }
       frameJumps = frame.jumps;
       if (session.sessions !== lastSession) enterSession(frame);
-      if (inputs.remove.count > 0) endPlacement();
-      placement.follow();
-      if (isPlaced) writeMatrices();
-      take(frame);
-      limits.minScale = minScale.value;
-      limits.maxScale = maxScale.value;
-      const ended = grip.update(frame, hitOf, limits);
-      if (isPlaced) writeMatrices();
-      if (ended) placement.fasten(frame);
-      if (ended === 'changed') emitMoved();
-      writePose(outputs.pose, isPlaced ? worldFromPose.elements : null, jumps);
-      outputs.isPlaced.value = isPlaced;
-      outputs.scale.value = placement.scale;
-      derived.update(inputs.objects, isPlaced || showBefore);
+      for (let i = 0; i < spots.length; i++) spots[i]?.placement.follow();
+      writeAll();
+      if (inputs.remove.count > 0) removeAll();
+      for (let i = 0; i < inputs.undo.count; i++) undo(frame);
+      takeKeys(frame);
+      takePointers(frame);
+      const ended = grip.update(frame, hitOf, steps);
+      writeAll();
+      if (ended) finish(ended, frame);
+      writePose(outputs.pose, newest.isPlaced ? newest.worldFromPose.elements : null, jumps);
+      outputs.isPlaced.value = newest.isPlaced;
+      outputs.count.value = countPlaced();
+      outputs.scale.value = newest.placement.scale;
+      showReticle(frame);
+      show();
     },
+    prepare: show,
     reset: () => {
       grip.letGo();
-      placement.release();
-      placement.turnRad = 0;
-      placement.scale = 1;
-      isPlaced = false;
+      history.clear();
+      freeKeys(session.frame.input, ctx);
+      for (const spot of spots) {
+        vacate(spot);
+        spot.isPlaced = false;
+      }
+      newest = firstSpot;
       taps = 0;
       jumps = 0;
       frameJumps = 0;
     },
     dispose: () => {
-      placement.release();
+      freeKeys(session.frame.input, ctx);
+      for (const { placement } of spots) placement.release();
       hitTest.close();
+      viewTest?.close();
+      shown.dispose();
+      reticle?.dispose();
     },
   };
 }

@@ -15,6 +15,7 @@ import {
 } from 'three';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { ObjectItem } from '../../kit/scene-lists.ts';
+import { setMaterialColor } from '../../kit/three/material-color.ts';
 import type { definition } from './definition.ts';
 
 type Shape = NodeContext<typeof definition>['config']['shape'];
@@ -57,12 +58,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       scratchSize.fromArray(sizeM.value);
       if (shape === 'plane') scratchSize.y = 1;
       mesh.matrixWorld.makeScale(scratchSize.x, scratchSize.y, scratchSize.z);
-      material.color.fromArray(color.value).convertSRGBToLinear();
-      material.opacity = color.value[3] ?? 1;
-      if (material.transparent !== material.opacity < 1) {
-        material.transparent = material.opacity < 1;
-        material.needsUpdate = true;
-      }
+      setMaterialColor(material, color.value);
       material.roughness = roughness.value;
       material.metalness = metalness.value;
       item.castsShadow = castShadow.value;

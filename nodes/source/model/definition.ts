@@ -35,6 +35,17 @@ export const definition = defineNode({
       doc: 'Off pauses the animation.',
       default: true,
     },
+    normals: {
+      type: 'choice',
+      stage: 'structure',
+      label: 'Missing normals',
+      doc: 'How meshes are shaded whose file has no normals: each triangle flat, as glTF demands, or smooth across triangles. Meshes with normals do not change.',
+      default: 'flat',
+      options: [
+        { value: 'flat', label: 'Flat' },
+        { value: 'smooth', label: 'Smooth' },
+      ],
+    },
     castShadow: { type: 'toggle', stage: 'uniform', label: 'Cast shadows', doc: 'Whether it casts a shadow.', default: true },
     receiveShadow: {
       type: 'toggle',

@@ -14,7 +14,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   let animation: Animation | null = null;
 
   function begin(model: ModelAsset): ObjectItem {
-    const root = model.instantiate();
+    const root = model.instantiate(ctx.config.normals);
     root.updateMatrixWorld(true);
     animation = findAnimation(ctx, model, root);
     const made: ObjectItem = {

@@ -16,7 +16,7 @@ export const definition = defineNode({
       type: 'number',
       stage: 'uniform',
       label: 'Rotation',
-      doc: 'Rotates the panorama about the vertical axis, counter-clockwise seen from above. At 0 its center is straight ahead (−z).',
+      doc: 'Rotates the panorama about the vertical axis, counterclockwise seen from above. At 0 its center is straight ahead (−z).',
       default: 0,
       min: -Math.PI,
       max: Math.PI,

@@ -16,14 +16,20 @@ const at = (x: number) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, 0, 0, 1];
 function start({ pose = createPose(), params = {}, xr = null }: { pose?: PoseOutput | null; params?: Params; xr?: object | null } = {}) {
   const spatial = createSpatial({ gl: {} as never, held: true });
   const anchors: Anchor[] = [];
+  /** Names under which anchors were to be kept, and anchors of an earlier visit. */
+  const named: string[] = [];
+  const kept = new Map<string, Anchor>();
   const session = {
     sessions: 1,
     anchors: {
-      create: (where: ArrayLike<number>) => {
-        const anchor = spatial.anchors.create(where);
+      create: (where: ArrayLike<number>, keepAs?: string) => {
+        const anchor = spatial.anchors.create(where, keepAs);
         anchors.push(anchor);
+        if (keepAs !== undefined) named.push(keepAs);
         return anchor;
       },
+      restore: (name: string) => kept.get(name) ?? null,
+      forget: (name: string) => void kept.delete(name),
     },
   };
   const set = createPulseQueue();
@@ -44,7 +50,7 @@ function start({ pose = createPose(), params = {}, xr = null }: { pose?: PoseOut
     if (pose) writePose(pose, x === null ? null : at(x), 0);
     return step();
   };
-  return { ...fake, spatial, node, session, anchors, set, clear, frame, step, stepAt };
+  return { ...fake, named, kept, spatial, node, session, anchors, set, clear, frame, step, stepAt };
 }
 
 const NONE = { x: null, state: '' };
@@ -137,6 +143,92 @@ describe('world/anchor', () => {
     spatial.leaveSession();
     expect(stepAt(3).x).toBe(3);
     expect(spatial.counts().anchors).toBe(1);
+  });
+
+  describe('over visits', () => {
+    const NODE = 'anchor-test';
+    const earlier = (state: AnchorState): Anchor & { state: AnchorState; deletes: number } => ({
+      id: 'earlier',
+      state,
+      worldFromAnchor: Float32Array.from(at(7)),
+      keeping: 'kept',
+      evicted: 0,
+      deletes: 0,
+      delete() {
+        this.deletes++;
+      },
+    });
+    const again = (anchor: Anchor | null, params: Params = {}) => {
+      const stage = start({ params: { keep: true, ...params } });
+      if (anchor) stage.kept.set(NODE, anchor);
+      return stage;
+    };
+
+    test('asks the device to keep it under the name of the node, and only if it is set to', () => {
+      const keeps = again(null);
+      keeps.stepAt(1);
+      expect(keeps.named).toEqual([NODE]);
+      const { named, stepAt } = start();
+      stepAt(1);
+      expect(named).toEqual([]);
+    });
+
+    test('says once that the device keeps none, as in a session without anchors', () => {
+      const { ctx, reports, stepAt, step } = again(null);
+      expect(stepAt(1)).toEqual({ x: 1, state: 'tracked' });
+      step();
+      expect(reports).toEqual([expect.objectContaining({ code: 'SCR057', severity: 'info' })]);
+      expect(ctx.outputs.kept.value).toBe(false);
+    });
+
+    test('says that an older one was forgotten for it', () => {
+      const { ctx, reports, session, stepAt } = again(null);
+      session.anchors.create = () => ({ ...earlier('tracked'), evicted: 1 });
+      stepAt(1);
+      expect(reports).toEqual([expect.objectContaining({ code: 'SCR057', severity: 'warning' })]);
+      expect(ctx.outputs.kept.value).toBe(true);
+    });
+
+    test('has no pose until the device has found the place of an earlier visit, and keeps that place', () => {
+      const anchor = earlier('pending');
+      const { ctx, named, stepAt } = again(anchor);
+      expect(stepAt(null)).toEqual({ x: null, state: 'pending' });
+      expect(stepAt(1)).toEqual({ x: null, state: 'pending' });
+      const { jumps } = ctx.outputs.pose;
+      anchor.state = 'tracked';
+      expect(stepAt(2)).toEqual({ x: 7, state: 'tracked' });
+      expect([ctx.outputs.pose.jumps, named]).toEqual([jumps + 1, []]);
+      anchor.state = 'lost';
+      expect(stepAt(3)).toEqual({ x: 7, state: 'lost' });
+    });
+
+    test('makes a new one where the device no longer has it', () => {
+      const anchor = earlier('pending');
+      const { named, stepAt } = again(anchor);
+      stepAt(1);
+      anchor.state = 'deleted';
+      expect(stepAt(2)).toEqual({ x: 2, state: 'tracked' });
+      expect(named).toEqual([NODE]);
+    });
+
+    test('is replaced by a pulse, and forgotten by another', () => {
+      const anchor = earlier('tracked');
+      const { kept, named, set, clear, step, stepAt } = again(anchor);
+      stepAt(1);
+      set.emit();
+      expect([step(), anchor.deletes, named]).toEqual([{ x: 1, state: 'tracked' }, 1, [NODE]]);
+      clear.emit();
+      expect([step(), kept.has(NODE)]).toEqual([NONE, false]);
+    });
+
+    test('stays kept when the program is reset or ends', () => {
+      const { node, kept, step } = again(earlier('tracked'));
+      step();
+      node.reset?.();
+      expect(step()).toEqual({ x: 7, state: 'tracked' });
+      node.dispose();
+      expect(kept.has(NODE)).toBe(true);
+    });
   });
 
   test('leaves nothing behind, and begins anew after a reset', () => {

@@ -4,7 +4,7 @@ export const definition = defineNode({
   type: 'world/anchor',
   version: 1,
   title: 'Anchor',
-  doc: 'Keeps a pose at its point of the real room: it follows the room while tracking drifts or the visitor re-centers, and stays while tracking is lost. Where the device has no anchors, the pose stays in world space, and State says “unsupported”.',
+  doc: 'Keeps a pose at its point of the real room: it follows the room while tracking drifts or the visitor re-centers, and stays while tracking is lost. Where the device has no anchors, the pose stays in world space, and State says “unsupported”. With “Keep over visits”, devices that support it find the anchor again at later visits.',
   keywords: ['pin', 'fix', 'hold', 'room', 'tracking', 'drift', 'world lock', 'persistent'],
   inputs: {
     pose: {
@@ -23,7 +23,7 @@ export const definition = defineNode({
     clear: {
       type: 'pulse',
       label: 'Clear',
-      doc: 'A pulse removes the anchor. Applied first in a frame. Optional.',
+      doc: 'A pulse removes the anchor, also for later visits; a Button lets the visitor do so. Applied first in a frame. Optional.',
       required: false,
       multiple: true,
     },
@@ -36,6 +36,7 @@ export const definition = defineNode({
       doc: 'Empty without an anchor; “pending” until the device has confirmed it; “tracked”; “lost” while the device does not see it, and the pose stays; “deleted” after the device has removed it, and the pose stays in world space; “unsupported” where the device has no anchors, and the pose stays in world space.',
     },
     tracked: { type: 'toggle', label: 'Tracked', doc: 'On while the device tracks the anchor.' },
+    kept: { type: 'toggle', label: 'Kept', doc: 'On while the device keeps the anchor for later visits.' },
   },
   params: {
     when: {
@@ -48,6 +49,13 @@ export const definition = defineNode({
         { value: 'valid', label: 'When the pose becomes valid' },
         { value: 'set', label: 'At a pulse only' },
       ],
+    },
+    keep: {
+      type: 'toggle',
+      stage: 'structure',
+      label: 'Keep over visits',
+      doc: 'Whether the device keeps the anchor for later visits of the page. The anchor is then there without a new pose, once the device finds its place. Devices limit how many they keep: a Quest keeps 8, and forgets the oldest for a ninth.',
+      default: false,
     },
   },
   lowering: { kind: 'value' },

@@ -5,10 +5,31 @@ export const definition = defineNode({
   version: 1,
   title: 'Room depth',
   doc: 'Outputs the distance to real surfaces, as the device measures it, or as an image contains it. Connect it to nodes that hide virtual objects behind real ones, or that place effects by distance. Sensor data is coarse, noisy and has holes; the parameters of this node clean it for all nodes that read it.',
-  keywords: ['depth', 'sensor', 'lidar', 'distance', 'real', 'occlusion', 'bilateral', 'smooth', 'holes', 'painted depth'],
+  keywords: [
+    'depth',
+    'sensor',
+    'lidar',
+    'distance',
+    'real',
+    'occlusion',
+    'bilateral',
+    'smooth',
+    'holes',
+    'painted depth',
+    'confidence',
+    'uncertainty',
+  ],
   inputs: {},
   outputs: {
     depth: { type: 'depth', label: 'Depth', doc: 'Meters along the view axis; unknown where nothing was measured.' },
+    confidence: {
+      type: 'layer',
+      label: 'Confidence',
+      doc: 'How certain the depth is, as shades of gray: white where it is measured and even, darker within three samples of a border and in noise, dark gray where a hole was filled, black where it is unknown. Use it as a mask to soften or style uncertain borders. It is computed only if something reads it.',
+      domain: 'view',
+      depth: false,
+      whenRead: true,
+    },
   },
   params: {
     source: {
@@ -26,7 +47,7 @@ export const definition = defineNode({
       type: 'choice',
       stage: 'structure',
       label: 'Filter',
-      doc: 'How the depth samples are interpolated to the pixels of the view. “Nearest” shows the samples as blocks. “Linear” blends them at almost no cost. “Edge-aware” follows the edges of the camera image and removes noise. It asks the visitor for the camera; without it, it uses the samples alone. It is computed once per view, at a size of at most 960 pixels.',
+      doc: 'How the depth samples are interpolated to the pixels of the view. “Nearest” shows the samples as blocks. “Linear” blends them at almost no cost. “Edge-aware” follows the edges of the camera image and removes noise. It asks the visitor for the camera; without it, or where its edges are not those of the depth, it uses the samples alone. It is computed once per view, at a size of at most 960 pixels.',
       default: 'linear',
       options: [
         { value: 'nearest', label: 'Nearest' },
@@ -49,7 +70,7 @@ export const definition = defineNode({
       type: 'toggle',
       stage: 'uniform',
       label: 'Fill holes',
-      doc: 'Fill areas without a measurement from the measurements around them, so that virtual objects are hidden there too. Off: nothing is hidden there. Applies only to “Device”.',
+      doc: 'Fill areas without a measurement from the measurements around them, so that virtual objects are hidden there too. An area takes the distance of the farther surface at its border. A large area without a border on at least three sides, such as a sky that the image cuts off, stays unknown. Off: nothing is hidden in such areas. Applies only to “Device”.',
       default: true,
     },
     picture: {

@@ -50,3 +50,20 @@ test('asks for depth where the device measures it, for the camera where its edge
   ]);
   expect(asked({ source: 'picture' })).toEqual([]);
 });
+
+test('rates the depth only where something reads its confidence', () => {
+  const outputsWith = (...wires: string[]) =>
+    new TestStudio({ library: LIBRARY, readShader })
+      .add('box-a', 'objects/primitive')
+      .add('scene-a', 'layer/scene')
+      .add('room-a', 'world/depth')
+      .add('hide-a', 'layer/depth-occlusion')
+      .add('keep-a', 'operator/mask')
+      .add('screen-a', 'output/screen')
+      .wire('box-a.objects -> scene-a.objects', 'scene-a.layer -> hide-a.layer', 'room-a.depth -> hide-a.depth', ...wires)
+      .compile()
+      .output?.operations.flatMap((operation) => (operation.kind === 'source' ? Object.keys(operation.outputs) : []));
+  expect(outputsWith('hide-a.layer -> screen-a.layer')).toEqual(['depth']);
+  const masked = ['hide-a.layer -> keep-a.inputImage', 'room-a.confidence -> keep-a.mask', 'keep-a.layer -> screen-a.layer'];
+  expect(outputsWith(...masked)).toEqual(['depth', 'confidence']);
+});

@@ -6,19 +6,19 @@ import { setPassState, setSampler } from '../../kit/pass-state.ts';
  * context is shared.
  */
 export interface DepthDrawing {
-  /** Creates a depth texture: meters in the red channel, all unknown (0). */
-  createPicture(widthPx: number, heightPx: number): MetersPicture;
-  free(picture: MetersPicture): void;
+  /** Creates a texture, all 0. `meters`: depth in the red channel, 0 where unknown; `gray`: opaque shades of gray, RGBA8. */
+  createPicture(widthPx: number, heightPx: number, content?: 'meters' | 'gray'): DepthPicture;
+  free(picture: DepthPicture): void;
   /** Creates a pass; samplers are bound to texture units in order. The same text returns the same pass. */
   link(fragment: string, samplers: readonly string[]): DepthPass;
   /** Activates a pass; textures and uniforms that are set until `draw` belong to it. */
-  begin(target: MetersPicture, pass: DepthPass): void;
+  begin(target: DepthPicture, pass: DepthPass): void;
   texture(unit: number, texture: WebGLTexture | null, filter: 'linear' | 'nearest'): void;
   draw(): void;
   dispose(): void;
 }
 
-export interface MetersPicture {
+export interface DepthPicture {
   readonly texture: WebGLTexture;
   readonly framebuffer: WebGLFramebuffer;
   readonly widthPx: number;
@@ -40,21 +40,21 @@ export function createDepthDrawing(gl: WebGL2RenderingContext): DepthDrawing | n
   const vertexArray = gl.createVertexArray();
   const samplers = { linear: createSampler(gl, gl.LINEAR), nearest: createSampler(gl, gl.NEAREST) };
   const passes = new Map<string, DepthPass>();
-  const pictures = new Set<MetersPicture>();
+  const pictures = new Set<DepthPicture>();
   let units = 0;
 
-  const free = (picture: MetersPicture): void => {
+  const free = (picture: DepthPicture): void => {
     gl.deleteTexture(picture.texture);
     gl.deleteFramebuffer(picture.framebuffer);
     pictures.delete(picture);
   };
   return {
-    createPicture: (widthPx, heightPx) => {
+    createPicture: (widthPx, heightPx, content = 'meters') => {
       const picture = { texture: gl.createTexture(), framebuffer: gl.createFramebuffer(), widthPx, heightPx };
       pictures.add(picture);
       gl.activeTexture(gl.TEXTURE0);
       gl.bindTexture(gl.TEXTURE_2D, picture.texture);
-      gl.texStorage2D(gl.TEXTURE_2D, 1, format, widthPx, heightPx);
+      gl.texStorage2D(gl.TEXTURE_2D, 1, content === 'gray' ? gl.RGBA8 : format, widthPx, heightPx);
       // Readers that use three.js bind no sampler, so the texture needs these parameters.
       for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
       for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
@@ -110,7 +110,7 @@ void main() {
 }
 `;
 
-/** The prefix of each fragment shader, whose function `float meters()` returns the depth to write. */
+/** The prefix of each fragment shader, whose function `float meters()` returns the depth, or the shade of gray, to write. */
 const FRAGMENT_HEAD = `#version 300 es
 precision highp float;
 precision highp int;
@@ -121,11 +121,13 @@ vec2 place(mat3 transform, vec2 at) {
   vec3 placed = transform * vec3(at, 1.0);
   return placed.xy / placed.z;
 }
+// Typical error of depth sensors at a distance, meters.
+float strayM(float m) { return 0.01 + 0.005 * m; }
 bool isInside(vec2 at) { return all(lessThanEqual(abs(at - 0.5), vec2(0.50001))); }
 `;
 
 function createPass(gl: WebGL2RenderingContext, fragment: string, samplers: readonly string[]): DepthPass {
-  const program = linkProgram(gl, VERTEX, `${FRAGMENT_HEAD}${fragment}\nvoid main() { color = vec4(meters(), 0.0, 0.0, 1.0); }\n`);
+  const program = linkProgram(gl, VERTEX, `${FRAGMENT_HEAD}${fragment}\nvoid main() { color = vec4(vec3(meters()), 1.0); }\n`);
   return {
     program,
     samplers: samplers.map((name) => gl.getUniformLocation(program, name)),

@@ -1,101 +1,95 @@
-import type { DepthDrawing, MetersPicture } from './drawing.ts';
+import type { DepthDrawing, DepthPicture } from './drawing.ts';
 
 /** Fills unknown samples from the known samples around them. */
 export interface HoleFiller {
-  /** The depth without holes, unless all samples are unknown; valid until the next call. */
+  /** The depth without supported holes; valid until the next call. */
   fill(texture: WebGLTexture, widthPx: number, heightPx: number): WebGLTexture;
   dispose(): void;
 }
 
 /**
- * Pull-push (Gortler et al., The Lumigraph, 1996, §3.4): the pull phase halves the resolution down to one sample, each the mean of the
- * known samples below; the push phase fills unknown samples from the level above. The cost does not depend on the holes: 2.7 times the
- * number of samples.
+ * A hole takes the distance of the farther surface at its border: sensors miss what is far, transparent or hidden from one of their
+ * two lenses, and a virtual object in front of a window must not vanish behind the window's frame. Depth cameras fill the same way
+ * (Intel RealSense SDK, hole-filling filter, “farthest from around”).
+ *
+ * Each unknown sample looks left, right, up and down for the border of its hole. Where the four borders lie on one plane, as in a hole
+ * in a floor, the sample lies on it too. A sample stays unknown if it is farther than 1/16 of the image from all borders and fewer than
+ * three sides have one: nothing says how far a sky is that the image cuts off.
+ *
+ * Rejected: pull-push (Gortler et al., The Lumigraph, 1996, §3.4), whose mean of near and far hid 95 % of a panel in front of the window
+ * of a recorded room. Known samples cost one fetch, unknown ones at most about 400.
  */
 export function createHoleFiller(drawing: DepthDrawing): HoleFiller {
-  const pull = drawing.link(PULL, ['finer']);
-  const push = drawing.link(PUSH, ['own', 'coarser']);
-  /** Level 0 has the resolution of the sensor. */
-  const pulled: MetersPicture[] = [];
-  const filled: MetersPicture[] = [];
-
-  const clear = (): void => {
-    for (const picture of [...pulled, ...filled]) drawing.free(picture);
-    pulled.length = 0;
-    filled.length = 0;
-  };
-  const resize = (widthPx: number, heightPx: number): void => {
-    clear();
-    let width = widthPx;
-    let height = heightPx;
-    do {
-      filled.push(drawing.createPicture(width, height));
-      width = Math.ceil(width / 2);
-      height = Math.ceil(height / 2);
-      pulled.push(drawing.createPicture(width, height));
-    } while (width > 1 || height > 1);
+  const pass = drawing.link(FILL, ['room']);
+  let picture: DepthPicture | null = null;
+  const free = (): void => {
+    if (picture) drawing.free(picture);
+    picture = null;
   };
   return {
     fill: (texture, widthPx, heightPx) => {
-      if (filled[0]?.widthPx !== widthPx || filled[0].heightPx !== heightPx) resize(widthPx, heightPx);
-      for (let level = 0; level < pulled.length; level++) {
-        const target = pulled[level];
-        if (!target) continue;
-        drawing.begin(target, pull);
-        drawing.texture(0, pulled[level - 1]?.texture ?? texture, 'nearest');
-        drawing.draw();
-      }
-      for (let level = filled.length - 1; level >= 0; level--) {
-        const target = filled[level];
-        if (!target) continue;
-        drawing.begin(target, push);
-        drawing.texture(0, pulled[level - 1]?.texture ?? texture, 'nearest');
-        drawing.texture(1, (filled[level + 1] ?? pulled[level])?.texture ?? null, 'nearest');
-        drawing.draw();
-      }
-      return filled[0]?.texture ?? texture;
+      if (picture?.widthPx !== widthPx || picture.heightPx !== heightPx) free();
+      picture ??= drawing.createPicture(widthPx, heightPx);
+      drawing.begin(picture, pass);
+      drawing.texture(0, texture, 'nearest');
+      drawing.draw();
+      return picture.texture;
     },
-    dispose: clear,
+    dispose: free,
   };
 }
 
-const PULL = `
-uniform sampler2D finer;
-float meters() {
-  ivec2 size = textureSize(finer, 0);
-  ivec2 first = ivec2(gl_FragCoord.xy) * 2;
-  float sum = 0.0;
-  float known = 0.0;
-  for (int i = 0; i < 4; i++) {
-    ivec2 at = first + ivec2(i & 1, i >> 1);
-    if (any(greaterThanEqual(at, size))) continue;
-    float m = texelFetch(finer, at, 0).r;
-    if (m <= 0.0) continue;
-    sum += m;
-    known += 1.0;
-  }
-  return known > 0.0 ? sum / known : 0.0;
-}`;
+const FILL = `
+uniform sampler2D room;
 
-const PUSH = `
-uniform sampler2D own;
-uniform sampler2D coarser;
-float meters() {
-  float m = texelFetch(own, ivec2(gl_FragCoord.xy), 0).r;
-  if (m > 0.0) return m;
-  ivec2 last = textureSize(coarser, 0) - 1;
-  vec2 texel = gl_FragCoord.xy * 0.5 - 0.5;
-  ivec2 low = ivec2(floor(texel));
-  vec2 part = texel - vec2(low);
-  float sum = 0.0;
-  float total = 0.0;
-  for (int i = 0; i < 4; i++) {
-    ivec2 corner = ivec2(i & 1, i >> 1);
-    float around = texelFetch(coarser, clamp(low + corner, ivec2(0), last), 0).r;
-    vec2 near = mix(1.0 - part, part, vec2(corner));
-    float weight = around > 0.0 ? near.x * near.y : 0.0;
-    sum += around * weight;
-    total += weight;
+// Meters of the border in a direction, and its distance in samples; 0 meters where there is none. Steps grow with the distance, so a
+// border thinner than 1/32 of its distance may be missed.
+vec2 borderAt(ivec2 from, ivec2 way) {
+  ivec2 size = textureSize(room, 0);
+  for (int off = 1; ; off += max(1, off / 32)) {
+    ivec2 at = from + way * off;
+    if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, size))) return vec2(0.0);
+    float m = texelFetch(room, at, 0).r;
+    if (m <= 0.0) continue;
+    // The outermost sample is often a mixture of two surfaces, so take the median of three.
+    ivec2 last = size - 1;
+    float second = texelFetch(room, clamp(at + way, ivec2(0), last), 0).r;
+    float third = texelFetch(room, clamp(at + way * 2, ivec2(0), last), 0).r;
+    if (second > 0.0 && third > 0.0) m = max(min(m, second), min(max(m, second), third));
+    return vec2(m, float(off));
   }
-  return total > 0.0 ? sum / total : 0.0;
+  return vec2(0.0);
+}
+
+// The plane through two opposite borders; inverse depth is linear along a line of the image.
+float between(vec2 a, vec2 b) { return (a.y + b.y) / (b.y / a.x + a.y / b.x); }
+
+float meters() {
+  ivec2 here = ivec2(gl_FragCoord.xy);
+  float m = texelFetch(room, here, 0).r;
+  if (m > 0.0) return m;
+  vec2 sides[4] = vec2[](borderAt(here, ivec2(-1, 0)), borderAt(here, ivec2(1, 0)), borderAt(here, ivec2(0, -1)), borderAt(here, ivec2(0, 1)));
+  ivec2 size = textureSize(room, 0);
+  float reach = max(4.0, float(max(size.x, size.y)) / 16.0);
+  float farthestM = 0.0;
+  int count = 0;
+  bool isClose = false;
+  for (int i = 0; i < 4; i++) {
+    if (sides[i].x <= 0.0) continue;
+    count++;
+    farthestM = max(farthestM, sides[i].x);
+    isClose = isClose || sides[i].y <= reach;
+  }
+  if (count == 0 || (count < 3 && !isClose)) return 0.0;
+  float sameM = 4.0 * strayM(farthestM);
+  if (count == 4) {
+    float acrossM = between(sides[0], sides[1]);
+    float uprightM = between(sides[2], sides[3]);
+    if (abs(acrossM - uprightM) < sameM) return 0.5 * (acrossM + uprightM);
+  }
+  vec2 sum = vec2(0.0);
+  for (int i = 0; i < 4; i++) {
+    if (sides[i].x > 0.0 && sides[i].x >= farthestM - sameM) sum += vec2(sides[i].x, 1.0) / sides[i].y;
+  }
+  return sum.x / sum.y;
 }`;

@@ -1,6 +1,6 @@
 import type { ImageAsset } from '../../kit/assets.ts';
 import type { RoomDepth, ViewFrame } from '../../kit/session.ts';
-import type { DepthDrawing, MetersPicture } from './drawing.ts';
+import type { DepthDrawing, DepthPicture } from './drawing.ts';
 
 /** Depth from an image in shades of gray, the same for all views, scaled to cover each view. */
 export interface PictureDepth {
@@ -20,13 +20,13 @@ export function createPictureDepth(
 ): PictureDepth {
   const pass = drawing.link(shades === 'distance' ? DISTANCE : INVERSE, ['shades']);
   const rangeM = pass.uniform('rangeM');
-  let meters: MetersPicture | null = null;
+  let meters: DepthPicture | null = null;
   let drawn: WebGLTexture | null = null;
   let drawnNearM = 0;
   let drawnFarM = 0;
   const views: (Mutable<RoomDepth> | null)[] = Array.from({ length: viewCount }, () => null);
 
-  const draw = (image: ImageAsset, nearM: number, farM: number): MetersPicture => {
+  const draw = (image: ImageAsset, nearM: number, farM: number): DepthPicture => {
     if (meters && drawn === image.texture && drawnNearM === nearM && drawnFarM === farM) return meters;
     if (meters?.widthPx !== image.widthPx || meters.heightPx !== image.heightPx) {
       if (meters) drawing.free(meters);

@@ -1,5 +1,6 @@
 import type { RoomDepth, ViewFrame } from '../../kit/session.ts';
-import type { DepthDrawing } from './drawing.ts';
+import { type ConfidenceMeter, createConfidenceMeter } from './confidence.ts';
+import type { DepthDrawing, DepthPicture } from './drawing.ts';
 import { createHoleFiller, type HoleFiller } from './fill-holes.ts';
 import { createEdgeFollower, type EdgeFollower } from './follow-edges.ts';
 import { createSteadier, type Steadier } from './steady.ts';
@@ -10,6 +11,10 @@ export type DepthFilter = 'nearest' | 'linear' | 'edge-aware';
 export interface DepthRefiner {
   /** Always the same object. */
   refine(depth: RoomDepth, view: ViewFrame, wishes: RefineWishes): RoomDepth;
+  /** The confidence of the depth that was refined last, at the resolution of the sensor; null if it was not requested. */
+  readonly confidence: WebGLTexture | null;
+  /** How well the camera image matches the depth; null if none guides it. */
+  readonly registration: DepthPicture | null;
   forget(): void;
   dispose(): void;
 }
@@ -18,6 +23,8 @@ export interface RefineWishes {
   smoothingS: number;
   deltaS: number;
   fillHoles: boolean;
+  /** Also rate the depth. */
+  confidence: boolean;
 }
 
 type Mutable<T> = { -readonly [K in keyof T]: T[K] };
@@ -27,9 +34,17 @@ export function createDepthRefiner(gl: WebGL2RenderingContext, drawing: DepthDra
   let steadier: Steadier | null = null;
   let filler: HoleFiller | null = null;
   let follower: EdgeFollower | null = null;
+  let meter: ConfidenceMeter | null = null;
+  let confidence: WebGLTexture | null = null;
   let refined: Mutable<RoomDepth> | null = null;
   return {
-    refine: (depth, view, { smoothingS, deltaS, fillHoles }) => {
+    get registration() {
+      return follower?.registration ?? null;
+    },
+    get confidence() {
+      return confidence;
+    },
+    refine: (depth, view, { smoothingS, deltaS, fillHoles, confidence: isRated }) => {
       refined ??= { ...depth };
       let { texture } = depth;
       refined.widthPx = depth.widthPx;
@@ -41,9 +56,14 @@ export function createDepthRefiner(gl: WebGL2RenderingContext, drawing: DepthDra
         steadier ??= createSteadier(gl, drawing);
         texture = steadier.steady(depth, view, smoothingS, deltaS);
       } else steadier?.forget();
+      const measured = texture;
       if (drawing && fillHoles) {
         filler ??= createHoleFiller(drawing);
         texture = filler.fill(texture, depth.widthPx, depth.heightPx);
+      }
+      if (drawing && isRated) {
+        meter ??= createConfidenceMeter(drawing);
+        confidence = meter.rate(measured, texture, depth.widthPx, depth.heightPx);
       }
       if (drawing && filter === 'edge-aware') {
         follower ??= createEdgeFollower(gl, drawing);
@@ -58,7 +78,7 @@ export function createDepthRefiner(gl: WebGL2RenderingContext, drawing: DepthDra
     },
     forget: () => steadier?.forget(),
     dispose: () => {
-      for (const part of [steadier, filler, follower]) part?.dispose();
+      for (const part of [steadier, filler, follower, meter]) part?.dispose();
     },
   };
 }

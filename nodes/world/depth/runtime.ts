@@ -5,20 +5,28 @@ import type { definition } from './definition.ts';
 import { createDepthDrawing, type DepthDrawing } from './drawing.ts';
 import { createPictureDepth, type PictureDepth } from './picture-depth.ts';
 import { createDepthRefiner, type DepthRefiner } from './refine-depth.ts';
+import { createRegistrationCheck, type RegistrationCheck } from './registration-check.ts';
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { views } = ctx.outputs.depth;
+  const rated = ctx.outputs.confidence?.views ?? null;
   const { params, config } = ctx;
   const id = config.source === 'picture' ? ctx.assetIds.picture : null;
   const picture = id === null ? null : ctx.assets.image(id);
   /** Created with the first depth, because most devices have none. */
   let gpu: Gpu | null = null;
+  let check: RegistrationCheck | null = null;
   let jumps = 0;
   const forget = (): void => {
     for (const refiner of gpu?.refiners ?? []) refiner.forget();
   };
-  const wishes = { smoothingS: 0, deltaS: 0, fillHoles: true };
+  const wishes = { smoothingS: 0, deltaS: 0, fillHoles: true, confidence: rated !== null };
 
+  const reportMismatch = (): void => {
+    const message = 'The camera image has its edges elsewhere than the room depth, so “Edge-aware” ignores it.';
+    const fix = 'Choose “Linear” to do without the camera, or record color and depth from the same viewpoint.';
+    ctx.report({ code: 'SCR055', severity: 'warning', message, fix });
+  };
   const measured = (view: ViewFrame, index: number): RoomDepth | null => {
     if (config.source === 'device') return view.depth;
     const image = picture?.value ?? null;
@@ -39,28 +47,47 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       wishes.deltaS = frame.deltaS;
       // Transparent areas of an image are unknown on purpose, so they are not filled.
       wishes.fillHoles = config.source === 'device' && params.fillHoles.value;
-      const isPlain = config.filter === 'nearest' && !wishes.fillHoles && wishes.smoothingS <= 0;
+      const isPlain = config.filter === 'nearest' && !wishes.fillHoles && wishes.smoothingS <= 0 && !rated;
       for (let i = 0; i < views.length; i++) {
         const view = i < frame.viewCount ? frame.views[i] : null;
         const depth = view ? measured(view, i) : null;
         if (!view || !depth || isPlain) {
           views[i] = depth;
           if (!depth) gpu?.refiners[i]?.forget();
+          show(rated?.[i], null, null);
           continue;
         }
         gpu ??= createGpu(ctx);
-        views[i] = gpu.refiners[i]?.refine(depth, view, wishes) ?? depth;
+        const refiner = gpu.refiners[i];
+        views[i] = refiner?.refine(depth, view, wishes) ?? depth;
+        show(rated?.[i], depth, refiner?.confidence ?? null);
+        if (i === 0 && refiner?.registration) {
+          check ??= createRegistrationCheck(ctx.gl, reportMismatch);
+          check.look(refiner.registration);
+        }
       }
     },
     reset: forget,
     dispose: () => {
       for (const refiner of gpu?.refiners ?? []) refiner.dispose();
       gpu?.pictureDepth?.dispose();
+      check?.dispose();
       gpu?.drawing?.dispose();
       picture?.release();
     },
   };
 }
+
+/** Outputs the confidence of one view; `depth` is the depth that it rates. */
+function show(layer: ConfidenceLayer | undefined, depth: RoomDepth | null, confidence: WebGLTexture | null): void {
+  if (!layer) return;
+  layer.texture = confidence;
+  layer.widthPx = depth?.widthPx ?? 1;
+  layer.heightPx = depth?.heightPx ?? 1;
+  if (depth) layer.uvFromViewUv.set(depth.uvFromViewUv);
+}
+
+type ConfidenceLayer = NonNullable<NodeContext<typeof definition>['outputs']['confidence']>['views'][number];
 
 interface Gpu {
   readonly drawing: DepthDrawing | null;

@@ -1,6 +1,6 @@
 import { multiplyMatrices, setInverse3 } from '../../kit/matrices.ts';
 import type { RoomDepth, ViewFrame } from '../../kit/session.ts';
-import type { DepthDrawing, MetersPicture } from './drawing.ts';
+import type { DepthDrawing, DepthPicture } from './drawing.ts';
 
 /** Smooths the measurements of a sensor over time, for one view. */
 export interface Steadier {
@@ -30,8 +30,8 @@ export function createSteadier(gl: WebGL2RenderingContext, drawing: DepthDrawing
   const viewUvFromUv = new Float32Array(9);
   const pastFromView = new Float32Array(16);
   const past = { uvFromViewUv: new Float32Array(9), clipFromView: new Float32Array(16), viewFromWorld: new Float32Array(16) };
-  let front: MetersPicture | null = null;
-  let back: MetersPicture | null = null;
+  let front: DepthPicture | null = null;
+  let back: DepthPicture | null = null;
   let isKnown = false;
 
   const resize = (widthPx: number, heightPx: number): void => {

@@ -3,6 +3,7 @@ import { addPointer, createPointer } from '../../../export/runtime/sessions/inpu
 import { createSessionFrame } from '../../../export/runtime/sessions/session-frame.ts';
 import { createSpatial } from '../../../export/runtime/spatial/create-spatial.ts';
 import { fakeContext } from '../../../tests/support/node-context.ts';
+import type { ParamValue } from '../../kit/definition.ts';
 import { createPose, type PoseView, writePose } from '../../kit/pose.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
@@ -10,14 +11,19 @@ import { create } from './runtime.ts';
 /** Looks straight down from 1.6 m, at (x, z). */
 const down = (x: number, z: number) => [1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, x, 1.6, z, 1];
 
-function start(from: 'center' | 'pointers' | 'left' | 'ray', ray: PoseView | null = null) {
+function start(
+  from: 'center' | 'pointers' | 'left' | 'ray',
+  ray: PoseView | null = null,
+  params: Readonly<Record<string, ParamValue>> = {},
+) {
   const spatial = createSpatial({ gl: {} as never, held: true });
-  const fake = fakeContext(definition, { params: { from }, inputs: { ray }, services: { session: spatial as never } });
+  const fake = fakeContext(definition, { params: { from, ...params }, inputs: { ray }, services: { session: spatial as never } });
   const node = create(fake.ctx);
   const frame = createSessionFrame();
   frame.viewCount = 1;
   const { outputs } = fake.ctx;
   const step = () => {
+    fake.tick(1 / 60);
     spatial.enterFrame(frame);
     node.update(frame);
     return {
@@ -85,5 +91,22 @@ describe('world/hit-test', () => {
     expect(spatial.counts().hitTests).toBe(1);
     node.dispose();
     expect(spatial.counts().hitTests).toBe(0);
+  });
+
+  test('smooths a trembling view, and begins anew at re-centering', () => {
+    const { frame, step } = start('center', null, { smoothingS: 1 / Math.PI, beta: 0 });
+    const at = (x: number) => {
+      frame.views[0]?.worldFromView.set(down(x, 0));
+      return step().at?.[0] ?? Number.NaN;
+    };
+    expect(at(1)).toBe(1);
+    // 2 π · 0.5 Hz / 60 Hz = 0.0524: 0.0524 / 1.0524 of 10 cm.
+    expect(at(1.1)).toBeCloseTo(1.00498, 4);
+    expect(at(1)).toBeLessThan(1.005);
+    frame.jumps++;
+    expect(at(3)).toBe(3);
+    frame.views[0]?.worldFromView.set([1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1.6, 0, 1]);
+    expect(step()).toEqual(NOTHING);
+    expect(at(5)).toBe(5);
   });
 });

@@ -1,6 +1,7 @@
 import { createHit, type Hit, type HitList } from '../../kit/hit-test.ts';
+import { createPoseFilter } from '../../kit/one-euro.ts';
 import { pointerById } from '../../kit/pointers.ts';
-import { writePose } from '../../kit/pose.ts';
+import { isPose, writePose } from '../../kit/pose.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { SessionFrame } from '../../kit/session.ts';
 import { surfaceOrientation } from '../../kit/surface-pose.ts';
@@ -8,9 +9,17 @@ import type { definition } from './definition.ts';
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { from } = ctx.config;
+  const { smoothingS, beta } = ctx.params;
   const { outputs, session } = ctx;
   const hitTest = from === 'ray' ? null : session.openHitTest({ from: from === 'center' ? 'viewer' : from });
   const ownHit = createHit();
+  const filter = createPoseFilter();
+  const filtered = new Float32Array(16);
+  /** Of the last frame; empty where nothing was hit. */
+  let lastSource = '';
+  let lastPointer = 0;
+  let lastJumps = 0;
+  let jumps = 0;
 
   function find(frame: SessionFrame): Hit | null {
     if (hitTest) return choose(hitTest.read(), frame);
@@ -18,14 +27,38 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     return ray?.valid && session.castRay(ray.worldFromPose, ownHit) ? ownHit : null;
   }
 
+  /** The filtered pose of the hit. The filter begins anew where nothing was hit before, the ray is another's or world space moved. */
+  function calm(hit: Hit, frame: SessionFrame): Float32Array {
+    if (smoothingS.value <= 0 || !isPose(hit.worldFromHit)) {
+      filter.restart();
+      return hit.worldFromHit;
+    }
+    if (lastSource === '' || hit.pointer !== lastPointer || frame.jumps !== lastJumps) filter.restart();
+    filtered.set(hit.worldFromHit);
+    filter.apply(filtered, ctx.clock.deltaS, 1 / (2 * Math.PI * smoothingS.value), beta.value);
+    return filtered;
+  }
+
   return {
     update: (frame) => {
       const hit = find(frame);
-      writePose(outputs.pose, hit?.worldFromHit ?? null, frame.jumps);
+      const pose = hit && calm(hit, frame);
+      if (frame.jumps !== lastJumps || (hit && hit.pointer !== lastPointer)) jumps++;
+      lastSource = hit?.source ?? '';
+      lastPointer = hit?.pointer ?? lastPointer;
+      lastJumps = frame.jumps;
+      writePose(outputs.pose, pose, jumps);
       outputs.hit.value = hit !== null;
       outputs.distanceM.value = hit?.distanceM ?? 0;
       outputs.orientation.value = hit ? surfaceOrientation(hit.worldFromHit) : '';
       outputs.source.value = hit?.source ?? '';
+    },
+    reset: () => {
+      filter.restart();
+      lastSource = '';
+      lastPointer = 0;
+      lastJumps = 0;
+      jumps = 0;
     },
     dispose: () => hitTest?.close(),
   };

@@ -9,7 +9,11 @@ const MOVED = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0] as const;
 
 function start(params: { mode?: string; moveM?: number } = {}) {
   const poses = { a: createPose(), b: createPose(), c: createPose() };
-  const { ctx } = fakeContext(definition, { params: { growth: 'none', acrossRad: 0, ...params }, inputs: poses });
+  const { ctx } = fakeContext(definition, {
+    params: { growth: 'none', acrossRad: 0, ...params },
+    inputs: poses,
+    services: { session: { sessions: 1 } as never },
+  });
   const node = create(ctx);
   const frame = createSessionFrame();
   frame.viewCount = 1;

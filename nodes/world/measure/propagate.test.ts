@@ -1,5 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { createRandom } from '../../../export/runtime/random.ts';
+import { measureBox, measurePolygon, measurePolyline, measureRectangle } from './extents.ts';
 import {
   createSeenPoint,
   INTERVAL_95,
@@ -32,6 +33,11 @@ const at = (points: readonly SeenPoint[], i: number) => points[i] ?? createSeenP
 const distance: Measure = (points, out) => measureDistance(at(points, 0), at(points, 1), out);
 const angle: Measure = (points, out) => measureAngle(at(points, 0), at(points, 1), at(points, 2), out);
 const height: Measure = (points, out) => measureHeight(at(points, 0), out);
+
+const polyline: Measure = (points, out) => measurePolyline(points, points.length, out);
+const rectangle: Measure = (points, out) => measureRectangle(at(points, 0), at(points, 1), at(points, 2), out);
+const polygon: Measure = (points, out) => measurePolygon(points, points.length, out);
+const box: Measure = (points, out) => measureBox(at(points, 0), at(points, 1), at(points, 2), at(points, 3), out);
 
 function measured(measure: Measure, positions: readonly Vector[], noise: PointNoise, eye: Vector = EYE): Measured {
   const out = { value: 0, sigma: 0 };
@@ -126,6 +132,72 @@ describe('propagation to first order', () => {
   });
 });
 
+/** An L, 4 cm² · 3 with its sides along x and y, at 40 cm. */
+const L_SHAPE: readonly Vector[] = [
+  [0, 0, -0.4],
+  [0.04, 0, -0.4],
+  [0.04, 0.02, -0.4],
+  [0.02, 0.02, -0.4],
+  [0.02, 0.04, -0.4],
+  [0, 0.04, -0.4],
+];
+
+describe('areas, volumes and lines', () => {
+  test('have their values, also where edges turn inwards or the opposite side is taken beside its corner', () => {
+    expect(measured(polygon, L_SHAPE, CONSTANT).value).toBeCloseTo(0.0012, 12);
+    const corners: Vector[] = [
+      [0, 0, -1],
+      [0.3, 0, -1],
+      [0.7, 0.2, -1],
+    ];
+    expect(measured(rectangle, corners, CONSTANT).value).toBeCloseTo(0.06, 12);
+    expect(measured(box, [...corners, [5, 5, -1.5]], CONSTANT).value).toBeCloseTo(0.03, 12);
+    expect(measured(box, [...corners, [5, 5, -0.5]], CONSTANT).value).toBeCloseTo(0.03, 12);
+    expect(measured(polyline, corners, CONSTANT).value).toBeCloseTo(0.3 + Math.hypot(0.4, 0.2), 12);
+  });
+
+  test('have the deviation that finite differences give', () => {
+    const positions: readonly Vector[] = [
+      [-0.1, 0.05, -0.4],
+      [0.12, 0, -0.5],
+      [0.1, 0.2, -0.45],
+      [-0.05, 0.15, -0.7],
+    ];
+    for (const measure of [polyline, rectangle, polygon, box]) {
+      const exact = positions.map((position) => seen(position, GROWING));
+      const value = (points: readonly SeenPoint[]) => {
+        const out = { value: 0, sigma: 0 };
+        measure(points, out);
+        return out.value;
+      };
+      let squared = 0;
+      exact.forEach((point, p) => {
+        const gradient = [0, 1, 2].map((axis) => {
+          const shifted = (by: number) => {
+            const copy = positions.map((position) => seen(position, GROWING));
+            const positionM = copy[p]?.positionM ?? new Float64Array(3);
+            positionM[axis] = (positionM[axis] ?? 0) + by;
+            return value(copy);
+          };
+          return (shifted(1e-6) - shifted(-1e-6)) / 2e-6;
+        });
+        const along = gradient.reduce((sum, each, axis) => sum + each * (point.ray[axis] ?? 0), 0);
+        const all = gradient.reduce((sum, each) => sum + each * each, 0);
+        squared += (along * point.alongM) ** 2 + (all - along * along) * point.acrossM ** 2;
+      });
+      expect(measured(measure, positions, GROWING).sigma).toBeCloseTo(Math.sqrt(squared), 7);
+    }
+  });
+
+  test('are finite where points coincide', () => {
+    const point: Vector = [0, 0, -0.4];
+    for (const measure of [polyline, rectangle, polygon, box]) {
+      const { value, sigma } = measured(measure, [point, point, point, point], GROWING);
+      expect([value, Number.isFinite(sigma)]).toEqual([0, true]);
+    }
+  });
+});
+
 const SAMPLES = 2000;
 
 /** What 2,000 noisy measurements of the same points give. */
@@ -160,12 +232,35 @@ function sample(measure: Measure, positions: readonly Vector[], noise: PointNois
   return { bias, spread: Math.sqrt(squares / SAMPLES - bias * bias), propagated: truth.sigma, held: held / SAMPLES };
 }
 
+/** How far a result is off if all its points are off by 0.05 cm away from their middle. */
+function limitOf(measure: Measure, positions: readonly Vector[]): number {
+  if (measure === angle) return (0.5 * Math.PI) / 180;
+  if (measure !== rectangle && measure !== polygon && measure !== box) return 0.0005;
+  const middle = [0, 1, 2].map((i) => positions.reduce((sum, position) => sum + (position[i] ?? 0), 0) / positions.length);
+  const away = positions.map((position): Vector => {
+    const ray = position.map((x, i) => x - (middle[i] ?? 0));
+    const scale = 1 + 0.0005 / Math.hypot(...ray);
+    return ray.map((x, i) => (middle[i] ?? 0) + x * scale) as unknown as Vector;
+  });
+  return Math.abs(measured(measure, away, CONSTANT).value - measured(measure, positions, CONSTANT).value);
+}
+
 /** A table seen from its edge. */
 const EDGE: Vector = [0, 1, 0.3];
 const TABLE: readonly Vector[] = [
   [-0.15, 0.75, 0],
   [0.1, 0.75, 0.05],
   [0.15, 0.75, -0.2],
+];
+
+/** The top of the table, and its outline with a corner cut off. */
+const TOP: readonly Vector[] = [...TABLE.slice(0, 2), [0.15, 0.75, -0.2]];
+const OUTLINE: readonly Vector[] = [
+  [-0.15, 0.75, 0],
+  [0.1, 0.75, 0.05],
+  [0.15, 0.75, -0.2],
+  [0, 0.75, -0.25],
+  [-0.12, 0.75, -0.18],
 ];
 
 describe.each<[string, Measure, readonly Vector[], PointNoise, Vector]>([
@@ -175,6 +270,11 @@ describe.each<[string, Measure, readonly Vector[], PointNoise, Vector]>([
   ['the side of a table, with the noise of the node', distance, TABLE, GROWING, EDGE],
   ['the angle of a table, with the noise of the node', angle, TABLE, GROWING, EDGE],
   ['the height of a table, with the noise of the node', height, TABLE, GROWING, EDGE],
+  ['a line along two edges of a table', polyline, TABLE, CONSTANT, EDGE],
+  ['the top of a table', rectangle, TOP, GROWING, EDGE],
+  ['the top of a table with five corners', polygon, OUTLINE, GROWING, EDGE],
+  ['a polygon that faces the viewer', polygon, L_SHAPE.map(([x, y, z]): Vector => [4 * x, 4 * y, z]), CONSTANT, EYE],
+  ['a box on a table', box, [...TOP, [0.1, 0.95, 0]], GROWING, EDGE],
 ])('2,000 measurements of %s', (_name, measure, positions, noise, eye) => {
   const { bias, spread, propagated, held } = sample(measure, positions, noise, eye);
 
@@ -183,8 +283,8 @@ describe.each<[string, Measure, readonly Vector[], PointNoise, Vector]>([
     expect(spread / propagated).toBeLessThan(1.1);
   });
 
-  test('have a bias below 0.05 cm, or 0.5° of an angle', () => {
-    expect(Math.abs(bias)).toBeLessThan(measure === angle ? (0.5 * Math.PI) / 180 : 0.0005);
+  test('have a bias below 0.05 cm, 0.5° of an angle, or 0.05 cm on each side of an area or a box', () => {
+    expect(Math.abs(bias)).toBeLessThan(limitOf(measure, positions));
   });
 
   test('are in their 95 % interval in 93 % to 97 % of cases', () => {

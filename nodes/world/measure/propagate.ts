@@ -3,8 +3,8 @@
 /** Half-width of the interval that holds 95 % of a normal distribution, in standard deviations. */
 export const INTERVAL_95 = 1.96;
 
-/** Below this a length or the sine of an angle counts as 0, where the first-order derivatives do not exist. */
-const TINY = 1e-9;
+/** Below this a length, in meters, an area, in square meters, or the sine of an angle counts as 0, where the first-order derivatives do not exist. */
+export const TINY = 1e-9;
 
 /** The noise of a point that a ray from the viewer found. */
 export interface PointNoise {
@@ -122,7 +122,7 @@ function straightVariance(a: SeenPoint, b: SeenPoint, c: SeenPoint, lengthA: num
 }
 
 /** Variance of a quantity with that derivative by the point. */
-function variance(point: SeenPoint, derivative: Float64Array): number {
+export function variance(point: SeenPoint, derivative: Float64Array): number {
   const along = dot(point.ray, derivative);
   const across = Math.max(0, dot(derivative, derivative) - along * along);
   return (point.alongM * along) ** 2 + point.acrossM ** 2 * across;
@@ -133,7 +133,7 @@ function totalVariance(point: SeenPoint): number {
 }
 
 /** Writes the unit vector between two points, zeros where they are the same, and returns their distance. */
-function setDirection(out: Float64Array, from: Float64Array, to: Float64Array): number {
+export function setDirection(out: Float64Array, from: Float64Array, to: Float64Array): number {
   for (let i = 0; i < 3; i++) out[i] = (to[i] ?? 0) - (from[i] ?? 0);
   const size = length(out);
   for (let i = 0; i < 3; i++) out[i] = size > TINY ? (out[i] ?? 0) / size : 0;

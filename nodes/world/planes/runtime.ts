@@ -30,7 +30,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
 
 function buildPlane({ outlineXZ }: DetectedPlane, material: MeshBasicMaterial): BuiltSurface | null {
   const corners: Vector2[] = [];
-  // With z negated, a counter-clockwise outline faces up.
+  // With z negated, a counterclockwise outline faces up.
   for (let i = 0; i + 1 < outlineXZ.length; i += 2) corners.push(new Vector2(outlineXZ[i], -(outlineXZ[i + 1] ?? 0)));
   if (corners.length < 3) return null;
   if (ShapeUtils.isClockWise(corners)) corners.reverse();

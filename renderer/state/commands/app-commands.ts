@@ -1,12 +1,9 @@
 import { copySelection, cutSelection, duplicateSelection, pasteFromClipboard } from '../clipboard/clipboard.ts';
 import { redo } from '../document/apply.ts';
 import { undoOrCancelDrag } from '../document/cancel-drag.ts';
-import { editableShader } from '../document/edit-shader.ts';
 import type { Editor } from '../editor/editor.ts';
 import { toggleMode } from '../editor/gizmo-state.ts';
 import { frameOf } from '../editor/preview-state.ts';
-import { revealNodes } from '../editor/ui.ts';
-import { resetViewer } from '../editor/viewer.ts';
 import { exportPage } from '../files/export-page.ts';
 import { newProject, openProject, save, saveAs } from '../files/files.ts';
 import { align, distribute, tidy } from '../graph/arrange.ts';
@@ -27,19 +24,8 @@ import {
   togglePlay,
 } from '../preview/playback.ts';
 import { openRenderDialog } from '../preview/render-frames.ts';
-import { compareSelected, pinSelected } from '../preview/viewed-layers.ts';
 import type { AppCommand } from './app-command.ts';
-import {
-  askToSaveSubgraph,
-  canvasCenter,
-  nextScale,
-  openPalette,
-  openSwapPalette,
-  setScale,
-  switchMotion,
-  switchTheme,
-  toggleBottom,
-} from './command-actions.ts';
+import { askToSaveSubgraph, canvasCenter, openPalette, openSwapPalette } from './command-actions.ts';
 import {
   always,
   canRedo,
@@ -55,6 +41,7 @@ import {
   isOpen,
 } from './command-conditions.ts';
 import { startTour } from './tour.ts';
+import { VIEW_COMMANDS } from './view-commands.ts';
 
 const COMMANDS = {
   // Browsers reserve Ctrl+N.
@@ -153,55 +140,7 @@ const COMMANDS = {
   'arrange.bottom': { label: 'Align bottom', keys: [], enabled: hasSeveral, run: (editor) => void align(editor, 'bottom') },
   'arrange.across': { label: 'Distribute horizontally', keys: [], enabled: hasSeveral, run: (editor) => void distribute(editor, 'x') },
   'arrange.down': { label: 'Distribute vertically', keys: [], enabled: hasSeveral, run: (editor) => void distribute(editor, 'y') },
-  'view.find': {
-    label: 'Find in the graph…',
-    keywords: ['search'],
-    keys: ['Mod+F'],
-    enabled: isOpen,
-    run: ({ ui }) => ui.setState({ dialog: { kind: 'find' } }),
-  },
-  'view.fit': {
-    label: 'Fit graph to view',
-    keywords: ['frame all', 'show all', 'whole graph'],
-    keys: ['F'],
-    enabled: isOpen,
-    run: ({ ui }) => revealNodes(ui, [], 'fit'),
-  },
-  'view.fit-selection': {
-    label: 'Show the selection',
-    keywords: ['frame selected', 'show'],
-    keys: ['Shift+F'],
-    enabled: hasNodes,
-    run: ({ ui, selection }) => revealNodes(ui, [...selection.getState().nodes], 'fit'),
-  },
-  'view.thumbnails': {
-    label: 'Thumbnails',
-    keywords: ['pictures', 'images'],
-    keys: ['T'],
-    enabled: isOpen,
-    run: ({ viewer }) => viewer.setState(({ thumbnails }) => ({ thumbnails: !thumbnails })),
-  },
-  'view.pin': { label: 'Show in the preview', keywords: ['viewer', 'show', 'pin'], keys: ['P'], enabled: hasOneNode, run: pinSelected },
-  'view.compare': {
-    label: 'Compare in the preview',
-    keywords: ['wipe', 'split'],
-    keys: ['Shift+P'],
-    enabled: hasOneNode,
-    run: compareSelected,
-  },
-  'view.screen': {
-    label: 'Show output',
-    keywords: ['screen', 'reset viewer'],
-    keys: [],
-    enabled: ({ viewer }) => viewer.getState().left !== null,
-    run: ({ viewer }) => resetViewer(viewer),
-  },
-  'view.probe': {
-    label: 'Pixel probe',
-    keys: ['Q'],
-    enabled: isOpen,
-    run: ({ viewer }) => viewer.setState(({ probing }) => ({ probing: !probing, probed: null })),
-  },
+  ...VIEW_COMMANDS,
   // The keys of other 3D programs. G is a second key, because W walks in emulated rooms.
   'gizmo.move': {
     label: 'Move gizmo',
@@ -238,60 +177,6 @@ const COMMANDS = {
     enabled: isOpen,
     run: ({ gizmo }) => gizmo.setState(({ snap }) => ({ snap: !snap })),
   },
-  'view.costs': {
-    label: 'Performance overlay',
-    keywords: ['costs', 'passes', 'memory'],
-    keys: ['K'],
-    enabled: isOpen,
-    run: ({ costs }) => costs.setState(({ on }) => ({ on: !on, measured: [] })),
-  },
-  'view.code': {
-    label: 'Shader source',
-    keys: ['Mod+J'],
-    enabled: (editor) => editableShader(editor) !== null || editor.ui.getState().bottom === 'code',
-    run: (editor) => toggleBottom(editor, 'code'),
-    whileTyping: true,
-  },
-  'view.timeline': { label: 'Timeline', keys: ['Shift+T'], enabled: isOpen, run: (editor) => toggleBottom(editor, 'timeline') },
-  'view.problems': {
-    label: 'Problems',
-    keys: ['Mod+M'],
-    enabled: always,
-    run: (editor) => toggleBottom(editor, 'problems'),
-    whileTyping: true,
-  },
-  'view.help': {
-    label: 'Node help',
-    keywords: ['documentation'],
-    keys: ['F1'],
-    enabled: always,
-    run: ({ ui }) => ui.setState(({ help }) => ({ help: !help })),
-    whileTyping: true,
-  },
-  'view.theme': { label: 'Theme', keywords: ['light', 'dark', 'appearance', 'tint'], keys: [], enabled: always, run: switchTheme },
-  // No keys, because Ctrl with plus zooms the browser or the window.
-  'view.larger': {
-    label: 'Increase UI scale',
-    keywords: ['zoom', 'larger', 'text size'],
-    keys: [],
-    enabled: (editor) => nextScale(editor, 1) !== undefined,
-    run: (editor) => setScale(editor, nextScale(editor, 1)),
-  },
-  'view.smaller': {
-    label: 'Decrease UI scale',
-    keywords: ['zoom', 'smaller', 'text size'],
-    keys: [],
-    enabled: (editor) => nextScale(editor, -1) !== undefined,
-    run: (editor) => setScale(editor, nextScale(editor, -1)),
-  },
-  'view.usual-size': {
-    label: 'Reset UI scale',
-    keywords: ['zoom', 'size', 'usual'],
-    keys: [],
-    enabled: ({ preferences }) => preferences.getState().scale !== 1,
-    run: (editor) => setScale(editor, 1),
-  },
-  'view.motion': { label: 'Reduce motion', keywords: ['less motion', 'animation'], keys: [], enabled: always, run: switchMotion },
   'play.toggle': { label: 'Play or pause', keys: ['Space'], enabled: isOpen, run: togglePlay, where: 'time' },
   'play.next': {
     label: 'Next frame',

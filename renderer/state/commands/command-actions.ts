@@ -2,7 +2,7 @@ import type { Place } from '../editor/canvas-state.ts';
 import type { Editor } from '../editor/editor.ts';
 import { SCALES } from '../editor/preferences.ts';
 import { soleNode } from '../editor/selection.ts';
-import { addToast, type BottomTab, middleOfWindow } from '../editor/ui.ts';
+import { addToast, type BottomTab, type Dock, middleOfWindow, type PreviewExtent } from '../editor/ui.ts';
 import { selectedSubgraph } from '../graph/subgraphs.ts';
 
 export function openSwapPalette({ ui, selection }: Editor): void {
@@ -49,6 +49,15 @@ export function switchMotion({ preferences, ui }: Editor): void {
   const motion = preferences.getState().motion === 'reduced' ? 'system' : 'reduced';
   preferences.setState({ motion });
   addToast(ui, { tone: 'info', text: motion === 'reduced' ? 'Motion: reduced.' : 'Motion: system.' });
+}
+
+export function dockPreview({ ui }: Editor, dock: Dock): void {
+  ui.setState({ dock, previewExtent: 'panel' });
+}
+
+/** Switches between this extent of the preview and its panel. */
+export function togglePreviewExtent({ ui }: Editor, extent: Exclude<PreviewExtent, 'panel'>): void {
+  ui.setState(({ previewExtent }) => ({ previewExtent: previewExtent === extent ? 'panel' : extent }));
 }
 
 export function toggleBottom({ ui }: Editor, tab: BottomTab): void {

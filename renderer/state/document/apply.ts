@@ -10,7 +10,7 @@ import type { Editor } from '../editor/editor.ts';
 import { placeOfItem } from '../editor/item-ids.ts';
 import { keepInSelection } from '../editor/selection.ts';
 import { toastDiagnostic } from '../editor/ui.ts';
-import { inPlainWords } from './plain-words.ts';
+import { diagnosticWithTitles } from './message-titles.ts';
 
 /**
  * Applies a change as one undo step. Successive changes with the same `key` form one step until `endGesture`. If the change has
@@ -18,7 +18,7 @@ import { inPlainWords } from './plain-words.ts';
  */
 export function apply(editor: Editor, label: string, made: Change, key?: string): boolean {
   const change = pruneRoutesAfter(editor.document.getState().project, made);
-  for (const diagnostic of change.diagnostics) toastDiagnostic(editor.ui, inPlainWords(editor.document.getState(), diagnostic));
+  for (const diagnostic of change.diagnostics) toastDiagnostic(editor.ui, diagnosticWithTitles(editor.document.getState(), diagnostic));
   if (hasErrors(change.diagnostics)) return false;
   if (change.patches.length === 0) return true;
   const before = editor.document.getState().history;

@@ -29,6 +29,8 @@ export interface DocumentState {
   readonly loadDiagnostics: readonly Diagnostic[];
   /** Capability of the host, from `app.info`. */
   readonly canPickFolders: boolean;
+  /** Folder for the projects of the user; empty until the host has told it. */
+  readonly projectsDir: string;
   readonly examples: HostOutput<'app.info'>['examples'];
   readonly templates: HostOutput<'app.info'>['templates'];
 }
@@ -51,6 +53,7 @@ export function createDocument(library: ProjectLibrary): DocumentStore {
     revision: 0,
     loadDiagnostics: [],
     canPickFolders: false,
+    projectsDir: '',
     examples: [],
     templates: [],
   }));

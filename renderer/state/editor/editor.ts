@@ -12,7 +12,7 @@ import { createPreferences, DEFAULT_PREFERENCES, type Preferences, type Preferen
 import { createPreviewState, type PreviewStore } from './preview-state.ts';
 import { createQueue, type Queue } from './queue.ts';
 import { createSelection, type SelectionStore } from './selection.ts';
-import { createUi, type PanelSizes, type UiStore } from './ui.ts';
+import { createUi, type Dock, type PanelSizes, type UiStore } from './ui.ts';
 import { createThumbnailWatchers, createViewerState, type ThumbnailWatchers, type ViewerStore } from './viewer.ts';
 
 /** Text clipboard of the system. Rejects if the browser denies access. */
@@ -81,6 +81,7 @@ export interface EditorOptions {
   readonly clipboard: Clipboard;
   readonly keepFile: (file: Blob, name: string) => void;
   readonly sizes: PanelSizes;
+  readonly dock?: Dock;
   readonly preferences?: Preferences;
 }
 
@@ -93,6 +94,7 @@ export function createEditor({
   clipboard,
   keepFile,
   sizes,
+  dock = 'right',
   preferences = DEFAULT_PREFERENCES,
 }: EditorOptions): Editor {
   const libraries = createLibraries(library);
@@ -114,7 +116,7 @@ export function createEditor({
     document: createDocument(libraries.of({ sources: {}, graphs: {} })),
     selection: createSelection(),
     canvas: createCanvasState(),
-    ui: createUi(sizes),
+    ui: createUi(sizes, dock),
     compile: createCompileState(),
     preview: createPreviewState(),
     viewer: createViewerState(),

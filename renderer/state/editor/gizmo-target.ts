@@ -78,7 +78,12 @@ function* nodesBehind(state: DocumentState, from: string, chain: readonly string
   }
 }
 
-/** Whether a node of the program is this node, or lies inside it if it is a subgraph. */
+/**
+ * Whether a node is another node or lies inside it.
+ *
+ * @param id Path of a node of the program, with the subgraphs that it lies in.
+ * @param path Path of a node or of an instance of a subgraph.
+ */
 export function isWithin(id: string, path: string): boolean {
   return id === path || id.startsWith(`${path}/`);
 }

@@ -99,14 +99,16 @@ function subgraphDefinitions(graphs: Project['graphs'], library: NodeLibrary): r
   return Object.keys(graphs)
     .filter((name) => name !== MAIN_GRAPH)
     .flatMap((name) => {
-      const face = interfaceOf(subgraphType(name));
-      return face ? [{ ...face, ...wordsOf(name, face), keywords: KEYWORDS, lowering: { kind: 'behavior' as const } }] : [];
+      const nodeInterface = interfaceOf(subgraphType(name));
+      return nodeInterface
+        ? [{ ...nodeInterface, ...wordsOf(name, nodeInterface), keywords: KEYWORDS, lowering: { kind: 'behavior' as const } }]
+        : [];
     });
 }
 
 /** Title and docs of a subgraph. Ports that share a label are labeled by their exposed names instead. */
-function wordsOf(name: string, face: NodeInterface): Pick<NodeInterface, 'title' | 'doc' | 'inputs' | 'outputs' | 'params'> {
-  const labels = [face.inputs, face.params].flatMap((ports) => Object.values(ports).map(({ label }) => label));
+function wordsOf(name: string, nodeInterface: NodeInterface): Pick<NodeInterface, 'title' | 'doc' | 'inputs' | 'outputs' | 'params'> {
+  const labels = [nodeInterface.inputs, nodeInterface.params].flatMap((ports) => Object.values(ports).map(({ label }) => label));
   const named = <T extends { readonly label: string }>(ports: Readonly<Record<string, T>>, among: readonly string[]) =>
     Object.fromEntries(
       Object.entries(ports).map(([port, value]) => {
@@ -117,12 +119,12 @@ function wordsOf(name: string, face: NodeInterface): Pick<NodeInterface, 'title'
   return {
     title: titleOfName(name),
     doc: 'A subgraph of this project. Open it to edit its nodes; the edits apply to all of its instances.',
-    inputs: named(face.inputs, labels),
+    inputs: named(nodeInterface.inputs, labels),
     outputs: named(
-      face.outputs,
-      Object.values(face.outputs).map(({ label }) => label),
+      nodeInterface.outputs,
+      Object.values(nodeInterface.outputs).map(({ label }) => label),
     ),
-    params: named(face.params, labels),
+    params: named(nodeInterface.params, labels),
   };
 }
 

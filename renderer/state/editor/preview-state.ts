@@ -1,5 +1,6 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { SessionSource } from '../../../app/contract/contract.ts';
+import type { DeviceKind } from '../../../export/program/devices/device-facts.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import { type FrameTimes, timeOfFrame } from '../../../nodes/kit/frame-times.ts';
 import type { PreviewStatus, PreviewTier } from '../../preview-protocol.ts';
@@ -33,6 +34,8 @@ export interface PreviewState {
   readonly frame: DeviceFrame;
   /** Tier of an emulated device. */
   readonly tier: PreviewTier;
+  /** The kind of device whose features an emulated device has; null for all features. */
+  readonly deviceKind: DeviceKind | null;
   /** Direction of the main light of emulated rooms; null for that of the room. */
   readonly roomLight: LightPlace | null;
   /** The image that replaces the camera. */
@@ -100,6 +103,7 @@ export function createPreviewState(): PreviewStore {
     views: 1,
     frame: 'fill',
     tier: 'ar-camera',
+    deviceKind: null,
     roomLight: null,
     still: null,
     recording: false,

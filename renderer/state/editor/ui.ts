@@ -9,9 +9,27 @@ export interface PanelSizes {
   readonly previewHeightPx: number;
   readonly bottomHeightPx: number;
   readonly helpWidthPx: number;
+  /** Height of preview and inspector below the graph. */
+  readonly belowHeightPx: number;
+  /** Width of the inspector beside a preview below the graph. */
+  readonly inspectorWidthPx: number;
 }
 
-export const DEFAULT_SIZES: PanelSizes = { sideWidthPx: 380, previewHeightPx: 330, bottomHeightPx: 280, helpWidthPx: 300 };
+export const DEFAULT_SIZES: PanelSizes = {
+  sideWidthPx: 576,
+  previewHeightPx: 440,
+  bottomHeightPx: 280,
+  helpWidthPx: 300,
+  belowHeightPx: 420,
+  inspectorWidthPx: 380,
+};
+
+/** Where preview and inspector are, relative to the graph. */
+export const DOCKS = ['right', 'left', 'below'] as const;
+export type Dock = (typeof DOCKS)[number];
+
+/** `panel`: beside the graph. `full`: the preview fills the window. `overlay`: so it does, with the graph over it. */
+export type PreviewExtent = 'panel' | 'full' | 'overlay';
 
 export type BottomTab = 'code' | 'timeline' | 'problems';
 
@@ -91,6 +109,8 @@ export interface Exporting {
 
 export interface UiState {
   readonly sizes: PanelSizes;
+  readonly dock: Dock;
+  readonly previewExtent: PreviewExtent;
   readonly bottom: BottomTab | null;
   /** Whether the help panel is open. */
   readonly help: boolean;
@@ -115,9 +135,11 @@ export interface UiState {
 
 export type UiStore = StoreApi<UiState>;
 
-export function createUi(sizes: PanelSizes): UiStore {
+export function createUi(sizes: PanelSizes, dock: Dock): UiStore {
   return createStore<UiState>(() => ({
     sizes,
+    dock,
+    previewExtent: 'panel',
     bottom: null,
     help: false,
     headerForm: false,

@@ -2,16 +2,19 @@ import { companionOf, readIsf } from '../../../export/glsl/isf/read-isf.ts';
 import { moveImported } from '../../../export/glsl/language/header-edits.ts';
 import { isShadertoy } from '../../../export/glsl/shadertoy/convert-shadertoy.ts';
 import { putAsset } from '../../../export/graph/commands/asset-commands.ts';
-import { sequence } from '../../../export/graph/commands/change.ts';
+import { sequence, unchanged } from '../../../export/graph/commands/change.ts';
 import { addNode } from '../../../export/graph/commands/node-commands.ts';
 import { makeAssetId, makeNodeId } from '../../../export/graph/document-names.ts';
-import type { Asset } from '../../../export/graph/project.ts';
+import type { Asset, Project } from '../../../export/graph/project.ts';
 import type { AssetKind, NodeLibrary } from '../../../nodes/kit/definition.ts';
 import { apply } from '../document/apply.ts';
 import type { Place } from '../editor/canvas-state.ts';
+import { graphOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { selectOnly } from '../editor/selection.ts';
-import { addToast, toastDiagnostic } from '../editor/ui.ts';
+import { addToast, revealNodes, toastDiagnostic } from '../editor/ui.ts';
+import { placeFreely } from '../graph/free-places.ts';
+import { showObjects } from '../graph/show-objects.ts';
 import { addShader, type ForeignShader } from '../shaders/add-shader.ts';
 import { addShadertoy } from '../shaders/import-shadertoy.ts';
 import { showRefusal } from './files.ts';
@@ -212,7 +215,7 @@ async function importFile(editor: Editor, file: DroppedFile, kind: AssetKind): P
   }
 }
 
-/** Adds an asset and a node that outputs it, as one undo step. */
+/** Adds an asset and a node that outputs it, as one undo step. A model is also put into the scene, so that it is visible at once. */
 async function addAssetNode(editor: Editor, file: DroppedFile, kind: AssetKind, place: Place): Promise<string | null> {
   const source = sourceOf(editor.document.getState().library, kind);
   const asset = await importFile(editor, file, kind);
@@ -228,8 +231,21 @@ async function addAssetNode(editor: Editor, file: DroppedFile, kind: AssetKind, 
     project,
     (before) => putAsset(before, { id: assetId, asset }),
     (before) => addNode(before, { library, graph, id, type: source.type, ...place, params: { [source.param]: assetId } }),
+    kind === 'model' ? showObjects({ node: id, port: 'objects' }, place, { library, random: editor.random }) : unchanged,
+    placeFreely(project, { library, graph, pictured: editor.viewer.getState().thumbnails }),
   );
-  return apply(editor, `Add ${file.name}`, change) ? id : null;
+  if (!apply(editor, `Add ${file.name}`, change)) return null;
+  return kind === 'model' ? selectPlacement(editor, id, project) : id;
+}
+
+/** Shows what came along with a model. Returns the node that places the model, or the model itself if nothing came along. */
+function selectPlacement(editor: Editor, model: string, before: Project): string {
+  const state = editor.document.getState();
+  const { nodes } = graphOf(state);
+  const added = Object.keys(nodes).filter((id) => before.graphs[state.graph]?.nodes[id] === undefined);
+  const outputs = Object.keys(nodes).filter((id) => nodes[id]?.type === 'output/screen');
+  if (added.length > 1) revealNodes(editor.ui, [...added, ...outputs], 'fit');
+  return added.find((id) => nodes[id]?.type === 'objects/transform') ?? model;
 }
 
 /** The first source node with an asset param of this kind. */

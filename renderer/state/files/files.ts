@@ -47,16 +47,16 @@ export function confirmUnsaved(editor: Editor, proceed: () => void): void {
 
 /** Opens a project in place of the current one, which stays open if that fails. */
 export function openPath(editor: Editor, path: string): Promise<boolean> {
-  return editor.fileWork(() => openWith(editor, () => editor.host.call('project.open', { path })));
+  return editor.fileWork(() => openWith(editor, path, () => editor.host.call('project.open', { path })));
 }
 
 /** Creates a project from a template in a new or empty folder, and opens it in place of the current one. */
 export function createProject(editor: Editor, path: string, template: string): Promise<boolean> {
-  return editor.fileWork(() => openWith(editor, () => editor.host.call('project.create', { path, template })));
+  return editor.fileWork(() => openWith(editor, path, () => editor.host.call('project.create', { path, template })));
 }
 
 /** Opens a project and discards unsaved changes; callers ask the user first. */
-async function openWith(editor: Editor, ask: () => Promise<OpenProject>): Promise<boolean> {
+async function openWith(editor: Editor, asked: string, ask: () => Promise<OpenProject>): Promise<boolean> {
   const { open: before } = editor.document.getState();
   try {
     const opened = await ask();
@@ -69,12 +69,20 @@ async function openWith(editor: Editor, ask: () => Promise<OpenProject>): Promis
     editor.ui.setState({ dialog: opened.recovery === null ? null : { kind: 'recovery', files: opened.recovery } });
     rememberProject(editor, { path: opened.displayPath, title: editor.document.getState().project.title });
     if (opened.openElsewhere) warnOfOtherWindow(editor);
+    if (isCopy(editor, asked, opened.displayPath)) {
+      addToast(editor.ui, { tone: 'info', text: 'Opened a copy of the example.', detail: opened.displayPath });
+    }
     await listSessions(editor);
     return true;
   } catch (error) {
     showRefusal(editor, error);
     return false;
   }
+}
+
+/** Examples open as copies in the projects folder. */
+function isCopy({ document }: Editor, asked: string, opened: string): boolean {
+  return asked !== opened && document.getState().examples.some(({ path }) => path === asked);
 }
 
 /** Closes a project that has been replaced. Failures are shown, but do not stop the caller. */

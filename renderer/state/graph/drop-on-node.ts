@@ -21,12 +21,17 @@ interface Candidate {
  */
 export function portOver(editor: Editor, draggedWire: DraggedWire, node: string): Candidate | null {
   const state = editor.document.getState();
-  const face = interfaceOf(state, node);
-  if (!face || node === draggedWire.node) return null;
-  const ports = fitting(editor, draggedWire, node, draggedWire.side === 'output' ? inputsOf(state, node, face) : outputsOf(face));
+  const nodeInterface = interfaceOf(state, node);
+  if (!nodeInterface || node === draggedWire.node) return null;
+  const ports = fitting(
+    editor,
+    draggedWire,
+    node,
+    draggedWire.side === 'output' ? inputsOf(state, node, nodeInterface) : outputsOf(nodeInterface),
+  );
   const [best] = [...ports].sort((a, b) => costOf(draggedWire, a) - costOf(draggedWire, b));
   if (best) return best;
-  const values = draggedWire.side === 'output' ? fitting(editor, draggedWire, node, valuesOf(face)) : [];
+  const values = draggedWire.side === 'output' ? fitting(editor, draggedWire, node, valuesOf(nodeInterface)) : [];
   return values.length === 1 ? (values[0] ?? null) : null;
 }
 
@@ -49,8 +54,8 @@ function explainMiss(editor: Editor, draggedWire: DraggedWire, node: string): { 
   const title = titleOf(state, node);
   const what = WIRE_TYPES[draggedWire.type].label.toLowerCase();
   if (draggedWire.side === 'input') return { text: `${title} has no ${what} output.` };
-  const face = interfaceOf(state, node);
-  const several = face !== undefined && fitting(editor, draggedWire, node, valuesOf(face)).length > 1;
+  const nodeInterface = interfaceOf(state, node);
+  const several = nodeInterface !== undefined && fitting(editor, draggedWire, node, valuesOf(nodeInterface)).length > 1;
   return several
     ? { text: `${title} has several parameters of this type.`, detail: 'Drop the wire on the port of one of them.' }
     : { text: `${title} has no ${what} input.` };
@@ -65,10 +70,10 @@ function fitting(editor: Editor, draggedWire: DraggedWire, node: string, candida
   return candidates.filter(({ port }) => refusalOf(editor, draggedWire, { node, port, side }) === null);
 }
 
-function inputsOf(state: DocumentState, node: string, face: NodeInterface): Candidate[] {
+function inputsOf(state: DocumentState, node: string, nodeInterface: NodeInterface): Candidate[] {
   const { wires } = graphOf(state);
   const isWired = (port: string) => wires.some(({ to }) => to.node === node && to.port === port);
-  return Object.entries(face.inputs).map(([port, { label, type, multiple }]) => ({
+  return Object.entries(nodeInterface.inputs).map(([port, { label, type, multiple }]) => ({
     port,
     label,
     type,
@@ -76,12 +81,12 @@ function inputsOf(state: DocumentState, node: string, face: NodeInterface): Cand
   }));
 }
 
-function outputsOf(face: NodeInterface): Candidate[] {
-  return Object.entries(face.outputs).map(([port, { label, type }]) => ({ port, label, type }));
+function outputsOf(nodeInterface: NodeInterface): Candidate[] {
+  return Object.entries(nodeInterface.outputs).map(([port, { label, type }]) => ({ port, label, type }));
 }
 
-function valuesOf(face: NodeInterface): Candidate[] {
-  return Object.entries(face.params).flatMap(([port, param]): Candidate[] => {
+function valuesOf(nodeInterface: NodeInterface): Candidate[] {
+  return Object.entries(nodeInterface.params).flatMap(([port, param]): Candidate[] => {
     const type = paramWireType(param);
     return type === undefined ? [] : [{ port, label: param.label, type }];
   });

@@ -14,14 +14,16 @@ import { printWire } from '../../../export/graph/wires.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { WireType } from '../../../nodes/kit/wire-types.ts';
 import { apply } from '../document/apply.ts';
-import { inPlainWords } from '../document/plain-words.ts';
+import { diagnosticWithTitles } from '../document/message-titles.ts';
 import { type DraggedWire, type Place, startWire } from '../editor/canvas-state.ts';
 import { graphOf, layoutOf, nodeOf, titleOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { itemIds } from '../editor/item-ids.ts';
 import { selectOnly } from '../editor/selection.ts';
 import { autoConnect } from './auto-connect.ts';
-import { insertOnWire } from './insert-on-wire.ts';
+import { fitEncodings } from './fit-encodings.ts';
+import { placeFreely } from './free-places.ts';
+import { insertOnWire, spaceOnWire } from './insert-on-wire.ts';
 import { removeItems } from './layout-items.ts';
 import type { PaletteEntry } from './palette-search.ts';
 import { addRecipe, recipesOf } from './recipes.ts';
@@ -40,7 +42,7 @@ export function refusalOf(editor: Editor, start: WireEnd, end: WireEnd): Diagnos
   }
   const [from, to] = start.side === 'output' ? [start, end] : [end, start];
   const result = canConnect(project, library, graph, addressOf(from), addressOf(to));
-  return result.ok ? null : inPlainWords(editor.document.getState(), result.reason);
+  return result.ok ? null : diagnosticWithTitles(editor.document.getState(), result.reason);
 }
 
 /**
@@ -54,6 +56,7 @@ export function connect(editor: Editor, from: PortAddress, to: PortAddress, rout
     project,
     (before) => connectCommand(before, { library, graph, from, to }),
     (before) => lead(before, { graph, from, to, route }),
+    fitEncodings(editor, [{ from, to }]),
   );
   return apply(editor, 'Connect', change);
 }
@@ -71,6 +74,7 @@ export function rewire(editor: Editor, wireId: string, from: PortAddress, to: Po
       (before) => disconnect(before, { graph, wires: old }),
       (before) => connectCommand(before, { library, graph, from, to }),
       (before) => lead(before, { graph, from, to, route }),
+      fitEncodings(editor, [{ from, to }]),
     ),
   );
 }
@@ -99,8 +103,8 @@ export function reorderWires(editor: Editor, to: PortAddress, from: readonly Por
 }
 
 /**
- * Adds a node type or recipe, connects it to the dragged wire or inserts it into a wire, adds required sources, and selects it. One
- * undo step.
+ * Adds a node type or recipe, connects it to the dragged wire or inserts it into a wire, adds required sources, and selects it. The new
+ * nodes cover no others. One undo step.
  */
 export function addNodeFromPalette(
   editor: Editor,
@@ -130,6 +134,9 @@ export function addNodeFromPalette(
       );
     },
     ...(added?.ids ?? [id]).map((node) => autoConnect(node, { library, graph, random })),
+    fitEncodings(editor),
+    (before) => (throughWire === null ? unchanged(before) : spaceOnWire(editor, id, throughWire)(before)),
+    placeFreely(project, { library, graph, pictured: editor.viewer.getState().thumbnails }),
   );
   if (!apply(editor, `Add ${definition.title}`, change)) return null;
   selectOnly(editor.selection, [id]);
@@ -199,9 +206,9 @@ export function startWireFrom(editor: Editor, { node, port }: PortAddress, side:
 function typeOfPort(editor: Editor, { node, port, side }: WireEnd): WireType | null {
   const state = editor.document.getState();
   const type = nodeOf(state, node)?.type;
-  const face = type === undefined ? undefined : createInterfaceLookup(state.project, state.library)(type);
-  if (!face) return null;
-  return (side === 'output' ? getOwn(face.outputs, port)?.type : inputOf(face, port)?.type) ?? null;
+  const nodeInterface = type === undefined ? undefined : createInterfaceLookup(state.project, state.library)(type);
+  if (!nodeInterface) return null;
+  return (side === 'output' ? getOwn(nodeInterface.outputs, port)?.type : inputOf(nodeInterface, port)?.type) ?? null;
 }
 
 function findWires(editor: Editor, ids: Iterable<string>): Wire[] {

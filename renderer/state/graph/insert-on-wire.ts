@@ -17,9 +17,10 @@ import type { DraggedWire, Place } from '../editor/canvas-state.ts';
 import { graphOf, layoutOf, nodeOf, titleOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { selectOnly } from '../editor/selection.ts';
+import { fitEncodings } from './fit-encodings.ts';
 import { placesAfterInsert } from './insert-spacing.ts';
 import { fittingPort } from './palette-search.ts';
-import { stretchCalled } from './reroutes.ts';
+import { findStretch } from './reroutes.ts';
 
 export interface WireTypes {
   readonly from: WireType;
@@ -30,7 +31,7 @@ export interface WireTypes {
 /** The wire types at the ends of a stretch; null if one is unknown. */
 export function wireTypes(editor: Editor, stretch: string): WireTypes | null {
   const state = editor.document.getState();
-  const at = stretchCalled(state, stretch);
+  const at = findStretch(state, stretch);
   const definitionAt = (node: string) => state.library.definition(nodeOf(state, node)?.type ?? '');
   const from = at && getOwn(definitionAt(at.source.node)?.outputs ?? {}, at.source.port)?.type;
   const to = (at?.wires ?? []).flatMap(({ to: { node, port } }): WireType | [] => {
@@ -62,7 +63,7 @@ export function canInsert(editor: Editor, node: string, stretch: string): boolea
 /** Inserts a node into a stretch. The wires keep their order at their ports and their reroutes. */
 export function insertOnWire(editor: Editor, node: string, stretch: string): (project: Project) => Change {
   const { library, graph } = editor.document.getState();
-  const at = stretchCalled(editor.document.getState(), stretch);
+  const at = findStretch(editor.document.getState(), stretch);
   const types = wireTypes(editor, stretch);
   return (project) => {
     const definition = library.definition(getOwn(project.graphs[graph]?.nodes ?? {}, node)?.type ?? '');
@@ -71,6 +72,19 @@ export function insertOnWire(editor: Editor, node: string, stretch: string): (pr
     const output = { node, port: ports.output };
     const led: RoutedWire = { from: at.source, to: { node, port: ports.input }, route: at.before };
     return sequence(project, ...replaceWires(editor, at, output), connectAlong(editor, led));
+  };
+}
+
+/** Moves an inserted node to the middle of its wire, and the nodes after it to the right as far as needed. */
+export function spaceOnWire(editor: Editor, node: string, stretch: string): (project: Project) => Change {
+  const state = editor.document.getState();
+  const at = findStretch(state, stretch);
+  const places = layoutOf(state).nodes;
+  const [source, target] = [at?.source.node, at?.wires[0]?.to.node].map((id) => getOwn(places, id ?? ''));
+  return (project) => {
+    if (!at || !source || !target) return sequence(project);
+    const middle = { x: (source.x + target.x) / 2, y: (source.y + target.y) / 2 };
+    return moveNodes(project, { graph: state.graph, positions: placesAfterInsert(state, node, middle, at) });
   };
 }
 
@@ -115,9 +129,14 @@ export function replaceSource(editor: Editor, wire: Wire, led: RoutedWire): (pro
 export function dropOnWire(editor: Editor, node: string, place: Place, stretch: string): boolean {
   const state = editor.document.getState();
   const { project, graph } = state;
-  const at = stretchCalled(state, stretch);
+  const at = findStretch(state, stretch);
   const positions = at ? placesAfterInsert(state, node, place, at) : { [node]: place };
-  const change = sequence(project, (before) => moveNodes(before, { graph, positions }), insertOnWire(editor, node, stretch));
+  const change = sequence(
+    project,
+    (before) => moveNodes(before, { graph, positions }),
+    insertOnWire(editor, node, stretch),
+    fitEncodings(editor),
+  );
   if (hasErrors(change.diagnostics)) return apply(editor, 'Move', moveNodes(project, { graph, positions: { [node]: place } }));
   return apply(editor, `Insert ${titleOf(state, node)}`, change);
 }
@@ -127,7 +146,7 @@ const OVER = 'operator/over';
 /** Whether dropping a dragged wire on another one composites the layers: both carry layers. */
 export function canCompositeOver(editor: Editor, draggedWire: DraggedWire, stretch: string): boolean {
   const state = editor.document.getState();
-  const at = stretchCalled(state, stretch);
+  const at = findStretch(state, stretch);
   const types = wireTypes(editor, stretch);
   const isLayer = draggedWire.side === 'output' && [draggedWire.type, types?.from, ...(types?.to ?? [])].every((type) => type === 'layer');
   return isLayer && at !== undefined && at.source.node !== draggedWire.node && state.library.definition(OVER) !== undefined;
@@ -139,7 +158,7 @@ export function canCompositeOver(editor: Editor, draggedWire: DraggedWire, stret
 export function compositeOver(editor: Editor, { node, port, route = [] }: DraggedWire, stretch: string, place: Place): string | null {
   const state = editor.document.getState();
   const { project, library, graph } = state;
-  const at = stretchCalled(state, stretch);
+  const at = findStretch(state, stretch);
   if (!at) return null;
   const id = makeNodeId(project, OVER, editor.random);
   const change = sequence(
@@ -148,6 +167,7 @@ export function compositeOver(editor: Editor, { node, port, route = [] }: Dragge
     ...replaceWires(editor, at, { node: id, port: 'layer' }),
     connectAlong(editor, { from: at.source, to: { node: id, port: 'bottom' }, route: at.before }),
     connectAlong(editor, { from: { node, port }, to: { node: id, port: 'top' }, route }),
+    fitEncodings(editor, [{ from: { node, port }, to: { node: id, port: 'top' } }]),
   );
   if (!apply(editor, `Composite ${titleOf(state, node)}`, change)) return null;
   selectOnly(editor.selection, [id]);

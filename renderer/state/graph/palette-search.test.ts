@@ -56,8 +56,8 @@ describe('searching for node types', () => {
   });
 
   test('letters in the middle of words find nothing by chance', () => {
-    // “Halftone” and “Flip-flop” have these letters in this order.
-    expect(titles('lfo')).toEqual(['Expression']);
+    // “Halftone” and “Flip-flop” have these letters in this order, but do not begin with the first.
+    expect(titles('lfo')).toEqual(['Expression', 'Lights from panorama']);
     expect(titles('face')).not.toContain('Light estimation');
   });
 

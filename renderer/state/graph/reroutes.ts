@@ -14,20 +14,20 @@ import { type Selection, selectOnly } from '../editor/selection.ts';
 import { portPlace } from './arrange.ts';
 
 /** The stretch of wire with this id on the canvas. The last stretch has the id of its wire. */
-export function stretchCalled(state: OpenGraph, id: string): Stretch | undefined {
+export function findStretch(state: OpenGraph, id: string): Stretch | undefined {
   return stretchesOf(graphOf(state), layoutOf(state)).get(id);
 }
 
 /** Ids of the wires that share a stretch. */
 export function wiresOfStretch(state: OpenGraph, id: string): readonly string[] {
-  return stretchCalled(state, id)?.wires.map(printWire) ?? [];
+  return findStretch(state, id)?.wires.map(printWire) ?? [];
 }
 
 /** Adds a reroute to all wires of a stretch and selects it. Returns its id, or null if the stretch does not exist. */
 export function addReroute(editor: Editor, stretch: string, place: Place): string | null {
   const state = editor.document.getState();
   const { project, graph } = state;
-  const at = stretchCalled(state, stretch);
+  const at = findStretch(state, stretch);
   if (!at) return null;
   const id = makeLayoutId(project, graph, 'reroute', editor.random);
   const layout = layoutOf(state);

@@ -1,6 +1,6 @@
 import type { Binding, Graph, GraphNode, Project } from '../../../export/graph/project.ts';
 import { getOwn } from '../../../export/graph/record.ts';
-import type { NodeLibrary, ParamValue } from '../../../nodes/kit/definition.ts';
+import type { NodeDefinition, NodeLibrary, ParamValue } from '../../../nodes/kit/definition.ts';
 
 /** A new value of a param in the running program. */
 export interface ParamEdit {
@@ -52,12 +52,17 @@ function collectParams(graph: string, id: string, before: GraphNode, after: Grap
     const next = getOwn(after.params, param);
     if (old === next) continue;
     const declared = getOwn(definition.params, param);
-    if (declared?.stage !== 'uniform') return false;
+    if (declared?.stage !== 'uniform' || choosesGlyphs(definition, param)) return false;
     const value = heldValue(next, declared.default);
     if (value === undefined || heldValue(old, declared.default) === undefined) return false;
     edits.push({ graph, node: id, param, value });
   }
   return true;
+}
+
+/** Whether the program contains glyphs for the text of a param. */
+function choosesGlyphs({ params }: NodeDefinition, param: string): boolean {
+  return Object.values(params).some((other) => other.type === 'text' && other.glyphs?.of === param);
 }
 
 /**

@@ -30,7 +30,15 @@ export interface PreviewSync {
 }
 
 /** State that the preview source depends on. `sources` changes with each project, because its files have other URLs. */
-const SOURCE_PARTS = ['sources', 'sourceId', 'views', 'frame', 'tier', 'still'] as const satisfies readonly (keyof PreviewState)[];
+const SOURCE_PARTS = [
+  'sources',
+  'sourceId',
+  'views',
+  'frame',
+  'tier',
+  'deviceKind',
+  'still',
+] as const satisfies readonly (keyof PreviewState)[];
 
 interface PendingEdit extends PlacedEdit {
   readonly revision: number;

@@ -1,3 +1,4 @@
+import { refusedFeatures } from '../../../export/program/devices/device-table.ts';
 import type { PreviewSource } from '../../preview-protocol.ts';
 import type { Editor } from '../editor/editor.ts';
 import { chosenSource } from '../editor/preview-state.ts';
@@ -9,7 +10,7 @@ export function previewSource(editor: Pick<Editor, 'document' | 'preview'>): Pre
   const source = chosenSource(state);
   if (source === null || open === null) return null;
   const { assetBaseUrl } = open;
-  const { still, frame, views, tier } = state;
+  const { still, frame, views, tier, deviceKind } = state;
   switch (source.kind) {
     case 'camera':
     case 'orbit':
@@ -18,7 +19,8 @@ export function previewSource(editor: Pick<Editor, 'document' | 'preview'>): Pre
       return still && { kind: 'still', picture: still, key: `${still.name} ${still.size} ${still.lastModified}`, assetBaseUrl };
     case 'room': {
       const device = frame === 'glasses' ? 'glasses' : views === 2 ? 'headset' : 'phone';
-      return { kind: 'room', captureUrl: source.url, views, device, tier, assetBaseUrl };
+      const refuse = [...(deviceKind === null ? [] : refusedFeatures(deviceKind)), ...(tier === 'ar' ? ['camera-access'] : [])];
+      return { kind: 'room', captureUrl: source.url, views, device, tier, refuse, assetBaseUrl };
     }
     case 'recorded':
       return source.url === null ? null : { kind: 'recorded', url: source.url, assetBaseUrl };

@@ -181,6 +181,7 @@ function frameRenderSource({ preview }: Editor, source: PreviewSource, frameRate
         kind: 'room',
         captureUrl: source.captureUrl,
         tier: source.tier,
+        refuse: source.refuse,
         frameRateHz: frameRateHz ?? ROOM_RATE_HZ,
         lightDirectionWorld: roomLight && towardsLight(roomLight),
         worldFromHead: status?.worldFromView ?? null,

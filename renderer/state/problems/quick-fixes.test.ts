@@ -5,7 +5,7 @@ import { undo } from '../document/apply.ts';
 import { graphOf, nodeOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { filesOf } from '../files/files.ts';
-import { addNodeFromPalette } from '../graph/edit-graph.ts';
+import { addNodeFromPalette, connect } from '../graph/edit-graph.ts';
 import { editParam } from '../params/edit-params.ts';
 import { quickFixOf } from './quick-fixes.ts';
 
@@ -59,4 +59,27 @@ test('what only the person can decide has no fix', async () => {
   const { editor } = await openTestEditor();
   expect(quickFixOf(editor, problem('SCR014', { nodeId: add(editor, 'filter/sepia') }))).toBeNull();
   expect(quickFixOf(editor, problem('SCR021', { nodeId: 'nobody-aaaa' }))).toBeNull();
+});
+
+test('a scene layer is converted when it is connected to what shows display layers, and by the fix', async () => {
+  const { editor } = await openTestEditor();
+  const [scene, sepia] = [add(editor, 'layer/scene'), add(editor, 'filter/sepia')];
+  const wiresTo = (node: string) => graphOf(editor.document.getState()).wires.filter(({ to }) => to.node === node);
+  connect(editor, { node: scene, port: 'layer' }, { node: sepia, port: 'inputImage' });
+  expect(wiresTo(sepia).map(({ from }) => from.node)).toEqual([scene]);
+  editParam(editor, scene, 'encoding', 'scene');
+  const fix = quickFixOf(editor, problem('SCR048', { nodeId: sepia, port: 'inputImage' }));
+  expect(fix?.label).toBe('Insert Tone map');
+  fix?.run(editor);
+  const [fixed] = wiresTo(sepia);
+  expect(nodeOf(editor.document.getState(), fixed?.from.node ?? '')?.type).toBe('filter/tone-map');
+  undo(editor);
+  expect(wiresTo(sepia).map(({ from }) => from.node)).toEqual([scene]);
+
+  const blur = add(editor, 'filter/posterize');
+  connect(editor, { node: scene, port: 'layer' }, { node: blur, port: 'inputImage' });
+  const [made] = wiresTo(blur);
+  expect(nodeOf(editor.document.getState(), made?.from.node ?? '')?.type).toBe('filter/tone-map');
+  // What did not fit before stays as it is.
+  expect(wiresTo(sepia).map(({ from }) => from.node)).toEqual([scene]);
 });

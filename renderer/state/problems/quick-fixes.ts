@@ -1,5 +1,10 @@
+import { convertLayers, misfittingWires } from '../../../export/graph/commands/convert-layers.ts';
 import { removeNodes } from '../../../export/graph/commands/node-commands.ts';
 import { disconnect } from '../../../export/graph/commands/wire-commands.ts';
+import { makeNodeId } from '../../../export/graph/document-names.ts';
+import { createEncodingLookup } from '../../../export/graph/encoding-lookup.ts';
+import { CONVERSIONS } from '../../../export/graph/layer-encoding.ts';
+import type { Project } from '../../../export/graph/project.ts';
 import { getOwn } from '../../../export/graph/record.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import { apply } from '../document/apply.ts';
@@ -42,9 +47,25 @@ export function quickFixOf(editor: Editor, problem: Diagnostic): QuickFix | null
       return node ? { label: `Delete ${titleOf(state, nodeId)}`, run: () => deleteNode(editor, nodeId) } : null;
     case 'SCR012':
       return node && port !== '' ? { label: 'Delete wire', run: () => deleteWires(editor, nodeId, port) } : null;
+    case 'SCR048':
+      return conversionFix(editor, nodeId, port);
     default:
       return null;
   }
+}
+
+/** Inserts the node that converts the layer of a wire. */
+function conversionFix(editor: Editor, node: string, port: string): QuickFix | null {
+  const state = editor.document.getState();
+  const { project, library, graph } = state;
+  const wire = graphOf(state).wires.find(({ to }) => to.node === node && to.port === port);
+  const encoding = wire && createEncodingLookup(project, library, graph).conversionOf(wire, 'earlier');
+  if (!wire || !encoding) return null;
+  const label = `Insert ${CONVERSIONS[encoding].title}`;
+  const except = misfittingWires(project, library, graph).filter((other) => other !== wire);
+  const makeId = (before: Project, type: string): string => makeNodeId(before, type, editor.random);
+  const run = (): void => void apply(editor, label, convertLayers(project, { library, graph, first: [wire], except, makeId }));
+  return { label, run };
 }
 
 /** Opens the palette for the unconnected port, as if a wire had been dragged from it. */

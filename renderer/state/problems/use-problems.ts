@@ -1,7 +1,7 @@
 import { useEffect, useMemo, useRef } from 'react';
 import { useStore } from 'zustand';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
-import { inPlainWords } from '../document/plain-words.ts';
+import { diagnosticWithTitles } from '../document/message-titles.ts';
 import { useDocument, useEditor } from '../editor/editor-context.ts';
 import type { NodeProblem } from './problems.ts';
 import { collectProblems, problemsByNode, stillWrong } from './problems.ts';
@@ -17,7 +17,7 @@ export function useProblems(): readonly Diagnostic[] {
   const typing = useStore(editor.ui, (state) => state.typing);
   const all = useMemo(() => {
     const state = editor.document.getState();
-    return collectProblems([load, compile, driver, preview, exported]).map((problem) => inPlainWords(state, problem));
+    return collectProblems([load, compile, driver, preview, exported]).map((problem) => diagnosticWithTitles(state, problem));
   }, [editor, load, compile, driver, preview, exported]);
   const shown = useRef<readonly Diagnostic[]>(all);
   const problems: readonly Diagnostic[] = useMemo(() => (typing ? stillWrong(all, shown.current) : all), [typing, all]);

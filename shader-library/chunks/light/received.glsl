@@ -1,15 +1,7 @@
-#include <light/strength>
+#include <light/diffuse>
+#include <light/luminance>
 
-// The fraction of all light that the surface receives, from 0 to 1. Without lights, the light comes from the camera.
+// The tone that the light asks for: the luminance of a white matte surface here, from 0 (no light) to 1 (white).
 float lightReceived(const in Surface s) {
-  if (LIGHT_COUNT == 0) return max(dot(s.normal, s.towardsEye), 0.0);
-  float sum = 0.0;
-  float most = 0.0;
-  for (int i = 0; i < LIGHT_COUNT; i++) {
-    Light light = LIGHT(i);
-    float strength = lightStrength(light);
-    sum += strength * max(dot(s.normal, light.towards), 0.0) * light.lit;
-    most += strength;
-  }
-  return most > 0.0 ? sum / most : 0.0;
+  return clamp(luminance(diffuseLight(s.normal)), 0.0, 1.0);
 }

@@ -1,12 +1,12 @@
 #include <light/strength>
 
-// The strongest light at a surface, ignoring shadows. Without lights, the light comes from the camera.
+// The strongest light at a surface, ignoring shadows; the environment counts as one light.
 Light strongestLight(const in Surface s) {
-  Light best = Light(s.towardsEye, vec3(1.0), 1.0);
-  float strength = 0.0;
+  Light best = ENVIRONMENT();
+  float strength = lightStrength(best);
   for (int i = 0; i < LIGHT_COUNT; i++) {
     Light light = LIGHT(i);
-    if (i > 0 && lightStrength(light) <= strength) continue;
+    if (lightStrength(light) <= strength) continue;
     strength = lightStrength(light);
     best = light;
   }

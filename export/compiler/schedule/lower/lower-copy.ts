@@ -1,8 +1,22 @@
 import { portKey, type Source } from '../../flat-graph.ts';
-import { COPY_FILE, COPY_SOURCE } from '../../shaders/copy-shader.ts';
 import type { Fit } from '../layer-fit.ts';
 import type { ScheduledPass } from '../scheduled.ts';
 import { addStep, type Lowering, resourceAt } from './lowering.ts';
+
+/** Copies a layer unchanged, for layers that no other pass draws to the screen. */
+const COPY_FILE = 'scrim/copy.fs';
+
+const COPY_SOURCE = `/*{
+  "ISFVSN": "2",
+  "DESCRIPTION": "Shows a layer as it is.",
+  "SCRIM_ALPHA": "premultiplied",
+  "INPUTS": [{ "NAME": "inputImage", "TYPE": "image" }]
+}*/
+
+void main() {
+  gl_FragColor = IMG_THIS_PIXEL(inputImage);
+}
+`;
 
 /** Copies an image over the content of the screen; `id` is the id of the operation. */
 export function lowerCopyToScreen(lowering: Lowering, id: string, layer: Source, fit: Fit): void {
@@ -17,7 +31,7 @@ export function copyOf(
   layer: Source,
   fit: Fit | 'none',
 ): Omit<ScheduledPass, 'id' | 'node' | 'view' | 'writes' | 'target' | 'blend'> {
-  const variant = { loopBudget: false, absent: [], withoutDepth: [] };
+  const variant = { loopBudget: false, absent: [], withoutDepth: [], scene: false };
   const [pass] = lowering.shaders.link(COPY_FILE, COPY_SOURCE, null, variant).output ?? [];
   const [sampler] = pass?.samplers ?? [];
   if (!pass || !sampler) throw new Error('The shader that copies cannot be linked.');

@@ -1,4 +1,5 @@
 import type { ParamDefinition, ParamValue, Stateful } from '../../../../nodes/kit/definition.ts';
+import { subsetGlyphs } from '../../../../nodes/kit/glyphs.ts';
 import { isValueType, type ValueType, type WireType } from '../../../../nodes/kit/wire-types.ts';
 import { parseValue } from '../../../graph/expression/param-expression.ts';
 import type { DrawOperation, InputRef, NodeOperation, OutputRef, Resource, ResourceId } from '../../../program/program.ts';
@@ -18,8 +19,9 @@ export function lowerNode(lowering: Lowering, node: FlatNode): void {
   if (kind === null) throw new Error(`${node.id} is not played by a runtime of its own.`);
   const outputs: Record<string, OutputRef> = {};
   const writes: ResourceId[] = [];
-  for (const [port, { type }] of Object.entries(node.definition.outputs)) {
+  for (const [port, { type, whenRead }] of Object.entries(node.definition.outputs)) {
     const source = { node: node.id, port };
+    if (whenRead && !lowering.read.has(portKey(source))) continue;
     if (isValueType(type)) {
       outputs[port] = { kind: 'slot', slot: lowering.slots.ofOutput(source, type) };
       continue;
@@ -81,7 +83,7 @@ function addPicture(lowering: Lowering, shown: Source, operation: string): Resou
     kind: 'target',
     domain: 'view',
     size: { base: 'view', width: [{ op: 'width' }], height: [{ op: 'height' }] },
-    format: 'rgba8',
+    format: lowering.layers.get(key)?.encoding === 'scene' ? 'scene16f' : 'rgba8',
     depth: 'window',
     samples: lowering.samples,
     lifetime: 'frame',
@@ -108,13 +110,16 @@ export function nodeOperation<K extends NodeKind | 'draw' | 'cpu'>(
   id: string,
   kind: K,
 ): NodeOperation & { readonly kind: K; readonly view: 'once' } {
-  const { type, params, delay, stateful } = node.definition;
+  const { type, params, delay, stateful, worker } = node.definition;
   // The layer of a CPU filter is its field `picture`, not an input.
   const ports = kind === 'cpu' ? {} : node.definition.inputs;
   const pulses = Object.keys(ports).filter((port) => ports[port]?.type === 'pulse');
   const poses = Object.keys(ports).filter((port) => ports[port]?.type === 'pose');
   const inputs = Object.fromEntries(
-    Object.entries(ports).map(([port, { type: wire }]) => [port, sourcesAt(node, port).map((source) => inputRef(lowering, source, wire))]),
+    Object.entries(ports).map(([port, { type: wire }]) => [
+      port,
+      sourcesAt(node, port).map((source) => inputRef(lowering, source, wire, delay ?? false)),
+    ]),
   );
   const slots = uniformParams(lowering, node, params);
   const state = stateful && stateOf(node, stateful, slots);
@@ -132,11 +137,12 @@ export function nodeOperation<K extends NodeKind | 'draw' | 'cpu'>(
     ...(poses.length > 0 ? { poses } : {}),
     ...(delay ? { delay } : {}),
     ...(state ? { stateful: state } : {}),
+    ...(worker ? { worker } : {}),
     outputs: {},
     params: slots,
     config: Object.fromEntries(
       Object.entries(params).flatMap(([name, param]) =>
-        param.stage === 'structure' ? [[name, configValue(param, startValue(node, name, param))]] : [],
+        param.stage === 'structure' ? [[name, configValue(lowering, node, param, startValue(node, name, param))]] : [],
       ),
     ),
     assets: Object.fromEntries(
@@ -163,31 +169,45 @@ function uniformParams(lowering: Lowering, node: FlatNode, params: Readonly<Reco
   return Object.fromEntries(uniform.map((name) => [name, lowering.slots.ofParam(node, name)]));
 }
 
-function configValue(param: ParamDefinition, value: ParamValue): ParamValue {
+function configValue(lowering: Lowering, node: FlatNode, param: ParamDefinition, value: ParamValue): ParamValue {
+  if (param.type === 'text' && param.glyphs) return glyphsOf(lowering, node, param.glyphs, String(value));
   const expression = parseValue(param, value);
   if (expression === null) return value;
   if (!expression.ok) throw new Error(`An expression has not been checked: ${expression.message}.`);
   return expression.parts.join(' ');
 }
 
-function inputRef(lowering: Lowering, source: Source, type: WireType): InputRef {
+/** The outlines of the glyphs that a text may show. */
+function glyphsOf(
+  { library }: Lowering,
+  node: FlatNode,
+  { of, font }: { readonly of: string; readonly font: string },
+  live: string,
+): string {
+  const outlines = library.shader(font);
+  const text = node.definition.params[of];
+  if (outlines === undefined || !text) throw new Error(`${node.id} has no font ${font} or no text ${of}.`);
+  return subsetGlyphs(outlines, node.inputs.has(of) ? live : String(startValue(node, of, text)));
+}
+
+function inputRef(lowering: Lowering, source: Source, type: WireType, delay: boolean): InputRef {
   if (isValueType(type)) return { kind: 'slot', slot: lowering.slots.ofInput(source, type) };
   switch (type) {
     case 'layer':
       return { kind: 'layer', layer: layerAt(lowering, source, (from) => depthAt(lowering, from)) };
     case 'pulse':
     case 'pose':
-      // A delay reads pulses and poses of nodes that come after it.
-      return { kind: 'resource', resource: portKey(source) };
     case 'depth':
     case 'objects':
-    case 'technique':
     case 'lights':
     case 'environment':
     case 'surfaces':
     case 'body':
     case 'capture':
     case 'audio':
+      // A delay reads what nodes write that come after it.
+      return { kind: 'resource', resource: delay ? portKey(source) : resourceAt(lowering, source) };
+    case 'technique':
       return { kind: 'resource', resource: resourceAt(lowering, source) };
   }
 }
@@ -222,9 +242,10 @@ function outputResource({ layers }: Lowering, source: Source, type: Exclude<Wire
       return { id, kind: 'pose' };
     case 'audio':
       return { id, kind: 'sound' };
+    case 'body':
+      return { id, kind: 'bodies' };
     case 'technique':
     case 'surfaces':
-    case 'body':
     case 'capture':
       throw new Error(`The program has no resources of type ${type} yet, which ${id} gives.`);
   }

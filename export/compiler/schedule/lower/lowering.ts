@@ -15,6 +15,8 @@ export interface Lowering {
   readonly shaders: ShaderStore;
   readonly loopBudget: boolean;
   readonly layers: LayerTable;
+  /** Outputs that a node or a viewer reads, as `node.port`. */
+  readonly read: ReadonlySet<string>;
   /** Index of every node in topological order. */
   readonly rank: ReadonlyMap<string, number>;
   readonly slots: SlotAllocator;
@@ -46,7 +48,7 @@ export interface Lowering {
 }
 
 export function createLowering(
-  start: Pick<Lowering, 'graph' | 'library' | 'shaders' | 'loopBudget' | 'layers' | 'samples'> & {
+  start: Pick<Lowering, 'graph' | 'library' | 'shaders' | 'loopBudget' | 'layers' | 'read' | 'samples'> & {
     readonly order: readonly FlatNode[];
     readonly compiledIn: ReadonlySet<string>;
     readonly onMoved: (lowering: Lowering, moved: MovedParam) => void;

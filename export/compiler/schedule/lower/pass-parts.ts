@@ -28,12 +28,14 @@ export function shaderOf(lowering: Lowering, node: FlatNode, hasDepth: (layer: S
   if (source === undefined) throw new Error(`The library has no shader ${kind.shader} for ${type}.`);
   const ports = Object.keys(inputs).filter((port) => PICTURES.has(inputs[port]?.type ?? ''));
   const vertex = lowering.library.shader(companionOf(kind.shader)) ?? null;
+  const output = layerOutput(node);
+  const scene = output !== null && lowering.layers.get(portKey(output))?.encoding === 'scene';
   const absent = ports.filter((port) => !node.inputs.has(port));
   const withoutDepth = ports.filter((port) => {
     const [layer] = inputs[port]?.type === 'layer' ? sourcesAt(node, port) : [];
     return layer !== undefined && !hasDepth(layer);
   });
-  return { file: kind.shader, source, vertex, variant: { loopBudget: lowering.loopBudget, absent, withoutDepth } };
+  return { file: kind.shader, source, vertex, variant: { loopBudget: lowering.loopBudget, absent, withoutDepth, scene } };
 }
 
 export interface PassSamplers {

@@ -80,7 +80,7 @@ void main() {
   bool far = fwidth( uv.x ) > fwidth( other.x );
   vec2 dx = far ? dFdx( other ) : dFdx( uv );
   vec2 dy = far ? dFdy( other ) : dFdy( uv );
-  gl_FragColor = vec4( textureGrad( panorama, uv, dx, dy ).rgb * intensity, 1.0 );
+  gl_FragColor = vec4( clamp( textureGrad( panorama, uv, dx, dy ).rgb * intensity, 0.0, 65504.0 ), 1.0 );
   #include <colorspace_fragment>
 }
 `;

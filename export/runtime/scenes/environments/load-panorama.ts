@@ -8,6 +8,7 @@ import {
   Texture,
 } from 'three';
 import type { LoadedEnvironment } from '../../scene-backend.ts';
+import { texturePixels } from './filled-texture.ts';
 import { PanoramaError, type RadianceHeader, readRadianceHeader } from './radiance-header.ts';
 import type { ReadRadiance } from './read-radiance.ts';
 
@@ -20,11 +21,20 @@ const MAX_WIDTH_PX = 8192;
  *
  * @throws PanoramaError, as a rejection, if the file is invalid.
  */
-export async function loadPanorama(bytes: ArrayBuffer, maxTexturePx: number, readRadiance: ReadRadiance): Promise<LoadedEnvironment> {
+export async function loadPanorama(bytes: ArrayBuffer, maxTexturePx: number, readRadiance: ReadRadiance): Promise<LoadedPanorama> {
   const maxPx = Math.min(MAX_WIDTH_PX, maxTexturePx);
   const header = readRadianceHeader(bytes);
   if (header) checkSize(header, maxPx);
-  const texture = header ? readRadiance(bytes, header) : await readPicture(bytes, maxPx);
+  const texture = header ? readRadiance.halves(bytes, header) : await readPicture(bytes, maxPx);
+  const readPixels = () => (header ? readRadiance.floats(bytes, header) : texturePixels(texture));
+  return panoramaOf(texture, readPixels);
+}
+
+/** A panorama that is not filtered for lighting yet. */
+export type LoadedPanorama = Omit<LoadedEnvironment, 'withoutLamps'>;
+
+/** Sets a texture up as a panorama, which owns it. */
+export function panoramaOf(texture: Texture, readPixels: LoadedPanorama['readPixels']): LoadedPanorama {
   texture.mapping = EquirectangularReflectionMapping;
   texture.wrapS = RepeatWrapping;
   texture.wrapT = ClampToEdgeWrapping;
@@ -33,7 +43,7 @@ export async function loadPanorama(bytes: ArrayBuffer, maxTexturePx: number, rea
   texture.generateMipmaps = true;
   texture.needsUpdate = true;
   const { width: widthPx, height: heightPx } = texture.image as { width: number; height: number };
-  return { texture, widthPx, heightPx, dispose: () => disposeTexture(texture) };
+  return { texture, widthPx, heightPx, readPixels, dispose: () => disposeTexture(texture) };
 }
 
 function checkSize({ widthPx, heightPx }: RadianceHeader, maxPx: number): void {

@@ -27,7 +27,7 @@ const SUMMED_FACE_PX = 16;
  * face and 256 samples each: 37 million in total, which took 10 s on a busy machine without a GPU. This takes a third of the samples for
  * large panoramas and a tenth for small ones.
  */
-export function prefilter(renderer: SceneRenderer, { texture, widthPx }: EnvironmentAsset): Prefiltered {
+export function prefilter(renderer: SceneRenderer, { texture, widthPx }: Pick<EnvironmentAsset, 'texture' | 'widthPx'>): Prefiltered {
   const facePx = Math.min(Math.max(2 ** Math.floor(Math.log2(widthPx / 4)), MIN_FACE_PX), MAX_FACE_PX);
   const levels = Math.log2(facePx / ROUGHEST_FACE_PX) + 1;
   const source = createCubeTarget(facePx, true);

@@ -1,30 +1,47 @@
-import { DataTexture, HalfFloatType, LinearSRGBColorSpace } from 'three';
+import { DataTexture, FloatType, HalfFloatType, LinearSRGBColorSpace } from 'three';
 import { EXRLoader } from 'three/addons/loaders/EXRLoader.js';
 import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
+import type { PanoramaPixels } from '../../../../nodes/kit/panorama/pixels.ts';
 import { isCutOff, PanoramaError, type RadianceHeader } from './radiance-header.ts';
 
 /**
- * Decodes Radiance HDR and OpenEXR to 16-bit floats. It is injected, so that pages without panoramas do not bundle three.js' loaders (15 KB
+ * Decodes Radiance HDR and OpenEXR, to 16-bit floats for drawing. It is injected, so that pages without panoramas do not bundle three.js' loaders (15 KB
  * compressed).
  *
  * @throws PanoramaError if the file is invalid.
  */
-export type ReadRadiance = (bytes: ArrayBuffer, header: RadianceHeader) => DataTexture;
+export interface ReadRadiance {
+  halves(bytes: ArrayBuffer, header: RadianceHeader): DataTexture;
+  /** Decodes a file that `halves` has accepted to 32-bit floats, for analysis: halves lose pixels near a threshold. */
+  floats(bytes: ArrayBuffer, header: RadianceHeader): PanoramaPixels;
+}
 
-export const readRadiance: ReadRadiance = (bytes, header) => {
+export const readRadiance: ReadRadiance = { halves: readHalves, floats: readFloats };
+
+function readFloats(bytes: ArrayBuffer, header: RadianceHeader): PanoramaPixels {
+  const { data, width, height, flipY } = parse(bytes, header.format, FloatType);
+  if (!(data instanceof Float32Array) || !width || !height) throw new PanoramaError('it holds no picture. Export it again');
+  return { widthPx: width, heightPx: height, channels: data.length === width * height ? 1 : 4, data, fromBottom: flipY !== true };
+}
+
+function readHalves(bytes: ArrayBuffer, header: RadianceHeader): DataTexture {
   if (isCutOff(bytes, header)) throw new PanoramaError('the file is incomplete. Copy or export it again');
-  const { data, width, height, format, flipY } = parse(bytes, header.format);
+  const { data, width, height, format, flipY } = parse(bytes, header.format, HalfFloatType);
   if (!(data instanceof Uint16Array) || !width || !height) throw new PanoramaError('it holds no picture. Export it again');
   tame(data);
   const texture = new DataTexture(data, width, height, format, HalfFloatType);
   texture.colorSpace = LinearSRGBColorSpace;
   texture.flipY = flipY ?? false;
   return texture;
-};
+}
 
-function parse(bytes: ArrayBuffer, format: RadianceHeader['format']): ReturnType<HDRLoader['parse']> {
+function parse(
+  bytes: ArrayBuffer,
+  format: RadianceHeader['format'],
+  type: typeof FloatType | typeof HalfFloatType,
+): ReturnType<HDRLoader['parse']> {
   try {
-    return new (format === 'hdr' ? HDRLoader : EXRLoader)().parse(bytes);
+    return new (format === 'hdr' ? HDRLoader : EXRLoader)().setDataType(type).parse(bytes);
   } catch (error) {
     const reason = error instanceof RangeError ? 'it ends too early' : String(error instanceof Error ? error.message : error);
     throw new PanoramaError(`the file is damaged (${reason.replace(/^THREE\.\w+: /, '')}). Export it again`);

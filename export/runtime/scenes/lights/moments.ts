@@ -27,7 +27,12 @@ export interface Moments {
   dispose(): void;
 }
 
-/** `depths`: 1 minus the depth in the red channel. */
+/**
+ * Creates the blurred moments of a shadow map, which variance shadows read.
+ *
+ * @param depths Shadow map with 1 minus the depth in the red channel.
+ * @param sizePx Width and height of both maps.
+ */
 export function createMoments(depths: Texture, sizePx: number): Moments {
   const across = createTarget(sizePx);
   const both = createTarget(sizePx);

@@ -1,15 +1,19 @@
 import type { BackSide, FrontSide, Material } from 'three';
+import type { LayerEncoding } from '../../../../nodes/kit/definition.ts';
+import { FINITE_PATCH } from './finite-patch.ts';
 import { follow } from './follow.ts';
 import { createGlassPatch } from './glass-patch.ts';
 import { applyLayerBlending } from './layer-blending.ts';
-import { createLocalShadowPatch } from './local-shadow-patch.ts';
 import { patchMaterial, type ShaderPatch } from './shader-patch.ts';
+import { createShadowOffsetPatch } from './shadow-offset-patch.ts';
 import type { TranslucentShadowPatch } from './translucent-shadow-patch.ts';
 import type { Twin } from './twins.ts';
 
 export interface LayerTwinOptions {
   /** Draws only this side of a double-sided master. */
   readonly side: typeof BackSide | typeof FrontSide | null;
+  /** Encoding of the layer. */
+  readonly encoding: LayerEncoding;
   /** Fades fragments behind the room; null without occlusion. */
   readonly occlusion: ShaderPatch | null;
   readonly translucentShadows: TranslucentShadowPatch;
@@ -25,7 +29,13 @@ export function createLayerTwin(master: Material, options: LayerTwinOptions): Tw
   patchMaterial(
     material,
     master,
-    [createLocalShadowPatch(), options.translucentShadows, glass, options.occlusion].filter((patch) => patch !== null),
+    [
+      createShadowOffsetPatch(),
+      options.translucentShadows,
+      glass,
+      options.occlusion,
+      options.encoding === 'scene' ? FINITE_PATCH : null,
+    ].filter((patch) => patch !== null),
   );
   options.translucentShadows.attach(material);
   const sync = follow(material, master, options.side === null ? [] : ['side']);

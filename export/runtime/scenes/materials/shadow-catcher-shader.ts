@@ -1,3 +1,4 @@
+import { MAX_GLOW_SPOTS } from '../../../../nodes/kit/scene-look.ts';
 import { BEHIND_TRANSLUCENT } from '../lights/translucent-shadow.ts';
 import { type CubeLight, cubeLit, cubeParts, type FlatLight, flatLit, flatParts } from './shadow-filter-shader.ts';
 
@@ -65,6 +66,33 @@ float unlessGrazing( const in vec2 light, const in float lit ) {
 }
 `;
 
+/** Light around objects that shadows interrupt (ARPAS 2018, section 4). It is dimmed in linear light, and opaque nowhere. */
+const GLOW = /* glsl */ `
+// -1: no light is drawn.
+uniform int glowCount;
+uniform vec4 glowColor;
+uniform float glowBorder;
+// xy: center; zw: unit vector along the first axis; world x and z.
+uniform vec4 glowPlaces[ ${MAX_GLOW_SPOTS} ];
+// xy: semi-axes; z: height; w: distance above and below at which it has faded.
+uniform vec4 glowSizes[ ${MAX_GLOW_SPOTS} ];
+
+vec4 glow( const in float blockedPart ) {
+  float bright = 0.0;
+  for ( int i = 0; i < ${MAX_GLOW_SPOTS}; i++ ) {
+    if ( i >= glowCount ) break;
+    vec2 away = positionWorld.xz - glowPlaces[ i ].xy;
+    vec2 along = glowPlaces[ i ].zw;
+    float radius = length( vec2( dot( away, along ), dot( away, vec2( - along.y, along.x ) ) ) / glowSizes[ i ].xy );
+    float off = abs( positionWorld.y - glowSizes[ i ].z ) / glowSizes[ i ].w;
+    bright = max( bright, ( 1.0 - smoothstep( 1.0 - glowBorder, 1.0, radius ) ) * ( 1.0 - smoothstep( 0.5, 1.0, off ) ) );
+  }
+  vec3 base = mix( pow( ( glowColor.rgb + 0.055 ) / 1.055, vec3( 2.4 ) ), glowColor.rgb / 12.92, vec3( lessThanEqual( glowColor.rgb, vec3( 0.04045 ) ) ) );
+  vec3 light = base * glowColor.a * bright * ( 1.0 - clamp( strength * blockedPart, 0.0, 1.0 ) );
+  return vec4( mix( 1.055 * pow( light, vec3( 1.0 / 2.4 ) ) - 0.055, light * 12.92, vec3( lessThanEqual( light, vec3( 0.0031308 ) ) ) ), 0.0 );
+}
+`;
+
 const GEOMETRY = {
   declarations: 'varying vec3 vPositionWorld;',
   find: `positionWorld = vPositionWorld;
@@ -91,7 +119,11 @@ export interface CatcherLights {
 export type CatcherSurface = typeof GEOMETRY;
 
 /** The code is unrolled per light, because arrays of samplers require constant indices. */
-export function catcherFragment({ flat, cube, plain }: CatcherLights, { declarations, find }: CatcherSurface = GEOMETRY): string {
+export function catcherFragment(
+  { flat, cube, plain }: CatcherLights,
+  { declarations, find }: CatcherSurface = GEOMETRY,
+  glows = false,
+): string {
   const count = flat.length + cube.length + plain;
   const extras = flat.filter(({ extra }) => extra >= 0).length + flat.filter(({ translucent }) => translucent >= 0).length;
   const add = 'all += light.x; blocked += unlessGrazing( light, lit );';
@@ -105,6 +137,7 @@ ${SHADOW_COLOR}
 ${count > 0 ? lightUniforms(count) : ''}
 ${declarations}
 ${ARRIVING}
+${glows ? GLOW : ''}
 ${BEHIND_TRANSLUCENT}
 ${flatParts(flat, extras)}
 ${cubeParts(cube)}
@@ -116,7 +149,9 @@ void main() {
   float all = 0.0;
   float blocked = 0.0;
   ${lines.join('\n  ')}
-  ${writeShadow('all > 0.0 ? blocked / all : 0.0')}
+  float part = all > 0.0 ? blocked / all : 0.0;
+  ${glows ? 'if ( glowCount >= 0 ) { gl_FragColor = glow( part ); return; }' : ''}
+  ${writeShadow('part')}
 }
 `;
 }

@@ -12,6 +12,7 @@ import {
 } from 'three';
 import type { DrawView } from '../../../../nodes/kit/runtime.ts';
 import type { LightList, ObjectItem, ObjectList } from '../../../../nodes/kit/scene-lists.ts';
+import type { ShadowGlow } from '../../../../nodes/kit/scene-look.ts';
 import type { NumberView, VectorView } from '../../../../nodes/kit/value-views.ts';
 import { isDirectLight } from '../lights/is-direct-light.ts';
 import type { TextureLimits } from '../lights/light-limits.ts';
@@ -48,13 +49,15 @@ export interface MapCatcherOptions {
   /** Hides fragments behind the room. */
   readonly occlusion: readonly ShaderPatch[];
   readonly textureLimits: TextureLimits;
+  /** Light around objects instead of shadows, for displays that cannot darken. */
+  readonly glow: ShadowGlow | null;
 }
 
 /** Maximum number of texture units of a catcher; the remaining two of sixteen are for room depth. */
 const MAX_TEXTURES = 14;
 
 /** Catches shadows by shadow maps with the filter of each light. Edges follow cutouts by alpha. */
-export function createMapCatcher({ strength, color, maps, occlusion, textureLimits }: MapCatcherOptions): ShadowCatcher {
+export function createMapCatcher({ strength, color, maps, occlusion, textureLimits, glow }: MapCatcherOptions): ShadowCatcher {
   let lightLists: readonly LightList[] = [];
   const lightUniforms = createLightUniforms();
   const flatMaps: (Texture | null)[] = [];
@@ -65,6 +68,13 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
   const cubeMaps: (Texture | null)[] = [];
   const cubeReach: Vector4[] = [];
   const cubeTranslucent: (Texture | null)[] = [];
+  const glowUniforms = {
+    glowCount: { value: -1 },
+    glowColor: { value: new Vector4() },
+    glowBorder: { value: 0 },
+    glowPlaces: { value: glow?.places ?? null },
+    glowSizes: { value: glow?.sizes ?? null },
+  };
   const uniforms = {
     strength: { value: 0 },
     shadowColor: { value: new Vector4() },
@@ -77,12 +87,13 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
     cubeMaps: { value: cubeMaps },
     cubeReach: { value: cubeReach },
     cubeTranslucent: { value: cubeTranslucent },
+    ...glowUniforms,
   };
   const flat: FlatLight[] = [];
   const cube: CubeLight[] = [];
   const lights = { flat, cube, plain: 0 };
-  let fragmentShader = catcherFragment(lights);
-  let roomFragment = catcherFragment(lights, ROOM_SURFACE);
+  let fragmentShader = catcherFragment(lights, undefined, glow !== null);
+  let roomFragment = catcherFragment(lights, ROOM_SURFACE, glow !== null);
   const written = new Map<ShaderMaterial, 'geometry' | 'room'>();
   /** `textures`: units in use; `softened`, `undimmed`: lights for which no unit was left. */
   const counts = { flat: 0, cube: 0, plain: 0, extras: 0, cubeTranslucent: 0, textures: 0, softened: 0, undimmed: 0 };
@@ -160,8 +171,8 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
     flatExtras.length = counts.extras;
     cubeTranslucent.length = counts.cubeTranslucent;
     setLightCount(lightUniforms, counts.flat + counts.cube + counts.plain);
-    fragmentShader = catcherFragment(lights);
-    roomFragment = catcherFragment(lights, ROOM_SURFACE);
+    fragmentShader = catcherFragment(lights, undefined, glow !== null);
+    roomFragment = catcherFragment(lights, ROOM_SURFACE, glow !== null);
     for (const [material, surface] of written) {
       material.fragmentShader = surface === 'room' ? roomFragment : fragmentShader;
       material.needsUpdate = true;
@@ -192,6 +203,10 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
       lightLists = lightsNow;
       uniforms.strength.value = strength.value;
       uniforms.shadowColor.value.fromArray(color.value);
+      if (!glow) return;
+      uniforms.glowCount.value = glow.on ? glow.count : -1;
+      uniforms.glowColor.value.fromArray(glow.color.value);
+      uniforms.glowBorder.value = glow.border.value;
     },
     beforeDraw: () => {
       counts.flat = 0;

@@ -1,12 +1,12 @@
-import { type IUniform, Material, Vector2, Vector3 } from 'three';
+import { type IUniform, Material, type Scene, Vector2 } from 'three';
 import type { DrawView } from '../../../../nodes/kit/runtime.ts';
 import type { ObjectItem } from '../../../../nodes/kit/scene-lists.ts';
 import type { TechniqueView } from '../../../../nodes/kit/technique-view.ts';
-import type { NumberView } from '../../../../nodes/kit/value-views.ts';
 import { type Drawable, mapMaterials, materialsOf, programFeatures } from '../proxies/drawable.ts';
 import type { ProxyPlan } from '../proxies/proxy.ts';
 import { ensureHullNormals } from './hull-normals.ts';
 import type { OcclusionPatch } from './occlusion-patch.ts';
+import { createEnvironmentUniforms } from './technique-environment.ts';
 import { createTechniqueTwin } from './technique-twin.ts';
 import { createTechniqueUniforms, type TechniqueUniforms } from './technique-uniforms.ts';
 import type { TranslucentShadowPatch } from './translucent-shadow-patch.ts';
@@ -18,15 +18,18 @@ export interface TechniquePlans {
   plan(master: Drawable, item: ObjectItem, depthFirst: number, own: (part: Material) => Material): readonly ProxyPlan[] | null;
   /** Disposes techniques that no `plan` has requested since the last call. */
   sweep(): void;
+  /** Whether any technique is in use. */
+  isUsed(): boolean;
   /** Applies this frame's values. */
   update(): void;
+  /** Takes the light of the scene's environment, after `update` of that. */
+  light(scene: Scene): void;
   /** Applies values of the view; called before every draw. */
   bind(view: DrawView): void;
 }
 
 export interface TechniquePlansOptions {
   readonly twins: TwinCache;
-  readonly ambient: NumberView;
   readonly occlusion: OcclusionPatch | null;
   readonly translucentShadows: TranslucentShadowPatch;
   readonly onChange: () => void;
@@ -45,10 +48,10 @@ const PASS_AFTER_PASS = 1e-3;
 const NOTHING = new Material();
 NOTHING.visible = false;
 
-export function createTechniquePlans({ twins, ambient, occlusion, translucentShadows, onChange }: TechniquePlansOptions): TechniquePlans {
-  const ambientUniform: IUniform<Vector3> = { value: new Vector3() };
+export function createTechniquePlans({ twins, occlusion, translucentShadows, onChange }: TechniquePlansOptions): TechniquePlans {
+  const environment = createEnvironmentUniforms();
   const renderSize: IUniform<Vector2> = { value: new Vector2(1, 1) };
-  const ofScene = { scrimAmbient: ambientUniform, a_RENDERSIZE: renderSize };
+  const ofScene = { ...environment.uniforms, a_RENDERSIZE: renderSize };
   const ofTechniques = new Map<TechniqueView, { readonly key: string } & TechniqueUniforms>();
 
   const used = new Set<TechniqueView>();
@@ -99,8 +102,9 @@ export function createTechniquePlans({ twins, ambient, occlusion, translucentSha
       for (const technique of ofTechniques.keys()) if (!used.has(technique)) ofTechniques.delete(technique);
       used.clear();
     },
+    isUsed: () => ofTechniques.size > 0,
+    light: (scene) => environment.update(scene),
     update: () => {
-      ambientUniform.value.setScalar(ambient.value);
       for (const { update } of ofTechniques.values()) update();
     },
     bind: (view) => {

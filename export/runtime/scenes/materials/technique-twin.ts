@@ -19,6 +19,7 @@ import {
 } from 'three';
 import type { TechniqueView } from '../../../../nodes/kit/technique-view.ts';
 import { patchMaterial, type ShaderPatch } from './shader-patch.ts';
+import { createShadowOffsetPatch } from './shadow-offset-patch.ts';
 import { techniqueFragment, techniqueVertex } from './technique-wrapper.ts';
 import type { TranslucentShadowPatch } from './translucent-shadow-patch.ts';
 import type { Twin } from './twins.ts';
@@ -49,7 +50,7 @@ export function createTechniqueTwin(master: Master, options: TechniqueTwinOption
   const mapTransform = new Matrix3();
   const material = new ShaderMaterial({
     name: `technique ${technique.key}`,
-    vertexShader: techniqueVertex(technique.vertex, passIndex),
+    vertexShader: techniqueVertex(technique.vertex, technique.fragment, passIndex),
     fragmentShader: techniqueFragment(technique.fragment, passIndex),
     lights: true,
     uniforms: {
@@ -71,7 +72,8 @@ export function createTechniqueTwin(master: Master, options: TechniqueTwinOption
   material.polygonOffset = depthOnly;
   material.polygonOffsetFactor = 1;
   material.polygonOffsetUnits = 1;
-  patchMaterial(material, null, occlusion ? [translucentShadows, occlusion] : [translucentShadows]);
+  const patches = [createShadowOffsetPatch(), translucentShadows];
+  patchMaterial(material, null, occlusion ? [...patches, occlusion] : patches);
   translucentShadows.attach(material);
   const side = technique.passes[passIndex]?.side ?? 'object';
   let version = master.version;

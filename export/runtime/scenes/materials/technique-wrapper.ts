@@ -1,10 +1,14 @@
+import { environmentFragment, environmentVertex } from './technique-environment.ts';
+
 /**
  * GLSL around the text of a technique. It defines the names of `export/glsl/technique/interface.ts` by three.js' chunks, so that a
  * technique supports what the object's own material does: skins, morph targets, instances, lights and shadow maps.
  *
  * The author's text comes before the chunks, because their macros would affect it.
  */
-export function techniqueVertex(text: string, passIndex: number): string {
+/** `fragment`: the technique's text in the other stage. */
+export function techniqueVertex(text: string, fragment: string, passIndex: number): string {
+  const environment = environmentVertex(fragment);
   return /* glsl */ `
 #define a_EYE cameraPosition
 #define a_PASSINDEX ${passIndex}
@@ -24,6 +28,7 @@ varying vec2 vTechniqueUv;
 varying vec4 vTechniqueColor;
 varying vec3 vTechniqueRest;
 varying vec3 vTechniqueRestNormal;
+${environment.pars}
 ${text.includes('.outward') ? 'attribute vec3 scrimHullNormal;' : '#define scrimHullNormal normal'}
 
 // Length of a unit along each axis of the matrix.
@@ -88,6 +93,7 @@ void main() {
   vec3 transformedNormal = mat3( viewMatrix ) * vertex.normal;
   gl_Position = projectionMatrix * mvPosition;
   #include <shadowmap_vertex>
+  ${environment.main}
 }
 `;
 }
@@ -115,9 +121,9 @@ const WITHOUT_LIGHTS = `#define a_AMBIENT vec3( 0.0 )
 
 export function techniqueFragment(text: string, passIndex: number): string {
   return /* glsl */ `
-uniform vec3 scrimAmbient;
+vec3 scrimAmbient();
 #define a_EYE cameraPosition
-#define a_AMBIENT scrimAmbient
+#define a_AMBIENT scrimAmbient()
 #define a_PASSINDEX ${passIndex}
 #define a_LIGHT_COUNT ( NUM_POINT_LIGHTS + NUM_SPOT_LIGHTS + NUM_DIR_LIGHTS )
 uniform mat4 projectionMatrix;
@@ -139,7 +145,7 @@ varying vec3 vTechniqueRest;
 varying vec3 vTechniqueRestNormal;
 // Linear, with the opacity as alpha.
 uniform vec4 scrimColor;
-
+${environmentFragment(text)}
 a_Light scrimLights[ NUM_POINT_LIGHTS + NUM_SPOT_LIGHTS + NUM_DIR_LIGHTS + 1 ];
 
 a_Light a_LIGHT( const in int index ) {
@@ -211,6 +217,7 @@ void main() {
   #else
     surface.normal = normalize( vTechniqueNormal ) * ( gl_FrontFacing ? 1.0 : - 1.0 );
   #endif
+  scrimNormal = surface.normal;
   surface.towardsEye = normalize( cameraPosition - vTechniquePosition );
   surface.uv = vTechniqueUv;
   surface.color = diffuseColor;

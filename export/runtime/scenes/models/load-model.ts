@@ -9,6 +9,7 @@ import { isDrawable, materialsOf } from '../proxies/drawable.ts';
 import type { DecoderFiles, ModelDecoder, ModelDecoders } from './decoders/decoder.ts';
 import { createDecoderPool } from './decoders/decoder-pool.ts';
 import { embeddedPictures } from './embedded.ts';
+import { addMissingNormals } from './missing-normals.ts';
 
 export interface ModelTools {
   readonly decoders: ModelDecoders;
@@ -44,11 +45,17 @@ async function decode(bytes: ArrayBuffer, { document }: Gltf, decoders: readonly
   loader.register((parser) => embeddedPictures({ document, bitmaps, decodeKtx2 }, parser));
   try {
     const { scene, animations } = await parse(loader, bytes);
+    const missing = addMissingNormals(scene);
     const freeable = collectFreeable(scene);
     return {
       clips: animations,
-      instantiate: () => clone(scene),
+      instantiate: (normals = 'flat') => {
+        const instance = clone(scene);
+        if (normals === 'smooth') missing.smooth(instance);
+        return instance;
+      },
       dispose: () => {
+        missing.dispose();
         for (const part of freeable) part.dispose();
         closeBitmaps();
       },

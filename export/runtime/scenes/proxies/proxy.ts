@@ -38,7 +38,9 @@ export function createProxy(master: Drawable, item: ObjectItem, plan: ProxyPlan)
 
   /** Updates the bounding sphere that three.js uses for frustum culling, which it computes only once. */
   function followInstances(): void {
-    if (!isInstanced(object) || object.instanceMatrix.version === placed) return;
+    if (!isInstanced(object) || !isInstanced(master)) return;
+    object.count = master.count;
+    if (object.instanceMatrix.version === placed) return;
     placed = object.instanceMatrix.version;
     object.computeBoundingSphere();
   }
@@ -48,7 +50,7 @@ export function createProxy(master: Drawable, item: ObjectItem, plan: ProxyPlan)
     master,
     item,
     update: () => {
-      object.visible = (shows?.(item) ?? true) && isShown(master, item.root);
+      object.visible = !item.hidden && (shows?.(item) ?? true) && isShown(master, item.root);
       object.receiveShadow = item.receivesShadow;
       followInstances();
       object.matrixWorld.multiplyMatrices(item.worldFromObject, master.matrixWorld);

@@ -42,6 +42,7 @@ export function createCaster(
     update: () => {
       const shows =
         item.castsShadow &&
+        !item.hidden &&
         isShown(master, item.root) &&
         materials.some(castsAsSolid) &&
         !(isInstanced(master) && instance >= master.count);

@@ -4,7 +4,7 @@ import { isTransmissive } from '../materials/layer-blending.ts';
 /** Opacity below which a blended material lets light pass, as in `depth-twin.ts`. */
 const SOLID_OPACITY = 0.5;
 
-/** Whether the triangles of a material block light. */
+/** Whether a material casts a full shadow: it is visible and more than half opaque. */
 export function castsAsSolid(material: Material): boolean {
   return material.visible && !(material.transparent && material.opacity <= SOLID_OPACITY);
 }

@@ -5,11 +5,12 @@ import { createFrameTime } from '../frame-time.ts';
 import type { PageInput } from '../input/page-input.ts';
 import type { SessionInputs } from '../input/session-inputs.ts';
 import { setRigidInverse } from '../matrix.ts';
-import { listenForOrbit } from '../orbit/orbit-input.ts';
+import { listenForOrbit, type OrbitGestures } from '../orbit/orbit-input.ts';
 import { coverCanvas, createSessionFrame } from '../session-frame.ts';
 import type { CameraStream } from './camera-stream.ts';
 import { createCameraView, LONG_SIDE_FOV_RAD } from './camera-view.ts';
 import { createCameraViewer } from './camera-viewer.ts';
+import type { CreateLens } from './lens.ts';
 import type { OrientationSensor } from './orientation-sensor.ts';
 
 export interface CameraSessionParts {
@@ -22,6 +23,8 @@ export interface CameraSessionParts {
   readonly sensor: OrientationSensor;
   /** Absent or null: frames have no input. */
   readonly inputs?: SessionInputs | null;
+  /** Absent or null: the field of view stays as assumed. */
+  readonly createLens?: CreateLens | null;
 }
 
 /** Time without a reading after which the device is assumed to have no sensor, seconds. */
@@ -34,20 +37,23 @@ export interface CameraSession extends Session {
 
 /**
  * A session that shows the camera image behind objects that keep their direction as the device rotates. It has no device position, depth,
- * surfaces or light estimation. The camera is off while the page is hidden and after `end`. `tracking` reports whether the orientation
+ * surfaces or light estimation. The field of view of the camera is estimated while the device turns. The camera is off while the page is hidden and after `end`. `tracking` reports whether the orientation
  * sensor works.
  */
-export function createCameraSession({ gl, canvas, clock, stream, sensor, inputs }: CameraSessionParts): CameraSession {
+export function createCameraSession({ gl, canvas, clock, stream, sensor, inputs, createLens }: CameraSessionParts): CameraSession {
   const frame = createSessionFrame();
   const time = createFrameTime();
-  const viewer = createCameraViewer(sensor);
   const page = canvas.ownerDocument;
+  const viewer = createCameraViewer(sensor);
   const { video } = stream;
+  const lens = createLens?.(page, sensor) ?? null;
   let picture = createCameraView(gl);
   let fitter: CanvasFitter | null = null;
   let input: PageInput | null = null;
+  let gestures: OrbitGestures | null = null;
   let onFrame: ((frame: SessionFrame) => void) | null = null;
   let onEvent: ((event: SessionEvent) => void) | null = null;
+  const tanHalfLongSide = (): number => lens?.tanHalfLongSide ?? Math.tan(LONG_SIDE_FOV_RAD / 2);
   let handle = 0;
   let tracked = true;
   let fresh = true;
@@ -92,10 +98,13 @@ export function createCameraSession({ gl, canvas, clock, stream, sensor, inputs 
     setTracked(sensor.present || frame.timeS < SENSOR_TIMEOUT_S);
     if (fresh && video.readyState >= video.HAVE_CURRENT_DATA) {
       picture.upload(video);
+      lens?.look(video);
       fresh = !hasFrameCallback(video);
     }
     const view = coverCanvas(frame, gl);
-    picture.fill(view);
+    lens?.update(frame.deltaS);
+    picture.fill(view, tanHalfLongSide());
+    gestures?.settle();
     viewer.writeWorldFromView(view.worldFromView);
     setRigidInverse(view.viewFromWorld, view.worldFromView);
     input?.fill(frame);
@@ -104,7 +113,7 @@ export function createCameraSession({ gl, canvas, clock, stream, sensor, inputs 
   const begin = (): void => {
     fitter = createCanvasFitter(canvas);
     input = inputs?.page(canvas) ?? null;
-    const unlisten = listenForOrbit(canvas, viewer, () => Math.tan(LONG_SIDE_FOV_RAD / 2), input?.isClaimed);
+    gestures = listenForOrbit(canvas, viewer, tanHalfLongSide, input ?? undefined);
     page.addEventListener('visibilitychange', visibility);
     canvas.addEventListener('webglcontextrestored', restored);
     if (hasFrameCallback(video)) video.requestVideoFrameCallback(watchVideo);
@@ -113,7 +122,7 @@ export function createCameraSession({ gl, canvas, clock, stream, sensor, inputs 
       clock.cancelFrame(handle);
       page.removeEventListener('visibilitychange', visibility);
       canvas.removeEventListener('webglcontextrestored', restored);
-      unlisten();
+      gestures?.dispose();
       input?.dispose();
       fitter?.dispose();
     };

@@ -4,8 +4,8 @@ import { setFrustum } from '../matrix.ts';
 import type { MutableCameraImage, MutableView } from '../session-frame.ts';
 
 /**
- * Assumed field of view of the longer side, because browsers do not report it: phones' main cameras have 60° to 70° in video, most
- * computers' a similar one. With an error of 5°, objects drift by a tenth of the device's rotation.
+ * Assumed field of view of the longer side until it is estimated (`lens.ts`), because browsers do not report it: phones' main cameras have
+ * 60° to 70° in video, most computers' a similar one. With an error of 5°, objects drift by a tenth of the device's rotation.
  */
 export const LONG_SIDE_FOV_RAD = (65 * Math.PI) / 180;
 
@@ -13,8 +13,12 @@ export const LONG_SIDE_FOV_RAD = (65 * Math.PI) / 180;
 export interface CameraView {
   /** Uploads the current image of the video. */
   upload(video: HTMLVideoElement): void;
-  /** Sets projection and camera image of a view whose viewport is set. The image covers the view, cropped around its center. */
-  fill(view: MutableView): void;
+  /**
+   * Sets projection and camera image of a view whose viewport is set. The image covers the view, cropped around its center.
+   *
+   * @param tanHalfLongSide Tangent of half the field of view of the image's longer side.
+   */
+  fill(view: MutableView, tanHalfLongSide: number): void;
   dispose(): void;
 }
 
@@ -39,7 +43,7 @@ export function createCameraView(gl: WebGL2RenderingContext): CameraView {
       gl.bindTexture(gl.TEXTURE_2D, image.texture);
       gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, gl.RGBA, gl.UNSIGNED_BYTE, video);
     },
-    fill: (view) => {
+    fill: (view, tanHalfLongSide) => {
       const { widthPx: viewWidth, heightPx: viewHeight } = view.viewport;
       // Without an image, the projection of an image with the aspect ratio of the view.
       const width = image?.widthPx ?? viewWidth;
@@ -47,7 +51,7 @@ export function createCameraView(gl: WebGL2RenderingContext): CameraView {
       const scale = Math.min(width / viewWidth, height / viewHeight);
       const partX = (viewWidth * scale) / width;
       const partY = (viewHeight * scale) / height;
-      const perLongSide = (2 * Math.tan(LONG_SIDE_FOV_RAD / 2)) / Math.max(width, height);
+      const perLongSide = (2 * tanHalfLongSide) / Math.max(width, height);
       const x = (partX * width * perLongSide) / 2;
       const y = (partY * height * perLongSide) / 2;
       setFrustum(view.clipFromView, -x, x, -y, y, view.nearM, view.farM);

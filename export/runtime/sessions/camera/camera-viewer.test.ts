@@ -66,4 +66,24 @@ describe('where a viewer with a camera stands', () => {
     withOne.viewer.rotate(0, 0.5);
     expect(withOne.look().ahead[1]).toBeCloseTo(0, 4);
   });
+
+  test('a drag up or down sets the height of the eyes, within reach, and going back resets it', () => {
+    // 30° down: the view meets the floor 3 m away.
+    const { viewer, look } = start({ betaRad: Math.PI / 3 });
+    look();
+    viewer.rotate(0.01, 0.5);
+    // 0.5 / π of an image that shows 0.9 rad, at 3 m.
+    expect(look().at[1]).toBeCloseTo(1.5 + (0.5 / Math.PI) * 0.9 * 3, 3);
+    viewer.rotate(1, 0.5);
+    expect(look().at[1]).toBeCloseTo(1.9297, 3);
+    viewer.rotate(0, -50);
+    expect(look().at[1]).toBe(0.3);
+    viewer.reset();
+    expect(look().at[1]).toBe(1.5);
+    const without = start(null);
+    without.viewer.rotate(0, 0.5);
+    expect(without.look().at[1]).toBe(1.5);
+    without.viewer.pan(0, 0.25);
+    expect(without.look().at[1]).toBe(1.75);
+  });
 });

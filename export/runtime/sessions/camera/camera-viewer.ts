@@ -11,10 +11,18 @@ const REACH_M = 5;
 /** Distance that zoom factors refer to, meters: a pinch by 2 moves the viewer by half of it. */
 const STEP_SCALE_M = 1;
 const MAX_PITCH_RAD = 1.5;
+const LOWEST_M = 0.3;
+const HIGHEST_M = 2.5;
+/** Part of the floor that a drag follows, meters from the eyes: where the view meets it, within these. */
+const NEAREST_FLOOR_M = 0.5;
+const FARTHEST_FLOOR_M = 4;
+/** A drag over the whole image is a rotation by π, and the image shows about this angle. */
+const IMAGE_RAD = 0.9;
 
 /**
  * A viewer who rotates with the device but has a fixed position, because no sensor measures it. Drags, wheel and keys rotate about the
- * vertical axis and move the viewer.
+ * vertical axis and move the viewer. A drag up or down sets how high the eyes are above the floor, so that objects stand on the floor of the
+ * image: with one finger where the sensor tells the pitch, else with two.
  */
 export interface CameraViewer extends GestureTarget {
   /** Restores the initial position and makes the current direction of the device point along −z. */
@@ -26,7 +34,9 @@ export function createCameraViewer(sensor: Pick<OrientationSensor, 'angles' | 'p
   let yawRad = 0;
   /** Used without a sensor only. */
   let pitchRad = START_PITCH_RAD;
-  let [x, , z] = START as readonly [number, number, number];
+  let [x, y, z] = START as readonly [number, number, number];
+  /** Of the view written last: how steeply it looks down, as a sine. */
+  let down = 0;
   let centered = false;
   /** Heading of the view written last, about the vertical axis; 0 is −z. */
   let heading = 0;
@@ -39,18 +49,29 @@ export function createCameraViewer(sensor: Pick<OrientationSensor, 'angles' | 'p
     x = clamp(x + rightM * c - aheadM * s, START[0] - REACH_M, START[0] + REACH_M);
     z = clamp(z - rightM * s - aheadM * c, START[2] - REACH_M, START[2] + REACH_M);
   };
+  const raise = (byM: number): void => {
+    y = clamp(y + byM, LOWEST_M, HIGHEST_M);
+  };
   return {
     distanceM: STEP_SCALE_M,
     rotate: (azimuthRad, elevationRad) => {
       yawRad -= azimuthRad;
+      // The larger part of a slanted drag counts.
+      if (sensor.present && Math.abs(elevationRad) > Math.abs(azimuthRad)) {
+        const floorM = clamp(y / Math.max(down, 0.01), NEAREST_FLOOR_M, FARTHEST_FLOOR_M);
+        raise((elevationRad / Math.PI) * IMAGE_RAD * floorM);
+      }
       pitchRad = clamp(pitchRad + elevationRad, -MAX_PITCH_RAD, MAX_PITCH_RAD);
     },
     zoom: (factor) => step(0, Math.log(factor) * STEP_SCALE_M),
-    pan: (rightM) => step(rightM, 0),
+    pan: (rightM, upM) => {
+      step(rightM, 0);
+      raise(upM);
+    },
     reset: () => {
       yawRad = 0;
       pitchRad = START_PITCH_RAD;
-      [x, , z] = START;
+      [x, y, z] = START;
       centered = false;
     },
     writeWorldFromView: (out) => {
@@ -66,8 +87,9 @@ export function createCameraViewer(sensor: Pick<OrientationSensor, 'angles' | 'p
       }
       turnAboutVertical(out, yawRad);
       heading = -yawToFront(out);
+      down = out[9] ?? 0;
       out[12] = x;
-      out[13] = START[1];
+      out[13] = y;
       out[14] = z;
     },
   };

@@ -4,6 +4,7 @@ import type { FrameClock } from '../../clock.ts';
 import type { SessionInputs } from '../input/session-inputs.ts';
 import { type CameraSession, createCameraSession } from './camera-session.ts';
 import { createCameraStream } from './camera-stream.ts';
+import type { CreateLens } from './lens.ts';
 import { listenForOrientation, type OrientationWindow, requestOrientationPermission } from './orientation-sensor.ts';
 
 export interface CameraRequest {
@@ -15,6 +16,8 @@ export interface CameraRequest {
   readonly clock: FrameClock;
   /** Absent or null: frames have no input. */
   readonly inputs?: SessionInputs | null;
+  /** Absent or null: the field of view stays as assumed. */
+  readonly createLens?: CreateLens | null;
 }
 
 /**
@@ -22,7 +25,8 @@ export interface CameraRequest {
  *
  * @returns Never rejects. Without a session the diagnostics give the reason (SCR051); with one, what is missing (SCR055).
  */
-export async function requestCameraSession({ window, media, gl, canvas, clock, inputs = null }: CameraRequest): Promise<Result<Session>> {
+export async function requestCameraSession(request: CameraRequest): Promise<Result<Session>> {
+  const { window, media, canvas } = request;
   if (!media?.getUserMedia) return { output: null, diagnostics: [NO_CAMERA] };
   let session: CameraSession | null = null;
   const stream = createCameraStream(canvas.ownerDocument, media, () => session?.lost());
@@ -35,7 +39,7 @@ export async function requestCameraSession({ window, media, gl, canvas, clock, i
     ),
   ]);
   if (refused) return { output: null, diagnostics: [refused] };
-  session = createCameraSession({ gl, canvas, clock, stream, sensor: listenForOrientation(window), inputs });
+  session = createCameraSession({ ...request, stream, sensor: listenForOrientation(window) });
   return { output: session, diagnostics: orientation === 'denied' ? [NO_MOTION] : [] };
 }
 

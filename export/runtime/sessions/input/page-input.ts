@@ -1,20 +1,25 @@
 import type { MutableFrame } from '../session-frame.ts';
-import { readGamepad } from './page-gamepad.ts';
-import { createPagePointers } from './page-pointers.ts';
+import { createGamepadReader } from './page-gamepad.ts';
+import { createPageKeys } from './page-keys.ts';
+import { createPagePointers, type PressClaim } from './page-pointers.ts';
 import { deriveTaps } from './session-input.ts';
 
-/** Input on a canvas with one view: pointers, taps and gamepads. */
+/** Input on a canvas with one view: pointers, taps, keys and gamepads. */
 export interface PageInput {
   /** Fills the input of a frame. Call it once per frame, when the view is set, because points become rays of the view. */
   fill(frame: MutableFrame): void;
-  /** Whether a node owns the press of this DOM pointer; gestures of the page then ignore it. */
-  isClaimed(domPointerId: number): boolean;
+  /** Whether a node owns the press of this DOM pointer; gestures of the page then ignore the press. */
+  claimOf(domPointerId: number): PressClaim;
+  /** Whether a node owns the keys; gestures of the page then ignore them. */
+  ownsKeys(): boolean;
   dispose(): void;
 }
 
 export function createPageInput(canvas: HTMLCanvasElement): PageInput {
   const pointers = createPagePointers(canvas);
+  const keys = createPageKeys(canvas);
   const window = canvas.ownerDocument.defaultView;
+  const readGamepad = createGamepadReader();
   let hasGamepads = false;
   const gamepadCame = (): void => {
     hasGamepads = true;
@@ -26,12 +31,15 @@ export function createPageInput(canvas: HTMLCanvasElement): PageInput {
       const [view] = frame.views;
       frame.input.pointerCount = 0;
       if (view) pointers.fill(frame.input, view);
+      keys.fill(frame.input);
       deriveTaps(frame.input);
       if (hasGamepads && window) readGamepad(frame.input, window.navigator.getGamepads());
     },
-    isClaimed: pointers.isClaimed,
+    claimOf: pointers.claimOf,
+    ownsKeys: keys.areOwned,
     dispose: () => {
       pointers.dispose();
+      keys.dispose();
       window?.removeEventListener('gamepadconnected', gamepadCame);
     },
   };

@@ -9,12 +9,17 @@ const STILL_PX = 10;
 /** Id of presses by the keyboard, which no DOM pointer has. */
 const KEYBOARD = -1;
 
+/**
+ * Whether a node owns the press of a DOM pointer. It is undecided until the frame that shows the start of the press, in which nodes may
+ * claim it.
+ */
+export type PressClaim = 'undecided' | 'claimed' | 'free';
+
 /** Fingers, mouse and pen on a canvas that shows one view. */
 export interface PagePointers {
   /** Once a frame, when its view is known: lists the pointers with rays through their points of the view. */
   fill(input: MutableInput, view: ViewFrame): void;
-  /** Whether a node owns the press of this DOM pointer. */
-  isClaimed(domPointerId: number): boolean;
+  claimOf(domPointerId: number): PressClaim;
   dispose(): void;
 }
 
@@ -24,6 +29,9 @@ interface PagePress {
   /** In the view: origin at the bottom left. */
   u: number;
   v: number;
+  /** Start position in the view. */
+  downU: number;
+  downV: number;
   /** Start position, CSS pixels. */
   downX: number;
   downY: number;
@@ -31,6 +39,10 @@ interface PagePress {
   mayTap: boolean;
   /** A mouse or pen that is over the canvas. */
   hovers: boolean;
+}
+
+function createPagePress(domId: number): PagePress {
+  return { press: createPress(), domId, u: 0.5, v: 0.5, downU: 0.5, downV: 0.5, downX: 0, downY: 0, mayTap: false, hovers: false };
 }
 
 /** A press that began before the last one was shown to its end has a pointer of its own. */
@@ -58,7 +70,7 @@ export function createPagePointers(element: HTMLElement): PagePointers {
   const take = (domId: number, by: 'screen' | 'mouse'): PagePress | null => {
     const known = presses.find(({ press }) => !press.used);
     if (!known && presses.length === MAX_POINTERS) return null;
-    const taken = known ?? { press: createPress(), domId, u: 0.5, v: 0.5, downX: 0, downY: 0, mayTap: false, hovers: false };
+    const taken = known ?? createPagePress(domId);
     if (!known) presses.push(taken);
     taken.domId = domId;
     taken.hovers = false;
@@ -88,6 +100,8 @@ export function createPagePointers(element: HTMLElement): PagePointers {
     const pressed = find(event.pointerId) ?? take(event.pointerId, event.pointerType === 'mouse' ? 'mouse' : 'screen');
     if (!pressed) return;
     moveTo(pressed, event);
+    pressed.downU = pressed.u;
+    pressed.downV = pressed.v;
     pressed.downX = event.clientX;
     pressed.downY = event.clientY;
     pressed.mayTap = others.length === 0;
@@ -123,8 +137,8 @@ export function createPagePointers(element: HTMLElement): PagePointers {
     event.preventDefault();
     const pressed = take(KEYBOARD, 'screen');
     if (!pressed) return;
-    pressed.u = 0.5;
-    pressed.v = 0.5;
+    pressed.u = pressed.downU = 0.5;
+    pressed.v = pressed.downV = 0.5;
     beginPress(pressed.press);
     endPress(pressed.press, 'end', true);
   });
@@ -140,17 +154,22 @@ export function createPagePointers(element: HTMLElement): PagePointers {
           press.used = false;
           continue;
         }
-        writeViewRay(pointer.worldFromRay, view, pressed.u, pressed.v);
+        // A pointer that moved before this frame still starts where it was pressed.
+        const starts = pointer.phase === 'start';
+        writeViewRay(pointer.worldFromRay, view, starts ? pressed.downU : pressed.u, starts ? pressed.downV : pressed.v);
         pointer.pinch = pointer.phase === 'start' || pointer.phase === 'hold' ? 1 : 0;
         addPointer(input, pointer);
       }
     },
-    isClaimed: (domPointerId) => {
+    claimOf: (domPointerId) => {
+      let claim: PressClaim = 'free';
       for (let i = 0; i < presses.length; i++) {
         const pressed = presses[i];
-        if (pressed?.press.used && pressed.domId === domPointerId && pressed.press.pointer.owner !== null) return true;
+        if (!pressed?.press.used || pressed.domId !== domPointerId) continue;
+        if (pressed.press.began && !pressed.press.shown) return 'undecided';
+        if (pressed.press.pointer.owner !== null) claim = 'claimed';
       }
-      return false;
+      return claim;
     },
     dispose: () => listeners.abort(),
   };

@@ -40,6 +40,13 @@ export function endPress(press: Press, how: 'end' | 'cancel', tapped: boolean): 
   press.pointer.tapped = tapped && how === 'end';
 }
 
+/** Forgets a press that nobody has seen. */
+export function dropPress(press: Press): void {
+  press.began = false;
+  press.ended = 'no';
+  press.pointer.tapped = false;
+}
+
 /** Once a frame: the phase that this frame shows. */
 export function showPhase(press: Press): void {
   const { pointer } = press;

@@ -1,5 +1,6 @@
+import { HAND_JOINT_COUNT } from '../../../../nodes/kit/hand-joints.ts';
 import { handOf } from '../../../../nodes/kit/pointers.ts';
-import type { Controller, Pointer, PointerKind, SessionInput, Tap } from '../../../../nodes/kit/session.ts';
+import type { Controller, Hand, KeyPress, Pointer, PointerKind, SessionInput, Tap } from '../../../../nodes/kit/session.ts';
 import { createMatrix } from '../matrix.ts';
 
 type Mutable<T> = { -readonly [K in keyof T]: T[K] };
@@ -7,6 +8,8 @@ type Mutable<T> = { -readonly [K in keyof T]: T[K] };
 export type MutableTap = Mutable<Tap>;
 export type MutablePointer = Mutable<Pointer>;
 export type MutableController = Mutable<Controller>;
+export type MutableHand = Mutable<Hand>;
+export type MutableKeyPress = Mutable<KeyPress>;
 
 /** Input that a session overwrites in every frame. */
 export interface MutableInput extends SessionInput {
@@ -16,6 +19,10 @@ export interface MutableInput extends SessionInput {
   tapCount: number;
   readonly left: MutableController;
   readonly right: MutableController;
+  readonly leftHand: MutableHand;
+  readonly rightHand: MutableHand;
+  readonly keys: readonly MutableKeyPress[];
+  keyCount: number;
 }
 
 /** Maximum pointers per frame; further ones are dropped. */
@@ -24,7 +31,10 @@ export const MAX_POINTERS = 8;
 /** Maximum taps per frame; further ones are dropped. */
 export const MAX_TAPS = 8;
 
-/** @returns Input without taps and pointers, whose controllers are not connected. */
+/** Maximum keys per frame; further ones are dropped. */
+export const MAX_KEYS = 8;
+
+/** @returns Input without taps, keys and pointers, whose controllers are not connected and whose hands are not tracked. */
 export function createSessionInput(): MutableInput {
   return {
     pointers: [],
@@ -33,6 +43,11 @@ export function createSessionInput(): MutableInput {
     tapCount: 0,
     left: createController(),
     right: createController(),
+    leftHand: createHand(),
+    rightHand: createHand(),
+    keys: Array.from({ length: MAX_KEYS }, () => ({ key: '', shift: false, control: false })),
+    keyCount: 0,
+    keyOwner: null,
   };
 }
 
@@ -47,6 +62,7 @@ export function createPointer(): MutablePointer {
     tapped: false,
     xrSource: null,
     owner: null,
+    ownerDistanceM: 0,
   };
 }
 
@@ -82,7 +98,11 @@ export function rest(controller: MutableController): void {
   controller.squeeze = 0;
   controller.primary = false;
   controller.secondary = false;
+  controller.stickPressed = false;
   controller.worldFromRay = null;
+  controller.worldFromGrip = null;
+  controller.bare = false;
+  controller.haptics = null;
 }
 
 /** Returns an unused tap, or null if there are already `MAX_TAPS`. */
@@ -100,6 +120,16 @@ function createController(): MutableController {
     squeeze: 0,
     primary: false,
     secondary: false,
+    stickPressed: false,
     worldFromRay: null,
+    worldFromGrip: null,
+    bare: false,
+    haptics: null,
   };
+}
+
+function createHand(): MutableHand {
+  const worldFromJoints = new Float32Array(16 * HAND_JOINT_COUNT);
+  for (let i = 0; i < worldFromJoints.length; i++) if ((i % 16) % 5 === 0) worldFromJoints[i] = 1;
+  return { tracked: false, worldFromJoints, radiiM: new Float32Array(HAND_JOINT_COUNT) };
 }

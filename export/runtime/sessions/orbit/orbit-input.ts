@@ -1,3 +1,4 @@
+import type { PressClaim } from '../input/page-pointers.ts';
 import type { Orbit } from './orbit-pose.ts';
 
 /** Rotation of a drag over the height of the canvas. */
@@ -10,22 +11,50 @@ const WHEEL_ZOOM_PER_PX = 0.001;
 /** What gestures control: an orbit or a viewer with a position. */
 export type GestureTarget = Pick<Orbit, 'rotate' | 'zoom' | 'pan' | 'reset' | 'distanceM'>;
 
+/** Gestures on a canvas. Moves of a press wait until it is known whether a node claims it. */
+export interface OrbitGestures {
+  /** Applies the moves of presses that no node claimed. Call it at the start of each frame. */
+  settle(): void;
+  /** Removes the listeners. */
+  dispose(): void;
+}
+
 interface Pointer {
   readonly id: number;
+  /** Position up to which its moves are applied, CSS pixels. */
   x: number;
   y: number;
+  /** Latest position, CSS pixels. */
+  toX: number;
+  toY: number;
+  /** Its latest move pans and does not rotate. */
+  pans: boolean;
+  /** It is up, and its moves are not applied yet. */
+  lifted: boolean;
 }
+
+/** What nodes of the program use themselves. */
+export interface OwnedInput {
+  /** Whether a node owns the press of a DOM pointer. */
+  claimOf(domPointerId: number): PressClaim;
+  /** Whether a node owns the keys. */
+  ownsKeys(): boolean;
+}
+
+const NOTHING_OWNED: OwnedInput = { claimOf: () => 'free', ownsKeys: () => false };
 
 /**
  * Controls the orbit by mouse, touch and keys. Drag and arrow keys rotate; wheel, pinch, + and − zoom; a drag with the right button, Shift
- * or two fingers pans; Home resets. Returns a function that removes the listeners.
+ * or two fingers pans; Home resets.
+ *
+ * @param owned - What nodes own. Absent: nothing.
  */
 export function listenForOrbit(
   canvas: HTMLCanvasElement,
   orbit: GestureTarget,
   tanHalfFovY: () => number,
-  isClaimed: (domPointerId: number) => boolean = () => false,
-): () => void {
+  { claimOf, ownsKeys }: OwnedInput = NOTHING_OWNED,
+): OrbitGestures {
   const listeners = new AbortController();
   const { signal } = listeners;
   const pointers: Pointer[] = [];
@@ -43,43 +72,65 @@ export function listenForOrbit(
     const perPx = DRAG_RAD / canvas.clientHeight;
     orbit.rotate(-dx * perPx, dy * perPx);
   };
+  /** Applies what `moved` moved since the last time, unless a claim that it depends on is undecided. */
+  const apply = (moved: Pointer): void => {
+    const claim = claimOf(moved.id);
+    if (claim === 'undecided') return;
+    let other: Pointer | null = null;
+    for (const pointer of pointers) {
+      if (pointer === moved) continue;
+      const otherClaim = claimOf(pointer.id);
+      if (otherClaim === 'undecided') return;
+      if (otherClaim === 'free') other = pointer;
+    }
+    const dx = moved.toX - moved.x;
+    const dy = moved.toY - moved.y;
+    const before = other ? Math.hypot(moved.x - other.x, moved.y - other.y) : 0;
+    moved.x = moved.toX;
+    moved.y = moved.toY;
+    if (claim === 'claimed' || (dx === 0 && dy === 0)) return;
+    if (other) {
+      const after = Math.hypot(moved.x - other.x, moved.y - other.y);
+      if (before > 0 && after > 0) orbit.zoom(after / before);
+      // Each of the two fingers contributes half of the movement.
+      pan(dx / 2, dy / 2);
+    } else if (moved.pans) {
+      pan(dx, dy);
+    } else {
+      turn(dx, dy);
+    }
+  };
+  const remove = (id: number): void => {
+    const index = pointers.findIndex((pointer) => pointer.id === id);
+    if (index >= 0) pointers.splice(index, 1);
+  };
   canvas.addEventListener(
     'pointerdown',
-    (event) => {
+    ({ pointerId: id, clientX: x, clientY: y }) => {
+      if (pointers.some((pointer) => pointer.id === id && pointer.lifted)) remove(id);
       if (pointers.length === 2) return;
-      pointers.push({ id: event.pointerId, x: event.clientX, y: event.clientY });
-      canvas.setPointerCapture(event.pointerId);
+      pointers.push({ id, x, y, toX: x, toY: y, pans: false, lifted: false });
+      canvas.setPointerCapture(id);
     },
     { signal },
   );
   canvas.addEventListener(
     'pointermove',
     (event) => {
-      const moved = pointers.find((pointer) => pointer.id === event.pointerId);
+      const moved = pointers.find((pointer) => pointer.id === event.pointerId && !pointer.lifted);
       if (!moved) return;
-      const other = pointers.find((pointer) => pointer !== moved && !isClaimed(pointer.id));
-      const dx = event.clientX - moved.x;
-      const dy = event.clientY - moved.y;
-      const before = other ? Math.hypot(moved.x - other.x, moved.y - other.y) : 0;
-      moved.x = event.clientX;
-      moved.y = event.clientY;
-      if (isClaimed(moved.id)) return;
-      if (other) {
-        const after = Math.hypot(moved.x - other.x, moved.y - other.y);
-        if (before > 0 && after > 0) orbit.zoom(after / before);
-        // Each of the two fingers contributes half of the movement.
-        pan(dx / 2, dy / 2);
-      } else if (event.shiftKey || (event.buttons & 2) !== 0) {
-        pan(dx, dy);
-      } else {
-        turn(dx, dy);
-      }
+      moved.toX = event.clientX;
+      moved.toY = event.clientY;
+      moved.pans = event.shiftKey || (event.buttons & 2) !== 0;
+      apply(moved);
     },
     { signal },
   );
   const lift = (event: PointerEvent): void => {
-    const index = pointers.findIndex((pointer) => pointer.id === event.pointerId);
-    if (index >= 0) pointers.splice(index, 1);
+    const lifted = pointers.find((pointer) => pointer.id === event.pointerId);
+    if (!lifted) return;
+    if (claimOf(lifted.id) === 'undecided') lifted.lifted = true;
+    else remove(lifted.id);
   };
   canvas.addEventListener('pointerup', lift, { signal });
   canvas.addEventListener('pointercancel', lift, { signal });
@@ -97,16 +148,25 @@ export function listenForOrbit(
     'keydown',
     (event) => {
       const action = keyAction(event.key, orbit);
-      if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
+      if (!action || ownsKeys() || event.ctrlKey || event.metaKey || event.altKey) return;
       event.preventDefault();
       action();
     },
     { signal },
   );
-  return () => {
-    listeners.abort();
-    canvas.style.touchAction = touchAction;
-    if (tabIndex === null) canvas.removeAttribute('tabindex');
+  return {
+    settle: () => {
+      for (const pointer of pointers) apply(pointer);
+      for (let i = pointers.length - 1; i >= 0; i--) {
+        const { id, lifted } = pointers[i] as Pointer;
+        if (lifted && claimOf(id) !== 'undecided') pointers.splice(i, 1);
+      }
+    },
+    dispose: () => {
+      listeners.abort();
+      canvas.style.touchAction = touchAction;
+      if (tabIndex === null) canvas.removeAttribute('tabindex');
+    },
   };
 }
 

@@ -40,13 +40,13 @@ export function createOrbitSession(options: OrbitSessionOptions): Session {
   const begin = (): void => {
     const fitter = createCanvasFitter(canvas);
     const input = options.inputs?.page(canvas) ?? null;
-    const unlisten = listenForOrbit(canvas, orbit, tanHalfFovY, input?.isClaimed);
+    const gestures = listenForOrbit(canvas, orbit, tanHalfFovY, input ?? undefined);
     const visibility = (): void => onEvent?.({ kind: 'visibility', visible: page.visibilityState === 'visible' });
     page.addEventListener('visibilitychange', visibility);
     stop = () => {
       clock.cancelFrame(handle);
       page.removeEventListener('visibilitychange', visibility);
-      unlisten();
+      gestures.dispose();
       input?.dispose();
       fitter.dispose();
     };
@@ -59,6 +59,7 @@ export function createOrbitSession(options: OrbitSessionOptions): Session {
       const y = tanHalfFovY();
       const x = (y * view.viewport.widthPx) / view.viewport.heightPx;
       setFrustum(view.clipFromView, -x, x, -y, y, view.nearM, view.farM);
+      gestures.settle();
       orbit.writeWorldFromView(view.worldFromView);
       setRigidInverse(view.viewFromWorld, view.worldFromView);
       input?.fill(frame);

@@ -1,9 +1,9 @@
 import type { Diagnostic, Result } from '../../../../nodes/kit/diagnostics.ts';
 import type { SessionFile } from '../session-format.ts';
+import { checkInput } from './check-input.ts';
+import { asObject, isNumber, isNumbers } from './check-json.ts';
 
 export const SESSION_FILE = 'session.json';
-
-type Json = Readonly<Record<string, unknown>>;
 
 /** Validates a parsed `session.json`. Every mistake is an SCR054 with its place in the file. */
 export function readSessionFile(json: unknown): Result<SessionFile> {
@@ -67,6 +67,7 @@ function checkFrame(value: unknown, place: string, hasDepth: boolean, problems: 
   if (frame?.depth !== undefined && !hasDepth) problems.push(`"${place}.depth" has no description. Add "depth" to the file.`);
   if (!isNumbers(frame?.worldFromCamera, 16)) problems.push(`"${place}.worldFromCamera" must be 16 numbers.`);
   if (frame?.light !== undefined) checkLight(frame.light, `${place}.light`, problems);
+  if (frame?.input !== undefined) checkInput(frame.input, `${place}.input`, problems);
 }
 
 function checkSurfaces(value: unknown, problems: string[]): void {
@@ -109,24 +110,12 @@ function checkLight(value: unknown, place: string, problems: string[]): void {
   if (!isNumbers(light?.primaryIntensity, 3)) problems.push(`"${place}.primaryIntensity" must be 3 numbers.`);
 }
 
-function asObject(value: unknown): Json | undefined {
-  return typeof value === 'object' && value !== null ? (value as Json) : undefined;
-}
-
-function isNumber(value: unknown): value is number {
-  return typeof value === 'number' && Number.isFinite(value);
-}
-
 function isPositive(value: unknown): boolean {
   return isNumber(value) && value > 0;
 }
 
 function isPixels(value: unknown): boolean {
   return isPositive(value) && Number.isInteger(value);
-}
-
-function isNumbers(value: unknown, count: number): boolean {
-  return Array.isArray(value) && value.length === count && value.every(isNumber);
 }
 
 /** Whether the value is a relative path inside the folder. */

@@ -12,6 +12,7 @@ import { createFrameTextures, type FrameTextures } from './frame-textures.ts';
 import { brokenSession } from './read-session-file.ts';
 import { createRecordedView, type RecordedView } from './recorded-view.ts';
 import { openRecording, type Recording } from './recording.ts';
+import { createInputReplay, type InputReplay } from './replay-input.ts';
 import { createPlayback, type PlayRange } from './session-playback.ts';
 
 export interface RecordedSessionOptions {
@@ -79,6 +80,8 @@ const LOOK_AHEAD = 4;
 /** An open recording with its GPU resources. */
 interface OpenRecording extends Recording {
   readonly cache: FrameCache;
+  /** Null if it has no input. */
+  readonly replay: InputReplay | null;
   textures: FrameTextures;
   view: RecordedView;
 }
@@ -114,7 +117,9 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
     frame.surfaces = current.surfaces;
     deliveredS = timeS;
     current.view.fill(frame, decoded);
-    input?.fill(frame);
+    if (input) input.fill(frame);
+    else frame.input.pointerCount = 0;
+    current.replay?.fill(frame.input, index);
     onFrame?.(frame);
     return true;
   };
@@ -133,6 +138,7 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
   };
   const resetTime = (): void => {
     deliveredS = null;
+    opened?.replay?.reset();
     frame.jumps++;
     onEvent?.({ kind: 'reset' });
   };
@@ -160,11 +166,12 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
       return { output: null, diagnostics: [...diagnostics, brokenSession(problems[0] ?? 'The session ended before it was read.')] };
     }
     const textures = createFrameTextures(gl, file);
-    opened = { ...recording, cache, textures, view: createRecordedView(gl, file, textures) };
+    opened = { ...recording, cache, replay: createInputReplay(file), textures, view: createRecordedView(gl, file, textures) };
     capabilities.add('camera-image');
     if (file.depth) capabilities.add('depth');
     if (recording.lights.some((light) => light !== null)) capabilities.add('light-estimation');
     if (recording.surfaces) capabilities.add('planes');
+    if (file.frames.some((each) => each.input?.leftHand || each.input?.rightHand)) capabilities.add('hands');
     if (onFrame) playback?.start();
     return { output: { title: file.title, frames: recording.frames }, diagnostics };
   };

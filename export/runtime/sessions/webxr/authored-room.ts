@@ -3,7 +3,7 @@ import type { CameraImage } from '../../../../nodes/kit/session.ts';
 import { allocateTexture } from '../../gl/allocate-texture.ts';
 import { MAX_VIEWS } from '../../targets/target.ts';
 import type { MutableCameraImage, MutableView } from '../session-frame.ts';
-import { linkPass } from './link-pass.ts';
+import { linkFullScreenProgram } from './full-screen-program.ts';
 
 /**
  * Replaces the visitor's room in VR: a floor with a line per meter, a bright horizon and a softer sky, which show scale and orientation. It
@@ -21,7 +21,7 @@ const UPRIGHT = Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
 
 /** Creates a room whose floor is at y = 0 in world space. */
 export function createAuthoredRoom(gl: WebGL2RenderingContext): AuthoredRoom {
-  const program = linkPass(gl, FRAGMENT);
+  const program = linkFullScreenProgram(gl, FRAGMENT);
   const lens = gl.getUniformLocation(program, 'lens');
   const worldFromView = gl.getUniformLocation(program, 'worldFromView');
   const framebuffer = gl.createFramebuffer();

@@ -1,4 +1,4 @@
-import { linkPass } from './link-pass.ts';
+import { linkFullScreenProgram } from './full-screen-program.ts';
 import type { XrGpuDepthInformation } from './webxr-types.ts';
 
 /** Content of the texture: one of WebXR's formats, or window-space depth. */
@@ -14,7 +14,7 @@ export interface DepthDecoder {
 }
 
 export function createDecoder(gl: WebGL2RenderingContext, source: DepthSource, array: boolean): DepthDecoder {
-  const program = linkPass(gl, fragment(source, array));
+  const program = linkFullScreenProgram(gl, fragment(source, array));
   const scale = gl.getUniformLocation(program, 'scale');
   const layer = gl.getUniformLocation(program, 'layer');
   const target = array ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D;

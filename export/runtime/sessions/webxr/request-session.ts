@@ -1,7 +1,7 @@
 import type { Capability } from '../../../../nodes/kit/definition.ts';
 import type { Diagnostic, Result } from '../../../../nodes/kit/diagnostics.ts';
 import type { Session } from '../../../../nodes/kit/session.ts';
-import type { ProgramNeed } from '../../../program/program.ts';
+import type { ProgramNeed } from '../../../program/needs.ts';
 import type { SessionInputs } from '../input/session-inputs.ts';
 import { grantedCapabilities, sessionInit } from './session-init.ts';
 import { createWebXrSession } from './webxr-session.ts';

@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import type { Capability } from '../../../../nodes/kit/definition.ts';
-import type { ProgramNeed } from '../../../program/program.ts';
+import type { ProgramNeed } from '../../../program/needs.ts';
 import { grantedCapabilities, sessionInit } from './session-init.ts';
 
 function need(capability: Capability, required = false): ProgramNeed {

@@ -1,16 +1,19 @@
 import type { Capability } from '../../../../nodes/kit/definition.ts';
-import type { ProgramNeed } from '../../../program/program.ts';
+import type { ProgramNeed } from '../../../program/needs.ts';
 import { WEBXR_FEATURES, webXrFeatures } from '../../../program/webxr-features.ts';
 
 /**
- * CPU first: phones give 160 × 90 samples, which are fast to copy. Headsets that only have GPU depth use the second preference. Smooth
- * first, because noise causes flickering borders. `matchDepthView` keeps its default, depth aligned with the view.
+ * CPU first: phones give 160 × 90 samples, which are fast to copy. Headsets that only have GPU depth use the second preference.
+ * `matchDepthView` keeps its default, depth aligned with the view.
  */
 const DEPTH_PREFERENCES: XRDepthStateInit = {
   usagePreference: ['cpu-optimized', 'gpu-optimized'],
   dataFormatPreference: ['luminance-alpha', 'float32', 'unsigned-short'],
-  depthTypeRequest: ['smooth', 'raw'],
 };
+
+/** Smooth first for occlusion, where noise causes flickering borders; raw first where all readers measure. */
+const SMOOTH_FIRST = ['smooth', 'raw'] as const;
+const RAW_FIRST = ['raw', 'smooth'] as const;
 
 /**
  * The options of `requestSession`: what the program needs and nothing else, with the floor as an optional feature.
@@ -20,11 +23,13 @@ const DEPTH_PREFERENCES: XRDepthStateInit = {
  */
 export function sessionInit(needs: readonly ProgramNeed[], overlayRoot: Element | null): XRSessionInit {
   const { required, optional } = webXrFeatures(needs);
-  const wantsDepth = needs.some((need) => need.capability === 'depth');
+  const depth = needs.find((need) => need.capability === 'depth');
   return {
     requiredFeatures: [...required],
     optionalFeatures: [...optional, ...(overlayRoot ? ['dom-overlay'] : [])],
-    ...(wantsDepth ? { depthSensing: DEPTH_PREFERENCES } : {}),
+    ...(depth
+      ? { depthSensing: { ...DEPTH_PREFERENCES, depthTypeRequest: [...(depth.depthType === 'raw' ? RAW_FIRST : SMOOTH_FIRST)] } }
+      : {}),
     ...(overlayRoot ? { domOverlay: { root: overlayRoot } } : {}),
   };
 }

@@ -1,26 +1,38 @@
+import { isPose } from '../../../../nodes/kit/pose.ts';
+import { createHapticsCache } from '../input/haptics.ts';
 import { deriveTaps, type MutableController, type MutableInput, rest } from '../input/session-input.ts';
 import { createMatrix } from '../matrix.ts';
-import { createWebXrPointers } from './webxr-pointers.ts';
+import { createWebXrHands } from './webxr-hands.ts';
+import { createWebXrPointers, isBareHand } from './webxr-pointers.ts';
 
 /** Indices of the `xr-standard` mapping (WebXR Gamepads §3.3), then those that controllers with a thumbstick add (profiles registry). */
 const TRIGGER = 0;
 const SQUEEZE = 1;
 const PRIMARY = 4;
 const SECONDARY = 5;
+const STICK = 3;
 const TOUCHPAD_AXIS = 0;
 const THUMBSTICK_AXIS = 2;
 
-/** Pointers and taps by screen, controller or hand, and the state of the controllers. */
+/** Pointers and taps by screen, controller or hand, the state of the controllers and the joints of hands. */
 export interface WebXrInput {
   /** Fills the input of a frame. Call it once per frame. */
   fill(input: MutableInput, frame: XRFrame): void;
 }
 
 export function createWebXrInput(session: XRSession, referenceSpace: XRReferenceSpace): WebXrInput {
+  const hands = createWebXrHands(session, referenceSpace);
   const pointers = createWebXrPointers(session, referenceSpace);
-  const rays = { left: createMatrix(), right: createMatrix() };
+  const own = { left: createOwn(), right: createOwn() };
+  const poseOf = (space: XRSpace | undefined, frame: XRFrame, out: Float32Array): Float32Array | null => {
+    const matrix = space && frame.getPose(space, referenceSpace)?.transform.matrix;
+    if (!matrix || !isPose(matrix)) return null;
+    out.set(matrix);
+    return out;
+  };
   return {
     fill: (input, frame) => {
+      hands.fill(input, frame);
       input.pointerCount = 0;
       pointers.fill(input, frame);
       deriveTaps(input);
@@ -29,16 +41,22 @@ export function createWebXrInput(session: XRSession, referenceSpace: XRReference
       for (let i = 0; i < session.inputSources.length; i++) {
         const source = session.inputSources[i];
         if (!source) continue;
-        const hand = source.handedness === 'left' ? 'left' : 'right';
-        if (!source.gamepad || source.targetRayMode === 'screen' || input[hand].connected) continue;
-        readController(input[hand], source.gamepad);
-        const pose = frame.getPose(source.targetRaySpace, referenceSpace);
-        if (!pose) continue;
-        rays[hand].set(pose.transform.matrix);
-        input[hand].worldFromRay = rays[hand];
+        const side = source.handedness === 'left' ? 'left' : 'right';
+        const controller = input[side];
+        if (!source.gamepad || source.targetRayMode === 'screen' || controller.connected) continue;
+        readController(controller, source.gamepad);
+        controller.worldFromRay = poseOf(source.targetRaySpace, frame, own[side].ray);
+        controller.worldFromGrip = poseOf(source.gripSpace, frame, own[side].grip);
+        controller.bare = isBareHand(source);
+        controller.haptics = own[side].hapticsOf(source.gamepad);
       }
     },
   };
+}
+
+/** What the controller of one side refers to. */
+function createOwn() {
+  return { ray: createMatrix(), grip: createMatrix(), hapticsOf: createHapticsCache() };
 }
 
 function readController(controller: MutableController, { axes, buttons }: Gamepad): void {
@@ -51,4 +69,5 @@ function readController(controller: MutableController, { axes, buttons }: Gamepa
   controller.squeeze = buttons[SQUEEZE]?.value ?? 0;
   controller.primary = buttons[PRIMARY]?.pressed ?? false;
   controller.secondary = buttons[SECONDARY]?.pressed ?? false;
+  controller.stickPressed = buttons[STICK]?.pressed ?? false;
 }

@@ -1,4 +1,5 @@
 import { describe, expect, test } from '@jest/globals';
+import { captureHand } from '../../../../tests/support/captured-hand.ts';
 import { createSessionInput } from '../input/session-input.ts';
 import { createWebXrPointers } from './webxr-pointers.ts';
 
@@ -35,6 +36,7 @@ function start(...sources: Source[]) {
   const pointers = createWebXrPointers(session as never, {} as never);
   const input = createSessionInput();
   return {
+    input,
     sources,
     places,
     fire: (type: string, inputSource: Source) => void events.dispatchEvent(Object.assign(new Event(type), { frame, inputSource })),
@@ -135,16 +137,35 @@ describe('pointers of a WebXR session', () => {
   test('a pinch is as closed as the trigger, or as the tips of thumb and finger are near', () => {
     const trigger = start({ ...CONTROLLER, gamepad: { buttons: [{ value: 0.25 }] } });
     expect(trigger.frame()).toMatchObject([{ pinch: 0.25 }]);
-    const tips = new Map([
-      ['thumb-tip', { name: 'thumb' }],
-      ['index-finger-tip', { name: 'index' }],
-    ]);
-    const hand = start({ ...CONTROLLER, hand: tips });
-    const pinchAt = (x: number) => {
-      hand.places.set(tips.get('thumb-tip') ?? {}, x);
+    const hand = start({ ...CONTROLLER, hand: {} });
+    const strengthOf = (pose: 'relaxed' | 'pinch') => {
+      captureHand(pose, 0, hand.input.rightHand);
       return hand.frame()[0]?.pinch;
     };
-    expect([pinchAt(0.005), pinchAt(0.035), pinchAt(0.2)]).toEqual([1, 0.5, 0]);
+    expect([strengthOf('pinch'), strengthOf('relaxed')]).toEqual([1, 0]);
+  });
+
+  test.each([
+    ['no pose', null],
+    ['a pose of NaN', Number.NaN],
+  ])('a press with %s is not shown until it has one, and never if it ends before', (_what, x) => {
+    const source = { ...CONTROLLER };
+    const { fire, frame, places } = start(source);
+    places.set(RAY, x);
+    fire('selectstart', source);
+    expect([frame(), frame()]).toEqual([[], []]);
+    places.set(RAY, 3);
+    expect([frame(), frame()]).toMatchObject([[{ phase: 'start', at: 3 }], [{ phase: 'hold', at: 3 }]]);
+    fire('selectend', source);
+    frame();
+    places.set(RAY, x);
+    expect(frame()).toEqual([]);
+    for (const type of ['selectstart', 'select', 'selectend']) fire(type, source);
+    expect(frame()).toEqual([]);
+    places.set(RAY, 4);
+    expect(frame()).toMatchObject([{ phase: 'hover', at: 4, tapped: false }]);
+    fire('selectstart', source);
+    expect(frame()).toMatchObject([{ phase: 'start' }]);
   });
 
   test('two presses between two frames are two pointers', () => {

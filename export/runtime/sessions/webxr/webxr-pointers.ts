@@ -1,17 +1,15 @@
+import { pinchStrength } from '../../../../nodes/kit/hands.ts';
+import { isPose } from '../../../../nodes/kit/pose.ts';
 import type { PointerKind } from '../../../../nodes/kit/session.ts';
-import { beginPress, createPress, endPress, type Press, showPhase } from '../input/press.ts';
+import { beginPress, createPress, dropPress, endPress, type Press, showPhase } from '../input/press.ts';
 import { addPointer, MAX_POINTERS, type MutableInput } from '../input/session-input.ts';
-
-/** Distance of the tips of thumb and index finger at which a pinch is closed, and at which it is open, meters. */
-const PINCH_CLOSED_M = 0.01;
-const PINCH_OPEN_M = 0.06;
 
 /** Place of the trigger in the `xr-standard` mapping (WebXR Gamepads §3.3). */
 const TRIGGER = 0;
 
 /** Input sources of a WebXR session as pointers. A press on the DOM overlay that the page keeps fires no `selectstart` and is none. */
 export interface WebXrPointers {
-  /** Once a frame. */
+  /** Once a frame, after the joints of hands. */
   fill(input: MutableInput, frame: XRFrame): void;
 }
 
@@ -19,6 +17,8 @@ interface SourcePress {
   readonly press: Press;
   source: XRInputSource | null;
   selected: boolean;
+  /** Its ray is known. */
+  aimed: boolean;
   /** The session still has the source. */
   present: boolean;
 }
@@ -33,20 +33,21 @@ export function createWebXrPointers(session: XRSession, referenceSpace: XRRefere
   let made = 0;
 
   const take = (source: XRInputSource): SourcePress | null => {
-    let free: SourcePress | null = null;
+    let unused: SourcePress | null = null;
     for (let i = 0; i < presses.length; i++) {
       const each = presses[i];
       if (each?.source === source && each.press.ended === 'no') return each;
-      if (each?.source === null) free ??= each;
+      if (each?.source === null) unused ??= each;
     }
-    if (!free) {
+    if (!unused) {
       if (presses.length === MAX_POINTERS) return null;
-      free = { press: createPress(), source: null, selected: false, present: true };
-      presses.push(free);
+      unused = { press: createPress(), source: null, selected: false, aimed: false, present: true };
+      presses.push(unused);
     }
-    const { press } = free;
-    free.source = source;
-    free.present = true;
+    const { press } = unused;
+    unused.source = source;
+    unused.present = true;
+    unused.aimed = false;
     press.used = true;
     press.began = false;
     press.ended = 'no';
@@ -56,12 +57,18 @@ export function createWebXrPointers(session: XRSession, referenceSpace: XRRefere
     press.pointer.owner = null;
     press.pointer.xrSource = source;
     press.pointer.worldFromGrip = null;
-    return free;
+    return unused;
   };
-  const aim = ({ press, source }: SourcePress, frame: XRFrame): boolean => {
-    const pose = source ? frame.getPose(source.targetRaySpace, referenceSpace) : null;
-    if (pose) press.pointer.worldFromRay.set(pose.transform.matrix);
-    return pose !== null && pose !== undefined;
+  const aim = (each: SourcePress, frame: XRFrame): boolean => {
+    const matrix = each.source ? frame.getPose(each.source.targetRaySpace, referenceSpace)?.transform.matrix : null;
+    if (!matrix || !isPose(matrix)) return false;
+    each.press.pointer.worldFromRay.set(matrix);
+    each.aimed = true;
+    return true;
+  };
+  const free = (each: SourcePress): void => {
+    each.source = null;
+    each.press.used = false;
   };
   const begin = ({ frame, inputSource }: XRInputSourceEvent): SourcePress | null => {
     const pressed = take(inputSource);
@@ -113,23 +120,32 @@ export function createWebXrPointers(session: XRSession, referenceSpace: XRRefere
         const { press } = each;
         // The source went in the middle of a press.
         if (!each.present) endPress(press, 'cancel', false);
+        // A press is not shown before it has a place, and never if it ends before.
+        if (!each.aimed && !(each.present && aim(each, frame))) {
+          if (press.ended !== 'no') dropPress(press);
+          if (!each.present || (isTransient(source) && !press.began)) free(each);
+          continue;
+        }
         showPhase(press);
         const { pointer } = press;
         const isHover = pointer.phase === 'hover';
         // A press that began before the last one was over has a pointer of its own.
         if (isHover && (!each.present || isTransient(source) || hasOther(presses, each))) {
-          each.source = null;
-          press.used = false;
+          free(each);
           continue;
         }
         const aimed = each.present && pointer.phase !== 'end' && pointer.phase !== 'cancel' && aim(each, frame);
-        if (isHover && !aimed) continue;
+        if (isHover && !aimed) {
+          each.aimed = false;
+          continue;
+        }
         // Hand tracking may begin later than the source.
         pointer.by = kindOf(source);
-        const grip = each.present && source.gripSpace ? frame.getPose(source.gripSpace, referenceSpace) : null;
-        if (grip) press.grip.set(grip.transform.matrix);
-        pointer.worldFromGrip = grip ? press.grip : null;
-        pointer.pinch = pinchOf(source, frame, pointer.phase === 'start' || pointer.phase === 'hold');
+        const grip = each.present && source.gripSpace ? frame.getPose(source.gripSpace, referenceSpace)?.transform.matrix : null;
+        const isHeld = grip !== null && grip !== undefined && isPose(grip);
+        if (isHeld) press.grip.set(grip);
+        pointer.worldFromGrip = isHeld ? press.grip : null;
+        pointer.pinch = pinchOf(source, input, pointer.phase === 'start' || pointer.phase === 'hold');
         addPointer(input, pointer);
       }
     },
@@ -150,8 +166,12 @@ function kindOf(source: XRInputSource): PointerKind {
   const { targetRayMode, handedness } = source;
   if (targetRayMode === 'screen') return 'screen';
   if (handedness === 'none' || targetRayMode === 'gaze') return 'gaze';
-  const isBare = Boolean(source.hand) || targetRayMode === 'transient-pointer' || source.profiles.some(isHandProfile);
-  return isBare ? `${handedness}-hand` : handedness;
+  return isBareHand(source) ? `${handedness}-hand` : handedness;
+}
+
+/** Whether the source is a hand that holds no controller. */
+export function isBareHand({ hand, targetRayMode, profiles }: XRInputSource): boolean {
+  return Boolean(hand) || targetRayMode === 'transient-pointer' || profiles.some(isHandProfile);
 }
 
 /** WebXR Input Profiles names hands that are not granted joints so, too. */
@@ -159,15 +179,9 @@ function isHandProfile(profile: string): boolean {
   return profile.startsWith('generic-hand');
 }
 
-function pinchOf(source: XRInputSource, frame: XRFrame, isPressed: boolean): number {
-  const trigger = source.gamepad?.buttons[TRIGGER]?.value;
+function pinchOf({ gamepad, hand, handedness }: XRInputSource, input: MutableInput, isPressed: boolean): number {
+  const trigger = gamepad?.buttons[TRIGGER]?.value;
   if (trigger !== undefined) return trigger;
-  const thumb = source.hand?.get('thumb-tip');
-  const index = source.hand?.get('index-finger-tip');
-  // Relative to each other, in whatever space.
-  const pose = thumb && index ? frame.getPose(thumb, index) : null;
-  if (!pose) return isPressed ? 1 : 0;
-  const { x, y, z } = pose.transform.position;
-  const distanceM = Math.hypot(x, y, z);
-  return Math.min(1, Math.max(0, (PINCH_OPEN_M - distanceM) / (PINCH_OPEN_M - PINCH_CLOSED_M)));
+  const joints = handedness === 'left' ? input.leftHand : input.rightHand;
+  return hand && joints.tracked ? pinchStrength(joints) : Number(isPressed);
 }

@@ -1,10 +1,12 @@
 import type { Capability } from '../../../../nodes/kit/definition.ts';
+import { isPose } from '../../../../nodes/kit/pose.ts';
 import type { Session, SessionEvent, SessionFrame, XrAccess } from '../../../../nodes/kit/session.ts';
 import { MAX_VIEWS } from '../../targets/target.ts';
 import { createFrameTime } from '../frame-time.ts';
 import type { SessionInputs } from '../input/session-inputs.ts';
 import { setRigidInverse } from '../matrix.ts';
 import { createSessionFrame } from '../session-frame.ts';
+import { createRoomCapture } from './room-capture.ts';
 import { createSensorWatch } from './sensor-watch.ts';
 import { createSurfaceReader } from './webxr-detected-surfaces.ts';
 import { createWebXrLight } from './webxr-light.ts';
@@ -34,6 +36,7 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
   let target: XrRenderTarget | null = parts.target;
   const light = capabilities.has('light-estimation') ? createWebXrLight(session) : null;
   const surfaces = createSurfaceReader(capabilities);
+  const roomCapture = createRoomCapture(session, capabilities);
   const watchOf = (capability: Capability) => createSensorWatch((working) => onEvent?.({ kind: 'sensing', capability, working }));
   const depthWatch = capabilities.has('depth') ? watchOf('depth') : null;
   const lightWatch = light ? watchOf('light-estimation') : null;
@@ -75,7 +78,8 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
   };
   const tick = (timeMs: number, xrFrame: XRFrame): void => {
     session.requestAnimationFrame(tick);
-    const pose = xrFrame.getViewerPose(referenceSpace);
+    const found = xrFrame.getViewerPose(referenceSpace);
+    const pose = found && isPose(found.transform.matrix) ? found : null;
     setTracked(pose ? !pose.emulatedPosition : false);
     if (!pose || !target) return;
     time.write(frame, timeMs / 1000);
@@ -85,6 +89,7 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
     frame.framebufferHeightPx = layer.framebufferHeight;
     frame.light = light?.read(xrFrame, referenceSpace, target.binding) ?? null;
     frame.surfaces = surfaces?.read(xrFrame, referenceSpace) ?? null;
+    if (frame.surfaces) roomCapture?.update(frame.timeS, frame.surfaces);
     fillViews(target, xrFrame, pose);
     if (frame.viewCount === 0) return;
     lightWatch?.update(frame.timeS, frame.light !== null);

@@ -70,3 +70,11 @@ export interface XrMesh {
   readonly semanticLabel?: string;
   readonly lastChangedTime: number;
 }
+
+/** WebXR Hand Input §4: the poses and radii of many spaces at once. */
+export interface XrFrameWithJoints extends XRFrame {
+  /** Returns false, and may leave `transforms` as it is, if a space has no pose. */
+  fillPoses?(spaces: readonly XRSpace[], baseSpace: XRSpace, transforms: Float32Array): boolean;
+  /** NaN where a joint has no radius. */
+  fillJointRadii?(jointSpaces: readonly XRJointSpace[], radii: Float32Array): boolean;
+}

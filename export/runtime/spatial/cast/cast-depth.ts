@@ -1,4 +1,5 @@
 import { createRay, type Meeting, type Ray, toLocal, turnNormal } from '../ray.ts';
+import { type FittedSurface, fitSurface } from './fit-surface.ts';
 
 /** A picture of room depth on the CPU, with the view that it was taken for. */
 export interface DepthPicture {
@@ -21,17 +22,20 @@ const FAR_M = 20;
 const MAX_STEPS = 512;
 /** Neighboring samples that differ by more than this share of the distance belong to two surfaces. */
 const GAP = 0.1;
-/** Half the side of the window that a normal is fitted to, samples. */
-const WINDOW = 3;
+/** A hit moves at most so many standard deviations of a sample. */
+const MOVES = 5;
 
 // Filled and read within one call.
 const scratchRay = createRay();
 const scratchTexel = { x: 0, y: 0 };
+const scratchSurface: FittedSurface = { a: 0, b: 0, c: 0, sigma: 0 };
+/** Whose UV `toTangent` reads. */
+let tangentOf: DepthPicture | null = null;
 
 /**
  * Follows a ray through a depth picture until it goes behind a surface. A ray that passes behind an edge, where depth jumps, goes on:
- * nobody knows what is there. Between samples 1 / depth is interpolated, which is exact for planes; the normal is that of the plane
- * that fits 1 / depth best around the hit.
+ * nobody knows what is there. Between samples 1 / depth is interpolated, which is exact for planes; the hit is then moved to the plane that
+ * fits the surface around it best (`fitSurface`), which has less noise than a sample and gives the normal.
  *
  * @returns False where it meets nothing; `out` is then as it was.
  */
@@ -62,8 +66,7 @@ export function castAtDepth(out: Meeting, ray: Ray, picture: DepthPicture): bool
       }
       const distanceM = distanceAt(high, near, far, zNear, zFar);
       const z = -(view.oz + view.dz * distanceM);
-      if (Math.abs(behind(view, distanceM, picture)) <= 0.001 * z && fitNormal(out, view, distanceM, picture)) {
-        out.distanceM = distanceM;
+      if (Math.abs(behind(view, distanceM, picture)) <= 0.001 * z && meetSurface(out, view, distanceM, z, picture)) {
         turnNormal(out, picture.worldFromView);
         return true;
       }
@@ -153,71 +156,52 @@ function sample({ meters, widthPx, heightPx }: DepthPicture, x: number, y: numbe
   const d = meters[at + widthPx + 1] ?? 0;
   const least = Math.min(a, b, c, d);
   if (!(least > 0) || Math.max(a, b, c, d) - least > GAP * least) {
-    return meters[clamp(Math.floor(y), 0, heightPx - 1) * widthPx + clamp(Math.floor(x), 0, widthPx - 1)] ?? 0;
+    const nearest = meters[clamp(Math.floor(y), 0, heightPx - 1) * widthPx + clamp(Math.floor(x), 0, widthPx - 1)] ?? 0;
+    return nearest > 0 ? nearest : aroundHole(a, b, c, d);
   }
   const s = x - 0.5 - column;
   const t = y - 0.5 - row;
   return 1 / ((1 - t) * ((1 - s) / a + s / b) + t * ((1 - s) / c + s / d));
 }
 
-/**
- * Of a plane n·p = h in view space, seen along (X, Y, -1): 1 / depth = (nx X + ny Y - nz) / h. The least squares of that over the window
- * give the normal.
- */
-function fitNormal(out: Meeting, ray: Ray, distanceM: number, picture: DepthPicture): boolean {
-  toTexel(ray, distanceM, picture);
-  const column = Math.floor(scratchTexel.x);
-  const row = Math.floor(scratchTexel.y);
-  const { meters, widthPx, heightPx } = picture;
-  const z = -(ray.oz + ray.dz * distanceM);
-  const sums = scratchSums;
-  sums.fill(0);
-  for (let y = Math.max(0, row - WINDOW); y <= Math.min(heightPx - 1, row + WINDOW); y++) {
-    for (let x = Math.max(0, column - WINDOW); x <= Math.min(widthPx - 1, column + WINDOW); x++) {
-      const depth = meters[y * widthPx + x] ?? 0;
-      if (!(depth > 0) || Math.abs(depth - z) > GAP * z) continue;
-      toTangent(picture, (x + 0.5) / widthPx, (y + 0.5) / heightPx);
-      const { x: tx, y: ty } = scratchTangent;
-      const value = 1 / depth;
-      add(sums, tx, ty, value);
-    }
+/** A single hole has the mean of its known neighbors if they belong to one surface. */
+function aroundHole(...depths: [number, number, number, number]): number {
+  let count = 0;
+  let inverse = 0;
+  let least = Number.POSITIVE_INFINITY;
+  let most = 0;
+  for (let i = 0; i < 4; i++) {
+    const depth = depths[i] ?? 0;
+    if (!(depth > 0)) continue;
+    count++;
+    inverse += 1 / depth;
+    least = Math.min(least, depth);
+    most = Math.max(most, depth);
   }
-  return solve(out, sums);
+  return count >= 2 && most - least <= GAP * least ? count / inverse : 0;
 }
 
-/** Sums of xx, xy, x, yy, y, 1, and of x, y and 1 times the value. */
-const scratchSums = new Float64Array(9);
-const scratchTangent = { x: 0, y: 0 };
-
-function add(sums: Float64Array, x: number, y: number, value: number): void {
-  sums[0] = (sums[0] ?? 0) + x * x;
-  sums[1] = (sums[1] ?? 0) + x * y;
-  sums[2] = (sums[2] ?? 0) + x;
-  sums[3] = (sums[3] ?? 0) + y * y;
-  sums[4] = (sums[4] ?? 0) + y;
-  sums[5] = (sums[5] ?? 0) + 1;
-  sums[6] = (sums[6] ?? 0) + x * value;
-  sums[7] = (sums[7] ?? 0) + y * value;
-  sums[8] = (sums[8] ?? 0) + value;
-}
-
-/** Solves the normal equations by Cramer's rule. Returns false if the samples do not determine a plane. */
-function solve(out: Meeting, s: Float64Array): boolean {
-  const [xx = 0, xy = 0, x = 0, yy = 0, y = 0, n = 0, xv = 0, yv = 0, v = 0] = s;
-  if (n < 3) return false;
-  const determinant = xx * (yy * n - y * y) - xy * (xy * n - y * x) + x * (xy * y - yy * x);
-  if (Math.abs(determinant) < 1e-18) return false;
-  const a = (xv * (yy * n - y * y) - xy * (yv * n - y * v) + x * (yv * y - yy * v)) / determinant;
-  const b = (xx * (yv * n - y * v) - xv * (xy * n - y * x) + x * (xy * v - yv * x)) / determinant;
-  const c = (xx * (yy * v - yv * y) - xy * (xy * v - yv * x) + xv * (xy * y - yy * x)) / determinant;
+/** Moves the hit along the ray to the surface around it, and writes its normal in view space. */
+function meetSurface(out: Meeting, ray: Ray, distanceM: number, z: number, picture: DepthPicture): boolean {
+  toTexel(ray, distanceM, picture);
+  tangentOf = picture;
+  const isFitted = fitSurface(scratchSurface, picture, Math.floor(scratchTexel.x), Math.floor(scratchTexel.y), z, toTangent);
+  tangentOf = null;
+  if (!isFitted) return false;
+  const { a, b, c, sigma } = scratchSurface;
   out.nx = a;
   out.ny = b;
   out.nz = -c;
-  return Math.hypot(a, b, c) > 0;
+  // n·(o + t d) = 1. A plane that the ray meets elsewhere is not the surface of the sample.
+  const along = (1 - (a * ray.ox + b * ray.oy - c * ray.oz)) / (a * ray.dx + b * ray.dy - c * ray.dz);
+  out.distanceM = Math.abs(along - distanceM) <= MOVES * sigma * distanceM ? along : distanceM;
+  return true;
 }
 
 /** The direction (x, y, -1) of view space that a UV of the texture shows. */
-function toTangent({ uvFromViewUv: m, clipFromView: c }: DepthPicture, u: number, v: number): void {
+function toTangent(u: number, v: number, out: { x: number; y: number }): void {
+  if (!tangentOf) return;
+  const { uvFromViewUv: m, clipFromView: c } = tangentOf;
   // Solves the two linear equations of the homogeneous 3×3 for the view's UV.
   const a = (m[0] ?? 0) - u * (m[2] ?? 0);
   const b = (m[3] ?? 0) - u * (m[5] ?? 0);
@@ -228,8 +212,8 @@ function toTangent({ uvFromViewUv: m, clipFromView: c }: DepthPicture, u: number
   const determinant = a * f - b * d;
   const viewU = (e * f - b * g) / determinant;
   const viewV = (a * g - e * d) / determinant;
-  scratchTangent.x = (2 * viewU - 1 + (c[8] ?? 0)) / (c[0] ?? 1);
-  scratchTangent.y = (2 * viewV - 1 + (c[9] ?? 0)) / (c[5] ?? 1);
+  out.x = (2 * viewU - 1 + (c[8] ?? 0)) / (c[0] ?? 1);
+  out.y = (2 * viewV - 1 + (c[9] ?? 0)) / (c[5] ?? 1);
 }
 
 function clamp(value: number, min: number, max: number): number {

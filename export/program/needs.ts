@@ -1,0 +1,22 @@
+import type { Capability } from '../../nodes/kit/definition.ts';
+
+/** What a program needs of a session: one entry per capability. */
+export interface ProgramNeed {
+  readonly capability: Capability;
+  readonly required: boolean;
+  /** Nodes that need it. */
+  readonly nodes: readonly string[];
+  readonly why: string;
+  readonly without: string;
+  /** Of `depth`: all nodes that read it prefer measured depth to smoothed depth. Absent: smooth is preferred. */
+  readonly depthType?: 'raw';
+  /** Effects of its absence on the nodes for which it is not `without`; absent if there are none. */
+  readonly withoutByNode?: Readonly<Record<string, string>>;
+}
+
+/** What one kind of session can play of this program, best first. */
+export interface Tier {
+  readonly id: 'ar-camera' | 'ar' | 'camera' | 'authored-vr' | 'orbit';
+  /** Needs that this tier cannot meet, with the effect on the output. */
+  readonly without: readonly { readonly capability: Capability; readonly effect: string }[];
+}

@@ -1,0 +1,67 @@
+import { DataTexture, DataUtils, HalfFloatType, RGBAFormat, SRGBColorSpace, type Texture } from 'three';
+import { type FillTarget, fillLamps } from '../../../../nodes/kit/panorama/fill-lamps.ts';
+import { type PanoramaPixels, startOfRow } from '../../../../nodes/kit/panorama/pixels.ts';
+
+type Size = Pick<PanoramaPixels, 'widthPx' | 'heightPx'>;
+
+/**
+ * The pixels of a panorama's texture.
+ *
+ * @returns For a bitmap, its bytes of display-referred sRGB; for halves, those of the texture, which are not copied.
+ */
+export function texturePixels(texture: Texture): PanoramaPixels {
+  const { image } = texture;
+  if (image instanceof ImageBitmap) {
+    const { width, height } = image;
+    const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
+    if (!context) throw new Error('The browser gives no canvas to read the panorama.');
+    context.drawImage(image, 0, 0);
+    // Bitmaps are uploaded as they are, so that their first row is the lowest.
+    return { widthPx: width, heightPx: height, channels: 4, data: context.getImageData(0, 0, width, height).data, fromBottom: true };
+  }
+  const { data, width, height } = image as { data: Uint16Array | Uint8Array; width: number; height: number };
+  return { widthPx: width, heightPx: height, channels: texture.format === RGBAFormat ? 4 : 1, data, fromBottom: !texture.flipY };
+}
+
+/** Creates a texture like another, in which the pixels of lamps are filled from their surroundings. */
+export function filledTexture(texture: Texture, runs: readonly number[], size: Size): DataTexture {
+  const pixels = texturePixels(texture);
+  const { widthPx, heightPx } = pixels;
+  const data = pixels.data.slice() as Uint16Array<ArrayBuffer> | Uint8ClampedArray<ArrayBuffer>;
+  const inHalves = data instanceof Uint16Array;
+  fillLamps(inHalves ? halvesTarget({ ...pixels, data }) : bytesTarget({ ...pixels, data }), runs, size);
+  // Texture data of three.js has no clamped arrays.
+  const stored = inHalves ? data : new Uint8Array(data.buffer);
+  const filled = new DataTexture(stored, widthPx, heightPx);
+  filled.format = inHalves ? texture.format : RGBAFormat;
+  if (inHalves) filled.type = HalfFloatType;
+  filled.colorSpace = inHalves ? texture.colorSpace : SRGBColorSpace;
+  filled.flipY = texture.flipY;
+  return filled;
+}
+
+function halvesTarget(pixels: PanoramaPixels): FillTarget {
+  const { widthPx, heightPx, channels, data } = pixels;
+  const indexOf = (x: number, y: number, channel: number): number => startOfRow(pixels, y) + x * channels + (channels === 1 ? 0 : channel);
+  return {
+    widthPx,
+    heightPx,
+    get: (x, y, channel) => DataUtils.fromHalfFloat(data[indexOf(x, y, channel)] ?? 0),
+    set: (x, y, channel, value) => {
+      data[indexOf(x, y, channel)] = DataUtils.toHalfFloat(value);
+    },
+  };
+}
+
+/** Bytes are averaged as they are: fills are between neighbors of like brightness, so the error is small. */
+function bytesTarget(pixels: PanoramaPixels): FillTarget {
+  const { widthPx, heightPx, channels, data } = pixels;
+  return {
+    widthPx,
+    heightPx,
+    get: (x, y, channel) => data[startOfRow(pixels, y) + x * channels + channel] ?? 0,
+    set: (x, y, channel, value) => {
+      data[startOfRow(pixels, y) + x * channels + channel] = value;
+    },
+  };
+}

@@ -1,0 +1,45 @@
+import type { Haptics } from '../../../../nodes/kit/session.ts';
+
+/** Gamepad Extensions §3: what headsets have; and Gamepad §9, what browsers of computers have. */
+interface Actuator {
+  pulse?(value: number, durationMs: number): Promise<unknown>;
+  playEffect?(type: 'dual-rumble', effect: GamepadEffectParameters): Promise<unknown>;
+}
+
+type VibratingGamepad = Omit<Gamepad, 'hapticActuators' | 'vibrationActuator'> & {
+  readonly hapticActuators?: readonly (Actuator | null)[];
+  readonly vibrationActuator?: Actuator | null;
+};
+
+/** Limit of browsers for one effect. */
+const LONGEST_S = 5;
+
+/** @returns A function that gives the motor of a gamepad, null if it has none. The object stays the same as long as the motor does. */
+export function createHapticsCache(): (gamepad: Gamepad) => Haptics | null {
+  let last: Actuator | null = null;
+  let haptics: Haptics | null = null;
+  return (gamepad) => {
+    const { hapticActuators, vibrationActuator } = gamepad as VibratingGamepad;
+    const actuator = hapticActuators?.[0] ?? vibrationActuator ?? null;
+    if (actuator !== last) haptics = actuator && hapticsOf(actuator);
+    last = actuator;
+    return haptics;
+  };
+}
+
+function hapticsOf(actuator: Actuator): Haptics {
+  return {
+    pulse: (strength, durationS) => {
+      const value = Math.min(Math.max(strength, 0), 1);
+      const durationMs = Math.min(Math.max(durationS, 0), LONGEST_S) * 1000;
+      if (!(value > 0 && durationMs > 0)) return;
+      void played(actuator, value, durationMs).catch(() => {});
+    },
+  };
+}
+
+/** Rejects where the browser refuses, also where it throws at once. */
+async function played(actuator: Actuator, value: number, durationMs: number): Promise<unknown> {
+  if (actuator.pulse) return actuator.pulse(value, durationMs);
+  return actuator.playEffect?.('dual-rumble', { duration: durationMs, strongMagnitude: value, weakMagnitude: value });
+}

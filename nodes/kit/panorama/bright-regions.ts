@@ -1,0 +1,118 @@
+import { ROWS_PER_STEP } from './pixels.ts';
+import type { SphereGrid } from './sphere-grid.ts';
+
+/** A connected region of bright pixels on the sphere, with its energy. */
+export interface BrightRegion {
+  /** Indices of its pixels in the grid. */
+  readonly pixels: readonly number[];
+  readonly iteration: number;
+  /** Irradiance of a surface that faces it, as a vector: the sum of luminance × solid angle × direction, in panorama space. */
+  readonly vector: readonly [x: number, y: number, z: number];
+  /** The sum of luminance × solid angle. */
+  readonly flux: number;
+}
+
+/** A lamp is at least this many times brighter than the mean over all directions. */
+const ABOVE_MEAN = 4;
+/** The part of the brightest pixel that bounds a lamp, so that the sun is told from the glow around it. */
+const OF_PEAK = 0.02;
+/** Weaker regions are no lamps: part of all light. */
+const MIN_FLUX = 0.004;
+const ITERATIONS = 6;
+/** A region that spreads farther around its center, root mean square, is too wide for one direction. Its brighter parts are taken instead, */
+export const MAX_SPREAD_RAD = 0.18;
+/** above a threshold that is raised by this factor. */
+const RAISE = 1.5;
+
+/**
+ * Finds bright regions. Each iteration masks what the one before has found and takes the maximum anew, so that a window beside the sun
+ * is found. Regions are connected over eight neighbors and across the seam.
+ *
+ * @returns The strongest first.
+ */
+export function* brightRegionsOf(grid: SphereGrid): Generator<undefined, BrightRegion[]> {
+  const { luminance, widthPx, heightPx, pixelSr } = grid;
+  const taken = new Uint8Array(luminance.length);
+  const regions: BrightRegion[] = [];
+  let total = 0;
+  for (let y = 0; y < heightPx; y++) {
+    for (let x = 0; x < widthPx; x++) total += (luminance[y * widthPx + x] ?? 0) * (pixelSr[y] ?? 0);
+  }
+  const least = (ABOVE_MEAN * total) / (4 * Math.PI);
+  for (let iteration = 0; iteration < ITERATIONS; iteration++) {
+    yield;
+    let peak = 0;
+    for (let i = 0; i < luminance.length; i++) if (taken[i] === 0 && (luminance[i] ?? 0) > peak) peak = luminance[i] ?? 0;
+    const threshold = Math.max(least, peak * OF_PEAK);
+    if (peak <= threshold) break;
+    for (let y = 0; y < heightPx; y++) {
+      if (y % ROWS_PER_STEP === 0) yield;
+      for (let i = y * widthPx; i < (y + 1) * widthPx; i++) {
+        if (taken[i] !== 0 || !((luminance[i] ?? 0) > threshold)) continue;
+        for (const region of narrowRegions(grid, taken, i, threshold, iteration)) {
+          if (region.flux >= MIN_FLUX * total) regions.push(region);
+        }
+      }
+    }
+  }
+  return regions.sort((a, b) => b.flux - a.flux);
+}
+
+/** The region around a pixel, or its brighter parts. All its pixels are marked. */
+function narrowRegions(grid: SphereGrid, taken: Uint8Array, start: number, threshold: number, iteration: number): BrightRegion[] {
+  const region = measure(grid, collect(grid, taken, start, threshold), iteration);
+  if (spreadRad(region) <= MAX_SPREAD_RAD) return [region];
+  const raised = threshold * RAISE;
+  const parts: BrightRegion[] = [];
+  for (const i of region.pixels) if ((grid.luminance[i] ?? 0) > raised) taken[i] = 0;
+  for (const i of region.pixels) if (taken[i] === 0) parts.push(...narrowRegions(grid, taken, i, raised, iteration));
+  return parts;
+}
+
+/**
+ * How far energy spreads around its mean direction: root mean square angle, radians. If the mean of unit vectors has the length r, then
+ * 1 - r ≈ angle² / 2.
+ */
+export function spreadRad({ vector, flux }: Pick<BrightRegion, 'vector' | 'flux'>): number {
+  return Math.sqrt(2 * Math.max(0, 1 - Math.hypot(...vector) / flux));
+}
+
+/** Marks and returns the connected pixels above the threshold. */
+function collect({ luminance, widthPx, heightPx }: SphereGrid, taken: Uint8Array, start: number, threshold: number): number[] {
+  const pixels = [start];
+  taken[start] = 1;
+  for (let next = 0; next < pixels.length; next++) {
+    const at = pixels[next] ?? 0;
+    const y = Math.floor(at / widthPx);
+    const x = at - y * widthPx;
+    for (let row = Math.max(y - 1, 0); row <= Math.min(y + 1, heightPx - 1); row++) {
+      for (let dx = -1; dx <= 1; dx++) {
+        const i = row * widthPx + ((x + dx + widthPx) % widthPx);
+        if (taken[i] !== 0 || !((luminance[i] ?? 0) > threshold)) continue;
+        taken[i] = 1;
+        pixels.push(i);
+      }
+    }
+  }
+  return pixels;
+}
+
+function measure(grid: SphereGrid, pixels: readonly number[], iteration: number): BrightRegion {
+  const vector: [number, number, number] = [0, 0, 0];
+  let flux = 0;
+  for (const i of pixels) {
+    const energy = (grid.luminance[i] ?? 0) * (grid.pixelSr[Math.floor(i / grid.widthPx)] ?? 0);
+    const towards = gridDirection(grid, i);
+    flux += energy;
+    for (let c = 0; c < 3; c++) vector[c] = (vector[c] ?? 0) + energy * (towards[c] ?? 0);
+  }
+  return { pixels, iteration, vector, flux };
+}
+
+/** The direction of the center of a pixel. The rows of a grid cover equal angles, and the upper edge of the first is the zenith. */
+export function gridDirection({ widthPx, heightPx }: SphereGrid, i: number): readonly [x: number, y: number, z: number] {
+  const row = Math.floor(i / widthPx);
+  const theta = ((i - row * widthPx + 0.5) / widthPx) * 2 * Math.PI - Math.PI;
+  const phi = Math.PI / 2 - ((row + 0.5) / heightPx) * Math.PI;
+  return [Math.sin(theta) * Math.cos(phi), Math.sin(phi), -Math.cos(theta) * Math.cos(phi)];
+}

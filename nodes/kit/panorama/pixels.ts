@@ -1,0 +1,83 @@
+import { linearFromSrgb } from '../color-math.ts';
+
+/**
+ * The pixels of an equirectangular panorama, rows from the top, with 1, 3 or 4 channels side by side; one is gray. Floats, and halves as 16-bit integers,
+ * are linear-sRGB radiance. Bytes are display-referred sRGB, and 255 means that brightness or more.
+ */
+export interface PanoramaPixels {
+  readonly widthPx: number;
+  readonly heightPx: number;
+  readonly channels: 1 | 3 | 4;
+  readonly data: Float32Array | Uint16Array | Uint8Array | Uint8ClampedArray;
+  /** The first row of `data` is the lowest of the image. */
+  readonly fromBottom?: boolean;
+}
+
+/** Rows between two yields of the analysis, about a millisecond of work at 1024 pixels a row. */
+export const ROWS_PER_STEP = 32;
+
+/** The largest half float; infinite radiance counts as this much. */
+const MAX_RADIANCE = 65504;
+
+/** Whether the pixels are display-referred, so that bright lamps are clipped to white. */
+export function isDisplayReferred({ data }: PanoramaPixels): boolean {
+  return data.BYTES_PER_ELEMENT === 1;
+}
+
+/** Index of the first number of a row that is counted from the top. */
+export function startOfRow({ widthPx, heightPx, channels, fromBottom = false }: PanoramaPixels, y: number): number {
+  return (fromBottom ? heightPx - 1 - y : y) * widthPx * channels;
+}
+
+/** Reads rows as linear-sRGB radiance, three numbers per pixel. */
+export interface RowReader {
+  /** Pixels so far with a channel that is not a number, infinite or negative. They count as 0, the largest half float and 0. */
+  readonly damaged: number;
+  read(y: number, into: Float32Array): void;
+}
+
+/**
+ * Creates a reader of linear rows. White of a display-referred panorama is 1.
+ *
+ * @example
+ * const rows = createRowReader(pixels);
+ * rows.read(0, row);
+ */
+export function createRowReader(pixels: PanoramaPixels): RowReader {
+  const { data, widthPx, channels } = pixels;
+  const table = data.BYTES_PER_ELEMENT === 1 ? linearTable() : data.BYTES_PER_ELEMENT === 2 ? halfTable() : null;
+  const reader = {
+    damaged: 0,
+    read: (y: number, into: Float32Array): void => {
+      let from = startOfRow(pixels, y);
+      for (let i = 0; i < widthPx * 3; from += channels) {
+        let whole = true;
+        for (let c = 0; c < 3; c++) {
+          const stored = data[channels === 1 ? from : from + c] ?? 0;
+          const value = table === null ? stored : (table[stored] ?? 0);
+          const sound = value >= 0 && value <= MAX_RADIANCE;
+          whole &&= sound || (value > 0 && value !== Number.POSITIVE_INFINITY);
+          into[i++] = sound ? value : value > 0 ? MAX_RADIANCE : 0;
+        }
+        if (!whole) reader.damaged++;
+      }
+    },
+  };
+  return reader;
+}
+
+/** Radiance of each byte: IEC 61966-2-1. */
+function linearTable(): Float32Array {
+  return Float32Array.from({ length: 256 }, (_, byte) => linearFromSrgb(byte / 255));
+}
+
+/** The number of each half float: IEEE 754 binary16. */
+function halfTable(): Float32Array {
+  return Float32Array.from({ length: 0x10000 }, (_, bits) => {
+    const sign = bits < 0x8000 ? 1 : -1;
+    const exponent = (bits >> 10) & 31;
+    const fraction = (bits & 1023) / 1024;
+    if (exponent === 31) return fraction === 0 ? sign * Number.POSITIVE_INFINITY : Number.NaN;
+    return sign * (exponent === 0 ? 2 ** -14 * fraction : 2 ** (exponent - 15) * (1 + fraction));
+  });
+}

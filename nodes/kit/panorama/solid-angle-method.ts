@@ -1,0 +1,205 @@
+import { type BrightRegion, brightRegionsOf, gridDirection, MAX_SPREAD_RAD, spreadRad } from './bright-regions.ts';
+import { type FillTarget, fillLamps } from './fill-lamps.ts';
+import type { FoundLamp, FoundLamps, NoLamps } from './found-lamps.ts';
+import { type Contour, outerContours } from './outer-contours.ts';
+import type { PanoramaPixels } from './pixels.ts';
+import { luminanceOf, type SphereGrid, sphereGridOf } from './sphere-grid.ts';
+
+/** Options of the method by solid angle. */
+export interface SolidAngleOptions {
+  /** Maximum number of lamps. */
+  readonly lamps: number;
+  /**
+   * The part of all light that comes from pixels that are clipped to white, in [0, 1); they are brightened to that part. Only for
+   * display-referred panoramas, and 0 changes nothing.
+   */
+  readonly clippedShare: number;
+}
+
+/** More regions are not joined one by one; the weakest are left in the rest. */
+const MAX_REGIONS = 64;
+/** A single white pixel is no lamp that lights a room. */
+const MAX_GAIN = 2000;
+
+/**
+ * Finds lamps on the sphere. Each pixel counts by its solid angle, so lamps near the zenith are not enlarged, and lamps that the seam of the
+ * panorama cuts are whole. Direction, color and irradiance of a lamp are those of its vector irradiance, the sum of radiance × solid angle ×
+ * direction, which is exact for surfaces that see all of it. Neighboring regions are joined (Ward 1963) until there are no more than the
+ * wanted number of lamps.
+ *
+ * It yields after about a millisecond of work, so that the caller can draw a frame, or abandon the search.
+ *
+ * @example
+ * const search = findBySolidAngle(pixels, { lamps: 3, clippedShare: 0.5 });
+ */
+export function* findBySolidAngle(pixels: PanoramaPixels, options: SolidAngleOptions): Generator<undefined, FoundLamps> {
+  const grid = yield* sphereGridOf(pixels);
+  const { widthPx, heightPx, damaged } = grid;
+  if (grid.clipped) brightenClipped(grid, grid.clipped, options.clippedShare);
+  const regions = yield* brightRegionsOf(grid);
+  const groups = join(regions.slice(0, MAX_REGIONS), options.lamps);
+  const runs = groups.flatMap((group) => runsOf(grid, group));
+  const rest = grid.radiance.slice();
+  yield;
+  fillLamps(gridTarget(grid, rest), runs, grid);
+  const lamps: FoundLamp[] = [];
+  for (const group of groups) {
+    yield;
+    lamps.push(lampOf(grid, rest, group));
+  }
+  yield;
+  const none = lamps.length > 0 ? null : whyNone(grid);
+  return { widthPx, heightPx, lamps, none, runs, rest: lightFromAbove(grid, rest), damaged, steps: [] };
+}
+
+/** White in an image may have been any brightness above. Measured indoors and outdoors, clipped lamps give about half of all light. */
+function brightenClipped(grid: SphereGrid, clipped: Float32Array, share: number): void {
+  let [whole, white] = [0, 0];
+  for (let i = 0; i < clipped.length; i++) {
+    const energy = (grid.luminance[i] ?? 0) * (grid.pixelSr[Math.floor(i / grid.widthPx)] ?? 0);
+    whole += energy;
+    white += energy * (clipped[i] ?? 0);
+  }
+  const gain = white > 0 ? Math.min(MAX_GAIN, ((whole - white) * share) / (white * (1 - share))) : 1;
+  for (let i = 0; gain > 1 && i < clipped.length; i++) {
+    const factor = 1 + (clipped[i] ?? 0) * (gain - 1);
+    if (factor === 1) continue;
+    grid.luminance[i] = (grid.luminance[i] ?? 0) * factor;
+    for (let c = i * 3; c < i * 3 + 3; c++) grid.radiance[c] = (grid.radiance[c] ?? 0) * factor;
+  }
+}
+
+function whyNone({ luminance }: SphereGrid): NoLamps {
+  return luminance.some((one) => one > 0) ? 'none-stands-out' : 'black';
+}
+
+interface Group {
+  readonly pixels: readonly number[];
+  readonly iteration: number;
+  readonly vector: readonly [x: number, y: number, z: number];
+  readonly flux: number;
+}
+
+/** Joins the pair that adds the least spread, as long as there are too many groups and one does not become too wide. */
+function join(regions: readonly BrightRegion[], count: number): Group[] {
+  const groups: Group[] = [...regions];
+  while (groups.length > count) {
+    let best: readonly [number, number] | null = null;
+    let least = Number.POSITIVE_INFINITY;
+    for (let a = 0; a < groups.length; a++) {
+      for (let b = a + 1; b < groups.length; b++) {
+        const cost = addedSpread(groups[a] as Group, groups[b] as Group);
+        if (cost < least) [best, least] = [[a, b], cost];
+      }
+    }
+    if (!best) break;
+    const [a, b] = best;
+    groups[a] = joined(groups[a] as Group, groups[b] as Group);
+    groups.splice(b, 1);
+  }
+  return groups.sort((a, b) => b.flux - a.flux).slice(0, count);
+}
+
+/** Flux × mean square angle that joining adds; infinite if the result is too wide. */
+function addedSpread(a: Group, b: Group): number {
+  const whole = sumOf(a, b);
+  const spread = spreadRad(whole);
+  if (spread > MAX_SPREAD_RAD) return Number.POSITIVE_INFINITY;
+  return spread ** 2 * whole.flux - spreadRad(a) ** 2 * a.flux - spreadRad(b) ** 2 * b.flux;
+}
+
+function joined(a: Group, b: Group): Group {
+  return { ...sumOf(a, b), pixels: [...a.pixels, ...b.pixels], iteration: Math.min(a.iteration, b.iteration) };
+}
+
+function sumOf({ vector: a, flux }: Group, { vector: b, flux: more }: Group): Pick<Group, 'vector' | 'flux'> {
+  return { vector: [a[0] + b[0], a[1] + b[1], a[2] + b[2]], flux: flux + more };
+}
+
+/** The lamp is what is brighter than the rest, so that the energy is counted once. */
+function lampOf(grid: SphereGrid, rest: Float32Array, group: Group): FoundLamp {
+  const { widthPx, heightPx } = grid;
+  const length = Math.hypot(...group.vector);
+  const towards: [number, number, number] = [group.vector[0] / length, group.vector[1] / length, group.vector[2] / length];
+  const irradiance: [number, number, number] = [0, 0, 0];
+  let [clippedSr, solidAngleSr] = [0, 0];
+  for (const i of group.pixels) {
+    const sr = grid.pixelSr[Math.floor(i / widthPx)] ?? 0;
+    const direction = gridDirection(grid, i);
+    const cosine = direction[0] * towards[0] + direction[1] * towards[1] + direction[2] * towards[2];
+    for (let c = 0; c < 3; c++)
+      irradiance[c] = (irradiance[c] ?? 0) + ((grid.radiance[i * 3 + c] ?? 0) - (rest[i * 3 + c] ?? 0)) * sr * cosine;
+    solidAngleSr += sr;
+    clippedSr += sr * (grid.clipped?.[i] ?? 0);
+  }
+  // Of a uniform disk, the mean square angle is half the square of its radius.
+  const sizeRad = 2 * Math.max(Math.SQRT2 * spreadRad(group), Math.sqrt((grid.pixelSr[heightPx >> 1] ?? 0) / Math.PI));
+  const theta = Math.atan2(towards[0], -towards[2]);
+  const phi = Math.asin(Math.min(1, Math.max(-1, towards[1])));
+  return {
+    towards,
+    irradiance,
+    sizeRad,
+    areaPx: group.pixels.length,
+    centerPx: [((theta + Math.PI) / (2 * Math.PI)) * widthPx - 0.5, ((Math.PI / 2 - phi) / Math.PI) * heightPx - 0.5],
+    contour: longestContour(grid, group.pixels),
+    iteration: group.iteration,
+    clippedPart: clippedSr / solidAngleSr,
+  };
+}
+
+/** The vector irradiance of the upper half, which is exact for a floor. */
+function lightFromAbove(grid: SphereGrid, radiance: Float32Array): FoundLamps['rest'] {
+  const { widthPx, heightPx, pixelSr } = grid;
+  const vector: [number, number, number] = [0, 0, 0];
+  const up: [number, number, number] = [0, 0, 0];
+  for (let i = 0; i < widthPx * Math.floor(heightPx / 2); i++) {
+    const sr = pixelSr[Math.floor(i / widthPx)] ?? 0;
+    const direction = gridDirection(grid, i);
+    const energy = luminanceOf(radiance[i * 3] ?? 0, radiance[i * 3 + 1] ?? 0, radiance[i * 3 + 2] ?? 0) * sr;
+    for (let c = 0; c < 3; c++) {
+      vector[c] = (vector[c] ?? 0) + energy * (direction[c] ?? 0);
+      up[c] = (up[c] ?? 0) + (radiance[i * 3 + c] ?? 0) * sr * direction[1];
+    }
+  }
+  const length = Math.hypot(...vector);
+  if (length === 0) return null;
+  const height = vector[1] / length;
+  return {
+    towards: [vector[0] / length, height, vector[2] / length],
+    irradiance: [up[0] / height, up[1] / height, up[2] / height],
+  };
+}
+
+function gridTarget({ widthPx, heightPx }: SphereGrid, radiance: Float32Array): FillTarget {
+  return {
+    widthPx,
+    heightPx,
+    get: (x, y, channel) => radiance[(y * widthPx + x) * 3 + channel] ?? 0,
+    set: (x, y, channel, value) => {
+      radiance[(y * widthPx + x) * 3 + channel] = value;
+    },
+  };
+}
+
+function longestContour({ widthPx, heightPx }: SphereGrid, pixels: readonly number[]): Contour {
+  const mask = new Uint8Array(widthPx * heightPx);
+  for (const i of pixels) mask[i] = 1;
+  return outerContours(mask, widthPx, heightPx).reduce((longest, one) => (one.length > longest.length ? one : longest), [] as Contour);
+}
+
+function runsOf({ widthPx }: SphereGrid, { pixels }: Group): number[] {
+  const runs: number[] = [];
+  const sorted = Uint32Array.from(pixels).sort();
+  for (let k = 0; k < sorted.length; ) {
+    const start = sorted[k] ?? 0;
+    const y = Math.floor(start / widthPx);
+    let end = start;
+    while (k < sorted.length && sorted[k] === end && end < (y + 1) * widthPx) {
+      end++;
+      k++;
+    }
+    runs.push(y, start - y * widthPx, end - y * widthPx);
+  }
+  return runs;
+}

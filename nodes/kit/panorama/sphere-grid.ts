@@ -1,0 +1,69 @@
+import { linearFromSrgb } from '../color-math.ts';
+import { createRowReader, isDisplayReferred, type PanoramaPixels, ROWS_PER_STEP } from './pixels.ts';
+
+/** A panorama of at most 1024 × 512 pixels whose rows are weighted by solid angle. */
+export interface SphereGrid {
+  readonly widthPx: number;
+  readonly heightPx: number;
+  /** Linear-sRGB radiance, rows from the top. */
+  readonly radiance: Float32Array;
+  readonly luminance: Float32Array;
+  /** Solid angle of a pixel of each row, steradians. */
+  readonly pixelSr: Float64Array;
+  /** The part of each pixel that is clipped to white; null for panoramas of radiance. */
+  readonly clipped: Float32Array | null;
+  readonly damaged: number;
+}
+
+/** At 0.35° per pixel, the sun still covers a pixel. More would not change directions or energy. */
+const MAX_WIDTH_PX = 1024;
+/** Bytes of sRGB from here on are clipped; compression leaves white at a little less than 255. */
+const CLIPPED_BYTE = 250;
+/** Rec. 709 luminance of linear sRGB. */
+const [RED, GREEN, BLUE] = [0.2126, 0.7152, 0.0722] as const;
+
+/** The luminance of linear-sRGB radiance. */
+export function luminanceOf(red: number, green: number, blue: number): number {
+  return RED * red + GREEN * green + BLUE * blue;
+}
+
+/** Averages a panorama in linear light to a grid. It yields after about a millisecond of work. */
+export function* sphereGridOf(pixels: PanoramaPixels): Generator<undefined, SphereGrid> {
+  const step = Math.ceil(pixels.widthPx / MAX_WIDTH_PX);
+  const widthPx = Math.ceil(pixels.widthPx / step);
+  const heightPx = Math.ceil(pixels.heightPx / step);
+  const radiance = new Float32Array(widthPx * heightPx * 3);
+  const clipped = isDisplayReferred(pixels) ? new Float32Array(widthPx * heightPx) : null;
+  const limit = linearFromSrgb(CLIPPED_BYTE / 255);
+  const rows = createRowReader(pixels);
+  const row = new Float32Array(pixels.widthPx * 3);
+  for (let y = 0; y < pixels.heightPx; y++) {
+    if (y % ROWS_PER_STEP === 0) yield;
+    rows.read(y, row);
+    const to = Math.floor(y / step) * widthPx;
+    for (let x = 0, from = 0; x < pixels.widthPx; x++, from += 3) {
+      const i = to + Math.floor(x / step);
+      const [red, green, blue] = [row[from] ?? 0, row[from + 1] ?? 0, row[from + 2] ?? 0];
+      radiance[i * 3] = (radiance[i * 3] ?? 0) + red;
+      radiance[i * 3 + 1] = (radiance[i * 3 + 1] ?? 0) + green;
+      radiance[i * 3 + 2] = (radiance[i * 3 + 2] ?? 0) + blue;
+      if (clipped && Math.min(red, green, blue) >= limit) clipped[i] = (clipped[i] ?? 0) + 1;
+    }
+  }
+  const luminance = new Float32Array(widthPx * heightPx);
+  for (let i = 0; i < luminance.length; i++) {
+    if (i % (widthPx * ROWS_PER_STEP) === 0) yield;
+    // The last row and column may average fewer pixels.
+    const across = Math.min(step, pixels.widthPx - (i % widthPx) * step);
+    const down = Math.min(step, pixels.heightPx - Math.floor(i / widthPx) * step);
+    for (let c = 0; c < 3; c++) radiance[i * 3 + c] = (radiance[i * 3 + c] ?? 0) / (across * down);
+    if (clipped) clipped[i] = (clipped[i] ?? 0) / (across * down);
+    luminance[i] = luminanceOf(radiance[i * 3] ?? 0, radiance[i * 3 + 1] ?? 0, radiance[i * 3 + 2] ?? 0);
+  }
+  return { widthPx, heightPx, radiance, luminance, pixelSr: solidAngles(widthPx, heightPx), clipped, damaged: rows.damaged };
+}
+
+function solidAngles(widthPx: number, heightPx: number): Float64Array {
+  const sineAt = (row: number): number => Math.cos((row / heightPx) * Math.PI);
+  return Float64Array.from({ length: heightPx }, (_, y) => ((2 * Math.PI) / widthPx) * (sineAt(y) - sineAt(y + 1)));
+}

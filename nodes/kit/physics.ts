@@ -1,0 +1,244 @@
+/**
+ * What a `body` wire carries. Nodes fill the lists; the world that the wire reaches simulates them (ADR 40). Only the node that outputs a
+ * list changes it, and it raises `version` when it adds or removes entries.
+ *
+ * @example
+ * ctx.outputs.body.bodies.push(body);
+ * ctx.outputs.body.version++;
+ */
+export interface BodyList {
+  version: number;
+  readonly bodies: PhysicsBody[];
+  /** The room that all bodies of the world collide with, if one was measured. */
+  room?: PhysicsRoom;
+}
+
+/** A room that depth images build. The world takes the frames. */
+export interface PhysicsRoom {
+  settings: VoxelSettings;
+  friction: number;
+  restitution: number;
+  /** Raised with each change of the fields above, and to begin with an empty grid. */
+  version: number;
+  /** Depth since the last frame; the world empties the list. */
+  readonly frames: DepthFrame[];
+}
+
+/** How a grid follows depth; the letters are those of equation 1 of the mixed-reality paper (section 3.6). */
+export interface VoxelSettings {
+  readonly edgeM: number;
+  /** T: voxels of at least this weight are occupied. */
+  readonly threshold: number;
+  /** U at 30 depth frames per second. */
+  readonly speed: number;
+  /** Depth further away is ignored. */
+  readonly farM: number;
+}
+
+/** A depth image with what maps its texels to space. */
+export interface DepthFrame {
+  /** Along the axis of the view, rows from the bottom; 0 is unknown. */
+  readonly meters: ArrayLike<number>;
+  readonly widthPx: number;
+  readonly heightPx: number;
+  /** Column-major 4×4, rigid; the view looks along -z. */
+  readonly worldFromDepth: ArrayLike<number>;
+  /** The ray (x, y, -1) of a texel (i, j): x = r0 i + r1 j + r2, y = r3 i + r4 j + r5. */
+  readonly rayFromTexel: ArrayLike<number>;
+  /** Seconds since the depth frame before. */
+  readonly deltaS: number;
+}
+
+/** How a body moves: by forces; as its node says, with a velocity; not at all. */
+export type BodyMode = 'dynamic' | 'kinematic' | 'static';
+
+/** The shape of a part of a body, in the axes of the body, meters. */
+export type BodyShape =
+  | { readonly kind: 'sphere'; readonly centerM: Triple; readonly radiusM: number }
+  /** A convex polyhedron. `faces` lists the vertices of each flat face counterclockwise, seen from outside. */
+  | { readonly kind: 'hull'; readonly verticesM: readonly Triple[]; readonly faces: readonly (readonly number[])[] }
+  /** The half-space below the plane through the origin of the body whose normal is y. Only of bodies that are not dynamic. */
+  | { readonly kind: 'plane' };
+
+export type Triple = readonly [x: number, y: number, z: number];
+
+/** What the engine needs to know of a body. Immutable: a change replaces the description and increments the `version` of its list. */
+export interface BodyDescription {
+  readonly mode: BodyMode;
+  /** The parts of a rigid body. Their frame is that of the body, whose origin need not be the center of mass. */
+  readonly shapes: readonly BodyShape[];
+  /** Kilograms; 0: by density. */
+  readonly massKg: number;
+  /** Kilograms per cubic meter. */
+  readonly densityKgPerM3: number;
+  /** Coulomb coefficient; the coefficient of a contact is the geometric mean of both bodies. */
+  readonly friction: number;
+  /** Rolling resistance as a lever arm, meters; of a contact, that of the body with more. */
+  readonly rollingM: number;
+  /** In [0, 1]; of a contact, that of the bouncier body. */
+  readonly restitution: number;
+  /** The part of the velocity that is lost in a second, in [0, 1). */
+  readonly linearDamping: number;
+  readonly angularDamping: number;
+  /** Factor on the gravity of the world. */
+  readonly gravityFactor: number;
+}
+
+/** A body as nodes share it. The world reads the first part and writes the second. */
+export interface PhysicsBody {
+  /** Unique within the graph: node id and key of the object. */
+  readonly key: string;
+  description: BodyDescription;
+  /** Raised with each new description. */
+  version: number;
+  /**
+   * Where the body begins; for kinematic bodies where it shall be at the end of this frame. Column-major 4×4, rigid.
+   * A matrix that is not finite is ignored.
+   */
+  readonly worldFromTarget: Float64Array;
+  /** Raised to move the body to `worldFromTarget` at once, with `targetVelocity`. */
+  jumps: number;
+  /** Meters per second, world space, with which a dynamic body begins and continues after a jump. */
+  readonly targetVelocity: Float64Array;
+  /** Impulses since the last frame; the world empties the list. */
+  readonly impulses: ImpulseList;
+  /** Of force fields, meters per second squared, world space, for the next step; the world sets it to 0. */
+  readonly acceleration: Float64Array;
+
+  /** Column-major 4×4, rigid: the pose of the step before. Written by the world, before the node that owns the body updates. */
+  readonly worldFromBody: Float64Array;
+  /** World space, meters and radians per second. */
+  readonly velocity: Float64Array;
+  readonly angularVelocity: Float64Array;
+  isAsleep: boolean;
+  /** Contacts that began in the step before. */
+  readonly touches: TouchList;
+  /** Joints whose `a` is this body. Nodes add and remove them; the world reads them. */
+  readonly joints: PhysicsJoint[];
+  /** The world that simulates the body; null until one does. */
+  world: BodyWorld | null;
+}
+
+/** A world, as the nodes of its bodies see it. */
+export interface BodyWorld {
+  /** Copies the result of the step before to all bodies, once per frame. Nodes with bodies call it first in `update`. */
+  applyPoses(): void;
+}
+
+/** Impulses and forces of a frame, in a buffer that is reused. */
+export interface ImpulseList {
+  count: number;
+  /** Per entry: impulse x, y, z (newton seconds), angular impulse x, y, z (newton meter seconds), point x, y, z (world space). */
+  readonly values: Float64Array;
+}
+
+/** Contacts of a frame, in a buffer that is reused. */
+export interface TouchList {
+  count: number;
+  readonly entries: Touch[];
+}
+
+/** A contact that began. */
+export interface Touch {
+  /** Key of the other body; empty for the room. */
+  otherKey: string;
+  /** World space; the normal points towards this body. */
+  readonly pointWorld: Float64Array;
+  readonly normalWorld: Float64Array;
+  /** Newton seconds. */
+  impulseNs: number;
+}
+
+/** Entries that an impulse list holds at most. */
+export const MAX_IMPULSES = 16;
+/** Contacts of a body that a frame reports at most, as pulses. */
+export const MAX_TOUCHES = 16;
+
+/** A link between two bodies, or a body and a pose. */
+export interface PhysicsJoint {
+  readonly key: string;
+  readonly kind: 'hinge' | 'spring' | 'rope' | 'lock' | 'drag';
+  readonly a: PhysicsBody;
+  /** Null: the joint is to the pose. */
+  readonly b: PhysicsBody | null;
+  readonly description: JointDescription;
+  /** Where the joint holds `a` if there is no `b`; column-major 4×4, rigid. */
+  readonly worldFromTarget: Float64Array;
+  /** Bodies are free while it is off. */
+  isOn: boolean;
+  /** Raised with each change of the description. */
+  version: number;
+}
+
+/** The numbers of a joint; each kind reads some of them. */
+export interface JointDescription {
+  /** In the axes of each body, or of the target. */
+  anchorA: Triple;
+  anchorB: Triple;
+  /** Of a hinge: unit vector in the axes of `a`, and of `b` or the target. */
+  axisA: Triple;
+  axisB: Triple;
+  /** Of a rope, the most; of a spring, at rest. */
+  lengthM: number;
+  /** Of springs and drags: oscillations per second, and the fraction of critical damping. */
+  frequencyHz: number;
+  dampingRatio: number;
+  /** Of drags and locks; 0: unlimited. */
+  maxForceN: number;
+}
+
+/**
+ * Creates a body. The node that creates it adds it to its list, calls `world?.applyPoses()` at the start of each `update`, and reads
+ * `worldFromBody` after that.
+ *
+ * @param key Unique within the graph.
+ *
+ * @example
+ * const body = createPhysicsBody(`${ctx.node}/${item.key}`, description);
+ */
+export function createPhysicsBody(key: string, description: BodyDescription): PhysicsBody {
+  return {
+    key,
+    description,
+    version: 0,
+    worldFromTarget: Float64Array.of(...IDENTITY),
+    jumps: 0,
+    targetVelocity: new Float64Array(3),
+    acceleration: new Float64Array(3),
+    impulses: { count: 0, values: new Float64Array(9 * MAX_IMPULSES) },
+    worldFromBody: Float64Array.of(...IDENTITY),
+    velocity: new Float64Array(3),
+    angularVelocity: new Float64Array(3),
+    isAsleep: false,
+    touches: { count: 0, entries: [] },
+    joints: [],
+    world: null,
+  };
+}
+
+const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] as const;
+
+/**
+ * Adds an impulse to a body, for the next step. Further ones than `MAX_IMPULSES` in a frame are dropped.
+ *
+ * @param impulse Newton seconds, world space.
+ * @param angular Newton meter seconds, world space.
+ * @param pointWorld Where the impulse acts; null: the origin of the body.
+ *
+ * @example
+ * addImpulse(body, [0, 2, 0], [0, 0, 0], null);
+ */
+export function addImpulse(
+  { impulses, worldFromBody }: PhysicsBody,
+  impulse: ArrayLike<number>,
+  angular: ArrayLike<number>,
+  pointWorld: ArrayLike<number> | null,
+): void {
+  if (impulses.count === MAX_IMPULSES) return;
+  const o = 9 * impulses.count++;
+  for (let i = 0; i < 3; i++) {
+    impulses.values[o + i] = impulse[i] ?? 0;
+    impulses.values[o + 3 + i] = angular[i] ?? 0;
+    impulses.values[o + 6 + i] = (pointWorld ? pointWorld[i] : worldFromBody[12 + i]) ?? 0;
+  }
+}

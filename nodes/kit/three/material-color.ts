@@ -1,0 +1,18 @@
+import type { Color, Material } from 'three';
+
+/**
+ * Sets color and opacity of a material, which is transparent only with an alpha below 1.
+ *
+ * @param color Display-referred sRGB, straight alpha.
+ *
+ * @example
+ * setMaterialColor(material, params.color.value);
+ */
+export function setMaterialColor(material: Material & { readonly color: Color }, color: ArrayLike<number>): void {
+  material.color.setRGB(color[0] ?? 1, color[1] ?? 1, color[2] ?? 1).convertSRGBToLinear();
+  material.opacity = color[3] ?? 1;
+  const isTransparent = material.opacity < 1;
+  if (material.transparent === isTransparent) return;
+  material.transparent = isTransparent;
+  material.needsUpdate = true;
+}

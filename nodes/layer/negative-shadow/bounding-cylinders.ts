@@ -1,0 +1,57 @@
+import { Box3, Vector3 } from 'three';
+import type { ObjectItem, ObjectList } from '../../kit/scene-lists.ts';
+import { createVersionWatch } from '../../kit/version-watch.ts';
+import type { BoundingCylinder } from './glow-spots.ts';
+
+/** Upright cylinders around the objects of lists that are shown and cast shadows. */
+export interface BoundingCylinders {
+  /** Call it once per frame. Skinned and morphed objects have those of their rest position. */
+  update(lists: readonly ObjectList[]): readonly BoundingCylinder[];
+}
+
+interface Bounded {
+  readonly item: ObjectItem;
+  readonly box: Box3;
+  readonly cylinder: BoundingCylinder;
+}
+
+// Valid within one call.
+const scratchBox = new Box3();
+const scratchSize = new Vector3();
+
+export function createBoundingCylinders(): BoundingCylinders {
+  const watch = createVersionWatch();
+  let bounded: Bounded[] = [];
+  const cylinders: BoundingCylinder[] = [];
+  return {
+    update: (lists) => {
+      if (watch.changed(lists)) {
+        bounded = lists.flatMap(({ items }) => items.map(bound)).filter(({ box }) => !box.isEmpty());
+      }
+      cylinders.length = 0;
+      for (let i = 0; i < bounded.length; i++) {
+        const each = bounded[i];
+        // Both change without a new version of the list.
+        if (!each?.item.castsShadow || each.item.hidden) continue;
+        place(each);
+        cylinders.push(each.cylinder);
+      }
+      return cylinders;
+    },
+  };
+}
+
+function bound(item: ObjectItem): Bounded {
+  const cylinder = { baseWorld: new Float32Array(3), radiusM: 0, heightM: 0 };
+  return { item, box: new Box3().setFromObject(item.root), cylinder };
+}
+
+function place({ item, box, cylinder }: Bounded): void {
+  scratchBox.copy(box).applyMatrix4(item.worldFromObject);
+  scratchBox.getSize(scratchSize);
+  cylinder.baseWorld[0] = (scratchBox.min.x + scratchBox.max.x) / 2;
+  cylinder.baseWorld[1] = scratchBox.min.y;
+  cylinder.baseWorld[2] = (scratchBox.min.z + scratchBox.max.z) / 2;
+  cylinder.radiusM = Math.hypot(scratchSize.x, scratchSize.z) / 2;
+  cylinder.heightM = scratchSize.y;
+}

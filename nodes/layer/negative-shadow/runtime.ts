@@ -1,0 +1,64 @@
+import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import { MAX_GLOW_SPOTS, type ShadowGlow } from '../../kit/scene-look.ts';
+import { createBoundingCylinders } from './bounding-cylinders.ts';
+import type { definition } from './definition.ts';
+import { addSpot, isShadowLight } from './glow-spots.ts';
+
+const NOTHING_TO_FALL_ON = {
+  code: 'SCR015',
+  severity: 'warning',
+  port: 'receivers',
+  message: 'Neither “Receivers” nor “Room depth” is connected, so no shadow is visible.',
+  fix: 'Connect Detected planes, Room depth or a Phantom.',
+} as const;
+
+export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
+  const { base, depthOfShadow, margin, border, maxStretchM, color, toleranceM } = ctx.params;
+  const { casters, depth, receivers, lights } = ctx.inputs;
+  const cylinders = createBoundingCylinders();
+  const strength = { value: 0 };
+  const shape = { margin: 0, maxStretchM: 0 };
+  const glow: ShadowGlow = {
+    on: false,
+    color: base,
+    border,
+    count: 0,
+    places: new Float32Array(MAX_GLOW_SPOTS * 4),
+    sizes: new Float32Array(MAX_GLOW_SPOTS * 4),
+  };
+  const scene = ctx.scenes.createScene({
+    kind: 'shadow-catcher',
+    strength,
+    color,
+    glow,
+    ...(depth ? { room: { depth, toleranceM } } : {}),
+  });
+
+  function addSpots(): void {
+    glow.count = 0;
+    shape.margin = margin.value;
+    shape.maxStretchM = maxStretchM.value;
+    const objects = cylinders.update(casters);
+    for (const { items } of lights) {
+      for (const light of items) {
+        if (!isShadowLight(light)) continue;
+        for (let i = 0; i < objects.length; i++) {
+          const cylinder = objects[i];
+          if (cylinder) addSpot(glow, cylinder, light, shape);
+        }
+      }
+    }
+  }
+
+  return {
+    update: () => {
+      if (receivers.length === 0 && !depth) ctx.report(NOTHING_TO_FALL_ON);
+      glow.on = ctx.session.blend === 'additive';
+      strength.value = glow.on ? depthOfShadow.value : ctx.params.strength.value;
+      if (glow.on) addSpots();
+      scene.update(receivers, lights);
+    },
+    draw: scene.draw,
+    dispose: scene.dispose,
+  };
+}

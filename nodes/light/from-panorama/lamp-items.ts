@@ -1,0 +1,152 @@
+import type { LightShadow, LocalLightShadow, ShadowFilter } from '../../kit/light-shadow.ts';
+import type { FoundLamp } from '../../kit/panorama/found-lamps.ts';
+import type { DirectionalLightItem, DirectLightItem, PointLightItem, SpotLightItem } from '../../kit/scene-lists.ts';
+import type { Writable } from '../../kit/value-views.ts';
+
+/** The kinds of lights, in the order of the param. */
+export type LampKind = 'directional' | 'spot' | 'point';
+
+/** What all lamps depend on in a frame. */
+export interface LampSetting {
+  intensity: number;
+  /** Rotation from panorama to world space about y. */
+  rotationRad: number;
+  distanceM: number;
+  centerWorld: ArrayLike<number>;
+  castShadow: boolean;
+  /** Factor on the size. */
+  softness: number;
+  areaM: number;
+  biasPx: number;
+}
+
+/** A light in the list, and what it was made of. */
+export interface LampItem {
+  readonly item: DirectLightItem;
+  update(setting: LampSetting): void;
+}
+
+/** The settings of the shadow map. */
+export interface LampShadow {
+  readonly mapSizePx: number;
+  readonly filter: ShadowFilter;
+}
+
+/** Creates the light of a lamp. */
+export function createLampItem(key: string, kind: LampKind, lamp: FoundLamp, map: LampShadow): LampItem {
+  switch (kind) {
+    case 'directional':
+      return directional(key, lamp, map);
+    case 'spot':
+      return spot(key, lamp, map);
+    case 'point':
+      return point(key, lamp, map);
+  }
+}
+
+/** A directional light; with `onlyShadows`, for the shadow of the rest. */
+export function directional(
+  key: string,
+  { towards, irradiance, sizeRad }: Pick<FoundLamp, 'towards' | 'irradiance' | 'sizeRad'>,
+  { mapSizePx, filter }: LampShadow,
+  onlyShadows = false,
+): LampItem & { readonly item: DirectionalLightItem } {
+  const shadow: Writable<LightShadow> = { areaM: 0, mapSizePx, bias: 0, normalBiasM: 0, filter, sourceRad: 0 };
+  const item: DirectionalLightItem = {
+    key,
+    kind: 'directional',
+    ...(onlyShadows ? { onlyShadows } : {}),
+    radiance: new Float32Array(3),
+    towardsLightWorld: new Float32Array(3),
+    shadow: null,
+  };
+  return {
+    item,
+    update: (setting) => {
+      scale(item.radiance, irradiance, setting.intensity);
+      turn(item.towardsLightWorld, towards, setting.rotationRad);
+      shadow.areaM = setting.areaM;
+      shadow.sourceRad = Math.min(sizeRad * setting.softness, MAX_SIZE_RAD);
+      shadow.normalBiasM = (setting.biasPx * setting.areaM) / mapSizePx;
+      item.shadow = setting.castShadow ? shadow : null;
+    },
+  };
+}
+
+/** Wider filters sample too far apart (`nodes/kit/contact-shadow.ts`). */
+export const MAX_SIZE_RAD = 1.4;
+
+function spot(key: string, { towards, irradiance, sizeRad }: FoundLamp, { mapSizePx, filter }: LampShadow): LampItem {
+  const shadow: LocalLightShadow = { mapSizePx, biasPx: 0, filter, sourceM: 0 };
+  const item: SpotLightItem = {
+    key,
+    kind: 'spot',
+    intensityCd: new Float32Array(3),
+    positionWorld: new Float32Array(3),
+    towardsLightWorld: new Float32Array(3),
+    rangeM: 0,
+    halfAngleRad: 0,
+    penumbra: PENUMBRA,
+    shadow: null,
+  };
+  return {
+    item,
+    update: (setting) => {
+      const { distanceM } = setting;
+      scale(item.intensityCd, irradiance, setting.intensity * distanceM * distanceM);
+      turn(item.towardsLightWorld, towards, setting.rotationRad);
+      place(item.positionWorld, item.towardsLightWorld, setting);
+      // The cone covers the area of shadows around the center, which hangs above the floor.
+      item.halfAngleRad = Math.min(Math.atan(setting.areaM / distanceM), MAX_HALF_ANGLE_RAD);
+      shadow.biasPx = setting.biasPx;
+      shadow.sourceM = sourceM(sizeRad, setting);
+      item.shadow = setting.castShadow ? shadow : null;
+    },
+  };
+}
+
+const PENUMBRA = 0.2;
+const MAX_HALF_ANGLE_RAD = 1.3;
+
+function point(key: string, { towards, irradiance }: FoundLamp, { mapSizePx, filter }: LampShadow): LampItem {
+  // Cube maps have the filters without their own textures only.
+  const shadow: LocalLightShadow = { mapSizePx, biasPx: 0, filter: filter === 'basic' || filter === 'pcf' ? filter : 'soft' };
+  const item: PointLightItem = {
+    key,
+    kind: 'point',
+    intensityCd: new Float32Array(3),
+    positionWorld: new Float32Array(3),
+    rangeM: 0,
+    shadow: null,
+  };
+  return {
+    item,
+    update: (setting) => {
+      scale(item.intensityCd, irradiance, setting.intensity * setting.distanceM * setting.distanceM);
+      turn(item.positionWorld, towards, setting.rotationRad);
+      place(item.positionWorld, item.positionWorld, setting);
+      shadow.biasPx = setting.biasPx;
+      item.shadow = setting.castShadow ? shadow : null;
+    },
+  };
+}
+
+function sourceM(sizeRad: number, { distanceM, softness }: LampSetting): number {
+  return 2 * distanceM * Math.tan(Math.min(sizeRad, MAX_SIZE_RAD) / 2) * softness;
+}
+
+function scale(into: Float32Array, irradiance: readonly [number, number, number], factor: number): void {
+  for (let c = 0; c < 3; c++) into[c] = (irradiance[c] ?? 0) * factor;
+}
+
+/** Rotates counterclockwise seen from above, as `EnvironmentLightItem.rotationRad` does. */
+function turn(into: Float32Array, [x, y, z]: readonly [number, number, number], angleRad: number): void {
+  const [cos, sin] = [Math.cos(angleRad), Math.sin(angleRad)];
+  into[0] = x * cos + z * sin;
+  into[1] = y;
+  into[2] = z * cos - x * sin;
+}
+
+function place(into: Float32Array, towards: Float32Array, { centerWorld, distanceM }: LampSetting): void {
+  for (let c = 0; c < 3; c++) into[c] = (centerWorld[c] ?? 0) + (towards[c] ?? 0) * distanceM;
+}

@@ -1,0 +1,86 @@
+import { BufferAttribute, BufferGeometry, ExtrudeGeometry, ShapePath } from 'three';
+import type { Glyph, Glyphs } from '../../kit/glyphs.ts';
+
+/** Straight parts of each curve of an outline: the steps are not visible where a letter fills a phone's screen. */
+const CURVE_SEGMENTS = 4;
+
+/** Vertices of one letter: its origin at the baseline, a capital letter one unit high, from z = 0 to z = 1. */
+export interface Letter {
+  /** Distance to the origin of the next letter. */
+  readonly advance: number;
+  readonly positions: Float32Array;
+  readonly normals: Float32Array;
+}
+
+/** Makes each letter once, when it is first used. */
+export function createLetters(glyphs: Glyphs): (character: string) => Letter | null {
+  const made = new Map<string, Letter>();
+  return (character) => {
+    const known = made.get(character);
+    const glyph = glyphs.byCharacter.get(character);
+    if (known || !glyph) return known ?? null;
+    const letter = extrude(glyph, 1 / glyphs.capitalHeight);
+    made.set(character, letter);
+    return letter;
+  };
+}
+
+/** A letter and the position of its origin. */
+export interface PlacedLetter {
+  readonly letter: Letter;
+  readonly x: number;
+  readonly y: number;
+}
+
+/** One geometry of all letters; the caller disposes it. */
+export function mergeLetters(placed: readonly PlacedLetter[]): BufferGeometry {
+  const count = placed.reduce((sum, { letter }) => sum + letter.positions.length, 0);
+  const positions = new Float32Array(count);
+  const normals = new Float32Array(count);
+  let at = 0;
+  for (const { letter, x, y } of placed) {
+    positions.set(letter.positions, at);
+    normals.set(letter.normals, at);
+    for (const end = at + letter.positions.length; at < end; at += 3) {
+      positions[at] = (positions[at] ?? 0) + x;
+      positions[at + 1] = (positions[at + 1] ?? 0) + y;
+    }
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(positions, 3));
+  geometry.setAttribute('normal', new BufferAttribute(normals, 3));
+  return geometry;
+}
+
+function extrude({ advance, path }: Glyph, scale: number): Letter {
+  const shapes = readPath(path, scale).toShapes();
+  if (shapes.length === 0) return { advance: advance * scale, positions: new Float32Array(), normals: new Float32Array() };
+  const geometry = new ExtrudeGeometry(shapes, { depth: 1, bevelEnabled: false, curveSegments: CURVE_SEGMENTS });
+  const positions = geometry.getAttribute('position').array as Float32Array;
+  const normals = geometry.getAttribute('normal').array as Float32Array;
+  geometry.dispose();
+  return { advance: advance * scale, positions, normals };
+}
+
+/** Which contours are holes is decided by `toShapes`. */
+function readPath(path: string, scale: number): ShapePath {
+  const shape = new ShapePath();
+  for (const [, command, numbers = ''] of path.matchAll(/([A-Z])([^A-Z]*)/g)) {
+    const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0] = numbers.split(' ').map((number) => Number(number) * scale);
+    switch (command) {
+      case 'M':
+        shape.moveTo(a, b);
+        break;
+      case 'L':
+        shape.lineTo(a, b);
+        break;
+      case 'Q':
+        shape.quadraticCurveTo(a, b, c, d);
+        break;
+      case 'C':
+        shape.bezierCurveTo(a, b, c, d, e, f);
+        break;
+    }
+  }
+  return shape;
+}

@@ -1,0 +1,77 @@
+import { BufferGeometry, Matrix4, Mesh, MeshStandardMaterial } from 'three';
+import { readGlyphs } from '../../kit/glyphs.ts';
+import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { ObjectItem } from '../../kit/scene-lists.ts';
+import { setMaterialColor } from '../../kit/three/material-color.ts';
+import type { definition } from './definition.ts';
+import { layOut, MAX_CHARACTERS } from './lay-out.ts';
+import { createLetters, mergeLetters } from './letters.ts';
+
+/** `config.characters` has outlines, from the compiler. */
+export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
+  const { text, sizeM, depthM, color, roughness, metalness, castShadow, receiveShadow } = ctx.params;
+  const { objects } = ctx.outputs;
+  const letterOf = createLetters(readGlyphs(ctx.config.characters));
+  const material = new MeshStandardMaterial();
+  const mesh = new Mesh(new BufferGeometry(), material);
+  mesh.matrixAutoUpdate = false;
+  mesh.matrixWorldAutoUpdate = false;
+  const item: ObjectItem = {
+    key: 'text',
+    root: mesh,
+    worldFromObject: new Matrix4(),
+    role: 'virtual',
+    castsShadow: true,
+    receivesShadow: true,
+  };
+  let shown: string | null = null;
+
+  /** Makes the letters anew, because what readers derive from a geometry is kept by geometry. */
+  function write(words: string): void {
+    shown = words;
+    const { placed, missing, cut } = layOut(words, letterOf, ctx.config);
+    mesh.geometry.dispose();
+    mesh.geometry = mergeLetters(placed);
+    objects.items.length = 0;
+    if (placed.length > 0) objects.items.push(item);
+    objects.version++;
+    if (cut) reportCut();
+    if (missing.length > 0) reportMissing(missing);
+  }
+
+  function reportCut(): void {
+    ctx.report({
+      code: 'SCR059',
+      severity: 'warning',
+      port: 'text',
+      message: `The text has more than ${MAX_CHARACTERS} characters. The rest is not drawn.`,
+      fix: 'Shorten it, or use a Label.',
+    });
+  }
+
+  function reportMissing(missing: readonly string[]): void {
+    ctx.report({
+      code: 'SCR059',
+      severity: 'warning',
+      port: 'text',
+      message: `There are no letters for: ${missing.join(' ')}`,
+      fix: 'Add them to “Live characters” if the text is connected. Use a Label for scripts other than Latin, Greek and Cyrillic.',
+    });
+  }
+
+  return {
+    update: () => {
+      if (text.value !== shown) write(text.value);
+      mesh.matrixWorld.makeScale(sizeM.value, sizeM.value, depthM.value);
+      setMaterialColor(material, color.value);
+      material.roughness = roughness.value;
+      material.metalness = metalness.value;
+      item.castsShadow = castShadow.value;
+      item.receivesShadow = receiveShadow.value;
+    },
+    dispose: () => {
+      mesh.geometry.dispose();
+      material.dispose();
+    },
+  };
+}

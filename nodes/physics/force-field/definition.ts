@@ -1,0 +1,68 @@
+import { defineNode } from '../../kit/definition.ts';
+
+export const definition = defineNode({
+  type: 'physics/force-field',
+  version: 1,
+  title: 'Force field',
+  doc: 'Accelerates bodies in every frame: as wind, towards a point, or around an axis. Without a pose the field is at the origin of the room, and wind blows along -z.',
+  keywords: ['wind', 'attractor', 'vortex', 'magnet', 'gravity', 'tornado', 'repel', 'physics'],
+  inputs: {
+    body: { type: 'body', label: 'Bodies', doc: 'The bodies to accelerate.', required: true, multiple: true },
+    pose: {
+      type: 'pose',
+      label: 'Pose',
+      doc: 'Where the field is. Wind blows along its -z axis, a vortex turns about its y axis. No field while it is invalid. Optional.',
+      required: false,
+    },
+  },
+  outputs: {},
+  params: {
+    kind: {
+      type: 'choice',
+      stage: 'structure',
+      label: 'Kind',
+      doc: 'Wind accelerates bodies until they have its speed; an attractor pulls them to a point; a vortex turns them about an axis.',
+      default: 'wind',
+      options: [
+        { value: 'wind', label: 'Wind' },
+        { value: 'attractor', label: 'Attractor' },
+        { value: 'vortex', label: 'Vortex' },
+      ],
+    },
+    strength: {
+      type: 'number',
+      stage: 'uniform',
+      label: 'Strength',
+      doc: 'Wind: its speed in meters per second. Otherwise the acceleration in meters per second squared; negative numbers reverse it.',
+      default: 4,
+      min: -50,
+      max: 50,
+      step: 0.1,
+      unit: 'none',
+    },
+    drag: {
+      type: 'number',
+      stage: 'uniform',
+      label: 'Drag of wind',
+      doc: 'How fast a body reaches the speed of the wind: the part of the difference that it gains per second, at first.',
+      default: 1,
+      min: 0,
+      max: 20,
+      step: 0.1,
+      unit: 'none',
+    },
+    radiusM: {
+      type: 'number',
+      stage: 'uniform',
+      label: 'Radius',
+      doc: 'The field fades to nothing at this distance. 0: it is the same everywhere.',
+      default: 0,
+      min: 0,
+      max: 100,
+      step: 0.1,
+      unit: 'm',
+    },
+  },
+  lowering: { kind: 'behavior' },
+  actsOn: 'body',
+});

@@ -1,0 +1,375 @@
+import { type Body, Quaternion, SAPBroadphase, Vec3, World } from 'cannon-es';
+import type { BodyDescription } from '../../kit/physics.ts';
+import { ContactList, pairKey } from './contact.ts';
+import { createContactMemory } from './contact-memory.ts';
+import { bounce, prepareContacts, solveContacts, warmStart } from './contact-solver.ts';
+import { findContacts } from './find-contacts.ts';
+import { isFiniteCommand } from './finite-command.ts';
+import { push } from './impulse-math.ts';
+import { aimAtTarget, integratePose, integrateVelocity } from './integrate.ts';
+import { updateSleep, wakeTouched } from './islands.ts';
+import { createJoint, type Joint } from './joint.ts';
+import { type PhysicsEngine, POSE_STRIDE, TOUCH_STRIDE, type WorldSettings } from './protocol.ts';
+import { readPose } from './read-pose.ts';
+import { RigidBody } from './rigid-body.ts';
+import { type CastRoom, sweep } from './sweep.ts';
+import { castOnVoxels, collideVoxels } from './voxel-contacts.ts';
+import { createVoxelGrid, type VoxelGrid } from './voxel-grid.ts';
+
+/** The longest step. Longer frames take several, so that the result depends little on the frame rate. */
+const STEP_S = 1 / 60;
+/** More than that is lost: after a long pause the world continues instead of catching up. */
+const MAX_STEPS = 4;
+/** A hundredth more than a step is still one step: frame times are rounded. */
+const STEP_TOLERANCE = 0.01;
+
+/** Further away or faster (meters, radians per second), numbers lose their precision. */
+const FAR_M = 1e6;
+const FAST = 1e4;
+/** Bodies that meet more slowly are not reported, meters per second. */
+const TOUCH_MPS = 0.02;
+
+const TARGET: BodyDescription = {
+  mode: 'kinematic',
+  shapes: [],
+  massKg: 0,
+  densityKgPerM3: 0,
+  friction: 0,
+  rollingM: 0,
+  restitution: 0,
+  linearDamping: 0,
+  angularDamping: 0,
+  gravityFactor: 0,
+};
+
+// Filled and read within one call.
+const scratchPosition = new Vec3();
+const scratchRotation = new Quaternion();
+const scratchVector = new Vec3();
+
+/**
+ * The engine of the project: bodies and the sweep-and-prune of cannon-es, with contacts and a solver of its own (ADR 40). Each step finds
+ * contacts once and solves them in substeps (“Small Steps in Physics Simulation”, Macklin et al. 2019; Catto, “Solver2D”, 2024).
+ */
+export function createCannonEngine(): PhysicsEngine {
+  const world = new World();
+  const broadphase = new SAPBroadphase(world);
+  broadphase.useBoundingBoxes = true;
+  world.broadphase = broadphase;
+  const byId = new Map<number, RigidBody>();
+  const bodies: RigidBody[] = [];
+  const joints = new Map<number, Joint>();
+  const targets = new Map<number, RigidBody>();
+  const linked = new Set<number>();
+  const contacts = new ContactList();
+  const memory = createContactMemory();
+  const as: Body[] = [];
+  const bs: Body[] = [];
+  const velocitiesBefore = new Map<RigidBody, Vec3>();
+  let settings: WorldSettings = { gravity: [0, -9.81, 0], substeps: 4, iterations: 4, sleep: true };
+  const gravity = new Vec3(...settings.gravity);
+  let stepBeforeS = STEP_S;
+  let grid: VoxelGrid | null = null;
+  /** Stands for the room in contacts. */
+  const room = new RigidBody(0, { ...TARGET, mode: 'static' });
+  /** Contacts that began in the steps of the last frame, in the form of the answer. */
+  const touches: number[] = [];
+
+  function add(id: number, description: BodyDescription, state: ArrayLike<number>): void {
+    if (byId.has(id)) return;
+    const body = new RigidBody(id, description);
+    byId.set(id, body);
+    bodies.push(body);
+    world.addBody(body);
+    broadphase.axisIndex = 0;
+    place(
+      body,
+      scratchPosition.set(at(state, 1), at(state, 2), at(state, 3)),
+      scratchRotation.set(at(state, 4), at(state, 5), at(state, 6), at(state, 7)),
+    );
+    velocitiesBefore.set(body, new Vec3());
+    body.angularVelocity.set(at(state, 11), at(state, 12), at(state, 13));
+    // The velocity of a state is that of the origin.
+    const { x, y, z } = leverOf(body);
+    const w = body.angularVelocity;
+    body.velocity.set(at(state, 8) + w.y * z - w.z * y, at(state, 9) + w.z * x - w.x * z, at(state, 10) + w.x * y - w.y * x);
+    if (at(state, 14) > 0 && body.isDynamic) body.rest();
+  }
+  /** Moves a body so that the origin of its description is at the position. */
+  function place(body: RigidBody, position: Vec3, rotation: Quaternion): void {
+    rotation.normalize();
+    body.quaternion.copy(rotation);
+    body.position.copy(position);
+    body.position.vadd(leverOf(body), body.position);
+    body.positionBefore.copy(body.position);
+    body.velocity.setZero();
+    body.angularVelocity.setZero();
+    body.hasTarget = false;
+    body.updateBounds();
+    body.updateInertia();
+    body.wake();
+  }
+  /** From the origin of the description to the center of mass, world axes. */
+  function leverOf(body: RigidBody): Vec3 {
+    body.quaternion.vmult(body.centerM, scratchVector);
+    return scratchVector;
+  }
+  /** Wakes bodies that may have rested on one that has moved or gone. */
+  function wakeAround(body: RigidBody): void {
+    for (const other of bodies) if (other.sleeps && other.aabb.overlaps(body.aabb)) wakeIsland(other);
+  }
+  function wakeIsland(body: RigidBody): void {
+    body.wake();
+    for (const other of bodies) if (other.sleeps && other.aabb.overlaps(body.aabb)) wakeIsland(other);
+  }
+  function remove(id: number): void {
+    const body = byId.get(id);
+    if (!body) return;
+    byId.delete(id);
+    bodies.splice(bodies.indexOf(body), 1);
+    velocitiesBefore.delete(body);
+    world.removeBody(body);
+    wakeAround(body);
+    for (const [joint, { a, b }] of joints) if (a === body || b === body) joints.delete(joint);
+  }
+  function setTarget(body: RigidBody, matrix: ArrayLike<number>): void {
+    readPose(matrix, body.targetPosition, body.targetRotation);
+    body.targetRotation.vmult(body.centerM, scratchVector);
+    body.targetPosition.vadd(scratchVector, body.targetPosition);
+    body.hasTarget = true;
+  }
+
+  /** Wakes bodies beside voxels that have come or gone: their support may be away. */
+  function wakeWhereChanged(): void {
+    for (const body of bodies) {
+      if (!body.sleeps || !grid) continue;
+      const { lowerBound: l, upperBound: u } = body.aabb;
+      if (grid.hasChanged(l.x, l.y, l.z, u.x, u.y, u.z)) wakeIsland(body);
+    }
+  }
+  const castRoom: CastRoom = (from, direction, lengthM, normal) =>
+    grid ? castOnVoxels(grid, from, direction, lengthM, normal) : Number.POSITIVE_INFINITY;
+
+  function apply(command: Parameters<PhysicsEngine['apply']>[0]): void {
+    if (!isFiniteCommand(command)) return;
+    const body = 'id' in command ? byId.get(command.id) : undefined;
+    switch (command.kind) {
+      case 'settings':
+        settings = command.settings;
+        gravity.set(...settings.gravity);
+        for (const each of bodies) if (each.isDynamic) each.wake();
+        break;
+      case 'add':
+        add(command.id, command.body, command.state);
+        break;
+      case 'remove':
+        remove(command.id);
+        break;
+      case 'shape':
+        if (!body) break;
+        body.describe(command.body);
+        wakeAround(body);
+        break;
+      case 'move':
+        if (!body) break;
+        wakeAround(body);
+        readPose(command.worldFromBody, scratchPosition, scratchRotation);
+        place(body, scratchPosition, scratchRotation);
+        if (body.isDynamic) body.velocity.set(at(command.velocity, 0), at(command.velocity, 1), at(command.velocity, 2));
+        break;
+      case 'target': {
+        const target = body ?? targets.get(command.id);
+        if (target) setTarget(target, command.worldFromBody);
+        break;
+      }
+      case 'impulse':
+        if (!body?.isDynamic) break;
+        for (let i = 0; i + 8 < command.values.length; i += 9) applyEntry(body, command.values, i);
+        break;
+      case 'accelerate':
+        if (!body?.isDynamic) break;
+        body.wake();
+        body.force.set(command.x * body.mass, command.y * body.mass, command.z * body.mass);
+        break;
+      case 'joint': {
+        const { kind, a, b, description, worldFromTarget } = command.joint;
+        const first = byId.get(a);
+        let second = b === null ? targets.get(command.id) : byId.get(b);
+        if (b === null && !second) {
+          second = new RigidBody(-command.id, TARGET);
+          targets.set(command.id, second);
+          readPose(worldFromTarget, second.position, second.quaternion);
+        }
+        if (!first || !second) break;
+        first.wake();
+        second.wake();
+        joints.set(command.id, createJoint(kind, first, second, description));
+        if (kind === 'hinge' || kind === 'lock') linked.add(pairKey(first, second));
+        break;
+      }
+      case 'unjoin': {
+        const joint = joints.get(command.id);
+        joint?.a.wake();
+        joint?.b.wake();
+        if (joint) linked.delete(pairKey(joint.a, joint.b));
+        joints.delete(command.id);
+        targets.delete(command.id);
+        break;
+      }
+      case 'room':
+        grid = command.room && createVoxelGrid(command.room);
+        room.description = { ...TARGET, mode: 'static', friction: command.friction, restitution: command.restitution };
+        for (const each of bodies) if (each.isDynamic) each.wake();
+        break;
+      case 'depth':
+        grid?.update(command.frame);
+        wakeWhereChanged();
+        break;
+    }
+  }
+
+  function advance(stepS: number): void {
+    as.length = 0;
+    bs.length = 0;
+    broadphase.collisionPairs(world, as, bs);
+    contacts.clear();
+    findContacts(as, bs, stepS, linked, contacts);
+    if (grid) for (const body of bodies) if (body.isDynamic && !body.sleeps) collideVoxels(room, grid, body, stepS, contacts);
+    wakeTouched(contacts);
+    prepareContacts(contacts);
+    memory.recall(contacts, stepS / stepBeforeS);
+    stepBeforeS = stepS;
+    const active = [...joints.values()].filter((joint) => joint.isActive);
+    for (const body of bodies) begin(body, stepS);
+    for (const target of targets.values()) begin(target, stepS);
+    const { iterations } = settings;
+    const substeps = Math.max(1, settings.substeps);
+    const subS = stepS / substeps;
+    for (const joint of active) joint.prepare(subS);
+    for (let i = 0; i < substeps; i++) {
+      for (const body of bodies) if (body.isDynamic && !body.sleeps) integrateVelocity(body, gravity, subS);
+      for (const joint of active) joint.warmStart();
+      warmStart(contacts);
+      for (let n = 0; n < iterations; n++) {
+        for (const joint of active) joint.solve(subS, true);
+        solveContacts(contacts, subS, true);
+      }
+      for (const body of bodies) if (!body.sleeps) integratePose(body, subS);
+      for (const target of targets.values()) integratePose(target, subS);
+      // Removes the velocity with which overlap was pushed apart. Half as many passes leave no more than they can see.
+      for (let n = 0; n < iterations; n += 2) {
+        for (const joint of active) joint.solve(subS, false);
+        solveContacts(contacts, subS, false);
+      }
+    }
+    bounce(contacts);
+    for (const body of bodies) end(body);
+    reportTouches();
+    updateSleep(bodies, contacts, pairsOf(active), settings.sleep, stepS);
+    memory.keep(contacts);
+  }
+  function begin(body: RigidBody, stepS: number): void {
+    if (!body.isDynamic) aimAtTarget(body, stepS);
+    body.movedM.setZero();
+    body.turnedRad.setZero();
+    body.positionBefore.copy(body.position);
+    velocitiesBefore.get(body)?.copy(body.velocity);
+  }
+  function end(body: RigidBody): void {
+    if (body.sleeps) return;
+    if (!isFiniteState(body)) restore(body);
+    const before = velocitiesBefore.get(body);
+    if (body.isDynamic && before) sweep(body, before, bodies, castRoom);
+    body.updateBounds();
+  }
+  function reportTouches(): void {
+    for (let i = 0; i < contacts.count; i++) {
+      const c = contacts.at(i);
+      if (c.maxImpulse === 0 || c.approach > -TOUCH_MPS || memory.touched(c.pair)) continue;
+      // Only the strongest contact of a pair.
+      let isStrongest = true;
+      for (let j = 0; j < contacts.count; j++) {
+        const other = contacts.at(j);
+        if (other.pair === c.pair && (other.maxImpulse > c.maxImpulse || (other.maxImpulse === c.maxImpulse && j < i))) isStrongest = false;
+      }
+      if (!isStrongest) continue;
+      const { a, b } = c;
+      touches.push(a.key, b.key, a.position.x + c.ax, a.position.y + c.ay, a.position.z + c.az, -c.nx, -c.ny, -c.nz, c.maxImpulse);
+    }
+  }
+
+  return {
+    apply,
+    step: (deltaS) => {
+      touches.length = 0;
+      if (!(deltaS > 0) || !Number.isFinite(deltaS)) return;
+      const count = Math.min(Math.max(1, Math.ceil(deltaS / STEP_S - STEP_TOLERANCE)), MAX_STEPS);
+      const stepS = Math.min(deltaS / count, STEP_S);
+      for (let i = 0; i < count; i++) advance(stepS);
+      for (const body of bodies) body.force.setZero();
+    },
+    get bodyCount() {
+      return bodies.length;
+    },
+    writePoses: (out) => {
+      bodies.forEach((body, i) => {
+        const o = i * POSE_STRIDE;
+        const { x, y, z } = leverOf(body);
+        const { position: p, quaternion: q, velocity: v, angularVelocity: w } = body;
+        out[o] = body.key;
+        out[o + 1] = p.x - x;
+        out[o + 2] = p.y - y;
+        out[o + 3] = p.z - z;
+        out[o + 4] = q.x;
+        out[o + 5] = q.y;
+        out[o + 6] = q.z;
+        out[o + 7] = q.w;
+        out[o + 8] = v.x - (w.y * z - w.z * y);
+        out[o + 9] = v.y - (w.z * x - w.x * z);
+        out[o + 10] = v.z - (w.x * y - w.y * x);
+        out[o + 11] = w.x;
+        out[o + 12] = w.y;
+        out[o + 13] = w.z;
+        out[o + 14] = body.sleeps ? 1 : 0;
+      });
+    },
+    writeTouches: (out) => {
+      const count = Math.min(Math.floor(out.length / TOUCH_STRIDE), touches.length / TOUCH_STRIDE);
+      for (let i = 0; i < count * TOUCH_STRIDE; i++) out[i] = touches[i] ?? 0;
+      return count;
+    },
+  };
+}
+
+function* pairsOf(joints: readonly Joint[]): Iterable<readonly [RigidBody, RigidBody]> {
+  for (const { a, b } of joints) yield [a, b];
+}
+
+function applyEntry(body: RigidBody, values: ArrayLike<number>, i: number): void {
+  const { x, y, z } = body.position;
+  body.wake();
+  push(body, at(values, i + 6) - x, at(values, i + 7) - y, at(values, i + 8) - z, at(values, i), at(values, i + 1), at(values, i + 2));
+  const m = body.inverseWorld;
+  const w = body.angularVelocity;
+  const [p, q, r] = [at(values, i + 3), at(values, i + 4), at(values, i + 5)];
+  w.set(w.x + m.xx * p + m.xy * q + m.xz * r, w.y + m.xy * p + m.yy * q + m.yz * r, w.z + m.xz * p + m.yz * q + m.zz * r);
+}
+
+function at(list: ArrayLike<number>, index: number): number {
+  return list[index] ?? 0;
+}
+
+function isFiniteState({ position: p, quaternion: q, velocity: v, angularVelocity: w }: RigidBody): boolean {
+  const farM = Math.abs(p.x) + Math.abs(p.y) + Math.abs(p.z);
+  const fast = Math.abs(v.x) + Math.abs(v.y) + Math.abs(v.z) + Math.abs(w.x) + Math.abs(w.y) + Math.abs(w.z);
+  return farM < FAR_M && fast < FAST && Math.abs(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w - 1) < 0.01;
+}
+
+/** A body that is lost or whose numbers have overflowed stops where it was. */
+function restore(body: RigidBody): void {
+  body.position.copy(body.positionBefore);
+  body.quaternion.set(0, 0, 0, 1);
+  body.velocity.setZero();
+  body.angularVelocity.setZero();
+  body.updateInertia();
+}

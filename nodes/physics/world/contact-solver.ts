@@ -1,0 +1,230 @@
+import type { Contact, ContactList } from './contact.ts';
+import { applyImpulse, effectiveMass } from './impulse-math.ts';
+import type { RigidBody } from './rigid-body.ts';
+
+/** Bodies slower than this do not bounce, meters per second. */
+const BOUNCE_MPS = 0.15;
+/** Bodies that overlap are moved apart at most so fast, meters per second. */
+const PUSH_MPS = 2;
+/** Stiffness of contacts, cycles per second, unless a substep is too long for it, and fraction of critical damping. */
+const CONTACT_HZ = 100;
+const DAMPING_RATIO = 10;
+/** Overlap that is left, so that contacts persist, meters. */
+const SLOP_M = 2e-4;
+
+/** Stiffness and damping of a soft constraint for a time step. */
+export interface Softness {
+  readonly biasRate: number;
+  readonly massScale: number;
+  readonly impulseScale: number;
+}
+
+/**
+ * A soft constraint, which acts like a damped spring and stays stable at any step (Catto, “Soft Constraints”, GDC 2011).
+ *
+ * @param stepS Seconds.
+ */
+export function softness(frequencyHz: number, dampingRatio: number, stepS: number): Softness {
+  const omega = 2 * Math.PI * frequencyHz;
+  const a1 = 2 * dampingRatio + stepS * omega;
+  const a2 = stepS * omega * a1;
+  const a3 = 1 / (1 + a2);
+  return { biasRate: omega / a1, massScale: a2 * a3, impulseScale: a3 };
+}
+
+/** Prepares masses and tangents. The impulses are those of the step before, if the contact was found again. */
+export function prepareContacts(contacts: ContactList): void {
+  for (let i = 0; i < contacts.count; i++) {
+    const c = contacts.at(i);
+    chooseTangents(c);
+    c.normalMass = effectiveMass(c, c.nx, c.ny, c.nz);
+    c.tangentMass = effectiveMass(c, c.tx, c.ty, c.tz);
+    c.otherTangentMass = effectiveMass(c, c.ux, c.uy, c.uz);
+    const { inverseWorld: p } = c.a;
+    const { inverseWorld: q } = c.b;
+    const turn = (p.xx + p.yy + p.zz + q.xx + q.yy + q.zz) / 3;
+    c.rollingMass = turn > 0 ? 1 / turn : 0;
+    c.normalImpulse = 0;
+    c.tangentImpulse = 0;
+    c.otherTangentImpulse = 0;
+    c.rollX = 0;
+    c.rollY = 0;
+    c.rollZ = 0;
+    c.maxImpulse = 0;
+    c.approach = 0;
+    setLocalPoint(c);
+  }
+}
+
+/** Applies the impulses so far, so that a resting contact needs no iterations. Once per substep. */
+export function warmStart(contacts: ContactList): void {
+  for (let i = 0; i < contacts.count; i++) {
+    const c = contacts.at(i);
+    const { normalImpulse: n, tangentImpulse: t, otherTangentImpulse: u } = c;
+    applyImpulse(c, n * c.nx + t * c.tx + u * c.ux, n * c.ny + t * c.ty + u * c.uy, n * c.nz + t * c.tz + u * c.uz);
+    turn(c, c.rollX, c.rollY, c.rollZ);
+  }
+}
+
+/**
+ * One pass over all contacts: normal impulses, then friction, which is bounded by the normal impulse of the contact.
+ *
+ * @param usesBias Whether overlap is pushed apart. The pass after the positions have moved removes the velocity of that push.
+ * @param stepS Seconds of a substep.
+ */
+export function solveContacts(contacts: ContactList, stepS: number, usesBias: boolean): void {
+  const hz = Math.min(CONTACT_HZ, 0.5 / stepS);
+  const soft = softness(hz, DAMPING_RATIO, stepS);
+  const stiff = softness(2 * hz, DAMPING_RATIO, stepS);
+  for (let i = 0; i < contacts.count; i++) {
+    const c = contacts.at(i);
+    const { a, b } = c;
+    const isFixed = !a.isDynamic || !b.isDynamic;
+    const { biasRate, massScale, impulseScale } = isFixed && !c.isRoom ? stiff : soft;
+
+    const gapM = c.gapM + gapChange(c, a, b);
+    let vx = b.velocity.x + b.angularVelocity.y * c.bz - b.angularVelocity.z * c.by;
+    let vy = b.velocity.y + b.angularVelocity.z * c.bx - b.angularVelocity.x * c.bz;
+    let vz = b.velocity.z + b.angularVelocity.x * c.by - b.angularVelocity.y * c.bx;
+    vx -= a.velocity.x + a.angularVelocity.y * c.az - a.angularVelocity.z * c.ay;
+    vy -= a.velocity.y + a.angularVelocity.z * c.ax - a.angularVelocity.x * c.az;
+    vz -= a.velocity.z + a.angularVelocity.x * c.ay - a.angularVelocity.y * c.ax;
+    const speed = vx * c.nx + vy * c.ny + vz * c.nz;
+
+    let bias = 0;
+    let mass = 1;
+    let keep = 0;
+    if (gapM > 0) bias = gapM / stepS;
+    else if (usesBias) {
+      bias = Math.max(biasRate * Math.min(gapM + SLOP_M, 0), -PUSH_MPS);
+      mass = massScale;
+      keep = impulseScale;
+    }
+    const wanted = -c.normalMass * mass * (speed + bias) - keep * c.normalImpulse;
+    const total = Math.max(c.normalImpulse + wanted, 0);
+    const given = total - c.normalImpulse;
+    if (given > 0 && c.maxImpulse === 0 && !c.wasMatched) c.approach = Math.min(c.approach, speed);
+    c.normalImpulse = total;
+    c.maxImpulse = Math.max(c.maxImpulse, total);
+    applyImpulse(c, given * c.nx, given * c.ny, given * c.nz);
+
+    solveFriction(c, a, b);
+    if (c.rollingM > 0) solveRolling(c, a, b);
+  }
+}
+
+/** How much the gap has grown since the contact was found. */
+function gapChange(c: Contact, a: RigidBody, b: RigidBody): number {
+  const p = b.movedM;
+  const q = a.movedM;
+  const s = b.turnedRad;
+  const t = a.turnedRad;
+  return (
+    (p.x + s.y * c.bz - s.z * c.by - (q.x + t.y * c.az - t.z * c.ay)) * c.nx +
+    (p.y + s.z * c.bx - s.x * c.bz - (q.y + t.z * c.ax - t.x * c.az)) * c.ny +
+    (p.z + s.x * c.by - s.y * c.bx - (q.z + t.x * c.ay - t.y * c.ax)) * c.nz
+  );
+}
+
+function solveFriction(c: Contact, a: RigidBody, b: RigidBody): void {
+  let vx = b.velocity.x + b.angularVelocity.y * c.bz - b.angularVelocity.z * c.by;
+  let vy = b.velocity.y + b.angularVelocity.z * c.bx - b.angularVelocity.x * c.bz;
+  let vz = b.velocity.z + b.angularVelocity.x * c.by - b.angularVelocity.y * c.bx;
+  vx -= a.velocity.x + a.angularVelocity.y * c.az - a.angularVelocity.z * c.ay;
+  vy -= a.velocity.y + a.angularVelocity.z * c.ax - a.angularVelocity.x * c.az;
+  vz -= a.velocity.z + a.angularVelocity.x * c.ay - a.angularVelocity.y * c.ax;
+  let t = c.tangentImpulse - c.tangentMass * (vx * c.tx + vy * c.ty + vz * c.tz);
+  let u = c.otherTangentImpulse - c.otherTangentMass * (vx * c.ux + vy * c.uy + vz * c.uz);
+  const most = c.friction * c.normalImpulse;
+  const length = Math.hypot(t, u);
+  if (length > most) {
+    const factor = length > 0 ? most / length : 0;
+    t *= factor;
+    u *= factor;
+  }
+  const dt = t - c.tangentImpulse;
+  const du = u - c.otherTangentImpulse;
+  c.tangentImpulse = t;
+  c.otherTangentImpulse = u;
+  applyImpulse(c, dt * c.tx + du * c.ux, dt * c.ty + du * c.uy, dt * c.tz + du * c.uz);
+}
+
+/** A torque against rolling, bounded by lever arm times normal impulse. */
+function solveRolling(c: Contact, a: RigidBody, b: RigidBody): void {
+  let x = c.rollX - c.rollingMass * (b.angularVelocity.x - a.angularVelocity.x);
+  let y = c.rollY - c.rollingMass * (b.angularVelocity.y - a.angularVelocity.y);
+  let z = c.rollZ - c.rollingMass * (b.angularVelocity.z - a.angularVelocity.z);
+  const most = c.rollingM * c.normalImpulse;
+  const length = Math.hypot(x, y, z);
+  if (length > most) {
+    const factor = length > 0 ? most / length : 0;
+    x *= factor;
+    y *= factor;
+    z *= factor;
+  }
+  turn(c, x - c.rollX, y - c.rollY, z - c.rollZ);
+  c.rollX = x;
+  c.rollY = y;
+  c.rollZ = z;
+}
+
+/** Gives bouncing bodies their speed, after all substeps: the approach times the coefficient. */
+export function bounce(contacts: ContactList): void {
+  for (let i = 0; i < contacts.count; i++) {
+    const c = contacts.at(i);
+    if (c.restitution === 0 || c.approach > -BOUNCE_MPS || c.maxImpulse === 0) continue;
+    const { a, b } = c;
+    const vx = b.velocity.x + b.angularVelocity.y * c.bz - b.angularVelocity.z * c.by;
+    const vy = b.velocity.y + b.angularVelocity.z * c.bx - b.angularVelocity.x * c.bz;
+    const vz = b.velocity.z + b.angularVelocity.x * c.by - b.angularVelocity.y * c.bx;
+    const wx = a.velocity.x + a.angularVelocity.y * c.az - a.angularVelocity.z * c.ay;
+    const wy = a.velocity.y + a.angularVelocity.z * c.ax - a.angularVelocity.x * c.az;
+    const wz = a.velocity.z + a.angularVelocity.x * c.ay - a.angularVelocity.y * c.ax;
+    const speed = (vx - wx) * c.nx + (vy - wy) * c.ny + (vz - wz) * c.nz;
+    const total = Math.max(c.normalImpulse - c.normalMass * (speed + c.restitution * c.approach), 0);
+    const given = total - c.normalImpulse;
+    c.normalImpulse = total;
+    c.maxImpulse = Math.max(c.maxImpulse, total);
+    applyImpulse(c, given * c.nx, given * c.ny, given * c.nz);
+  }
+}
+
+function turn({ a, b }: Contact, x: number, y: number, z: number): void {
+  const p = a.inverseWorld;
+  const q = b.inverseWorld;
+  a.angularVelocity.x -= p.xx * x + p.xy * y + p.xz * z;
+  a.angularVelocity.y -= p.xy * x + p.yy * y + p.yz * z;
+  a.angularVelocity.z -= p.xz * x + p.yz * y + p.zz * z;
+  b.angularVelocity.x += q.xx * x + q.xy * y + q.xz * z;
+  b.angularVelocity.y += q.xy * x + q.yy * y + q.yz * z;
+  b.angularVelocity.z += q.xz * x + q.yz * y + q.zz * z;
+}
+
+/** Two tangents that turn with the normal without jumps where possible (Duff et al., “Building an Orthonormal Basis, Revisited”, 2017). */
+function chooseTangents(c: Contact): void {
+  const sign = c.nz >= 0 ? 1 : -1;
+  const p = -1 / (sign + c.nz);
+  const q = c.nx * c.ny * p;
+  c.tx = 1 + sign * c.nx * c.nx * p;
+  c.ty = sign * q;
+  c.tz = -sign * c.nx;
+  c.ux = q;
+  c.uy = sign + c.ny * c.ny * p;
+  c.uz = -c.ny;
+}
+
+/** The point in the axes of the body that was added first, so that it is found again when both move. */
+function setLocalPoint(c: Contact): void {
+  const isA = c.a.key < c.b.key;
+  const { x, y, z, w } = isA ? c.a.quaternion : c.b.quaternion;
+  const vx = isA ? c.ax : c.bx;
+  const vy = isA ? c.ay : c.by;
+  const vz = isA ? c.az : c.bz;
+  // The inverse rotation of v.
+  const tx = 2 * (z * vy - y * vz);
+  const ty = 2 * (x * vz - z * vx);
+  const tz = 2 * (y * vx - x * vy);
+  c.lx = vx + w * tx + (z * ty - y * tz);
+  c.ly = vy + w * ty + (x * tz - z * tx);
+  c.lz = vz + w * tz + (y * tx - x * ty);
+}

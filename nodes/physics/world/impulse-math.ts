@@ -1,0 +1,47 @@
+import type { RigidBody } from './rigid-body.ts';
+
+/** Two bodies with the levers from their centers of mass to a point, world axes. */
+export interface Levers {
+  readonly a: RigidBody;
+  readonly b: RigidBody;
+  readonly ax: number;
+  readonly ay: number;
+  readonly az: number;
+  readonly bx: number;
+  readonly by: number;
+  readonly bz: number;
+}
+
+/** The mass that an impulse along a unit direction meets at the point; 0 if both bodies are immovable. */
+export function effectiveMass(l: Levers, x: number, y: number, z: number): number {
+  const k = l.a.invMass + l.b.invMass + angularPart(l.a, l.ax, l.ay, l.az, x, y, z) + angularPart(l.b, l.bx, l.by, l.bz, x, y, z);
+  return k > 0 ? 1 / k : 0;
+}
+
+function angularPart({ inverseWorld: m }: RigidBody, rx: number, ry: number, rz: number, x: number, y: number, z: number): number {
+  const cx = ry * z - rz * y;
+  const cy = rz * x - rx * z;
+  const cz = rx * y - ry * x;
+  return cx * (m.xx * cx + m.xy * cy + m.xz * cz) + cy * (m.xy * cx + m.yy * cy + m.yz * cz) + cz * (m.xz * cx + m.yz * cy + m.zz * cz);
+}
+
+/** Applies an impulse to `b` and its opposite to `a`, at the point. */
+export function applyImpulse(l: Levers, x: number, y: number, z: number): void {
+  push(l.a, l.ax, l.ay, l.az, -x, -y, -z);
+  push(l.b, l.bx, l.by, l.bz, x, y, z);
+}
+
+/** Applies an impulse to one body. */
+export function push(body: RigidBody, rx: number, ry: number, rz: number, x: number, y: number, z: number): void {
+  const { velocity: v, angularVelocity: w, invMass, inverseWorld: m } = body;
+  if (invMass === 0) return;
+  v.x += invMass * x;
+  v.y += invMass * y;
+  v.z += invMass * z;
+  const cx = ry * z - rz * y;
+  const cy = rz * x - rx * z;
+  const cz = rx * y - ry * x;
+  w.x += m.xx * cx + m.xy * cy + m.xz * cz;
+  w.y += m.xy * cx + m.yy * cy + m.yz * cz;
+  w.z += m.xz * cx + m.yz * cy + m.zz * cz;
+}

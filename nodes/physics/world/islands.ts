@@ -1,0 +1,84 @@
+import type { ContactList } from './contact.ts';
+import type { RigidBody } from './rigid-body.ts';
+
+/** Bodies slower than this rest, meters and radians per second. */
+const REST_MPS = 0.02;
+const REST_RADPS = 0.06;
+/** An island sleeps after so long at rest. */
+const REST_S = 0.5;
+
+/**
+ * Lets islands sleep: bodies that touch or are joined sleep and wake together, because a body whose support moves must not stay.
+ *
+ * @param joined Pairs of bodies that joints link.
+ */
+export function updateSleep(
+  bodies: readonly RigidBody[],
+  contacts: ContactList,
+  joined: Iterable<readonly [RigidBody, RigidBody]>,
+  isAllowed: boolean,
+  stepS: number,
+): void {
+  for (const body of bodies) body.island = body;
+  for (let i = 0; i < contacts.count; i++) {
+    const { a, b, maxImpulse } = contacts.at(i);
+    if (maxImpulse > 0) unite(a, b);
+  }
+  for (const [a, b] of joined) unite(a, b);
+  for (const body of bodies) {
+    if (!body.isDynamic || body.sleeps) continue;
+    const { velocity: v, angularVelocity: w } = body;
+    const isSlow = isAllowed && v.lengthSquared() < REST_MPS ** 2 && w.lengthSquared() < REST_RADPS ** 2;
+    body.restS = isSlow ? body.restS + stepS : 0;
+  }
+  // The root of an island rests as long as the body that rests the least.
+  for (const body of bodies) {
+    if (!body.isDynamic || body.sleeps) continue;
+    const root = rootOf(body);
+    if (body.restS < root.restS) root.restS = body.restS;
+  }
+  for (const body of bodies) {
+    if (!body.isDynamic) continue;
+    const root = rootOf(body);
+    const rests = !root.isDynamic || root.sleeps ? body.restS : root.restS;
+    if (!body.sleeps && rests >= REST_S) body.rest();
+  }
+}
+
+/** Wakes sleeping bodies that an awake or moving body touches. Before the contacts are solved. */
+export function wakeTouched(contacts: ContactList): boolean {
+  let hasWoken = false;
+  for (let i = 0; i < contacts.count; i++) {
+    const { a, b, gapM } = contacts.at(i);
+    if (a.sleeps === b.sleeps || gapM > 0.002) continue;
+    const awake = a.sleeps ? b : a;
+    const asleep = a.sleeps ? a : b;
+    const moves = awake.isDynamic || awake.velocity.lengthSquared() > 1e-8 || awake.angularVelocity.lengthSquared() > 1e-8;
+    if (!moves) continue;
+    asleep.wake();
+    hasWoken = true;
+  }
+  return hasWoken;
+}
+
+function rootOf(body: RigidBody): RigidBody {
+  let root = body;
+  while (root.island !== root) root = root.island;
+  let at = body;
+  while (at.island !== root) {
+    const next = at.island;
+    at.island = root;
+    at = next;
+  }
+  return root;
+}
+
+function unite(a: RigidBody, b: RigidBody): void {
+  if (!a.isDynamic || !b.isDynamic) return;
+  const p = rootOf(a);
+  const q = rootOf(b);
+  if (p === q) return;
+  // The one added first, so that the result does not depend on the order of contacts.
+  if (p.key < q.key) q.island = p;
+  else p.island = q;
+}

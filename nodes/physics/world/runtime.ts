@@ -1,0 +1,137 @@
+import { type BodyDescription, type BodyList, createPhysicsBody } from '../../kit/physics.ts';
+import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import { createCannonEngine } from './cannon-engine.ts';
+import type { definition } from './definition.ts';
+import type { PhysicsCommand } from './protocol.ts';
+import { createStepper } from './run-step.ts';
+import { createStepDriver } from './step-driver.ts';
+import { createTrackedBodies } from './tracked-bodies.ts';
+
+const STEP_S = 1 / 60;
+/** A late answer is bridged for so long; then bodies stop until it comes. */
+const MAX_AHEAD_S = 1 / 30;
+
+/** After a long pause, or with a worker that cannot keep up, the world goes on instead of catching up. */
+const MAX_OWED_S = 0.1;
+
+const FLOOR: BodyDescription = {
+  mode: 'static',
+  shapes: [{ kind: 'plane' }],
+  massKg: 0,
+  densityKgPerM3: 0,
+  friction: 0,
+  rollingM: 0,
+  restitution: 0,
+  linearDamping: 0,
+  angularDamping: 0,
+  gravityFactor: 0,
+};
+
+export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
+  const { playing, gravity, floorFriction, sleep, substeps, iterations } = ctx.params;
+  const commands: PhysicsCommand[] = [];
+  const floor = createPhysicsBody(`${ctx.node}/floor`, FLOOR);
+  const own: BodyList = { version: 0, bodies: ctx.config.floor ? [floor] : [] };
+  const lists: BodyList[] = [];
+  /** Whether the result of the step before has been copied to the bodies in this frame. */
+  let isApplied = false;
+  /** Seconds that are still to be simulated: a late answer keeps them waiting. */
+  let owedS = 0;
+  /** Seconds since the answer that the bodies show. */
+  let aheadS = 0;
+  let isFirst = true;
+  const settings = { gravity: [0, 0, 0] as [number, number, number], substeps: 0, iterations: 0, sleep: false };
+  const world = { applyPoses };
+  const tracked = createTrackedBodies(world);
+  const driver = createStepDriver({
+    workers: ctx.workers,
+    createStepper: () => createStepper(createCannonEngine),
+    restore: () => {
+      const all: PhysicsCommand[] = [{ kind: 'clear' }, settingsCommand()];
+      tracked.writeAll(all);
+      return all;
+    },
+    onRestart: (reason, isOnMainThread) =>
+      ctx.report({
+        code: 'SCR058',
+        severity: 'warning',
+        message: `The worker of the physics world ended: ${reason}. ${isOnMainThread ? 'The simulation goes on in the page, which may slow the view.' : 'A new one goes on from the last step.'}`,
+        fix: 'Simulate fewer bodies if it happens again.',
+      }),
+  });
+
+  function applyPoses(): void {
+    if (isApplied) return;
+    isApplied = true;
+    tracked.clearTouches();
+    const answer = driver.take();
+    if (answer) {
+      tracked.take(answer);
+      aheadS = 0;
+    } else if (!driver.isIdle) {
+      aheadS = Math.min(aheadS + ctx.clock.deltaS, MAX_AHEAD_S);
+      tracked.continueFor(aheadS);
+    }
+  }
+  function settingsCommand(): PhysicsCommand {
+    return { kind: 'settings', settings: { ...settings, gravity: [...settings.gravity] } };
+  }
+  /** Adds a command if a param has changed. */
+  function writeSettings(): void {
+    const [x = 0, y = 0, z = 0] = gravity.value;
+    const [p, q, r] = settings.gravity;
+    const parts = Math.round(substeps.value);
+    const passes = Math.round(iterations.value);
+    const isSame = x === p && y === q && z === r && settings.sleep === sleep.value && settings.substeps === parts;
+    if (isFirst || !isSame || settings.iterations !== passes) {
+      settings.gravity = [x, y, z];
+      settings.sleep = sleep.value;
+      settings.substeps = parts;
+      settings.iterations = passes;
+      commands.push(settingsCommand());
+    }
+    if (floor.description.friction !== floorFriction.value) {
+      floor.description = { ...FLOOR, friction: floorFriction.value };
+      floor.version++;
+    }
+  }
+  function reset(): void {
+    driver.forget();
+    tracked.clearTouches();
+    tracked.clear();
+    commands.length = 0;
+    owedS = 0;
+    aheadS = 0;
+    isFirst = true;
+  }
+
+  return {
+    update: () => {
+      applyPoses();
+      isApplied = false;
+      if (ctx.inputs.reset.count > 0) reset();
+      const { deltaS } = ctx.clock;
+      if (!playing.value) owedS += ctx.inputs.step.count * STEP_S;
+      else if (deltaS > 0) owedS = Math.min(owedS + deltaS, MAX_OWED_S);
+      driver.watch();
+      if (!driver.isIdle) return;
+      if (isFirst) commands.push({ kind: 'clear' });
+      writeSettings();
+      isFirst = false;
+      lists.length = 0;
+      lists.push(own, ...ctx.inputs.bodies);
+      tracked.writeCommands(lists, commands);
+      const { awake } = ctx.outputs;
+      if (awake) awake.value = tracked.awakeCount;
+      if (commands.length > 0 || owedS > 0) driver.send(commands, owedS, tracked.count);
+      commands.length = 0;
+      owedS = 0;
+    },
+    settle: () => driver.settle(),
+    reset,
+    dispose: () => {
+      driver.dispose();
+      tracked.clear();
+    },
+  };
+}

@@ -1,0 +1,151 @@
+import type { NodeWorker, WorkerService } from '../../kit/runtime.ts';
+import { type PhysicsCommand, POSE_STRIDE, type StepAnswer, type StepMessage, TOUCH_STRIDE } from './protocol.ts';
+
+/** Sends steps to an engine in a worker; where none starts, it runs the engine on the main thread. */
+export interface StepDriver {
+  /** False while a step is in work: its answer has not come. */
+  readonly isIdle: boolean;
+  readonly isOnMainThread: boolean;
+  /** Starts a step. Only while idle. The list is the caller's again when it returns. */
+  send(commands: readonly PhysicsCommand[], deltaS: number, bodyCount: number): void;
+  /** The newest answer, once; null if there is no new one. Valid until the next `send`. */
+  take(): StepAnswer | null;
+  /** Resolves when the step in work is answered; null while idle. */
+  settle(): Promise<void> | null;
+  /** Drops the answer of the step in work. */
+  forget(): void;
+  /** Once per frame: gives up a worker that has not answered for long. */
+  watch(): void;
+  dispose(): void;
+}
+
+export interface DriverOptions {
+  readonly workers: WorkerService;
+  /** The engine on the main thread. */
+  readonly createStepper: () => (message: StepMessage) => StepAnswer;
+  /** Commands that bring a new engine to the last kept state. */
+  readonly restore: () => readonly PhysicsCommand[];
+  /** A worker has died; the step in work is repeated by the next one. */
+  readonly onRestart: (reason: string, isOnMainThread: boolean) => void;
+}
+
+/** After so many workers died, steps run on the main thread. */
+const MAX_WORKERS = 3;
+/** Frames after which a worker without an answer is given up. */
+const PATIENCE_FRAMES = 300;
+const TOUCHES = 128;
+
+export function createStepDriver({ workers, createStepper, restore, onRestart }: DriverOptions): StepDriver {
+  let worker: NodeWorker | null = null;
+  let onMain: ((message: StepMessage) => StepAnswer) | null = null;
+  let started = 0;
+  let poses = new Float32Array(0);
+  let touches = new Float32Array(TOUCH_STRIDE * TOUCHES);
+  let arrived: StepAnswer | null = null;
+  /** The step in work, to repeat it. */
+  let inWork: { readonly commands: readonly PhysicsCommand[]; readonly deltaS: number; readonly bodyCount: number } | null = null;
+  let isForgotten = false;
+  let framesAway = 0;
+  const waiting: (() => void)[] = [];
+  const transfer: ArrayBuffer[] = [];
+
+  const finish = (answer: StepAnswer): void => {
+    inWork = null;
+    poses = answer.poses;
+    touches = answer.touches;
+    arrived = isForgotten ? null : answer;
+    isForgotten = false;
+    for (const wake of waiting.splice(0)) wake();
+  };
+  const onAnswer = (answer: StepAnswer): void => {
+    if (answer.failure === null) finish(answer);
+    else fail(answer.failure);
+  };
+  function fail(reason: string): void {
+    worker?.dispose();
+    worker = null;
+    const lost = inWork;
+    onRestart(reason, started >= MAX_WORKERS);
+    if (!lost) return;
+    inWork = null;
+    poses = new Float32Array(0);
+    touches = new Float32Array(TOUCH_STRIDE * TOUCHES);
+    // What is in the kept state already has no effect a second time.
+    send([...restore(), ...lost.commands.filter(({ kind }) => kind !== 'clear')], lost.deltaS, lost.bodyCount);
+  }
+  function start(): void {
+    if (worker || onMain) return;
+    if (started < MAX_WORKERS) {
+      started++;
+      let current: NodeWorker | null = null;
+      try {
+        current = workers.start({
+          onMessage: (data) => {
+            if (worker === current) onAnswer(data as StepAnswer);
+          },
+          onFailure: (reason) => {
+            if (worker === current) fail(reason);
+          },
+        });
+        worker = current;
+        return;
+      } catch {
+        // A browser that starts none now will start none later.
+        started = MAX_WORKERS;
+      }
+    }
+    onMain = createStepper();
+  }
+  function send(commands: readonly PhysicsCommand[], deltaS: number, bodyCount: number): void {
+    start();
+    const needed = bodyCount * POSE_STRIDE;
+    // Twice the room, so that a growing world allocates rarely.
+    if (poses.length < needed) poses = new Float32Array(2 * needed);
+    inWork = { commands: [...commands], deltaS, bodyCount };
+    framesAway = 0;
+    const message: StepMessage = { commands, deltaS, poses, touches };
+    if (onMain) {
+      const answer = onMain(message);
+      if (answer.failure !== null) throw new Error(`The physics engine failed: ${answer.failure}`);
+      finish(answer);
+      return;
+    }
+    transfer[0] = poses.buffer;
+    transfer[1] = touches.buffer;
+    worker?.post(message, transfer);
+  }
+
+  return {
+    get isIdle() {
+      return inWork === null;
+    },
+    get isOnMainThread() {
+      return onMain !== null;
+    },
+    send,
+    take: () => {
+      const answer = arrived;
+      arrived = null;
+      return answer;
+    },
+    settle: () => {
+      if (inWork === null) return null;
+      return new Promise((resolve) => {
+        waiting.push(resolve);
+      });
+    },
+    forget: () => {
+      arrived = null;
+      isForgotten = inWork !== null;
+    },
+    watch: () => {
+      if (inWork !== null && ++framesAway > PATIENCE_FRAMES) fail('its worker does not answer');
+    },
+    dispose: () => {
+      worker?.dispose();
+      worker = null;
+      inWork = null;
+      for (const wake of waiting.splice(0)) wake();
+    },
+  };
+}

@@ -1,0 +1,88 @@
+import {
+  type BufferGeometry,
+  CylinderGeometry,
+  InstancedMesh,
+  Matrix4,
+  MeshBasicMaterial,
+  Quaternion,
+  SphereGeometry,
+  Vector3,
+} from 'three';
+import type { ObjectItem, ObjectList } from '../../kit/scene-lists.ts';
+import { setMaterialColor } from '../../kit/three/material-color.ts';
+import type { Figure } from './figure.ts';
+
+/** The lines and ends of a measurement, as objects that the room hides like others. */
+export interface Drawing {
+  /** @param color Display-referred sRGB, straight alpha. */
+  update(figure: Figure, widthM: number, color: ArrayLike<number>): void;
+  dispose(): void;
+}
+
+/** The ends stand out from the lines. */
+const END_RATIO = 3;
+const UP = new Vector3(0, 1, 0);
+
+// Filled and read within one call.
+const scratchMatrix = new Matrix4();
+const scratchAlong = new Vector3();
+const scratchMiddle = new Vector3();
+const scratchScale = new Vector3();
+const scratchRotation = new Quaternion();
+
+export function createDrawing(output: ObjectList, { lines, ends }: Figure): Drawing {
+  const material = new MeshBasicMaterial();
+  const make = (key: string, geometry: BufferGeometry, count: number) => {
+    const mesh = new InstancedMesh(geometry, material, count);
+    mesh.count = 0;
+    mesh.matrixAutoUpdate = false;
+    mesh.matrixWorldAutoUpdate = false;
+    const item: ObjectItem = {
+      key,
+      root: mesh,
+      worldFromObject: new Matrix4(),
+      role: 'virtual',
+      castsShadow: false,
+      receivesShadow: false,
+      hidden: true,
+    };
+    output.items.push(item);
+    return { mesh, item };
+  };
+  const rods = make('lines', new CylinderGeometry(0.5, 0.5, 1, 8), lines.length / 2);
+  const balls = make('ends', new SphereGeometry(0.5, 16, 12), ends.length);
+  output.version++;
+
+  function show({ mesh, item }: typeof rods, count: number): void {
+    item.hidden = count === 0;
+    mesh.count = count;
+    mesh.instanceMatrix.needsUpdate = true;
+    if (count > 0) mesh.computeBoundingSphere();
+  }
+
+  return {
+    update: (figure, widthM, color) => {
+      setMaterialColor(material, color);
+      for (let i = 0; i < figure.lineCount; i++) {
+        const [from, to] = [figure.lines[2 * i] as Vector3, figure.lines[2 * i + 1] as Vector3];
+        const lengthM = scratchAlong.subVectors(to, from).length();
+        scratchRotation.setFromUnitVectors(UP, lengthM > 0 ? scratchAlong.divideScalar(lengthM) : UP);
+        scratchMiddle.addVectors(from, to).multiplyScalar(0.5);
+        rods.mesh.setMatrixAt(i, scratchMatrix.compose(scratchMiddle, scratchRotation, scratchScale.set(widthM, lengthM, widthM)));
+      }
+      for (let i = 0; i < figure.endCount; i++) {
+        scratchMatrix.makeScale(END_RATIO * widthM, END_RATIO * widthM, END_RATIO * widthM).setPosition(figure.ends[i] as Vector3);
+        balls.mesh.setMatrixAt(i, scratchMatrix);
+      }
+      show(rods, widthM > 0 ? figure.lineCount : 0);
+      show(balls, widthM > 0 ? figure.endCount : 0);
+    },
+    dispose: () => {
+      rods.mesh.geometry.dispose();
+      balls.mesh.geometry.dispose();
+      rods.mesh.dispose();
+      balls.mesh.dispose();
+      material.dispose();
+    },
+  };
+}

@@ -1,0 +1,35 @@
+import { useStoreApi } from '@xyflow/react';
+import { type RefObject, useEffect } from 'react';
+
+/** Below this zoom a node shows only its title. */
+export const FAR_ZOOM = 0.6;
+/** Least height of text on the screen, in CSS pixels. */
+const LEGIBLE_PX = 11;
+/** Height of labels at zoom 1, in CSS pixels. */
+const LABEL_PX = 12;
+/** Labels grow in steps, so that a zoom lays out the nodes only a few times. */
+const STEPS_PER_UNIT = 10;
+/** At this scale a word of nine letters is as wide as a node. */
+const MAX_SCALE = 2.6;
+
+/** Enlarges the texts of nodes while the canvas is zoomed out, so that they stay legible: sets `--label-scale` on the canvas. */
+export function useLegibleLabels(root: RefObject<HTMLElement | null>): void {
+  const store = useStoreApi();
+  useEffect(() => {
+    let applied = 0;
+    const apply = (): void => {
+      const scale = labelScale(store.getState().transform[2]);
+      if (scale === applied) return;
+      applied = scale;
+      root.current?.style.setProperty('--label-scale', String(scale));
+    };
+    apply();
+    return store.subscribe(apply);
+  }, [root, store]);
+}
+
+/** Factor by which labels grow at a zoom. */
+export function labelScale(zoom: number): number {
+  const wanted = Math.ceil((LEGIBLE_PX / (LABEL_PX * zoom)) * STEPS_PER_UNIT) / STEPS_PER_UNIT;
+  return Math.min(Math.max(1, wanted), MAX_SCALE);
+}

@@ -1,0 +1,155 @@
+import { editableShader } from '../document/edit-shader.ts';
+import { revealNodes } from '../editor/ui.ts';
+import { resetViewer } from '../editor/viewer.ts';
+import { compareSelected, pinSelected } from '../preview/viewed-layers.ts';
+import type { AppCommand } from './app-command.ts';
+import { dockPreview, nextScale, setScale, switchMotion, switchTheme, toggleBottom, togglePreviewExtent } from './command-actions.ts';
+import { always, hasNodes, hasOneNode, isOpen } from './command-conditions.ts';
+
+/** Commands of the View menu, but those of gizmos. */
+export const VIEW_COMMANDS = {
+  'view.find': {
+    label: 'Find in the graph…',
+    keywords: ['search'],
+    keys: ['Mod+F'],
+    enabled: isOpen,
+    run: ({ ui }) => ui.setState({ dialog: { kind: 'find' } }),
+  },
+  'view.fit': {
+    label: 'Fit graph to view',
+    keywords: ['frame all', 'show all', 'whole graph'],
+    keys: ['F'],
+    enabled: isOpen,
+    run: ({ ui }) => revealNodes(ui, [], 'fit'),
+  },
+  'view.fit-selection': {
+    label: 'Show the selection',
+    keywords: ['frame selected', 'show'],
+    keys: ['Shift+F'],
+    enabled: hasNodes,
+    run: ({ ui, selection }) => revealNodes(ui, [...selection.getState().nodes], 'fit'),
+  },
+  'view.thumbnails': {
+    label: 'Thumbnails',
+    keywords: ['pictures', 'images'],
+    keys: ['T'],
+    enabled: isOpen,
+    run: ({ viewer }) => viewer.setState(({ thumbnails }) => ({ thumbnails: !thumbnails })),
+  },
+  'view.pin': { label: 'Show in the preview', keywords: ['viewer', 'show', 'pin'], keys: ['P'], enabled: hasOneNode, run: pinSelected },
+  'view.compare': {
+    label: 'Compare in the preview',
+    keywords: ['wipe', 'split'],
+    keys: ['Shift+P'],
+    enabled: hasOneNode,
+    run: compareSelected,
+  },
+  'view.screen': {
+    label: 'Show output',
+    keywords: ['screen', 'reset viewer'],
+    keys: [],
+    enabled: ({ viewer }) => viewer.getState().left !== null,
+    run: ({ viewer }) => resetViewer(viewer),
+  },
+  'view.probe': {
+    label: 'Pixel probe',
+    keys: ['Q'],
+    enabled: isOpen,
+    run: ({ viewer }) => viewer.setState(({ probing }) => ({ probing: !probing, probed: null })),
+  },
+  'view.costs': {
+    label: 'Performance overlay',
+    keywords: ['costs', 'passes', 'memory'],
+    keys: ['K'],
+    enabled: isOpen,
+    run: ({ costs }) => costs.setState(({ on }) => ({ on: !on, measured: [] })),
+  },
+  'view.code': {
+    label: 'Shader source',
+    keys: ['Mod+J'],
+    enabled: (editor) => editableShader(editor) !== null || editor.ui.getState().bottom === 'code',
+    run: (editor) => toggleBottom(editor, 'code'),
+    whileTyping: true,
+  },
+  'view.timeline': { label: 'Timeline', keys: ['Shift+T'], enabled: isOpen, run: (editor) => toggleBottom(editor, 'timeline') },
+  'view.problems': {
+    label: 'Problems',
+    keys: ['Mod+M'],
+    enabled: always,
+    run: (editor) => toggleBottom(editor, 'problems'),
+    whileTyping: true,
+  },
+  'view.help': {
+    label: 'Node help',
+    keywords: ['documentation'],
+    keys: ['F1'],
+    enabled: always,
+    run: ({ ui }) => ui.setState(({ help }) => ({ help: !help })),
+    whileTyping: true,
+  },
+  'view.preview-full': {
+    label: 'Full-screen preview',
+    keywords: ['maximize', 'enlarge', 'presentation'],
+    keys: ['V'],
+    enabled: isOpen,
+    run: (editor) => togglePreviewExtent(editor, 'full'),
+  },
+  'view.preview-panel': {
+    label: 'Leave full screen',
+    keys: ['Escape'],
+    enabled: ({ ui }) => ui.getState().previewExtent !== 'panel',
+    run: ({ ui }) => ui.setState({ previewExtent: 'panel' }),
+  },
+  'view.preview-overlay': {
+    label: 'Graph over preview',
+    keywords: ['overlay', 'full screen', 'background'],
+    keys: ['Shift+V'],
+    enabled: isOpen,
+    run: (editor) => togglePreviewExtent(editor, 'overlay'),
+  },
+  'view.dock-right': {
+    label: 'Dock preview right',
+    keywords: ['layout', 'panel'],
+    keys: [],
+    enabled: always,
+    run: (editor) => dockPreview(editor, 'right'),
+  },
+  'view.dock-left': {
+    label: 'Dock preview left',
+    keywords: ['layout', 'panel'],
+    keys: [],
+    enabled: always,
+    run: (editor) => dockPreview(editor, 'left'),
+  },
+  'view.dock-below': {
+    label: 'Dock preview below',
+    keywords: ['layout', 'panel', 'bottom'],
+    keys: [],
+    enabled: always,
+    run: (editor) => dockPreview(editor, 'below'),
+  },
+  'view.theme': { label: 'Theme', keywords: ['light', 'dark', 'appearance', 'tint'], keys: [], enabled: always, run: switchTheme },
+  // No keys, because Ctrl with plus zooms the browser or the window.
+  'view.larger': {
+    label: 'Increase UI scale',
+    keywords: ['zoom', 'larger', 'text size'],
+    keys: [],
+    enabled: (editor) => nextScale(editor, 1) !== undefined,
+    run: (editor) => setScale(editor, nextScale(editor, 1)),
+  },
+  'view.smaller': {
+    label: 'Decrease UI scale',
+    keywords: ['zoom', 'smaller', 'text size'],
+    keys: [],
+    enabled: (editor) => nextScale(editor, -1) !== undefined,
+    run: (editor) => setScale(editor, nextScale(editor, -1)),
+  },
+  'view.usual-size': {
+    label: 'Reset UI scale',
+    keywords: ['zoom', 'size', 'usual'],
+    keys: [],
+    enabled: ({ preferences }) => preferences.getState().scale !== 1,
+    run: (editor) => setScale(editor, 1),
+  },
+  'view.motion': { label: 'Reduce motion', keywords: ['less motion', 'animation'], keys: [], enabled: always, run: switchMotion },
+} as const satisfies Record<string, AppCommand>;

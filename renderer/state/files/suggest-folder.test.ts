@@ -1,0 +1,15 @@
+import { expect, test } from '@jest/globals';
+import { openTestEditor } from '../../../tests/support/test-editor.ts';
+import { suggestFolder } from './suggest-folder.ts';
+
+test('a folder is suggested in the projects folder, named after the title', async () => {
+  const { editor } = await openTestEditor();
+  editor.document.setState({ projectsDir: '/home/me/Scrim' });
+  expect(suggestFolder(editor, 'My effect')).toBe('/home/me/Scrim/my-effect');
+  expect(suggestFolder(editor, ' Größe: 2/3 ', '-page')).toBe('/home/me/Scrim/größe-2-3-page');
+  expect(suggestFolder(editor, '../..')).toBe('/home/me/Scrim/untitled');
+  editor.document.setState({ projectsDir: 'C:\\Users\\me\\Scrim' });
+  expect(suggestFolder(editor, 'A b')).toBe('C:\\Users\\me\\Scrim\\a-b');
+  editor.document.setState({ projectsDir: '' });
+  expect(suggestFolder(editor, 'A b')).toBe('');
+});

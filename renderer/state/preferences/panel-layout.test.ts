@@ -1,0 +1,26 @@
+import { describe, expect, test } from '@jest/globals';
+import { loadLayout } from './panel-layout.ts';
+
+const storing = (text: string | null) => ({ getItem: () => text });
+
+describe('the layout of panels', () => {
+  test.each([
+    [1024, 768],
+    [1440, 900],
+    [2560, 1440],
+  ])('gives the preview 40 %% of a window of %i × %i, and leaves room for the inspector', (width, height) => {
+    const { sizes, dock } = loadLayout(storing(null), width, height);
+    expect(dock).toBe('right');
+    expect(sizes.sideWidthPx).toBeGreaterThanOrEqual(Math.floor(width * 0.4));
+    expect(height - sizes.previewHeightPx).toBeGreaterThan(height * 0.4);
+  });
+
+  test('keeps stored sizes and the dock, and replaces invalid ones', () => {
+    const stored = '{"sideWidthPx":500,"previewHeightPx":-3,"bottomHeightPx":"x","dock":"left"}';
+    const { sizes, dock } = loadLayout(storing(stored), 1440, 900);
+    const defaults = loadLayout(storing('[nonsense'), 1440, 900).sizes;
+    expect(dock).toBe('left');
+    expect(sizes).toEqual({ ...defaults, sideWidthPx: 500 });
+    expect(loadLayout(storing('{"dock":"above"}'), 1440, 900).dock).toBe('right');
+  });
+});

@@ -1,0 +1,74 @@
+import { debounce } from '../../clock.ts';
+import type { Editor } from '../editor/editor.ts';
+import { DEFAULT_SIZES, DOCKS, type Dock, type PanelSizes } from '../editor/ui.ts';
+
+/** The stored part of the layout of panels. */
+export interface PanelLayout {
+  readonly sizes: PanelSizes;
+  readonly dock: Dock;
+}
+
+const KEY = 'scrim-panels';
+const PAUSE_MS = 300;
+/** Fraction of the window's width that preview and inspector get. */
+const SIDE_FRACTION = 0.4;
+/** Height ÷ width of a new preview, without its transport. */
+const PREVIEW_SHAPE = 0.7;
+const TRANSPORT_PX = 38;
+/** Fraction of the window's height that the preview leaves to the inspector below it. */
+const INSPECTOR_FRACTION = 0.42;
+const NARROW_PX = 1200;
+const NARROW_SIZES = { bottomHeightPx: 250, helpWidthPx: 240 };
+
+/** Reads the stored layout. Missing or invalid values become defaults, which depend on the size of the window. */
+export function loadLayout(storage: Pick<Storage, 'getItem'>, windowWidthPx: number, windowHeightPx: number): PanelLayout {
+  let saved: Partial<Record<keyof PanelSizes | 'dock', unknown>> = {};
+  try {
+    saved = (JSON.parse(storage.getItem(KEY) ?? '{}') ?? {}) as typeof saved;
+  } catch {
+    // Invalid JSON: use the defaults.
+  }
+  const defaults = sizesFor(windowWidthPx, windowHeightPx);
+  const size = (name: keyof PanelSizes) => {
+    const value = saved[name];
+    return typeof value === 'number' && value > 0 && value < 10_000 ? value : defaults[name];
+  };
+  return {
+    sizes: {
+      sideWidthPx: size('sideWidthPx'),
+      previewHeightPx: size('previewHeightPx'),
+      bottomHeightPx: size('bottomHeightPx'),
+      helpWidthPx: size('helpWidthPx'),
+      belowHeightPx: size('belowHeightPx'),
+      inspectorWidthPx: size('inspectorWidthPx'),
+    },
+    dock: DOCKS.find((dock) => dock === saved.dock) ?? 'right',
+  };
+}
+
+function sizesFor(windowWidthPx: number, windowHeightPx: number): PanelSizes {
+  const sideWidthPx = Math.round(windowWidthPx * SIDE_FRACTION);
+  const shapedPx = sideWidthPx * PREVIEW_SHAPE + TRANSPORT_PX;
+  return {
+    ...DEFAULT_SIZES,
+    ...(windowWidthPx < NARROW_PX ? NARROW_SIZES : {}),
+    sideWidthPx,
+    previewHeightPx: Math.round(Math.min(shapedPx, windowHeightPx * (1 - INSPECTOR_FRACTION))),
+    belowHeightPx: Math.round(windowHeightPx * 0.5),
+  };
+}
+
+/** Stores the layout after each change. */
+export function keepLayout({ ui, clock }: Editor, storage: Pick<Storage, 'setItem'>): () => void {
+  const keep = debounce(clock, PAUSE_MS, () => {
+    const { sizes, dock } = ui.getState();
+    storage.setItem(KEY, JSON.stringify({ ...sizes, dock }));
+  });
+  const stop = ui.subscribe((state, before) => {
+    if (state.sizes !== before.sizes || state.dock !== before.dock) keep.trigger();
+  });
+  return () => {
+    stop();
+    keep.cancel();
+  };
+}

@@ -1,0 +1,124 @@
+import { afterEach, describe, expect, test } from '@jest/globals';
+import { type GraphText, useOneEditor } from '../support/open-editor.ts';
+import { eventually } from '../support/patience.ts';
+
+const GRAPH: GraphText = {
+  nodes: {
+    'video-aaaa': { type: 'source/camera-video' },
+    'sepia-aaaa': { type: 'filter/sepia' },
+    'gaussian-blur-aaaa': { type: 'filter/gaussian-blur' },
+    'screen-aaaa': { type: 'output/screen' },
+  },
+  wires: [
+    'video-aaaa.layer -> sepia-aaaa.inputImage',
+    'sepia-aaaa.layer -> gaussian-blur-aaaa.inputImage',
+    'gaussian-blur-aaaa.layer -> screen-aaaa.layer',
+  ],
+  places: { 'video-aaaa': [0, 0], 'sepia-aaaa': [400, 0], 'gaussian-blur-aaaa': [800, 0], 'screen-aaaa': [1400, 300] },
+};
+
+const open = useOneEditor(GRAPH, { size: { width: 1440, height: 900 }, colorScheme: 'dark', panels: 'usual' });
+
+async function previewBox() {
+  const box = await open.page.locator('iframe[title="Preview"]').boundingBox();
+  if (!box) throw new Error('The preview has no box.');
+  return box;
+}
+
+const canvasBox = async () => {
+  const box = await open.page.locator('.canvas').boundingBox();
+  if (!box) throw new Error('The canvas has no box.');
+  return box;
+};
+
+async function run(command: string): Promise<void> {
+  await open.page.keyboard.press('Control+k');
+  await open.page.keyboard.type(command);
+  await open.page.keyboard.press('Enter');
+}
+
+describe('the layout of the window', () => {
+  afterEach(() => run('Dock preview right'));
+
+  test('gives the preview 40 % of the width, and no label is below 11 px in the view that fits the graph', async () => {
+    expect((await previewBox()).width).toBeGreaterThanOrEqual(1440 * 0.4);
+    await run('Fit graph to view');
+    const heights = await open.page.locator('.node-title, .port-label').evaluateAll((labels) =>
+      labels
+        .filter((label) => getComputedStyle(label).display !== 'none')
+        .map((label) => {
+          const zoom = label.getBoundingClientRect().height / (label as HTMLElement).offsetHeight;
+          return Number.parseFloat(getComputedStyle(label).fontSize) * zoom;
+        }),
+    );
+    expect(heights.length).toBeGreaterThanOrEqual(4);
+    expect(Math.min(...heights)).toBeGreaterThanOrEqual(10.9);
+  });
+
+  test('docks the preview left and below without loading its page again, and fits the graph', async () => {
+    const frame = open.page.frames().find((candidate) => candidate.parentFrame() !== null);
+    await frame?.evaluate(() => Object.assign(window, { mark: true }));
+    await run('Dock preview left');
+    await eventually(async () => expect((await previewBox()).x).toBe(0));
+    expect((await canvasBox()).x).toBeGreaterThan(500);
+    await run('Dock preview below');
+    await eventually(async () => expect((await previewBox()).y).toBeGreaterThan(300));
+    expect((await canvasBox()).width).toBe(1440);
+    const canvas = await canvasBox();
+    await eventually(async () => {
+      for (const node of await open.page.locator('.react-flow__node').all()) {
+        const box = await node.boundingBox();
+        expect(box && box.y + box.height <= canvas.y + canvas.height).toBe(true);
+      }
+    });
+    expect(await frame?.evaluate(() => 'mark' in window)).toBe(true);
+  });
+
+  test('fills the window with the preview, with the graph over it, until Escape', async () => {
+    await open.page.locator('.canvas').hover();
+    await open.page.keyboard.press('v');
+    await eventually(async () => expect((await previewBox()).width).toBe(1440));
+    await open.page.keyboard.press('Escape');
+    await eventually(async () => expect((await previewBox()).width).toBeLessThan(700));
+    await open.page.keyboard.press('Shift+v');
+    await eventually(async () => expect((await canvasBox()).width).toBe(1440));
+    expect((await previewBox()).width).toBe(1440);
+    // The graph is above the preview.
+    await open.editor.node('sepia').click();
+    await open.editor.inspector.getByText('Sepia').first().waitFor();
+    await open.page.keyboard.press('Escape');
+    await eventually(async () => expect((await canvasBox()).width).toBeLessThan(1000));
+  });
+
+  test('a slider gives up the focus after a drag, so that the next key is a command of the canvas', async () => {
+    await open.editor.node('sepia').click();
+    const slider = open.editor.inspector.getByRole('slider').first();
+    const box = await slider.boundingBox();
+    if (!box) throw new Error('There is no slider.');
+    await open.editor.drag({ x: box.x + box.width - 8, y: box.y + box.height / 2 }, { x: box.x + 30, y: box.y + box.height / 2 });
+    await open.page.keyboard.press('m');
+    await open.page.locator('.node-muted').waitFor();
+    await open.page.keyboard.press('m');
+    await open.page.locator('.node-muted').waitFor({ state: 'detached' });
+    // A slider that keys have reached keeps its own keys.
+    await slider.focus();
+    const before = await slider.inputValue();
+    await open.page.keyboard.press('ArrowRight');
+    expect(await slider.inputValue()).not.toBe(before);
+  });
+
+  test('a key means what the panel under the pointer says', async () => {
+    const play = open.page.getByRole('toolbar', { name: 'Transport' }).getByRole('button', { name: /^(Play|Pause)$/ });
+    await open.editor.node('sepia').click();
+    const before = await play.getAttribute('aria-label');
+    await open.page.locator('.transport-time').hover();
+    await open.page.keyboard.press('Space');
+    await eventually(async () => expect(await play.getAttribute('aria-label')).not.toBe(before));
+    await open.page.locator('.canvas').hover({ position: { x: 20, y: 20 } });
+    await open.editor.inspector.getByRole('slider').first().focus();
+    await open.page.keyboard.press('m');
+    await open.page.locator('.node-muted').waitFor();
+    await open.page.keyboard.press('m');
+    await open.page.locator('.node-muted').waitFor({ state: 'detached' });
+  });
+});

@@ -1,0 +1,71 @@
+import { mkdtemp, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { startServer } from '../../app/server/start-server.ts';
+import { installationAt } from '../../app/services/installation.ts';
+import { playPlacing } from '../../tools/newcomer/play-placing.ts';
+import { collectErrors, useBrowser } from '../support/browser.ts';
+import { countDifferent } from '../support/pixels.ts';
+import { serveStatic } from '../support/serve.ts';
+import { openXrPage, type XrPage } from '../xr/xr-page.ts';
+
+const ROOT = resolve(import.meta.dirname, '../..');
+const MODEL = join(ROOT, 'examples/first-light/assets/robot.glb');
+const MOST_INTERACTIONS = 20;
+/** From (0, 1.5, 1), 0.7 rad below the horizon. */
+const HEAD = { position: [0, 1.5, 1], quaternion: [-Math.sin(0.35), 0, 0, Math.cos(0.35)] } as const;
+
+let base = '';
+beforeAll(async () => {
+  base = await mkdtemp(join(tmpdir(), 'scrim-placing-'));
+});
+afterAll(() => rm(base, { recursive: true, force: true }));
+
+const browser = useBrowser();
+
+/** Touches the screen at the first points, moves the fingers to the last, and lifts them. */
+async function touch(xr: XrPage, ...points: readonly (readonly [x: number, y: number])[]): Promise<void> {
+  for (const [i, point] of points.entries()) {
+    await xr.page.evaluate(([first, [x, y]]) => scrimEmulator?.current?.[first ? 'press' : 'move'](x, y), [i === 0, point] as const);
+    await xr.step(2);
+  }
+  await xr.page.evaluate(() => scrimEmulator?.current?.release());
+  await xr.step(3);
+}
+
+test('a newcomer makes a page in which a model is placed, dragged and measured, in at most 20 interactions', async () => {
+  const server = await startServer({ installation: installationAt(ROOT, '0.0.0'), startPath: null, log: () => {} });
+  const page = await browser.browser.newPage({ viewport: { width: 1440, height: 900 } });
+  const errors = collectErrors(page);
+  const exportTo = join(base, 'page');
+  try {
+    await page.goto(server.invite());
+    const done = await playPlacing({ page, model: MODEL, project: join(base, 'first'), exportTo });
+    expect(done.length).toBeLessThanOrEqual(MOST_INTERACTIONS);
+  } finally {
+    await page.close();
+    await server.close();
+  }
+  expect(errors).toEqual([]);
+
+  const host = await serveStatic({ '/': exportTo });
+  const xr = await openXrPage(browser.browser, `${host.origin}/`, { device: 'phone', room: 'studio' });
+  await xr.setPose(HEAD);
+  await xr.enter();
+  await xr.step(3);
+  const empty = await xr.readComposite();
+  await touch(xr, [0.5, 0.6]);
+  const placed = await xr.readComposite();
+  expect(countDifferent(placed, empty, 24).pixels).toBeGreaterThan(300);
+  await touch(xr, [0.5, 0.6], [0.4, 0.65], [0.3, 0.7]);
+  const dragged = await xr.readComposite();
+  expect(countDifferent(dragged, placed, 24).pixels).toBeGreaterThan(300);
+  await touch(xr, [0.8, 0.7]);
+  const measured = await xr.readComposite();
+  // A line of a few pixels' width from the first tap to this one.
+  expect(countDifferent(measured, dragged, 24).pixels).toBeGreaterThan(60);
+  expect(xr.errors).toEqual([]);
+  await xr.close();
+  await host.close();
+});

@@ -1,3 +1,0 @@
-import { runTool } from './run.mjs';
-
-await runTool('new-node/main.ts');
