@@ -13,7 +13,7 @@ export const LOCAL_LIGHT_RANGE_M = {
   unit: 'm',
 } as const;
 
-/** Whether a spot or point light casts shadows. The limit in the text is that of `export/runtime/scenes/lights/light-limits.ts`. */
+/** Whether a spot, point or panorama light casts shadows. The limit in the text is that of `export/runtime/scenes/lights/light-limits.ts`. */
 export const LOCAL_LIGHT_CASTS_SHADOW = {
   type: 'toggle',
   stage: 'uniform',

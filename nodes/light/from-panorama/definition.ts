@@ -1,5 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
-import { SUN_SHADOW } from '../../kit/light-params.ts';
+import { LOCAL_LIGHT_CASTS_SHADOW, SUN_SHADOW } from '../../kit/light-params.ts';
 
 export const definition = defineNode({
   type: 'light/from-panorama',
@@ -142,13 +142,7 @@ export const definition = defineNode({
       doc: 'Whether the panorama, without its lamps, is visible behind the objects of the scene.',
       default: false,
     },
-    castShadow: {
-      type: 'toggle',
-      stage: 'uniform',
-      label: 'Cast shadows',
-      doc: 'Whether objects in the light of the lamps cast shadows. At most six lights of a layer cast shadows.',
-      default: true,
-    },
+    castShadow: LOCAL_LIGHT_CASTS_SHADOW,
     softness: {
       type: 'number',
       stage: 'uniform',

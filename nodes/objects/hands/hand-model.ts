@@ -71,7 +71,7 @@ export function createHandModel(isLeft: boolean, material: Material): HandModel 
 /** From `scratchZ`, and `scratchY` as far as it is perpendicular, else `scratchX`. */
 function setBasis(out: Matrix4, at: Vector3, radiusM: number): void {
   scratchX.crossVectors(scratchY, scratchZ);
-  // A bone along y of its joint, as of a device with other axes: any perpendicular serves, because capsules are round.
+  // If the bone lies along y of its joint, any perpendicular is right, because capsules are round.
   if (scratchX.lengthSq() < 1e-6) scratchX.set(Math.abs(scratchZ.x) < 0.9 ? 1 : 0, Math.abs(scratchZ.x) < 0.9 ? 0 : 1, 0);
   scratchY.crossVectors(scratchZ, scratchX).normalize();
   scratchX.crossVectors(scratchY, scratchZ);

@@ -9,7 +9,7 @@ import { push } from './impulse-math.ts';
 import { aimAtTarget, integratePose, integrateVelocity } from './integrate.ts';
 import { updateSleep, wakeTouched } from './islands.ts';
 import { createJoint, type Joint } from './joint.ts';
-import { type PhysicsEngine, POSE_STRIDE, TOUCH_STRIDE, type WorldSettings } from './protocol.ts';
+import { FIXED_BODY, type PhysicsEngine, POSE_STRIDE, TOUCH_STRIDE, type WorldSettings } from './protocol.ts';
 import { readPose } from './read-pose.ts';
 import { RigidBody } from './rigid-body.ts';
 import { type CastRoom, sweep } from './sweep.ts';
@@ -29,18 +29,7 @@ const FAST = 1e4;
 /** Bodies that meet more slowly are not reported, meters per second. */
 const TOUCH_MPS = 0.02;
 
-const TARGET: BodyDescription = {
-  mode: 'kinematic',
-  shapes: [],
-  massKg: 0,
-  densityKgPerM3: 0,
-  friction: 0,
-  rollingM: 0,
-  restitution: 0,
-  linearDamping: 0,
-  angularDamping: 0,
-  gravityFactor: 0,
-};
+const TARGET: BodyDescription = { ...FIXED_BODY, mode: 'kinematic' };
 
 // Filled and read within one call.
 const scratchPosition = new Vec3();
@@ -71,7 +60,7 @@ export function createCannonEngine(): PhysicsEngine {
   let stepBeforeS = STEP_S;
   let grid: VoxelGrid | null = null;
   /** Stands for the room in contacts. */
-  const room = new RigidBody(0, { ...TARGET, mode: 'static' });
+  const room = new RigidBody(0, FIXED_BODY);
   /** Contacts that began in the steps of the last frame, in the form of the answer. */
   const touches: number[] = [];
 
@@ -218,7 +207,7 @@ export function createCannonEngine(): PhysicsEngine {
       }
       case 'room':
         grid = command.room && createVoxelGrid(command.room);
-        room.description = { ...TARGET, mode: 'static', friction: command.friction, restitution: command.restitution };
+        room.description = { ...FIXED_BODY, friction: command.friction, restitution: command.restitution };
         for (const each of bodies) if (each.isDynamic) each.wake();
         break;
       case 'depth':

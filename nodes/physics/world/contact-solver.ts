@@ -1,5 +1,5 @@
 import type { Contact, ContactList } from './contact.ts';
-import { applyImpulse, effectiveMass } from './impulse-math.ts';
+import { applyImpulse, effectiveMass, readRelativeVelocity } from './impulse-math.ts';
 import type { RigidBody } from './rigid-body.ts';
 
 /** Bodies slower than this do not bounce, meters per second. */
@@ -11,6 +11,9 @@ const CONTACT_HZ = 100;
 const DAMPING_RATIO = 10;
 /** Overlap that is left, so that contacts persist, meters. */
 const SLOP_M = 2e-4;
+
+// Filled and read within one call.
+const relative = { x: 0, y: 0, z: 0 };
 
 /** Stiffness and damping of a soft constraint for a time step. */
 export interface Softness {
@@ -83,13 +86,8 @@ export function solveContacts(contacts: ContactList, stepS: number, usesBias: bo
     const { biasRate, massScale, impulseScale } = isFixed && !c.isRoom ? stiff : soft;
 
     const gapM = c.gapM + gapChange(c, a, b);
-    let vx = b.velocity.x + b.angularVelocity.y * c.bz - b.angularVelocity.z * c.by;
-    let vy = b.velocity.y + b.angularVelocity.z * c.bx - b.angularVelocity.x * c.bz;
-    let vz = b.velocity.z + b.angularVelocity.x * c.by - b.angularVelocity.y * c.bx;
-    vx -= a.velocity.x + a.angularVelocity.y * c.az - a.angularVelocity.z * c.ay;
-    vy -= a.velocity.y + a.angularVelocity.z * c.ax - a.angularVelocity.x * c.az;
-    vz -= a.velocity.z + a.angularVelocity.x * c.ay - a.angularVelocity.y * c.ax;
-    const speed = vx * c.nx + vy * c.ny + vz * c.nz;
+    readRelativeVelocity(relative, c);
+    const speed = relative.x * c.nx + relative.y * c.ny + relative.z * c.nz;
 
     let bias = 0;
     let mass = 1;
@@ -108,7 +106,7 @@ export function solveContacts(contacts: ContactList, stepS: number, usesBias: bo
     c.maxImpulse = Math.max(c.maxImpulse, total);
     applyImpulse(c, given * c.nx, given * c.ny, given * c.nz);
 
-    solveFriction(c, a, b);
+    solveFriction(c);
     if (c.rollingM > 0) solveRolling(c, a, b);
   }
 }
@@ -126,15 +124,11 @@ function gapChange(c: Contact, a: RigidBody, b: RigidBody): number {
   );
 }
 
-function solveFriction(c: Contact, a: RigidBody, b: RigidBody): void {
-  let vx = b.velocity.x + b.angularVelocity.y * c.bz - b.angularVelocity.z * c.by;
-  let vy = b.velocity.y + b.angularVelocity.z * c.bx - b.angularVelocity.x * c.bz;
-  let vz = b.velocity.z + b.angularVelocity.x * c.by - b.angularVelocity.y * c.bx;
-  vx -= a.velocity.x + a.angularVelocity.y * c.az - a.angularVelocity.z * c.ay;
-  vy -= a.velocity.y + a.angularVelocity.z * c.ax - a.angularVelocity.x * c.az;
-  vz -= a.velocity.z + a.angularVelocity.x * c.ay - a.angularVelocity.y * c.ax;
-  let t = c.tangentImpulse - c.tangentMass * (vx * c.tx + vy * c.ty + vz * c.tz);
-  let u = c.otherTangentImpulse - c.otherTangentMass * (vx * c.ux + vy * c.uy + vz * c.uz);
+function solveFriction(c: Contact): void {
+  readRelativeVelocity(relative, c);
+  const { x, y, z } = relative;
+  let t = c.tangentImpulse - c.tangentMass * (x * c.tx + y * c.ty + z * c.tz);
+  let u = c.otherTangentImpulse - c.otherTangentMass * (x * c.ux + y * c.uy + z * c.uz);
   const most = c.friction * c.normalImpulse;
   const length = Math.hypot(t, u);
   if (length > most) {
@@ -173,14 +167,8 @@ export function bounce(contacts: ContactList): void {
   for (let i = 0; i < contacts.count; i++) {
     const c = contacts.at(i);
     if (c.restitution === 0 || c.approach > -BOUNCE_MPS || c.maxImpulse === 0) continue;
-    const { a, b } = c;
-    const vx = b.velocity.x + b.angularVelocity.y * c.bz - b.angularVelocity.z * c.by;
-    const vy = b.velocity.y + b.angularVelocity.z * c.bx - b.angularVelocity.x * c.bz;
-    const vz = b.velocity.z + b.angularVelocity.x * c.by - b.angularVelocity.y * c.bx;
-    const wx = a.velocity.x + a.angularVelocity.y * c.az - a.angularVelocity.z * c.ay;
-    const wy = a.velocity.y + a.angularVelocity.z * c.ax - a.angularVelocity.x * c.az;
-    const wz = a.velocity.z + a.angularVelocity.x * c.ay - a.angularVelocity.y * c.ax;
-    const speed = (vx - wx) * c.nx + (vy - wy) * c.ny + (vz - wz) * c.nz;
+    readRelativeVelocity(relative, c);
+    const speed = relative.x * c.nx + relative.y * c.ny + relative.z * c.nz;
     const total = Math.max(c.normalImpulse - c.normalMass * (speed + c.restitution * c.approach), 0);
     const given = total - c.normalImpulse;
     c.normalImpulse = total;

@@ -45,3 +45,12 @@ export function push(body: RigidBody, rx: number, ry: number, rz: number, x: num
   w.y += m.xy * cx + m.yy * cy + m.yz * cz;
   w.z += m.xz * cx + m.yz * cy + m.zz * cz;
 }
+
+/** Writes the velocity of `b` relative to `a` at the point. */
+export function readRelativeVelocity(out: { x: number; y: number; z: number }, { a, b, ax, ay, az, bx, by, bz }: Levers): void {
+  const { velocity: v, angularVelocity: w } = a;
+  const { velocity: s, angularVelocity: t } = b;
+  out.x = s.x + t.y * bz - t.z * by - (v.x + w.y * az - w.z * ay);
+  out.y = s.y + t.z * bx - t.x * bz - (v.y + w.z * ax - w.x * az);
+  out.z = s.z + t.x * by - t.y * bx - (v.z + w.x * ay - w.y * ax);
+}

@@ -72,6 +72,20 @@ export const POSE_STRIDE = 15;
 /** Ids of both bodies (0: the room); point; normal towards the first; impulse. */
 export const TOUCH_STRIDE = 9;
 
+/** A body without mass and shape that does not move; the room, the floor and the targets of joints are variants of it. */
+export const FIXED_BODY: BodyDescription = {
+  mode: 'static',
+  shapes: [],
+  massKg: 0,
+  densityKgPerM3: 0,
+  friction: 0,
+  rollingM: 0,
+  restitution: 0,
+  linearDamping: 0,
+  angularDamping: 0,
+  gravityFactor: 0,
+};
+
 /** A physics engine. Ids are positive integers. Commands with numbers that are not finite have no effect. */
 export interface PhysicsEngine {
   /** Every command but `clear`, which creates another engine. */

@@ -2,7 +2,7 @@ import { type BodyDescription, type BodyList, createPhysicsBody } from '../../ki
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import { createCannonEngine } from './cannon-engine.ts';
 import type { definition } from './definition.ts';
-import type { PhysicsCommand } from './protocol.ts';
+import { FIXED_BODY, type PhysicsCommand } from './protocol.ts';
 import { createStepper } from './run-step.ts';
 import { createStepDriver } from './step-driver.ts';
 import { createTrackedBodies } from './tracked-bodies.ts';
@@ -14,18 +14,7 @@ const MAX_AHEAD_S = 1 / 30;
 /** After a long pause, or with a worker that cannot keep up, the world goes on instead of catching up. */
 const MAX_OWED_S = 0.1;
 
-const FLOOR: BodyDescription = {
-  mode: 'static',
-  shapes: [{ kind: 'plane' }],
-  massKg: 0,
-  densityKgPerM3: 0,
-  friction: 0,
-  rollingM: 0,
-  restitution: 0,
-  linearDamping: 0,
-  angularDamping: 0,
-  gravityFactor: 0,
-};
+const FLOOR: BodyDescription = { ...FIXED_BODY, shapes: [{ kind: 'plane' }] };
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { playing, gravity, floorFriction, sleep, substeps, iterations } = ctx.params;
