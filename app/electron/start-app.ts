@@ -49,7 +49,7 @@ export function startApp(app: App, installation: Installation): void {
     // The editor’s page sends its menus later.
     showMenus([]);
     editor = openEditorWindow(host);
-    app.on('quit', () => host.dispose());
+    app.on('quit', () => void host.dispose());
   });
 }
 

@@ -76,8 +76,8 @@ export async function startServer(options: ServerOptions): Promise<EditorServer>
     host,
     close: async () => {
       api.dispose();
-      host.dispose();
       await Promise.all([shut(editor.server), shut(preview.server)]);
+      await host.dispose();
     },
   };
 }

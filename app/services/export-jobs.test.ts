@@ -32,7 +32,7 @@ beforeEach(async () => {
   host.subscribe((event) => told.push(event));
 });
 afterEach(async () => {
-  stopHosts();
+  await stopHosts();
   await rm(base, { recursive: true, force: true });
 });
 

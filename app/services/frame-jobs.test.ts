@@ -22,7 +22,7 @@ beforeEach(async () => {
   await writeFile(join(project, 'project.scrim.json'), projectText({ nodes: { 'screen-a1b2': 'output/screen' }, wires: [] }));
 });
 afterEach(async () => {
-  stopHosts();
+  await stopHosts();
   await rm(base, { recursive: true, force: true });
 });
 

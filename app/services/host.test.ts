@@ -14,7 +14,7 @@ beforeEach(async () => {
   await writeFile(join(project, 'project.scrim.json'), '{"title":"First"}\n');
 });
 afterEach(async () => {
-  stopHosts();
+  await stopHosts();
   await rm(base, { recursive: true, force: true });
 });
 
@@ -86,6 +86,34 @@ test('files in `assets/` that could not be read by their names, which are left o
   expect(assetFiles).toEqual([{ path: 'assets/fine/cup.glb', bytes: 4 }]);
   const { displayPath } = await window.call('project.save-as', { handle, path: join(base, 'second'), files });
   expect(await readdir(join(displayPath, 'assets'), { recursive: true })).toEqual(['fine', join('fine', 'cup.glb')]);
+});
+
+test('a host that stops writes nothing afterward: it waits for the calls in progress', async () => {
+  let goOn = () => {};
+  const mayWrite = new Promise<void>((resolve) => {
+    goOn = resolve;
+  });
+  const slow: FileLayer = {
+    ...NODE_FILES,
+    rename: async (from, to) => {
+      await mayWrite;
+      await NODE_FILES.rename(from, to);
+    },
+  };
+  const host = startHost(slow);
+  const window = openWindow(host, 'a');
+  const { handle, files } = await window.call('project.open', { path: project });
+  const autosave = window.call('project.autosave', { handle, files: { ...files, project: '{"title":"Second"}\n' } });
+  let hasStopped = false;
+  const stop = host.dispose().then(() => {
+    hasStopped = true;
+  });
+  await new Promise((resolve) => setTimeout(resolve, 50));
+  expect(hasStopped).toBe(false);
+  goOn();
+  await stop;
+  expect((await readdir(join(project, '.scrim'))).filter((name) => name.startsWith('unsaved-'))).toHaveLength(1);
+  await autosave;
 });
 
 describe('a new project', () => {

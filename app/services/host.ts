@@ -49,7 +49,8 @@ export interface HostService {
   attend(client: string): () => void;
   subscribe(listener: (event: HostEvent) => void): () => void;
   emit(event: HostEvent): void;
-  dispose(): void;
+  /** Cancels jobs and closes the projects at once. Resolves when the calls in progress no longer write. */
+  dispose(): Promise<void>;
 }
 
 const ROOMS_MOUNT = 'rooms/captures';
@@ -174,9 +175,15 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
     },
   };
 
+  const calls = new Set<Promise<unknown>>();
+
   return {
     content,
-    dispatch: (method, input, client = '') => dispatch(handlers, method, input, client, log),
+    dispatch: (method, input, client = '') => {
+      const call = dispatch(handlers, method, input, client, log).finally(() => calls.delete(call));
+      calls.add(call);
+      return call;
+    },
     attend: (client) => {
       const leave = clients.attend(client);
       return () => {
@@ -191,11 +198,12 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       return () => listeners.delete(listener);
     },
     emit,
-    dispose: () => {
+    dispose: async () => {
       listeners.clear();
       exports.dispose();
       frames.dispose();
       projects.dispose();
+      await Promise.all(calls);
     },
   };
 }

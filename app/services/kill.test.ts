@@ -47,7 +47,7 @@ beforeAll(async () => {
 });
 afterAll(async () => {
   for (const child of children) child.kill('SIGKILL');
-  stopHosts();
+  await stopHosts();
   await rm(base, { recursive: true, force: true });
 });
 

@@ -11,7 +11,7 @@ beforeEach(async () => {
   folder = await mkdtemp(join(tmpdir(), 'scrim-read-'));
 });
 afterEach(async () => {
-  stopHosts();
+  await stopHosts();
   await rm(folder, { recursive: true, force: true });
 });
 

@@ -11,7 +11,7 @@ beforeEach(async () => {
   base = await mkdtemp(join(tmpdir(), 'scrim-replaced-'));
 });
 afterEach(async () => {
-  stopHosts();
+  await stopHosts();
   await rm(base, { recursive: true, force: true });
 });
 

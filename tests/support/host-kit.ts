@@ -27,7 +27,7 @@ export function openWindow(host: HostService, name: string) {
   return { call, leave };
 }
 
-/** Stops all started hosts. */
-export function stopHosts(): void {
-  for (const host of hosts.splice(0)) host.dispose();
+/** Stops all started hosts. Resolves when they no longer write. */
+export async function stopHosts(): Promise<void> {
+  await Promise.all(hosts.splice(0).map((host) => host.dispose()));
 }
