@@ -3,14 +3,13 @@ import { createRoot } from 'react-dom/client';
 import { connectHost } from '../app/contract/connect-host.ts';
 import { DEFINITIONS, SHADERS } from '../nodes/generated/definitions.gen.ts';
 import { pageClock } from './clock.ts';
-import { downloadFile } from './download.ts';
-import { createPageClipboard } from './page-clipboard.ts';
+import { createPageClipboard, downloadFile } from './page-services.ts';
 import { guardPreviewInPage } from './preview-guard.ts';
 import { openRenderPage } from './preview-panel/render-page.ts';
 import { pageRandom } from './random.ts';
 import { App } from './shell/app.tsx';
+import { Logo } from './shell/logo.tsx';
 import { runFromMenu } from './shell/menu-command.ts';
-import { NoHost } from './shell/no-host.tsx';
 import { syncNativeMenus } from './state/commands/menus.ts';
 import { createEditor } from './state/editor/editor.ts';
 import { createPreferences, keepPreferences, loadPreferences } from './state/editor/preferences.ts';
@@ -19,6 +18,7 @@ import { keepRanges } from './state/preview/kept-ranges.ts';
 import { createPreviewSync } from './state/preview-sync/preview-sync.ts';
 import { autosave, handleHostEvents, hasUnsavedWork, openFirst, start } from './state/start.ts';
 import { followAppearance } from './ui/appearance.ts';
+import './shell/no-host.css';
 import './ui/theme.css';
 import './ui/scale.css';
 
@@ -68,3 +68,14 @@ async function main(): Promise<void> {
 }
 
 void main();
+
+/** Shown instead of the editor if the server refuses the address. */
+function NoHost({ why }: { readonly why: string }) {
+  return (
+    <main className="no-host">
+      <Logo />
+      <h1>Invalid address</h1>
+      <p>{why}</p>
+    </main>
+  );
+}

@@ -1,11 +1,11 @@
 import { readdir } from 'node:fs/promises';
-import { basename, join, relative, sep } from 'node:path';
-import { realFolder } from './confine.ts';
-import { copyAssets } from './copy-assets.ts';
+import { basename, dirname, join, relative, sep } from 'node:path';
+import { realFolder, resolveInside } from './confine.ts';
 import { fillEmptyFolder } from './empty-folder.ts';
 import { refusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
-import { changesBetween, readProjectFiles, revisionOf } from './project-files.ts';
+import { changesBetween, listAssets, readProjectFiles, revisionOf } from './project-files.ts';
+import { readAssetFile } from './read-asset.ts';
 import { writeAll } from './transaction.ts';
 
 const MAX_COPIES = 999;
@@ -48,4 +48,13 @@ export async function copyExample({ example, projectsDir, files }: CopyExampleJo
     if (there !== null && revisionOf(there) === revision) return path;
   }
   throw refusal('SCR061', `${projectsDir} contains ${MAX_COPIES} copies of this example.`, 'Delete copies that you do not need.');
+}
+
+/** Copies `assets/` of a project into one without assets. */
+export async function copyAssets(from: string, to: string, files: FileLayer): Promise<void> {
+  for (const { path } of await listAssets(from)) {
+    const target = await resolveInside(to, path);
+    await files.makeFolder(dirname(target));
+    await files.writeNew(target, await readAssetFile(from, path));
+  }
 }

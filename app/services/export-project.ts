@@ -11,7 +11,6 @@ import { type FileLayer, NODE_FILES } from './file-layer.ts';
 import type { Installation } from './installation.ts';
 import { writePageFolder } from './page-folder.ts';
 import { readAssetFile } from './read-asset.ts';
-import { watchedFiles } from './watched-files.ts';
 
 export interface ExportJob {
   /** Real path of the project folder. */
@@ -107,4 +106,24 @@ async function posterOf(program: Program, { drawPoster, interrupted }: ExportJob
     if (error instanceof HostError && error.diagnostic.code === 'SCR042') throw error;
     return null;
   }
+}
+
+/**
+ * Wraps a file layer: counts written files, and throws when interrupted, so that an unfinished folder is removed as after a full
+ * disk. Renames are not interrupted, because both must happen.
+ */
+function watchedFiles(files: FileLayer, interrupted: AbortSignal | undefined, onWrite: (count: number) => void): FileLayer {
+  let count = 0;
+  return {
+    ...files,
+    writeNew: async (path, bytes) => {
+      interrupted?.throwIfAborted();
+      onWrite(++count);
+      await files.writeNew(path, bytes);
+    },
+    makeFolder: async (path) => {
+      interrupted?.throwIfAborted();
+      await files.makeFolder(path);
+    },
+  };
 }

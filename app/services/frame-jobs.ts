@@ -1,4 +1,4 @@
-import type { FileSink } from '../../export/bundle/file-sink.ts';
+import type { FileSink } from '../../export/bundle/bundle-page.ts';
 import type { HostOutput } from '../contract/contract.ts';
 import { encodeLayer } from './encode-png.ts';
 import { errorCode, refusal, writeRefusal } from './file-errors.ts';

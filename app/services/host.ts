@@ -1,4 +1,5 @@
-import { join } from 'node:path';
+import { homedir } from 'node:os';
+import { isAbsolute, join } from 'node:path';
 import type { HostEvent, HostInput, PlatformMenu } from '../contract/contract.ts';
 import type { Answer } from '../contract/host-error.ts';
 import { POSTER_SIZE } from '../contract/poster-size.ts';
@@ -7,10 +8,10 @@ import type { Origins } from './content-policy.ts';
 import { copyExample, isExample } from './copy-example.ts';
 import { dispatch, type Handlers } from './dispatch.ts';
 import { createExportJobs } from './export-jobs.ts';
+import { refusal } from './file-errors.ts';
 import { type FileLayer, NODE_FILES } from './file-layer.ts';
 import { findExamples, withPicture } from './find-examples.ts';
 import { createFrameJobs } from './frame-jobs.ts';
-import { fullPath } from './full-path.ts';
 import { importAsset } from './import-asset.ts';
 import type { Installation } from './installation.ts';
 import { createOpenProjects } from './open-projects.ts';
@@ -222,4 +223,16 @@ function createClients() {
       };
     },
   };
+}
+
+/**
+ * Resolves a typed path; `~/` is the home folder. Rejects relative paths, because a window has no working folder.
+ *
+ * @throws HostError with this `code` if the path is relative
+ */
+function fullPath(path: string, code: 'SCR004' | 'SCR060'): string {
+  const typed = path.trim();
+  const whole = typed === '~' || /^~[/\\]/.test(typed) ? join(homedir(), typed.slice(1)) : typed;
+  if (isAbsolute(whole)) return whole;
+  throw refusal(code, `${path} is not a full path.`, `Enter a full path, such as ${join(homedir(), path)}.`);
 }

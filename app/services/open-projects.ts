@@ -1,11 +1,10 @@
 import { randomBytes } from 'node:crypto';
 import type { HostEvent, OpenProject, ProjectFiles } from '../contract/contract.ts';
 import type { Content } from './content.ts';
-import { copyAssets } from './copy-assets.ts';
+import { copyAssets } from './copy-example.ts';
 import { fillEmptyFolder } from './empty-folder.ts';
 import { refusal, writeRefusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
-import { outsideChange } from './outside-change.ts';
 import { isShownByOthers, leaveSign, removeSign } from './presence.ts';
 import { changesBetween, findProject, listAssets, readProjectFiles, revisionOf } from './project-files.ts';
 import { breakLock } from './project-lock.ts';
@@ -207,4 +206,20 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
       entries.clear();
     },
   };
+}
+
+/**
+ * The event for an external change of a folder: the shaders with their texts if nothing else changed, so that the editor applies them
+ * at once; else only that the project changed.
+ */
+function outsideChange(projectId: string, before: ProjectFiles, now: ProjectFiles): HostEvent {
+  const revision = revisionOf(now);
+  if (before.project !== now.project || before.layout !== now.layout)
+    return { kind: 'project-changed-outside', handle: projectId, revision };
+  const names = new Set([...Object.keys(before.sources), ...Object.keys(now.sources)]);
+  const shaders = [...names]
+    .filter((file) => before.sources[file] !== now.sources[file])
+    .sort()
+    .map((file) => ({ file, before: before.sources[file] ?? null, text: now.sources[file] ?? null }));
+  return { kind: 'shaders-changed-outside', handle: projectId, from: revisionOf(before), revision, shaders };
 }

@@ -2,7 +2,7 @@ import { chmod, mkdir, mkdtemp, readdir, readFile, rm, symlink, writeFile } from
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
-import type { FileSink } from '../../export/bundle/file-sink.ts';
+import type { FileSink } from '../../export/bundle/bundle-page.ts';
 import { NODE_FILES } from './file-layer.ts';
 import { writePageFolder } from './page-folder.ts';
 

@@ -1,7 +1,7 @@
 import { randomBytes } from 'node:crypto';
 import { lstat, readdir, realpath, rm } from 'node:fs/promises';
 import { dirname, join, resolve } from 'node:path';
-import type { FileSink } from '../../export/bundle/file-sink.ts';
+import type { FileSink } from '../../export/bundle/bundle-page.ts';
 import { REPORT_FILE } from '../../export/bundle/report.ts';
 import { errorCode, refusal, writeRefusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';

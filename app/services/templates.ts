@@ -3,7 +3,7 @@ import { basename, join, resolve } from 'node:path';
 import { loadProject } from '../../export/graph/load.ts';
 import type { Project } from '../../export/graph/project.ts';
 import { saveProject } from '../../export/graph/save.ts';
-import { copyAssets } from './copy-assets.ts';
+import { copyAssets } from './copy-example.ts';
 import { fillEmptyFolder } from './empty-folder.ts';
 import { refusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';

@@ -5,13 +5,17 @@ import { webXrFeatures } from '../program/webxr-features.ts';
 import type { AssetCache } from './assets/model-cache.ts';
 import { type PreparedAsset, type PreparedAssets, prepareAssets } from './assets/prepare-assets.ts';
 import { bundleScript, bundleStyle, type Script } from './bundle-page-script.ts';
-import type { FileSink } from './file-sink.ts';
 import { hashedName } from './hashed-name.ts';
 import { LICENCES_FILE, licencesText, licenceWarnings, type PageCredit, pageCredits } from './page-credits.ts';
 import { layOutFiles, layOutSingleFile, type PageFile, toBytes } from './page-layout.ts';
 import { neutralPoster, type PosterPicture } from './poster.ts';
 import { programUse } from './program-use.ts';
 import { type ExportReport, makeReport, REPORT_FILE, type ReportedFile, sizesOf } from './report.ts';
+
+/** Receives the files of a page. Paths are relative with `/` between folders; each is written once. */
+export interface FileSink {
+  write(path: string, bytes: Uint8Array): Promise<void>;
+}
 
 export interface BundleInput {
   readonly program: Program;

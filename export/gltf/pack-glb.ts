@@ -1,4 +1,3 @@
-import { decodeDataUrl } from './data-url.ts';
 import { damaged, type Gltf, type GltfBufferView, type GltfDocument, ModelError } from './document.ts';
 
 /**
@@ -129,4 +128,15 @@ function writeGlb(document: GltfDocument, parts: readonly Uint8Array[], length: 
     at += part.length;
   }
   return out;
+}
+
+/** `data:TYPE;base64,…` or percent-encoded text (RFC 2397). */
+function decodeDataUrl(url: string): { bytes: Uint8Array<ArrayBuffer>; type: string } {
+  const comma = url.indexOf(',');
+  const [type = '', ...options] = url.slice('data:'.length, comma).split(';');
+  const content = url.slice(comma + 1);
+  const binary = options.includes('base64') ? atob(content) : decodeURIComponent(content);
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < binary.length; i++) bytes[i] = binary.charCodeAt(i);
+  return { bytes, type };
 }

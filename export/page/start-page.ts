@@ -11,7 +11,6 @@ import { createEmbeddedAssetSource, hasEmbeddedFiles } from './embedded-files.ts
 import type { CreateLabelLayer } from './label-layer.ts';
 import { countingFetch } from './load-progress.ts';
 import { browserFetch } from './network.ts';
-import { keepForOffline } from './offline.ts';
 import { createPageController, type PageController } from './page-controller.ts';
 import { CONFIG_ID, type PageConfig } from './page-html.ts';
 import { createPageRoot } from './page-root.ts';
@@ -103,5 +102,19 @@ function keptAnchorsOf(page: Window): KeptAnchors {
     return { storage: page.localStorage, page: page.location.pathname };
   } catch {
     return { storage: null, page: page.location.pathname };
+  }
+}
+
+/**
+ * Registers a service worker that stores the page's files, so that the page opens offline the next time. Without support, or if the browser
+ * refuses, the page works as before.
+ */
+async function keepForOffline({ navigator, location, isSecureContext }: Window, script: string): Promise<void> {
+  if (!isSecureContext || !/^https?:$/.test(location.protocol)) return;
+  try {
+    // The scope is the folder of the page, so other pages of the host are not affected.
+    await navigator.serviceWorker?.register(script, { updateViaCache: 'none' });
+  } catch {
+    // Fails in sandboxed frames, private windows and by a policy of the host.
   }
 }

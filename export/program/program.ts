@@ -119,7 +119,7 @@ export type Resource =
   | { readonly id: ResourceId; readonly kind: 'pose' }
   /** Physics bodies. */
   | { readonly id: ResourceId; readonly kind: 'bodies' }
-  /** A curve as a table of heights (`curve-table.ts`), from the slot. No operation writes it. */
+  /** A curve as a table of heights (`texture-sizes.ts`), from the slot. No operation writes it. */
   | { readonly id: ResourceId; readonly kind: 'curve'; readonly slot: number }
   /** A technique. No operation writes it. */
   | TechniqueResource

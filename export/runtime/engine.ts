@@ -13,7 +13,7 @@ import { createProgramCache, type GlProgram, type ProgramCache } from './gl/prog
 import { type CameraMean, createCameraMean } from './light/camera-mean.ts';
 import type { NodeHost } from './operations/node-instance.ts';
 import type { PlayState } from './play-state.ts';
-import type { OperationTimer } from './program-instance/operation-timer.ts';
+import type { OperationTimer } from './program-instance/step.ts';
 import type { CreateSceneBackend, SceneBackend } from './scene-backend.ts';
 import type { Spatial, SpatialCounts } from './spatial/spatial.ts';
 import type { NearestDepth } from './targets/nearest-depth.ts';

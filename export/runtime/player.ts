@@ -15,8 +15,8 @@ import { createPlayState } from './play-state.ts';
 import type { SessionTraits } from './present/background.ts';
 import type { LoopGuard } from './program-instance/loop-watch.ts';
 import { disposeNodeInstances } from './program-instance/node-instances.ts';
-import type { OperationTimer } from './program-instance/operation-timer.ts';
 import { createProgramInstance, type ProgramInstance, type RetainedState } from './program-instance/program-instance.ts';
+import type { OperationTimer } from './program-instance/step.ts';
 import type { CreateSceneBackend } from './scene-backend.ts';
 import type { CreateSpatial } from './spatial/spatial.ts';
 

@@ -1,4 +1,5 @@
 import type { LayerEncoding } from '../../nodes/kit/definition.ts';
+import { IDENTITY } from '../../nodes/kit/matrices.ts';
 import type { LinkedShader, ResourceId } from '../program/program.ts';
 import type { Engine } from './engine.ts';
 import { COPY_SAMPLER, COPY_SHADER, COPY_UV, copyShaderFor } from './gl/copy-shader.ts';
@@ -7,7 +8,6 @@ import { prepareReadback } from './gl/upload.ts';
 import type { Inspected } from './inspected.ts';
 import { setDecode } from './passes/depth-decode.ts';
 import type { PlayState } from './play-state.ts';
-import { IDENTITY } from './resources/identity.ts';
 import type { LiveResources } from './resources/resources.ts';
 import { createTargetBuffer, type TargetResource } from './targets/target-buffer.ts';
 

@@ -81,3 +81,26 @@ export function rayTurnRad(worldFromA: ArrayLike<number>, worldFromB: ArrayLike<
 
 /** A press whose ray turns more is a drag: 3°, which is 18 px on a screen of 360 px and 60°. */
 export const TAP_TURN_RAD = (3 * Math.PI) / 180;
+
+/**
+ * Takes the keys for a node, as when its object is touched. Until `freeKeys`, or until another node takes them, the frames list keys
+ * (`SessionInput.keys`) and the page's own use of keys, such as turning the view, stops.
+ *
+ * @param owner Any object of the node; the node's context serves.
+ *
+ * @example
+ * if (claimPointer(pointer, ctx)) ownKeys(frame.input, ctx);
+ */
+export function ownKeys(input: SessionInput, owner: object): void {
+  input.keyOwner = owner;
+}
+
+/**
+ * Gives the keys back to the page, if they are the node's.
+ *
+ * @example
+ * dispose: () => freeKeys(ctx.session.frame.input, ctx),
+ */
+export function freeKeys(input: SessionInput, owner: object): void {
+  if (input.keyOwner === owner) input.keyOwner = null;
+}

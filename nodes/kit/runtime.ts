@@ -13,6 +13,9 @@ import type { TechniqueView } from './technique-view.ts';
 import type { NumberView, ValueViews, Writable } from './value-views.ts';
 import type { WireType } from './wire-types.ts';
 
+/** The number of pulses that an output can emit in one frame. It is fixed so that a frame allocates nothing. */
+export const PULSE_CAPACITY = 16;
+
 /**
  * The module of a node's `runtime.ts`, as the player loads it. This file contains only types.
  *

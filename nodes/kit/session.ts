@@ -126,7 +126,7 @@ export interface SessionInput {
   readonly rightHand: Hand;
   /**
    * Keys pressed on the view since the previous frame, oldest first, with repeats of held keys; only the first `keyCount` entries are
-   * valid. Listed while a node owns the keys (`nodes/kit/keys.ts`); sessions of headsets and phones list none.
+   * valid. Listed while a node owns the keys (`nodes/kit/pointers.ts`); sessions of headsets and phones list none.
    */
   readonly keys: readonly KeyPress[];
   readonly keyCount: number;

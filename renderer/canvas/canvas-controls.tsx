@@ -1,5 +1,5 @@
 import { Panel, useReactFlow, useStore } from '@xyflow/react';
-import { useKeys } from '../state/commands/use-keys.ts';
+import { useKeys } from '../state/commands/command-item.ts';
 import { uiScale } from '../ui/appearance.ts';
 import { IconButton } from '../ui/button.tsx';
 

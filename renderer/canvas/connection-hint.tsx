@@ -1,9 +1,10 @@
 import { useConnection, useStore as useFlowStore } from '@xyflow/react';
 import { createPortal } from 'react-dom';
+import type { Place } from '../state/editor/canvas-state.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
+import { itemOf } from '../state/editor/item-ids.ts';
 import { refusalOver } from '../state/graph/connect-ports.ts';
 import { portOver } from '../state/graph/drop-on-node.ts';
-import { nodeAt } from './node-at.ts';
 
 const OFFSET_PX = 16;
 
@@ -35,4 +36,10 @@ export function ConnectionHint() {
     const port = node === null ? null : portOver(editor, draggedWire, node);
     return port && { text: draggedWire.side === 'output' ? `Connect to ${port.label}` : `Connect from ${port.label}`, refused: false };
   }
+}
+
+/** Id of the topmost node at a place in client pixels; null if there is none. Frames, notes and reroutes do not count. */
+export function nodeAt({ x, y }: Place): string | null {
+  const id = document.elementFromPoint(x, y)?.closest('.react-flow__node')?.getAttribute('data-id') ?? null;
+  return id === null || itemOf(id) !== null ? null : id;
 }

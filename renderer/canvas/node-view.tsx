@@ -1,17 +1,18 @@
 import { Handle, type NodeProps, Position } from '@xyflow/react';
-import { memo } from 'react';
+import { memo, useEffect, useMemo, useRef } from 'react';
+import { useStore } from 'zustand';
 import { WIRE_TYPES } from '../../nodes/kit/wire-types.ts';
 import { toggleExpanded } from '../state/editor/canvas-state.ts';
-import { useEditor } from '../state/editor/editor-context.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { layerName } from '../state/editor/layer-names.ts';
+import { refusalOf } from '../state/graph/edit-graph.ts';
+import { BODY_PADDING, HEADER_HEIGHT, type PortView, ROW_HEIGHT } from '../state/graph/node-shape.ts';
 import { CategoryMark, categoryColor } from '../ui/category-mark.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { useDetail } from './detail.ts';
 import { NodeCost } from './performance-overlay.tsx';
-import './node-view.css';
-import { BODY_PADDING, HEADER_HEIGHT, type PortView, ROW_HEIGHT } from '../state/graph/node-shape.ts';
-import { NodeThumbnail } from './node-thumbnail.tsx';
 import type { CanvasNode, NodeData } from './project-canvas.ts';
-import { useDimmedPorts } from './use-dimmed-ports.ts';
+import './node-view.css';
 
 /** One node. A large canvas holds three thousand of them, so it mounts only visible elements. */
 export const NodeView = memo(function NodeView({ id, data, selected }: NodeProps<CanvasNode>) {
@@ -139,4 +140,44 @@ function classOf(data: NodeData, selected: boolean, dimmed: boolean): string {
   ]
     .filter(Boolean)
     .join(' ');
+}
+
+/**
+ * Ports of a node that cannot take the wire being dragged, as `side name`; `all` if no port can; null while no wire is dragged.
+ */
+function useDimmedPorts(node: string, ports: readonly PortView[]): ReadonlySet<string> | 'all' | null {
+  const editor = useEditor();
+  const draggedWire = useStore(editor.canvas, (state) => state.draggedWire);
+  return useMemo(() => {
+    if (draggedWire === null) return null;
+    const wanted = draggedWire.side === 'output' ? 'input' : 'output';
+    const dimmed = ports.filter((port) => {
+      const start = node === draggedWire.node && port.name === draggedWire.port && port.side === draggedWire.side;
+      return !start && (port.side !== wanted || refusalOf(editor, draggedWire, { node, port: port.name, side: port.side }) !== null);
+    });
+    return dimmed.length === ports.length ? 'all' : new Set(dimmed.map((port) => `${port.side} ${port.name}`));
+  }, [editor, draggedWire, node, ports]);
+}
+
+/** Thumbnail of a layer. React Flow mounts only visible nodes, so only visible layers are requested; bitmaps bypass React. */
+function NodeThumbnail({ node, port }: { readonly node: string; readonly port: string }) {
+  const { thumbnails } = useEditor();
+  const layer = useDocument((state) => layerName(state, node, port));
+  const canvas = useRef<HTMLCanvasElement>(null);
+  useEffect(
+    () =>
+      thumbnails.watch(layer, (picture) => {
+        const element = canvas.current;
+        if (!element) return picture.close();
+        element.width = picture.width;
+        element.height = picture.height;
+        element.getContext('bitmaprenderer')?.transferFromImageBitmap(picture);
+      }),
+    [thumbnails, layer],
+  );
+  return (
+    <div className="node-picture">
+      <canvas ref={canvas} width="0" height="0" />
+    </div>
+  );
 }

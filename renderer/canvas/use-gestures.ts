@@ -24,7 +24,7 @@ import { boxOfItem, contentOf, moveAll } from '../state/graph/layout-items.ts';
 import { HEADER_HEIGHT, NODE_WIDTH } from '../state/graph/node-shape.ts';
 import { addReroute, findStretch, wiresOfStretch } from '../state/graph/reroutes.ts';
 import { openSubgraph } from '../state/graph/subgraphs.ts';
-import { nodeAt } from './node-at.ts';
+import { nodeAt } from './connection-hint.tsx';
 import type { CanvasWire } from './project-wires.ts';
 import { useCancelGesture } from './use-cancel-gesture.ts';
 import type { AnyNode } from './use-canvas-view.ts';

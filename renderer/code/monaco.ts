@@ -1,4 +1,3 @@
-import { editor, KeyCode, KeyMod } from 'monaco-editor/editor';
 import 'monaco-editor/features/codeEditor/register';
 import 'monaco-editor/features/bracketMatching/register';
 import 'monaco-editor/features/caretOperations/register';
@@ -25,20 +24,23 @@ import 'monaco-editor/features/snippet/register';
 import 'monaco-editor/features/suggest/register';
 import 'monaco-editor/features/wordHighlighter/register';
 import 'monaco-editor/features/wordOperations/register';
-// Monaco’s feature bundles of the same names do not include these.
 import 'monaco-editor/editor/contrib/gotoSymbol/browser/goToCommands';
 import 'monaco-editor/editor/contrib/suggest/browser/suggestController';
+import { editor, KeyCode, KeyMod, MarkerSeverity } from 'monaco-editor/editor';
 import type { NeighborFile } from '../../export/glsl/language/shader-document.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { createColorMarks } from './color-marks.ts';
 import { type Comparison, compareWith } from './compare.ts';
 import { registerGlslLanguage } from './glsl-language.ts';
-import { markDiagnostics } from './markers.ts';
 import { followTheme } from './monaco-theme.ts';
 import { registerProviders } from './providers.ts';
 import { forgetModels, neighborFileOf, type ShaderTexts, shaderModel } from './shader-models.ts';
 import { createTuning } from './tune-literals.ts';
 import { optionsFor, readOnlyOptions, sizesFor } from './view-options.ts';
+
+const OWNER = 'scrim';
+
+const SEVERITIES = { error: MarkerSeverity.Error, warning: MarkerSeverity.Warning, info: MarkerSeverity.Info } as const;
 
 export interface ShownText {
   /** Key of the model, which keeps its caret and undo history. */
@@ -209,4 +211,28 @@ export function createShaderEditor(parent: HTMLElement, { texts, onType, onLeave
 
 function disposer(part: { dispose(): void }): () => void {
   return () => part.dispose();
+}
+
+function markDiagnostics(model: editor.ITextModel, diagnostics: readonly Diagnostic[]): void {
+  editor.setModelMarkers(
+    model,
+    OWNER,
+    diagnostics.map((diagnostic) => markerOf(model, diagnostic)),
+  );
+}
+
+/** Marks from the column to the end of its word, or the whole line if the column is unknown. */
+function markerOf(model: editor.ITextModel, { line, column, message, fix, severity, code }: Diagnostic): editor.IMarkerData {
+  const startLineNumber = Math.min(Math.max(line ?? 1, 1), model.getLineCount());
+  const startColumn = column ?? model.getLineFirstNonWhitespaceColumn(startLineNumber);
+  const word = column === undefined ? null : model.getWordAtPosition({ lineNumber: startLineNumber, column: startColumn });
+  return {
+    severity: SEVERITIES[severity],
+    message: fix === undefined ? message : `${message}\n${fix}`,
+    code,
+    startLineNumber,
+    startColumn,
+    endLineNumber: startLineNumber,
+    endColumn: column === undefined ? model.getLineMaxColumn(startLineNumber) : (word?.endColumn ?? startColumn + 1),
+  };
 }

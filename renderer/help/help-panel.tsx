@@ -3,7 +3,7 @@ import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 import { canBeWired, inputFacts, needFacts, outputFacts, paramFacts } from '../../nodes/kit/facts.ts';
 import type { WireType } from '../../nodes/kit/wire-types.ts';
 import { PortMark } from '../canvas/port-mark.tsx';
-import { useKeys } from '../state/commands/use-keys.ts';
+import { useKeys } from '../state/commands/command-item.ts';
 import { nodeOf } from '../state/editor/document.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { soleNode } from '../state/editor/selection.ts';

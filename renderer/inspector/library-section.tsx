@@ -2,7 +2,7 @@ import { type DragEvent, useRef, useState } from 'react';
 import { subgraphType } from '../../export/graph/document-names.ts';
 import { PortMark } from '../canvas/port-mark.tsx';
 import { appCommand } from '../state/commands/app-commands.ts';
-import { useKeys } from '../state/commands/use-keys.ts';
+import { useKeys } from '../state/commands/command-item.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { titleOfName } from '../state/editor/library.ts';
 import { mainType } from '../state/graph/node-shape.ts';

@@ -5,7 +5,7 @@ import type { Binding } from '../../export/graph/project.ts';
 import { getOwn } from '../../export/graph/record.ts';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 import { runCommand } from '../state/commands/app-commands.ts';
-import { useKeys } from '../state/commands/use-keys.ts';
+import { useKeys } from '../state/commands/command-item.ts';
 import { shaderOf } from '../state/document/edit-shader.ts';
 import { graphOf, nodeOf } from '../state/editor/document.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';

@@ -5,7 +5,6 @@ import { useEditor } from '../state/editor/editor-context.ts';
 import type { ColorRequest } from '../state/editor/viewer.ts';
 import { usePreviewSync } from '../state/preview-sync/preview-sync-context.ts';
 import './eyedropper.css';
-import { probeWords } from './probe-words.ts';
 
 /** Pixels on each side of the center: 11 in a row, each 10 CSS pixels wide. */
 const AROUND_PX = 5;
@@ -131,4 +130,17 @@ function Loupe({ probed, at }: { readonly probed: PreviewProbe; readonly at: Poi
       </output>
     </div>
   );
+}
+
+/** Text of a pixel probe: the color in hexadecimal and as 0 to 255, depth in meters. */
+export function probeWords({ color: [r, g, b, a], depth }: PreviewProbe): { readonly css: string; readonly lines: readonly string[] } {
+  const hex = `#${[r, g, b].map((part) => part.toString(16).padStart(2, '0')).join('')}`;
+  const lines = [`${hex} · ${r} ${g} ${b}${a === 255 ? '' : ` · ${Math.round((a / 255) * 100)} % opaque`}`];
+  if (depth === null) lines.push('No depth');
+  else {
+    lines.push(`${depth.meters.toFixed(2)} m, ${depth.of === 'room' ? 'the room' : 'the layer'}`);
+    const [x, y, z] = depth.positionWorld.map((part) => part.toFixed(2));
+    lines.push(`x ${x}  y ${y}  z ${z} m`);
+  }
+  return { css: hex, lines };
 }

@@ -2,7 +2,7 @@ import { useEffect } from 'react';
 import { useStore } from 'zustand';
 import type { GizmoMode } from '../preview-protocol.ts';
 import { type AppCommandId, runCommand } from '../state/commands/app-commands.ts';
-import { useKeys } from '../state/commands/use-keys.ts';
+import { useKeys } from '../state/commands/command-item.ts';
 import { cancelDrag } from '../state/document/cancel-drag.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { gizmoTargetOf } from '../state/editor/gizmo-target.ts';

@@ -2,7 +2,7 @@ import { useRef, useState } from 'react';
 import { useStore } from 'zustand';
 import type { PreviewTier } from '../preview-protocol.ts';
 import { runCommand } from '../state/commands/app-commands.ts';
-import { useKeys } from '../state/commands/use-keys.ts';
+import { useKeys } from '../state/commands/command-item.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 import { chosenSource, type DeviceFrame } from '../state/editor/preview-state.ts';
 import { usePreviewSync } from '../state/preview-sync/preview-sync-context.ts';

@@ -8,7 +8,7 @@ import { usePreviewSync } from '../state/preview-sync/preview-sync-context.ts';
 import { IconButton } from '../ui/button.tsx';
 import { Eyedropper } from './eyedropper.tsx';
 import './viewer-overlay.css';
-import { probeWords } from './probe-words.ts';
+import { probeWords } from './eyedropper.tsx';
 
 const KEY_STEP = 0.02;
 

@@ -1,5 +1,5 @@
 import type { FrameClock } from '../../export/runtime/clock.ts';
-import type { OperationTimer } from '../../export/runtime/program-instance/operation-timer.ts';
+import type { OperationTimer } from '../../export/runtime/program-instance/step.ts';
 import type { FromPreview, OperationCost } from '../preview-protocol.ts';
 
 /** Measures operations: number of draw calls, and GPU time if the browser supports timer queries. */

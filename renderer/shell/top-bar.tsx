@@ -10,7 +10,7 @@ import { Button, IconButton } from '../ui/button.tsx';
 import { MenuButton, type MenuItem } from '../ui/menu.tsx';
 import { Logo } from './logo.tsx';
 import './top-bar.css';
-import { useKeys } from '../state/commands/use-keys.ts';
+import { useKeys } from '../state/commands/command-item.ts';
 
 export function TopBar() {
   return (

@@ -5,8 +5,7 @@ import { useEditor } from '../state/editor/editor-context.ts';
 import { setEasing } from '../state/params/keyframes.ts';
 import { CurveDrawing } from '../ui/curve-square.tsx';
 import { Popover } from '../ui/popover.tsx';
-import { EasingEditor } from './easing-editor.tsx';
-import { easingPath } from './easing-path.ts';
+import { EasingEditor, easingPath } from './easing-editor.tsx';
 import type { ChosenKeyframe } from './keyframe-mark.tsx';
 
 interface EasingButtonProps extends ChosenKeyframe {

@@ -1,10 +1,9 @@
 import { type PointerEvent, useRef } from 'react';
-import { type Handles, OVERSHOOT } from '../../nodes/kit/ease.ts';
+import { type Easing, type Handles, handlesOf, OVERSHOOT } from '../../nodes/kit/ease.ts';
 import type { CurvePoint } from '../ui/curve-points.ts';
 import { CurveDrawing, CurveHandle, pixelsFrom, placeIn } from '../ui/curve-square.tsx';
 import { useEscape } from '../ui/escape.ts';
 import { type EditHandlers, NumberField } from '../ui/number-field.tsx';
-import { handlesPath } from './easing-path.ts';
 
 interface EasingEditorProps extends EditHandlers<Handles> {
   readonly value: Handles;
@@ -116,4 +115,14 @@ function round(number: number): number {
 
 function clamp(value: number, min: number, max: number): number {
   return Math.min(Math.max(value, min), max);
+}
+
+/** SVG path data of a Bézier easing in a unit square, y down. */
+export function handlesPath([x1, y1, x2, y2]: Handles): string {
+  return `M0 1C${x1} ${1 - y1} ${x2} ${1 - y2} 1 0`;
+}
+
+export function easingPath(easing: Easing): string {
+  const handles = handlesOf(easing);
+  return handles === null ? 'M0 1H1V0' : handlesPath(handles);
 }

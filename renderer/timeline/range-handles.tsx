@@ -4,7 +4,6 @@ import { frameAtTime, timeOfFrame } from '../../nodes/kit/frame-times.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 import type { PreviewState } from '../state/editor/preview-state.ts';
 import { nearestFrame, playedRange, setIn, setOut } from '../state/preview/playback.ts';
-import { frameLabel } from './frame-label.ts';
 import { percentOf, timeAt } from './time-scale.ts';
 
 interface Lengthy {
@@ -98,4 +97,9 @@ function Handle({ which, lengthS }: Lengthy & { readonly which: 'in' | 'out' }) 
       onKeyDown={onKeyDown}
     />
   );
+}
+
+/** Label of a frame for tooltips and screen readers. */
+export function frameLabel(frame: number, timeS: number): string {
+  return `Frame ${frame}, ${timeS.toFixed(2)} s`;
 }

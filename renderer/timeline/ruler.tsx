@@ -4,7 +4,7 @@ import { frameAtTime, timeOfFrame } from '../../nodes/kit/frame-times.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 import { frameOf, timeOf } from '../state/editor/preview-state.ts';
 import { goToFrame } from '../state/preview/playback.ts';
-import { frameLabel } from './frame-label.ts';
+import { frameLabel } from './range-handles.tsx';
 import { marksOf, percentOf, timeAt } from './time-scale.ts';
 
 /** Ruler in seconds. A press or drag pauses the recording at that frame. */

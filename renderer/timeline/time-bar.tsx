@@ -1,6 +1,6 @@
 import { useStore } from 'zustand';
 import { type AppCommandId, runCommand } from '../state/commands/app-commands.ts';
-import { useKeys } from '../state/commands/use-keys.ts';
+import { useKeys } from '../state/commands/command-item.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 import { isHeld, playedRange } from '../state/preview/playback.ts';
 import { IconButton } from '../ui/button.tsx';

@@ -1,6 +1,5 @@
 import type { NamedSize } from '../../export/glsl/isf/isf-shader.ts';
 import type { LinkedPass, LinkedSampler, LinkedUniform } from '../../export/glsl/link/linked-pass.ts';
-import { CURVE_WIDTH_PX } from '../../export/program/curve-table.ts';
 import {
   GATE_SAMPLER,
   GATE_UNIFORM,
@@ -10,6 +9,7 @@ import {
   readProbe,
 } from '../../export/program/loop-budget.ts';
 import type { LinkedShader } from '../../export/program/program.ts';
+import { CURVE_WIDTH_PX } from '../../export/program/texture-sizes.ts';
 import { sampleCurve } from '../../nodes/kit/curve.ts';
 import { playSize, SIZE_STACK_BOTTOM } from '../../nodes/kit/play-size.ts';
 

@@ -6,8 +6,7 @@ import type { Browser, Page } from 'playwright-core';
 import type { ToolContext } from '../lib/tool.ts';
 import type { Bench } from './bench.ts';
 import { GRID_ROWS, type GridGraph, gridGraph } from './grid-graph.ts';
-import { startBenchBrowser } from './open-page.ts';
-import { openServer } from './open-server.ts';
+import { openServer, startBenchBrowser } from './open-page.ts';
 
 const FRAMES = 120;
 /** Distance of pointer moves, as in a manual drag. */

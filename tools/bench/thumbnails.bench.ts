@@ -7,8 +7,7 @@ import type { Browser, Frame, Page } from 'playwright-core';
 import type { ToolContext } from '../lib/tool.ts';
 import type { Bench } from './bench.ts';
 import { childrenCpuMs } from './cpu-time.ts';
-import { startBenchBrowser } from './open-page.ts';
-import { openServer } from './open-server.ts';
+import { openServer, startBenchBrowser } from './open-page.ts';
 
 const PROJECT = 'near-in-colour-far-in-ink';
 const FRAMES = 20;

@@ -1,5 +1,8 @@
 import { mkdir, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
+import { bundleScript } from '../../app/services/bundle-script.ts';
+import { findChromium } from '../../app/services/chromium.ts';
+import { startBrowser } from '../../app/services/start-browser.ts';
 import type { Project } from '../../export/graph/project.ts';
 import { saveProject } from '../../export/graph/save.ts';
 import { DEFINITIONS, SHADERS } from '../../nodes/generated/definitions.gen.ts';
@@ -8,7 +11,6 @@ import type { ToolMain } from '../lib/tool.ts';
 import { makeChime } from './chime.ts';
 import { GALLERY_FILES, makeGallery } from './gallery.ts';
 import { makeLitRoom } from './lit-room.ts';
-import { makeFilm } from './make-film.ts';
 import { makeHands } from './paper/hands.ts';
 import { makeProject } from './paper/recipe.ts';
 import { RECIPES } from './paper/recipes.ts';
@@ -16,6 +18,9 @@ import { makeStrokes } from './paper/strokes.ts';
 import { makePinwheel } from './pinwheel.ts';
 import { makeRobot } from './robot.ts';
 import { makeSky } from './sky.ts';
+
+/** WebCodecs requires a secure origin. No request reaches this address. */
+const ADDRESS = 'https://film.invalid/';
 
 /** Projects are self-contained folders, so each has its own copy of the model. */
 const ROBOT_PATHS = [
@@ -86,5 +91,22 @@ async function place(root: string, paths: readonly string[], bytes: Uint8Array):
     await mkdir(dirname(join(root, path)), { recursive: true });
     await writeFile(join(root, path), bytes);
     console.log(`${path}: ${bytes.length} bytes`);
+  }
+}
+
+/** Encodes an example video in the pinned browser, which always produces the same bytes. */
+async function makeFilm(root: string, film: 'makeBall' | 'makeStripes'): Promise<Uint8Array> {
+  const found = await findChromium({ pinnedOnly: true });
+  if (!found) throw new Error('The pinned Chromium is missing: run `npm ci` on Linux x64.');
+  const browser = await startBrowser(found);
+  try {
+    const page = await browser.newPage();
+    await page.route(ADDRESS, (route) => route.fulfill({ contentType: 'text/html', body: '<!doctype html><title>film</title>' }));
+    await page.goto(ADDRESS);
+    await page.addScriptTag({ content: await bundleScript(root, 'tools/examples/film.page.ts', 'film') });
+    const bytes = await page.evaluate(`film.${film}()`);
+    return Uint8Array.from(bytes as number[]);
+  } finally {
+    await browser.close();
   }
 }

@@ -1,12 +1,17 @@
 import { mkdir, writeFile } from 'node:fs/promises';
-import { basename, join, relative, resolve } from 'node:path';
-import { findExamples } from '../../app/services/find-examples.ts';
+import { basename, dirname, join, relative, resolve } from 'node:path';
+import sharp from 'sharp';
+import { findExamples, pictureOf } from '../../app/services/find-examples.ts';
 import { installationAt } from '../../app/services/installation.ts';
 import { findTemplates } from '../../app/services/templates.ts';
 import type { ToolMain } from '../lib/tool.ts';
 import { drawExample } from './draw-example.ts';
 import { makeSheet, type SheetCell } from './make-sheet.ts';
-import { writePicture } from './write-picture.ts';
+
+const WIDTH_PX = 240;
+
+/** About 9 kB per image; all of them are sent to the editor at once. */
+const QUALITY = 74;
 
 const OWN_SHEET = 'docs/gallery.jpg';
 
@@ -48,3 +53,10 @@ export const main: ToolMain = async ([out, ...sessions], { root }) => {
   }
   return problems === 0 ? 0 : 1;
 };
+
+/** Writes the small image of an example for the editor. */
+async function writePicture(examplesDir: string, name: string, png: Uint8Array): Promise<void> {
+  const file = pictureOf(examplesDir, name);
+  await mkdir(dirname(file), { recursive: true });
+  await writeFile(file, await sharp(png).resize({ width: WIDTH_PX }).jpeg({ quality: QUALITY }).toBuffer());
+}

@@ -1,10 +1,20 @@
 import { posix } from 'node:path';
 import { findCircles, type Graph } from './circles.ts';
-import { pathMatcher } from './match.ts';
 import { readGlobalUses } from './raw-globals.ts';
 import { type ImportUse, readImports } from './read-imports.ts';
 import { lineOf, parseFile, type SourceFile } from './syntax.ts';
 import { FIXED_NAMES, LAYERS, type Layer, MAX_LINES, RAW_GLOBALS, ROOMS, SIBLINGS, UNIQUE_NAMES } from './table.ts';
+
+const TOKENS = /\*\*\/|\*\*|\*|\{|\}|,|[^*{},]+/g;
+
+const TRANSLATIONS: Readonly<Record<string, string>> = {
+  '**/': '(?:.*/)?',
+  '**': '.*',
+  '*': '[^/]*',
+  '{': '(?:',
+  '}': ')',
+  ',': '|',
+};
 
 /** `path:line: message`, ready to print. */
 export type Problem = string;
@@ -185,4 +195,14 @@ function lengthProblem({ path, text }: SourceFile): Problem[] {
 
 function at(file: SourceFile, offset: number, message: string): Problem {
   return `${file.path}:${lineOf(file.text, offset)}: ${message}`;
+}
+
+/** Turns a path pattern of the table (`*`, `**`, `{a,b}`) into a test of repository paths. */
+function pathMatcher(patterns: readonly string[]): (path: string) => boolean {
+  const expressions = patterns.map((pattern) => new RegExp(`^${translate(pattern)}$`));
+  return (path) => expressions.some((expression) => expression.test(path));
+}
+
+function translate(pattern: string): string {
+  return pattern.replace(TOKENS, (token) => TRANSLATIONS[token] ?? token.replace(/[.+?^$()|[\]\\]/g, '\\$&'));
 }

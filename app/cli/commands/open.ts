@@ -6,8 +6,13 @@ import { type EditorServer, startServer } from '../../server/start-server.ts';
 import { errorCode } from '../../services/file-errors.ts';
 import { findProject } from '../../services/project-files.ts';
 import { type Command, type Context, type Outcome, UsageError } from '../command.ts';
-import { findElectron } from '../find-electron.ts';
-import { openAddress } from '../open-address.ts';
+import { findElectron, hasDisplay } from '../find-electron.ts';
+
+/** Command per platform. `start` is built into the Windows shell; its first argument is a window title. */
+const OPENERS: Readonly<Partial<Record<NodeJS.Platform, readonly string[]>>> = {
+  darwin: ['open'],
+  win32: ['cmd', '/c', 'start', ''],
+};
 
 /** Default port. It is fixed, because browsers store preferences by origin. */
 const USUAL_PORT = 17_246;
@@ -143,4 +148,13 @@ function untilAborted(signal: AbortSignal): Promise<void> {
     if (signal.aborted) resolve();
     else signal.addEventListener('abort', () => resolve(), { once: true });
   });
+}
+
+/** Opens an address in the default browser. Fails silently. */
+function openAddress(url: string): void {
+  if (!hasDisplay()) return;
+  const [command, ...args] = OPENERS[process.platform] ?? ['xdg-open'];
+  const child = spawn(command as string, [...args, url], { stdio: 'ignore', detached: true });
+  child.on('error', () => {});
+  child.unref();
 }

@@ -1,7 +1,7 @@
 import { measureModel } from '../../gltf/measure.ts';
 import { readGltf } from '../../gltf/read-gltf.ts';
 import type { CompressedModel } from '../compress/compressed-model.ts';
-import { DECODER_BYTES, GPU_BYTES_PER_FILE_BYTE } from '../compress/texture-cost.ts';
+import { DECODER_BYTES, GPU_BYTES_PER_FILE_BYTE } from '../compress/compressed-model.ts';
 
 export type Form = 'original' | 'meshopt' | 'ktx2';
 

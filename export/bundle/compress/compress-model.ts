@@ -6,8 +6,8 @@ import { neededDecoders } from '../../gltf/decoders.ts';
 import { imageSize } from '../../gltf/image-size.ts';
 import { readGltf } from '../../gltf/read-gltf.ts';
 import type { CompressedModel } from './compressed-model.ts';
+import { GPU_BYTES_PER_FILE_BYTE } from './compressed-model.ts';
 import { encodeKtx2 } from './encode-ktx2.ts';
-import { GPU_BYTES_PER_FILE_BYTE } from './texture-cost.ts';
 
 /**
  * Bits of quantization. Positions have 1/16,384 of the size of a mesh, a tenth of a millimeter for furniture; texture coordinates a quarter

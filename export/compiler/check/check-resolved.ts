@@ -5,9 +5,9 @@ import { CONVERSIONS, neededEncoding, outputEncoding } from '../../graph/layer-e
 import { boundValue } from '../../graph/library/param-value.ts';
 import { topologicalOrder } from '../../graph/topology.ts';
 import { validateProject } from '../../graph/validate/validate.ts';
-import { encodedNode } from '../encoded-node.ts';
 import { actorsOf, type FlatGraph, type FlatNode, portKey, type Source, sourcesAt } from '../flat-graph.ts';
 import type { Resolved } from '../resolve/resolve.ts';
+import { encodedNode } from '../schedule/layers.ts';
 
 /** A graph that can be lowered. */
 export interface Checked {

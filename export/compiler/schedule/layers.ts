@@ -1,6 +1,6 @@
 import type { LayerDomain, LayerEncoding } from '../../../nodes/kit/definition.ts';
-import { outputEncoding } from '../../graph/layer-encoding.ts';
-import { encodedNode } from '../encoded-node.ts';
+import { type EncodedNode, outputEncoding } from '../../graph/layer-encoding.ts';
+import { boundValue } from '../../graph/library/param-value.ts';
 import { type FlatGraph, type FlatNode, portKey, type Source, sourcesAt } from '../flat-graph.ts';
 
 /** Static properties of a layer. */
@@ -88,4 +88,19 @@ function depthOf(node: FlatNode, output: Source, layers: LayerTable): Source | n
   if (lowering.kind === 'image' && (lowering.access === 'displaced' || lowering.access === 'resize')) return null;
   const [first] = layerInputs(node);
   return first ? (layers.get(portKey(first))?.depth ?? null) : null;
+}
+
+/** A node of the flat graph, for the rules of `export/graph/layer-encoding.ts`. */
+export function encodedNode(node: FlatNode, encodingOf: (source: Source) => LayerEncoding): EncodedNode {
+  return {
+    definition: node.definition,
+    paramValue: (name) => {
+      const binding = node.bindings.get(name);
+      return (binding && boundValue(binding)) ?? node.definition.params[name]?.default;
+    },
+    encodingAt: (port) => {
+      const [source] = sourcesAt(node, port);
+      return source ? encodingOf(source) : null;
+    },
+  };
 }

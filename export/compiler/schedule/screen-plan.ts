@@ -1,7 +1,7 @@
 import type { Presentation } from '../../program/program.ts';
 import { type FlatGraph, type FlatNode, portKey, type Source, sourcesAt } from '../flat-graph.ts';
-import { type Fit, fitOf } from './layer-fit.ts';
 import { drawBehind, isDraw, isWorld, type LayerTable, layerInputs, layerOutput } from './layers.ts';
+import { type Fit, fitOf } from './lower/pass-parts.ts';
 import { readScreen } from './screen-options.ts';
 import { movingBinding, startValue } from './slot-allocator.ts';
 

@@ -1,10 +1,10 @@
-import { XRRigidTransform } from 'iwer';
+import { P_RIGID_TRANSFORM, XRRigidTransform } from 'iwer';
 import { Matrix4, Quaternion, Vector3 } from 'three';
 import { P_EYE } from '../private.ts';
 import type { DepthFormat } from '../profiles.ts';
 import type { EmulatedView } from '../session/emulated-view.ts';
+import { writeMatrix } from '../session/rigid-transform.ts';
 import { encodeDepth, readDepth } from './depth-encoding.ts';
-import { MatrixTransform } from './matrix-transform.ts';
 import type { DepthShot, SessionDepth } from './session-depth.ts';
 
 /**
@@ -109,5 +109,21 @@ export class EmulatedWebGlDepthInformation extends EmulatedDepthInformation {
   get texture(): WebGLTexture {
     this.checkFrame();
     return this.#texture;
+  }
+}
+
+/**
+ * An `XRRigidTransform` with an arbitrary matrix. `normDepthBufferFromNormView` contains flips and scales on real devices, which position
+ * and orientation cannot express.
+ */
+class MatrixTransform extends XRRigidTransform {
+  constructor(matrix: ArrayLike<number>) {
+    super();
+    writeMatrix(this[P_RIGID_TRANSFORM].matrix, matrix);
+  }
+
+  override get inverse(): XRRigidTransform {
+    const inverted = new Matrix4().fromArray(Array.from(this.matrix)).invert();
+    return new MatrixTransform(inverted.elements);
   }
 }

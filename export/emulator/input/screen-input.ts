@@ -1,7 +1,7 @@
 import type { XRFrame, XRReferenceSpace, XRSession } from 'iwer';
 import { P_SPACE, XRInputSource, XRInputSourceEvent, XRSpace } from 'iwer';
 import { Matrix4, Quaternion, Vector3 } from 'three';
-import { writeMatrix } from '../write-matrix.ts';
+import { writeMatrix } from '../session/rigid-transform.ts';
 
 /**
  * A finger on the screen of a handheld device: a transient input source of target ray mode `screen` (WebXR Device API §12.1), present from

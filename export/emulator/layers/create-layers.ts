@@ -2,7 +2,7 @@ import { P_SESSION, XRRigidTransform, XRSpace } from 'iwer';
 import type { Gl } from '../display/app-gl.ts';
 import { P_EMULATED } from '../private.ts';
 import type { EmulatedSession } from '../session/emulated-session.ts';
-import { pictureSizePx } from '../session/picture-size.ts';
+import { pictureSizePx } from '../world.ts';
 import {
   EmulatedCylinderLayer,
   EmulatedProjectionLayer,

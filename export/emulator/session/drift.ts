@@ -2,7 +2,7 @@ import type { XRSession } from 'iwer';
 import { P_ANCHOR, P_REF_SPACE, P_SESSION, P_SPACE, XRReferenceSpaceType } from 'iwer';
 import { Matrix4 } from 'three';
 import type { Drift } from '../world.ts';
-import { writeMatrix } from '../write-matrix.ts';
+import { writeMatrix } from './rigid-transform.ts';
 
 const scratchDrift = new Matrix4();
 const scratchSpace = new Matrix4();

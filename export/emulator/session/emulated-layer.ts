@@ -3,10 +3,10 @@ import { type Gl, isWebGl2 } from '../display/app-gl.ts';
 import { createLayerTarget } from '../display/create-layer-target.ts';
 import { canvasTarget, type LayerTarget } from '../display/layer-target.ts';
 import { P_EMULATED, P_EYE } from '../private.ts';
+import { pictureSizePx } from '../world.ts';
 import { isXrCompatible } from '../xr-compatible.ts';
 import { EmulatedSession } from './emulated-session.ts';
 import { EmulatedView } from './emulated-view.ts';
-import { pictureSizePx } from './picture-size.ts';
 
 export interface LayerInit {
   readonly antialias?: boolean;

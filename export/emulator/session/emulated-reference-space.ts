@@ -1,6 +1,6 @@
 import type { XRRigidTransform, XRSpace } from 'iwer';
 import { P_REF_SPACE, P_SPACE, XRReferenceSpace, XRReferenceSpaceType } from 'iwer';
-import { writeMatrix } from '../write-matrix.ts';
+import { writeMatrix } from './rigid-transform.ts';
 
 /** Fixes `getOffsetReferenceSpace` of iwer, which reads the transform as a matrix and returns NaN. */
 export class EmulatedReferenceSpace extends XRReferenceSpace {

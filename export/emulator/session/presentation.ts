@@ -11,9 +11,9 @@ import {
 import type { LayerPicture, LayerShape } from '../layers/layer-compositor.ts';
 import { partForEye } from '../layers/sub-image.ts';
 import { P_EMULATED } from '../private.ts';
+import { pictureSizePx } from '../world.ts';
 import { EmulatedLayer } from './emulated-layer.ts';
 import type { EmulatedSession } from './emulated-session.ts';
-import { pictureSizePx } from './picture-size.ts';
 import type { EmulatedRenderState } from './render-state.ts';
 import { stretchViewport } from './viewport-scale.ts';
 

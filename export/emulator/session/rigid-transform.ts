@@ -26,3 +26,8 @@ function checkFinite(what: string, ...numbers: readonly number[]): void {
   const bad = numbers.find((value) => !Number.isFinite(value));
   if (bad !== undefined) throw new TypeError(`The ${what} of a rigid transform contains ${bad}, which is not finite.`);
 }
+
+/** Copies sixteen numbers into a matrix of iwer, whose type is not an array type. */
+export function writeMatrix(target: { [index: number]: number }, source: ArrayLike<number>): void {
+  for (let i = 0; i < 16; i++) target[i] = source[i] ?? 0;
+}

@@ -1,8 +1,18 @@
 import type { BuiltinUniform, PassUniform } from '../../program/program.ts';
 import { isImageType } from '../check/glsl-type.ts';
 import type { VariableSymbol } from '../syntax/ast.ts';
-import { IMAGE_PROPERTY_TYPES } from './image-properties.ts';
 import type { IsfInputType, IsfShader } from './isf-shader.ts';
+
+/** Properties of images that hosts provide as uniforms: `_inputImage_imgSize`. */
+const PROPERTY = /^_(\w+)_(imgRect|imgSize|flip)$/;
+
+export interface ImageProperty {
+  readonly image: string;
+  /** `imgRect`: origin and size of the used part, normalized; always all of it. `flip`: whether the image is upside down; always false. */
+  readonly property: 'imgRect' | 'imgSize' | 'flip';
+}
+
+export const IMAGE_PROPERTY_TYPES = { imgRect: 'vec4', imgSize: 'vec2', flip: 'bool' } as const;
 
 /** GLSL type of an input. Images, depth and curves are only arguments of functions that read them. */
 export const INPUT_TYPES: Readonly<Record<IsfInputType, string>> = {
@@ -85,4 +95,9 @@ export function variableOf(name: string, type: string, role: VariableSymbol['rol
     declaration: null,
     parameterOf: null,
   };
+}
+
+export function imageProperty(name: string): ImageProperty | null {
+  const [, image, property] = PROPERTY.exec(name) ?? [];
+  return image === undefined ? null : { image, property: property as ImageProperty['property'] };
 }

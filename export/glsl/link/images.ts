@@ -1,5 +1,5 @@
-import { CURVE_WIDTH_PX } from '../../program/curve-table.ts';
 import { ROOM_DEPTH_TEXT } from '../../program/room-depth.ts';
+import { CURVE_WIDTH_PX } from '../../program/texture-sizes.ts';
 import type { IsfShader } from '../isf/isf-shader.ts';
 import type { LinkedSampler, LinkedSound } from './linked-pass.ts';
 import { FINITE_TEXT } from './prelude.ts';

@@ -40,7 +40,7 @@ export interface LinkedSampler {
     | { readonly kind: 'room-depth'; readonly input: string }
     /** The most recent sound of the input `input` as a texture with one row per channel. */
     | ({ readonly kind: 'sound'; readonly input: string } & LinkedSound)
-    /** Heights of the curve in param `param`, see `export/program/curve-table.ts`. */
+    /** Heights of the curve in param `param`, see `export/program/texture-sizes.ts`. */
     | { readonly kind: 'curve'; readonly param: string }
     /** An image that the shader imports under this name. */
     | { readonly kind: 'import'; readonly import: string }

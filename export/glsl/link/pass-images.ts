@@ -1,4 +1,4 @@
-import { MAX_SOUND_COUNT } from '../../program/sound-limits.ts';
+import { MAX_SOUND_COUNT } from '../../program/texture-sizes.ts';
 import type { IsfInput, IsfShader } from '../isf/isf-shader.ts';
 import type { Expression, VariableSymbol } from '../syntax/ast.ts';
 import { GlslError } from '../syntax/token.ts';

@@ -1,4 +1,4 @@
-import { imageProperty } from '../isf/image-properties.ts';
+import { imageProperty } from '../isf/given-symbols.ts';
 import type { CallExpression, Expression, TypeSpecifier } from '../syntax/ast.ts';
 import { GlslError } from '../syntax/token.ts';
 import { classifyImageCall, type ImageCall, positionCount } from './image-call.ts';

@@ -3,8 +3,7 @@ import type { Block } from '../syntax/ast.ts';
 import { walkStatement } from '../syntax/walk.ts';
 import type { PrintContext } from './print-context.ts';
 import { needsHoisting, printFunctionHead, printGlobals, printHoisted } from './print-declaration.ts';
-import { printBlock } from './print-statement.ts';
-import { zeroOf } from './zero-value.ts';
+import { printBlock, zeroOf } from './print-statement.ts';
 
 /** Prints the author's functions and variables that `context.reach` contains. */
 export function printAuthorsText(checked: CheckedShader, context: PrintContext): void {

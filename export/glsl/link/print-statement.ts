@@ -1,11 +1,14 @@
-import type { Block, Expression, Statement, VariableDeclaration } from '../syntax/ast.ts';
+import { numericOf } from '../check/glsl-type.ts';
+import type { Block, Expression, GlslType, Statement, VariableDeclaration } from '../syntax/ast.ts';
 import type { Token } from '../syntax/token.ts';
 import { decideBranch, reachableStatements } from './pass-condition.ts';
 import { spend } from './prelude.ts';
 import type { PrintContext } from './print-context.ts';
 import { printVariables } from './print-declaration.ts';
 import { printExpression } from './print-expression.ts';
-import { zeroOf } from './zero-value.ts';
+
+/** Maximum nesting of structs, ANGLE's limit. */
+const MAX_STRUCTS = 4;
 
 /** Prints one statement on a new line. */
 function printStatement(statement: Statement, context: PrintContext): void {
@@ -200,4 +203,20 @@ function printJump(statement: { readonly start: Token; readonly word: string }, 
   context.found.discards = true;
   context.found.returns = true;
   writer.write(`{ scrim_discarded = true; return${zero === '' ? '' : ` ${zero}`}; }`, statement.start);
+}
+
+/**
+ * A value of the type with all numbers 0; null for arrays, whose size is not part of the type, and for unknown types and deeper structs.
+ */
+export function zeroOf(type: GlslType, context: PrintContext, left = MAX_STRUCTS): string | null {
+  if (numericOf(type) !== null) return `${type}(0)`;
+  const struct = context.structs.get(type);
+  if (struct === undefined || left === 0) return null;
+  const members: string[] = [];
+  for (const member of struct.members.values()) {
+    const zero = zeroOf(member, context, left - 1);
+    if (zero === null) return null;
+    members.push(zero);
+  }
+  return `${context.names.of(struct)}(${members.join(', ')})`;
 }

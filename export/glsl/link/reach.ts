@@ -1,6 +1,6 @@
 import type { CheckedShader } from '../check/check-shader.ts';
 import { isImageType } from '../check/glsl-type.ts';
-import { imageProperty } from '../isf/image-properties.ts';
+import { imageProperty } from '../isf/given-symbols.ts';
 import type { CallExpression, Expression, FunctionSymbol, VariableSymbol } from '../syntax/ast.ts';
 import { GlslError } from '../syntax/token.ts';
 import { type Walk, walkExpression, walkStatement } from '../syntax/walk.ts';

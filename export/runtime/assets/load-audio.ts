@@ -1,5 +1,5 @@
 import type { AudioAsset } from '../../../nodes/kit/sound.ts';
-import { MAX_CHANNELS } from '../../program/sound-limits.ts';
+import { MAX_CHANNELS } from '../../program/texture-sizes.ts';
 
 export interface LoadedAudio extends AudioAsset {
   dispose(): void;

@@ -1,11 +1,11 @@
 import type { CpuAnswer, WorkerModule } from '../../../nodes/kit/cpu-filter.ts';
+import { IDENTITY } from '../../../nodes/kit/matrices.ts';
 import type { NodeContext, NodeRuntime, NodeWorker } from '../../../nodes/kit/runtime.ts';
 import type { FrameClock } from '../clock.ts';
 import { COPY_SAMPLER, COPY_UV } from '../gl/copy-shader.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
 import type { PassDrawer } from '../gl/pass-drawer.ts';
 import type { GlProgram } from '../gl/program-cache.ts';
-import { IDENTITY } from '../resources/identity.ts';
 import { MAX_VIEWS } from '../targets/target.ts';
 import type { TargetBuffer } from '../targets/target-buffer.ts';
 import { createViewExchange } from './view-exchange.ts';

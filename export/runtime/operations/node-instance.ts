@@ -1,8 +1,8 @@
 import type { PlayedModule } from '../../../nodes/kit/cpu-filter.ts';
 import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
-import { PULSE_CAPACITY } from '../../../nodes/kit/pulse-capacity.ts';
 import type { Clock, NodeContext, NodeRuntime, SceneService, SessionService, WorkerService } from '../../../nodes/kit/runtime.ts';
+import { PULSE_CAPACITY } from '../../../nodes/kit/runtime.ts';
 import type { DrawOperation, NodeOperation, ProgramAsset } from '../../program/program.ts';
 import type { AssetStore } from '../assets/asset-store.ts';
 import { type CpuMeans, createCpuFilter } from '../cpu/cpu-filter.ts';

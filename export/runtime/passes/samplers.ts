@@ -1,10 +1,10 @@
+import { IDENTITY } from '../../../nodes/kit/matrices.ts';
 import type { LayerOutput } from '../../../nodes/kit/runtime.ts';
 import type { RoomDepthOutput } from '../../../nodes/kit/scene-lists.ts';
 import type { LayerDepthRef, PassOperation, PassSampler } from '../../program/program.ts';
 import type { PassDrawer } from '../gl/pass-drawer.ts';
 import type { GlProgram } from '../gl/program-cache.ts';
 import type { PlayState } from '../play-state.ts';
-import { IDENTITY } from '../resources/identity.ts';
 import type { LiveCurve } from '../resources/live-curve.ts';
 import { type LiveResources, liveResource } from '../resources/resources.ts';
 import type { SoundPicture } from '../sound/sound-picture.ts';

@@ -16,8 +16,8 @@ import { createSlots, type Slots } from '../values/slots.ts';
 import { createDrawStep } from './draw-step.ts';
 import type { LoopGuard, LoopWatch } from './loop-watch.ts';
 import { createNodeInstances, disposeNodeInstances, isShadowMaps, type NodeInstances } from './node-instances.ts';
-import { timed } from './operation-timer.ts';
 import type { Step } from './step.ts';
+import { timed } from './step.ts';
 
 /** What a program instance passes to the instance that replaces it. */
 export interface RetainedState {

@@ -1,5 +1,5 @@
 import { CURVE_NUMBERS, sampleCurve } from '../../../nodes/kit/curve.ts';
-import { CURVE_WIDTH_PX } from '../../program/curve-table.ts';
+import { CURVE_WIDTH_PX } from '../../program/texture-sizes.ts';
 import { allocateTexture } from '../gl/allocate-texture.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
 import { prepareUpload } from '../gl/upload.ts';

@@ -1,3 +1,4 @@
+import { IDENTITY } from '../../../nodes/kit/matrices.ts';
 import type { LayerOutput } from '../../../nodes/kit/runtime.ts';
 import type { TechniqueImage, TechniqueImageView, TechniqueUniformView, TechniqueView } from '../../../nodes/kit/technique-view.ts';
 import type { NumberView, ToggleView, VectorView, Writable } from '../../../nodes/kit/value-views.ts';
@@ -7,7 +8,6 @@ import { fitted } from '../passes/fit.ts';
 import type { PlayState } from '../play-state.ts';
 import type { Target } from '../targets/target.ts';
 import { createSlotView, type Slots } from '../values/slots.ts';
-import { IDENTITY } from './identity.ts';
 
 /** A technique that is kept over recompiles. Its readers see a new `version` when its shader text has changed. */
 export interface LiveTechnique {

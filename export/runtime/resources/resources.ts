@@ -1,3 +1,4 @@
+import { IDENTITY } from '../../../nodes/kit/matrices.ts';
 import type { BodyList } from '../../../nodes/kit/physics.ts';
 import { createPose, type PoseOutput } from '../../../nodes/kit/pose.ts';
 import type { LayerOutput } from '../../../nodes/kit/runtime.ts';
@@ -9,7 +10,6 @@ import type { NearestDepth } from '../targets/nearest-depth.ts';
 import { createTarget, MAX_VIEWS } from '../targets/target.ts';
 import { createPulseQueue, type PulseQueue } from '../values/pulses.ts';
 import type { Slots } from '../values/slots.ts';
-import { IDENTITY } from './identity.ts';
 import { createLiveCurve, type LiveCurve } from './live-curve.ts';
 import { createLiveTechnique, type LiveLayer, type LiveTechnique, type TechniqueParts } from './live-technique.ts';
 

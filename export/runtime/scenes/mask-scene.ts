@@ -1,16 +1,24 @@
-import { Scene } from 'three';
+import { type Material, Scene } from 'three';
 import type { DrawnScene } from '../../../nodes/kit/runtime.ts';
 import type { ObjectItem } from '../../../nodes/kit/scene-lists.ts';
 import type { SceneLook } from '../../../nodes/kit/scene-look.ts';
 import { createDepthTwin } from './materials/depth-twin.ts';
-import { createMaskTwin } from './materials/mask-twin.ts';
 import type { OcclusionPatch } from './materials/occlusion-patch.ts';
-import { createTwinCache } from './materials/twins.ts';
+import { patchMaterial, type ShaderPatch, wrapMain } from './materials/shader-patch.ts';
+import { createTwinCache, type Twin } from './materials/twins.ts';
 import { type Drawable, mapMaterials, programFeatures } from './proxies/drawable.ts';
 import type { ProxyPlan } from './proxies/proxy.ts';
 import { createProxySet } from './proxies/proxy-set.ts';
 import type { SceneRenderer } from './scene-renderer.ts';
 import { createViewCamera } from './view-camera.ts';
+
+/** Replaces the depth that three.js writes as color. */
+const WHITE: ShaderPatch = {
+  key: 'white',
+  apply: (shader) => {
+    shader.fragmentShader = wrapMain(shader.fragmentShader, { before: '', start: '', end: 'gl_FragColor = vec4( 1.0 );' });
+  },
+};
 
 export interface MaskSceneOptions {
   readonly renderer: SceneRenderer;
@@ -55,4 +63,15 @@ export function createMaskScene({ renderer, shows, occlusion }: MaskSceneOptions
       twins.dispose();
     },
   };
+}
+
+/** Draws the shape of the master in white, faded at a soft border of the room. */
+function createMaskTwin(master: Material, occlusion: ShaderPatch | null): Twin {
+  const twin = createDepthTwin(master, 'solid');
+  const { material } = twin;
+  material.colorWrite = true;
+  material.polygonOffset = false;
+  material.defines = { PREMULTIPLIED_OUTPUT: '' };
+  patchMaterial(material, null, occlusion ? [WHITE, occlusion] : [WHITE]);
+  return twin;
 }

@@ -1,5 +1,5 @@
 import type { SoundOutput } from '../../../nodes/kit/sound.ts';
-import { MAX_CHANNELS, SOUND_WINDOW } from '../../program/sound-limits.ts';
+import { MAX_CHANNELS, SOUND_WINDOW } from '../../program/texture-sizes.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
 import { createSoundPicture, type SoundAnalysis, type SoundPicture } from './sound-picture.ts';
 

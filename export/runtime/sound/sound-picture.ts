@@ -1,5 +1,5 @@
 import type { SoundOutput } from '../../../nodes/kit/sound.ts';
-import { MAX_CHANNELS } from '../../program/sound-limits.ts';
+import { MAX_CHANNELS } from '../../program/texture-sizes.ts';
 import { allocateTexture } from '../gl/allocate-texture.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
 import { prepareUpload } from '../gl/upload.ts';

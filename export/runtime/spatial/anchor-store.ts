@@ -6,7 +6,6 @@ import { setRigidInverse } from '../sessions/matrix.ts';
 import type { AnchorMemory } from './anchor-memory.ts';
 import type { FoundHit } from './hit-test.ts';
 import { forgetAnchor, keepAnchor } from './keep-anchor.ts';
-import { toXrTransform } from './to-xr-transform.ts';
 import type { WebXrLedger } from './webxr-hits.ts';
 
 /** All anchors of a player. */
@@ -207,4 +206,19 @@ function poseOf(anchor: XRAnchor, frame: XRFrame, xr: XrAccess): Float32Array | 
 /** `create` may throw at once, and the method may be missing. */
 async function created(create: () => Promise<XRAnchor> | undefined): Promise<XRAnchor | undefined> {
   return create();
+}
+
+/** @param m Column-major 4×4, rigid. */
+function toXrTransform(m: Float32Array): XRRigidTransform {
+  const at = (i: number): number => m[i] ?? 0;
+  // Shepperd's method: the largest of the four components first.
+  const trace = at(0) + at(5) + at(10);
+  let q: [number, number, number, number];
+  if (trace > at(0) && trace > at(5) && trace > at(10)) q = [at(6) - at(9), at(8) - at(2), at(1) - at(4), 1 + trace];
+  else if (at(0) > at(5) && at(0) > at(10)) q = [1 + at(0) - at(5) - at(10), at(1) + at(4), at(8) + at(2), at(6) - at(9)];
+  else if (at(5) > at(10)) q = [at(1) + at(4), 1 + at(5) - at(0) - at(10), at(6) + at(9), at(8) - at(2)];
+  else q = [at(8) + at(2), at(6) + at(9), 1 + at(10) - at(0) - at(5), at(1) - at(4)];
+  const length = Math.hypot(...q);
+  const [x, y, z, w] = q;
+  return new XRRigidTransform({ x: at(12), y: at(13), z: at(14) }, { x: x / length, y: y / length, z: z / length, w: w / length });
 }

@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
-import { PULSE_CAPACITY } from '../../../nodes/kit/pulse-capacity.ts';
 import type { PulseList } from '../../../nodes/kit/runtime.ts';
+import { PULSE_CAPACITY } from '../../../nodes/kit/runtime.ts';
 import { createMergedPulses, createPulseQueue } from './pulses.ts';
 
 function numbers(list: PulseList): number[] {

@@ -1,5 +1,5 @@
-import { PULSE_CAPACITY } from '../../../nodes/kit/pulse-capacity.ts';
 import type { NewPulse, Pulse, PulseList, PulseOutput } from '../../../nodes/kit/runtime.ts';
+import { PULSE_CAPACITY } from '../../../nodes/kit/runtime.ts';
 
 /** The pulses of one output. */
 export interface PulseQueue extends PulseOutput {

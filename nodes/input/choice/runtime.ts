@@ -1,5 +1,4 @@
-import { choiceIndex } from '../../kit/choice-index.ts';
-import { choiceOptions } from '../../kit/choice-options.ts';
+import { choiceIndex, choiceOptions } from '../../kit/choice-options.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 

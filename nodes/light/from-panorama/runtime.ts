@@ -1,5 +1,5 @@
 import type { DerivedEnvironment, EnvironmentAsset } from '../../kit/assets.ts';
-import { choiceIndex } from '../../kit/choice-index.ts';
+import { choiceIndex } from '../../kit/choice-options.ts';
 import { type FoundLamps, NO_LAMPS } from '../../kit/panorama/found-lamps.ts';
 import { findByPaper } from '../../kit/panorama/paper-method.ts';
 import type { PanoramaPixels } from '../../kit/panorama/pixels.ts';

@@ -1,7 +1,6 @@
 import { Matrix4, Sphere, Vector3 } from 'three';
 import type { Hit } from '../../kit/hit-test.ts';
-import { freeKeys, ownKeys } from '../../kit/keys.ts';
-import { claimPointer } from '../../kit/pointers.ts';
+import { claimPointer, freeKeys, ownKeys } from '../../kit/pointers.ts';
 import { isPose, writePose } from '../../kit/pose.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { Pointer, SessionFrame } from '../../kit/session.ts';

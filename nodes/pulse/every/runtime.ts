@@ -1,5 +1,5 @@
-import { PULSE_CAPACITY } from '../../kit/pulse-capacity.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import { PULSE_CAPACITY } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
 /** Pulses are counted from the last change of the period, not summed, so that rounding errors do not accumulate. */

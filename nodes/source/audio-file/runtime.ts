@@ -1,6 +1,6 @@
 import { createMediaTime } from '../../kit/media-time.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
-import { hearAt, levelOf, silence } from '../../kit/sound-window.ts';
+import { hearAt, levelOf, silence } from '../../kit/sound.ts';
 import type { definition } from './definition.ts';
 import { createLoudspeaker, type Loudspeaker } from './loudspeaker.ts';
 

@@ -1,5 +1,5 @@
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
-import { levelOf, silence } from '../../kit/sound-window.ts';
+import { levelOf, silence } from '../../kit/sound.ts';
 import type { definition } from './definition.ts';
 import { listen } from './listen.ts';
 

@@ -1,5 +1,7 @@
+import { useStore } from 'zustand';
 import type { MenuItem } from '../../ui/menu.tsx';
 import type { Editor } from '../editor/editor.ts';
+import { useEditor } from '../editor/editor-context.ts';
 import { type AppCommandId, appCommand, runCommand } from './app-commands.ts';
 import { keybindingsOf } from './keybindings.ts';
 import { showKeybinding } from './show-keybinding.ts';
@@ -21,4 +23,10 @@ export function commandItem(editor: Editor, id: AppCommandId): Extract<MenuItem,
 export function shownKeys(editor: Pick<Editor, 'preferences' | 'mac'>, id: AppCommandId): string | undefined {
   const [keybinding] = keybindingsOf(editor, id);
   return keybinding === undefined ? undefined : showKeybinding(keybinding, editor.mac);
+}
+
+/** Text of the current keybinding of a command, for the tooltip of its button. */
+export function useKeys(id: AppCommandId): string | undefined {
+  const editor = useEditor();
+  return useStore(editor.preferences, () => shownKeys(editor, id));
 }

@@ -2,7 +2,7 @@ import { createCompiler } from '../../../export/compiler/compile.ts';
 import { DEFINITIONS, SHADERS } from '../../../nodes/generated/definitions.gen.ts';
 import { workerClock } from '../../clock.ts';
 import { createLibraries } from '../editor/library.ts';
-import type { CompileAnswer, CompileRequest } from './messages.ts';
+import type { CompileAnswer, CompileRequest } from './compiler-link.ts';
 
 /** Runs the compiler in a worker, because parsing a shader of 250 lines takes up to 200 ms. */
 const scope = self as unknown as {

@@ -1,7 +1,7 @@
 import { expect, test } from '@jest/globals';
 import { newProject } from '../../../export/graph/new-project.ts';
+import type { CompileAnswer, CompileRequest } from './compiler-link.ts';
 import { type CompilerWorker, createCompilerLink } from './compiler-link.ts';
-import type { CompileAnswer, CompileRequest } from './messages.ts';
 
 function createStandIn() {
   const asked: number[] = [];

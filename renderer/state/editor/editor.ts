@@ -10,10 +10,12 @@ import { createGizmoState, type GizmoStore } from './gizmo-state.ts';
 import { createLibraries, type Libraries, type LibraryData } from './library.ts';
 import { createPreferences, DEFAULT_PREFERENCES, type Preferences, type PreferencesStore } from './preferences.ts';
 import { createPreviewState, type PreviewStore } from './preview-state.ts';
-import { createQueue, type Queue } from './queue.ts';
 import { createSelection, type SelectionStore } from './selection.ts';
 import { createUi, type Dock, type PanelSizes, type UiStore } from './ui.ts';
 import { createThumbnailWatchers, createViewerState, type ThumbnailWatchers, type ViewerStore } from './viewer.ts';
+
+/** Runs tasks one after another. A task starts when the previous one has ended, even if it failed. */
+type Queue = <T>(work: () => Promise<T>) => Promise<T>;
 
 /** Text clipboard of the system. Rejects if the browser denies access. */
 export interface Clipboard {
@@ -123,5 +125,14 @@ export function createEditor({
     gizmo: createGizmoState(),
     costs: createCostState(),
     preferences: createPreferences(preferences),
+  };
+}
+
+function createQueue(): Queue {
+  let last: Promise<unknown> = Promise.resolve();
+  return (work) => {
+    const result = last.then(work);
+    last = result.catch(() => {});
+    return result;
   };
 }

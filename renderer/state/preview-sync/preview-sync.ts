@@ -3,21 +3,22 @@ import type { Program } from '../../../export/program/program.ts';
 import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { FromPreview, PreviewShaderError, PreviewStatus, ToPreview } from '../../preview-protocol.ts';
-import { type CompilerLink, type CompilerWorker, createCompilerLink } from '../compile/compiler-link.ts';
-import type { CompileAnswer } from '../compile/messages.ts';
+import { type CompileAnswer, type CompilerLink, type CompilerWorker, createCompilerLink } from '../compile/compiler-link.ts';
 import type { Editor } from '../editor/editor.ts';
+import { titleOfName } from '../editor/library.ts';
 import { type PreviewState, towardsLight } from '../editor/preview-state.ts';
+import { addToast } from '../editor/ui.ts';
 import { resetViewer } from '../editor/viewer.ts';
 import { createGizmoSync } from '../gizmo/apply-gizmo.ts';
 import { previewRange } from '../preview/playback.ts';
 import { previewSource } from '../preview/preview-source.ts';
 import { consequenceOf } from './changes.ts';
-import type { PlacedEdit } from './param-places.ts';
-import { placesOf } from './param-places.ts';
+import { type PlacedEdit, placesOf } from './param-places.ts';
 import { createPosterRequests } from './preview-posters.ts';
-import { saveCapture } from './save-capture.ts';
 import { createShaderTrials } from './shader-trials.ts';
 import { createViewerSync } from './viewer-sync.ts';
+
+type Captured = Extract<FromPreview, { kind: 'captured' }>;
 
 /** Keeps the preview at the newest program and params of the document. */
 export interface PreviewSync {
@@ -263,4 +264,23 @@ function readShaderErrors(program: Program, errors: readonly PreviewShaderError[
     const linked = program.shaders.find(({ id }) => id === shaderId);
     return linked ? driverDiagnostics(linked, log, (file) => library.shader(file), stage) : [];
   });
+}
+
+/** Saves a screenshot or video of the preview to the downloads. */
+function saveCapture(editor: Editor, { what, file }: Captured): void {
+  if (what === 'video') editor.preview.setState({ recording: false });
+  if (file === null) {
+    const text = what === 'video' ? 'The video is empty. This browser cannot record the preview.' : 'The preview shows nothing to capture.';
+    addToast(editor.ui, { tone: 'error', text });
+    return;
+  }
+  const { title } = editor.document.getState().project;
+  const name = `${title.trim() === '' ? titleOfName(what) : title}.${endingOf(file.type)}`;
+  editor.keepFile(file, name);
+  addToast(editor.ui, { tone: 'success', text: `Saved ${name} to your downloads.` });
+}
+
+function endingOf(type: string): string {
+  if (type.startsWith('image/')) return 'png';
+  return type.startsWith('video/mp4') ? 'mp4' : 'webm';
 }

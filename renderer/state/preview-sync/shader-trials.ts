@@ -2,7 +2,7 @@ import type { ShaderAbove } from '../../../export/compiler/compile.ts';
 import { driverDiagnostics } from '../../../export/glsl/driver/driver-diagnostics.ts';
 import { countsAbove } from '../../../export/glsl/link/link-above.ts';
 import type { FromPreview, ToPreview } from '../../preview-protocol.ts';
-import type { CompileAnswer } from '../compile/messages.ts';
+import type { CompileAnswer } from '../compile/compiler-link.ts';
 import type { Editor } from '../editor/editor.ts';
 
 /** Compiles the text above a syntax error in the preview, to report the errors of the driver in it although there is no program. */

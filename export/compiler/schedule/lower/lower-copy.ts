@@ -1,7 +1,7 @@
 import { portKey, type Source } from '../../flat-graph.ts';
-import type { Fit } from '../layer-fit.ts';
 import type { ScheduledPass } from '../scheduled.ts';
 import { addStep, type Lowering, resourceAt } from './lowering.ts';
+import type { Fit } from './pass-parts.ts';
 
 /** Copies a layer unchanged, for layers that no other pass draws to the screen. */
 const COPY_FILE = 'scrim/copy.fs';

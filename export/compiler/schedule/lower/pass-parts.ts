@@ -5,9 +5,13 @@ import type { LayerDepthRef, PassSampler, PassUniform, ResourceId, SizeExpressio
 import { type FlatNode, portKey, type Source, sourcesAt } from '../../flat-graph.ts';
 import { importedAssetId } from '../../imported-assets.ts';
 import type { LinkVariant } from '../../shaders/shader-store.ts';
-import { fitOf } from '../layer-fit.ts';
 import { layerInputs, layerOutput } from '../layers.ts';
+import { startValue } from '../slot-allocator.ts';
 import { addResource, type Lowering, resourceAt } from './lowering.ts';
+
+export type Fit = Exclude<PassSampler['fit'], 'none'>;
+
+const FITS: readonly Fit[] = ['cover', 'contain', 'stretch'];
 
 /** The shader of an image node and how to link it there. */
 export interface NodeShader {
@@ -144,4 +148,11 @@ function sizeExpression({ slots }: Lowering, node: FlatNode, named: NamedSize): 
 
 export function isBuffer(target: PassTarget): target is Extract<PassTarget, { kind: 'buffer' }> {
   return target.kind === 'buffer';
+}
+
+/** How a node fits images of their own size to the view: its structure param `fit`, or `cover`. */
+export function fitOf(node: FlatNode): Fit {
+  const param = Object.hasOwn(node.definition.params, 'fit') ? node.definition.params.fit : undefined;
+  const value = param?.stage === 'structure' ? startValue(node, 'fit', param) : undefined;
+  return FITS.find((fit) => fit === value) ?? 'cover';
 }

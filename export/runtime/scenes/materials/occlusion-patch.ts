@@ -1,8 +1,16 @@
 import { ExternalTexture, Matrix3, Vector2, Vector4 } from 'three';
 import type { DrawView } from '../../../../nodes/kit/runtime.ts';
+import { ROOM_DEPTH_TEXT } from '../../../program/room-depth.ts';
 import type { OcclusionBinding } from '../../scene-backend.ts';
-import { ROOM_DEPTH_CHUNK } from './room-depth-chunk.ts';
 import { type ShaderPatch, wrapMain } from './shader-patch.ts';
+
+/** Declares `scrim_roomM` in materials once, because several patches may need it. */
+export const ROOM_DEPTH_CHUNK = /* glsl */ `
+#ifndef SCRIM_ROOM_DEPTH
+#define SCRIM_ROOM_DEPTH
+${ROOM_DEPTH_TEXT}
+#endif
+`;
 
 /**
  * Hides fragments behind the room while a scene is drawn: the early form of `layer/depth-occlusion`, with the formula of its

@@ -15,6 +15,7 @@ import {
 } from 'three';
 import type { DrawView } from '../../../../nodes/kit/runtime.ts';
 import type { DirectLightItem, LightItem, LightList, ObjectItem, ObjectList } from '../../../../nodes/kit/scene-lists.ts';
+import type { ViewFrame } from '../../../../nodes/kit/session.ts';
 import { createVersionWatch } from '../../../../nodes/kit/version-watch.ts';
 import { isDirectLight } from '../lights/is-direct-light.ts';
 import { createDepthTwin } from '../materials/depth-twin.ts';
@@ -26,9 +27,12 @@ import { type Drawable, mapMaterials, programFeatures } from '../proxies/drawabl
 import type { ProxyPlan } from '../proxies/proxy.ts';
 import { createProxySet } from '../proxies/proxy-set.ts';
 import type { SceneRenderer } from '../scene-renderer.ts';
-import { createInfiniteCamera } from './infinite-camera.ts';
+import { createViewCamera, type ViewCamera } from '../view-camera.ts';
 import { createVolumeLight, type VolumeLight } from './volume-light.ts';
 import { createVolumeSet, type VolumeLimits } from './volume-set.ts';
+
+/** Keeps points at infinity in front of the far plane, also in 32-bit floats (Lengyel 2007, “Projection matrix tricks”). */
+const EPSILON = 2 ** -20;
 
 /** The blocked fraction of the light per pixel of a view, computed by shadow volumes. */
 export interface BlockedPicture {
@@ -179,4 +183,20 @@ function createExactDepth(master: Material, role: ObjectItem['role']): Twin {
 /** Volumes have sharp edges, so lights with soft shadows are excluded. */
 function isSharp(light: LightItem): light is DirectLightItem {
   return isDirectLight(light) && !(light.kind === 'directional' && light.onlyShadows);
+}
+
+/** A camera with an infinite far plane, because shadow volumes are infinite and must not be clipped. */
+function createInfiniteCamera(): ViewCamera {
+  const { camera, set } = createViewCamera();
+  return {
+    camera,
+    set: (view: ViewFrame) => {
+      set(view);
+      const { elements } = camera.projectionMatrix;
+      const nearM = (elements[14] ?? 0) / ((elements[10] ?? 0) - 1);
+      elements[10] = EPSILON - 1;
+      elements[14] = (EPSILON - 2) * nearM;
+      camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();
+    },
+  };
 }

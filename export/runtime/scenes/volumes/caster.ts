@@ -1,11 +1,24 @@
-import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Matrix4, Mesh, type Scene, Vector4 } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DynamicDrawUsage,
+  type Material,
+  Matrix4,
+  Mesh,
+  type MeshStandardMaterial,
+  type Scene,
+  Vector4,
+} from 'three';
 import type { ObjectItem } from '../../../../nodes/kit/scene-lists.ts';
+import { isTransmissive } from '../materials/layer-blending.ts';
 import { type Drawable, isInstanced, isShown, materialsOf } from '../proxies/drawable.ts';
-import { castsAsSolid } from './casting-material.ts';
 import { extrude, maxExtrusion } from './extrude.ts';
 import type { MeshShape } from './mesh-shape.ts';
 import { isDeformed, poseVertices, restVertices } from './pose-vertices.ts';
 import type { VolumeLight } from './volume-light.ts';
+
+/** Opacity below which a blended material lets light pass, as in `depth-twin.ts`. */
+const SOLID_OPACITY = 0.5;
 
 /** A mesh, or an instance of one, that casts shadow volumes, one per light. */
 export interface Caster {
@@ -146,4 +159,20 @@ function createSide(scene: Scene, geometry: BufferGeometry, material: Mesh['mate
   mesh.renderOrder = renderOrder;
   scene.add(mesh);
   return mesh;
+}
+
+/** Whether a material casts a full shadow: it is visible and more than half opaque. */
+export function castsAsSolid(material: Material): boolean {
+  return material.visible && !(material.transparent && material.opacity <= SOLID_OPACITY);
+}
+
+/** Whether a material lets light pass evenly. A volume blocks all of it or none. */
+export function isSeeThrough(material: Material): boolean {
+  return material.visible && ((material.transparent && material.opacity < 1) || isTransmissive(material));
+}
+
+/** Whether an image cuts or displaces its triangles, which volumes ignore. */
+export function isShapedByPicture(material: Material): boolean {
+  const { map, alphaMap, displacementMap, alphaTest, transparent } = material as Partial<MeshStandardMaterial> & Material;
+  return Boolean(displacementMap) || ((alphaTest > 0 || transparent) && Boolean(map ?? alphaMap));
 }

@@ -2,8 +2,7 @@ import type { BufferGeometry, Material, Mesh, Object3D, Scene } from 'three';
 import type { ObjectItem, ObjectList } from '../../../../nodes/kit/scene-lists.ts';
 import { createVersionWatch } from '../../../../nodes/kit/version-watch.ts';
 import { isInstanced, materialsOf } from '../proxies/drawable.ts';
-import { type Caster, createCaster } from './caster.ts';
-import { castsAsSolid, isSeeThrough, isShapedByPicture } from './casting-material.ts';
+import { type Caster, castsAsSolid, createCaster, isSeeThrough, isShapedByPicture } from './caster.ts';
 import { createMeshShape, type MeshShape } from './mesh-shape.ts';
 import type { VolumeLight } from './volume-light.ts';
 

@@ -1,7 +1,10 @@
 import { HAND_JOINTS } from '../../../../nodes/kit/hand-joints.ts';
 import { isPose } from '../../../../nodes/kit/pose.ts';
 import type { PointerKind, PointerPhase } from '../../../../nodes/kit/session.ts';
-import { asObject, isNumber, isNumbers } from './check-json.ts';
+
+/** Checks of values from JSON, whose types are not known. */
+
+type Json = Readonly<Record<string, unknown>>;
 
 const KINDS: Readonly<Record<PointerKind, true>> = {
   screen: true,
@@ -72,4 +75,16 @@ function checkPose(value: unknown, place: string, problems: string[]): void {
 
 function isWord(value: unknown, words: Readonly<Record<string, true>>): boolean {
   return typeof value === 'string' && Object.hasOwn(words, value);
+}
+
+export function asObject(value: unknown): Json | undefined {
+  return typeof value === 'object' && value !== null ? (value as Json) : undefined;
+}
+
+export function isNumber(value: unknown): value is number {
+  return typeof value === 'number' && Number.isFinite(value);
+}
+
+export function isNumbers(value: unknown, count: number): boolean {
+  return Array.isArray(value) && value.length === count && value.every(isNumber);
 }

@@ -1,7 +1,6 @@
 import type { Diagnostic, Result } from '../../../../nodes/kit/diagnostics.ts';
 import type { SessionFile } from '../session-format.ts';
-import { checkInput } from './check-input.ts';
-import { asObject, isNumber, isNumbers } from './check-json.ts';
+import { asObject, checkInput, isNumber, isNumbers } from './check-input.ts';
 
 export const SESSION_FILE = 'session.json';
 

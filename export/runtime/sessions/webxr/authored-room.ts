@@ -1,9 +1,10 @@
+import { linkProgram } from '../../../../nodes/kit/link-program.ts';
 import { setPassState } from '../../../../nodes/kit/pass-state.ts';
 import type { CameraImage } from '../../../../nodes/kit/session.ts';
 import { allocateTexture } from '../../gl/allocate-texture.ts';
+import { COPY_SHADER } from '../../gl/copy-shader.ts';
 import { MAX_VIEWS } from '../../targets/target.ts';
 import type { MutableCameraImage, MutableView } from '../session-frame.ts';
-import { linkFullScreenProgram } from './full-screen-program.ts';
 
 /**
  * Replaces the visitor's room in VR: a floor with a line per meter, a bright horizon and a softer sky, which show scale and orientation. It
@@ -21,7 +22,7 @@ const UPRIGHT = Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
 
 /** Creates a room whose floor is at y = 0 in world space. */
 export function createAuthoredRoom(gl: WebGL2RenderingContext): AuthoredRoom {
-  const program = linkFullScreenProgram(gl, FRAGMENT);
+  const program = linkProgram(gl, COPY_SHADER.vertex, FRAGMENT);
   const lens = gl.getUniformLocation(program, 'lens');
   const worldFromView = gl.getUniformLocation(program, 'worldFromView');
   const framebuffer = gl.createFramebuffer();

@@ -1,4 +1,5 @@
-import { linkFullScreenProgram } from './full-screen-program.ts';
+import { linkProgram } from '../../../../nodes/kit/link-program.ts';
+import { COPY_SHADER } from '../../gl/copy-shader.ts';
 import type { XrGpuDepthInformation } from './webxr-types.ts';
 
 /** Content of the texture: one of WebXR's formats, or window-space depth. */
@@ -14,7 +15,7 @@ export interface DepthDecoder {
 }
 
 export function createDecoder(gl: WebGL2RenderingContext, source: DepthSource, array: boolean): DepthDecoder {
-  const program = linkFullScreenProgram(gl, fragment(source, array));
+  const program = linkProgram(gl, COPY_SHADER.vertex, fragment(source, array));
   const scale = gl.getUniformLocation(program, 'scale');
   const layer = gl.getUniformLocation(program, 'layer');
   const target = array ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D;
