@@ -9,6 +9,16 @@
  */
 export type HitSource = 'session' | 'plane' | 'mesh' | 'depth' | 'floor';
 
+/** A ray in some space; its direction may have any length. Reused: fill it, use it, keep none. */
+export interface Ray {
+  ox: number;
+  oy: number;
+  oz: number;
+  dx: number;
+  dy: number;
+  dz: number;
+}
+
 /** `viewer`: the middle of the view. `left`, `right`: controllers or hands. `pointers`: everything that presses or hovers. */
 export type RayOrigin = 'viewer' | 'left' | 'right' | 'pointers';
 

@@ -1,6 +1,7 @@
 import { gridDirection } from '../../nodes/kit/panorama/bright-regions.ts';
 import type { FoundLamp, FoundLamps } from '../../nodes/kit/panorama/found-lamps.ts';
 import type { SphereGrid } from '../../nodes/kit/panorama/sphere-grid.ts';
+import { harmonicsBasis } from './spherical-harmonics.ts';
 
 /** How far light from lamps and a rest is from the light of the whole panorama, relative to the mean irradiance. */
 export interface LightError {
@@ -44,12 +45,13 @@ export function lightError(grid: SphereGrid, found: FoundLamps, rest: Float32Arr
 /** Compares nine coefficients of spherical harmonics, which cast no shadow, with the whole panorama. */
 export function harmonicsError(grid: SphereGrid): LightError {
   const whole = skyOf(grid, grid.luminance);
-  const coefficients = basis([0, 1, 0]).map((_, i) =>
-    whole.directions.reduce((sum, direction, k) => sum + (whole.energy[k] ?? 0) * (basis(direction)[i] ?? 0), 0),
+  const coefficients = harmonicsBasis(0, 1, 0).map((_, i) =>
+    whole.directions.reduce((sum, direction, k) => sum + (whole.energy[k] ?? 0) * (harmonicsBasis(...direction)[i] ?? 0), 0),
   );
   // Ramamoorthi and Hanrahan 2001: factors of the clamped cosine.
   const factors = [Math.PI, ...[0, 0, 0].fill((2 * Math.PI) / 3), ...[0, 0, 0, 0, 0].fill(Math.PI / 4)];
-  const smooth = (n: Vector): number => basis(n).reduce((sum, value, i) => sum + value * (coefficients[i] ?? 0) * (factors[i] ?? 0), 0);
+  const smooth = (n: Vector): number =>
+    harmonicsBasis(...n).reduce((sum, value, i) => sum + value * (coefficients[i] ?? 0) * (factors[i] ?? 0), 0);
   return compare(
     (n) => irradiance(whole, n),
     smooth,
@@ -122,21 +124,6 @@ function hitsBox(x: number, z: number, [dx, dy, dz]: Vector): boolean {
     far = Math.min(far, Math.max(a, b));
   }
   return near < far;
-}
-
-/** Real spherical harmonics of bands 0 to 2. */
-function basis([x, y, z]: Vector): number[] {
-  return [
-    0.282095,
-    0.488603 * y,
-    0.488603 * z,
-    0.488603 * x,
-    1.092548 * x * y,
-    1.092548 * y * z,
-    0.315392 * (3 * z * z - 1),
-    1.092548 * x * z,
-    0.546274 * (x * x - y * y),
-  ];
 }
 
 /** Directions spread evenly over the sphere. */

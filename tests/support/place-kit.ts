@@ -1,6 +1,6 @@
 import { BoxGeometry, Matrix4, Mesh, MeshBasicMaterial, Vector3 } from 'three';
-import { addPointer, createPointer, type MutablePointer } from '../../export/runtime/sessions/input/session-input.ts';
-import { createSessionFrame, type MutableFrame } from '../../export/runtime/sessions/session-frame.ts';
+import type { MutablePointer } from '../../export/runtime/sessions/input/session-input.ts';
+import type { MutableFrame } from '../../export/runtime/sessions/session-frame.ts';
 import { createSpatial } from '../../export/runtime/spatial/create-spatial.ts';
 import { createPulseQueue } from '../../export/runtime/values/pulses.ts';
 import type { Anchor } from '../../nodes/kit/anchors.ts';
@@ -8,29 +8,9 @@ import type { ObjectList } from '../../nodes/kit/scene-lists.ts';
 import { definition } from '../../nodes/objects/place/definition.ts';
 import { create } from '../../nodes/objects/place/runtime.ts';
 import { fakeContext, pulseNumbers } from './node-context.ts';
+import { EYES, frameOfEyes, nextFrame, type Place, pointer, rayTo } from './pointer-kit.ts';
 
 export type Params = NonNullable<NonNullable<Parameters<typeof fakeContext<typeof definition>>[1]>['params']>;
-export type Place = readonly [x: number, y: number, z: number];
-
-export const EYES: Place = [0, 1.6, 0];
-
-/** From the eyes, or from a place, to a place. */
-export function rayTo(to: Place, from: Place = EYES): number[] {
-  const origin = new Vector3(...from);
-  return new Matrix4().lookAt(origin, new Vector3(...to), new Vector3(0, 1, 0.001)).setPosition(origin).elements;
-}
-
-export function pointer(
-  id: number,
-  phase: MutablePointer['phase'],
-  ray: readonly number[],
-  more: Partial<MutablePointer> = {},
-): MutablePointer {
-  const made = Object.assign(createPointer(), { id, phase, tapped: phase === 'end', ...more });
-  made.worldFromRay.set(ray);
-  return made;
-}
-
 export const rounded = (place: ArrayLike<number>) => Array.from(place, (x) => Math.round(x * 1e4) / 1e4 + 0);
 
 /** A cube of 20 cm on the floor, 5 m behind the visitor until it is placed. */
@@ -52,7 +32,7 @@ export function start(params: Params = {}, prepare: (frame: MutableFrame) => voi
   const anchors: Anchor[] = [];
   const session = {
     sessions: 1,
-    frame: createSessionFrame(),
+    frame: frameOfEyes(),
     openHitTest: spatial.openHitTest,
     castRay: spatial.castRay,
     anchors: {
@@ -70,9 +50,8 @@ export function start(params: Params = {}, prepare: (frame: MutableFrame) => voi
     inputs: { objects: [cube()], remove, undo },
     services: { session: session as never },
   });
-  const frame = Object.assign(session.frame, { viewCount: 1 });
+  const { frame } = session;
   const node = create(fake.ctx);
-  frame.views[0]?.worldFromView.set(new Matrix4().setPosition(...EYES).elements);
   prepare(frame);
   const { outputs } = fake.ctx;
   const keys: (readonly [key: string, more: { shift?: boolean; control?: boolean }])[] = [];
@@ -81,12 +60,10 @@ export function start(params: Params = {}, prepare: (frame: MutableFrame) => voi
     return step();
   };
   const step = (...pointers: readonly MutablePointer[]) => {
-    frame.input.pointerCount = 0;
     frame.input.keyCount = 0;
     for (const [key, more] of keys.splice(0))
       Object.assign(frame.input.keys[frame.input.keyCount++] ?? {}, { key, shift: false, control: false }, more);
-    for (const each of pointers) addPointer(frame.input, each);
-    frame.index++;
+    nextFrame(frame, pointers);
     fake.tick(1 / 60);
     spatial.enterFrame(frame);
     node.update(frame);

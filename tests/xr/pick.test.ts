@@ -5,32 +5,16 @@ import { useBrowser } from '../support/browser.ts';
 import { eventually } from '../support/patience.ts';
 import { decodePicture, pixelAt } from '../support/picture.ts';
 import { type ServedExport, serveProject, serveProjectText } from '../support/project-page.ts';
+import { drawnMatrices, forgetDrawn, WATCH_MATRICES } from './drawn-matrices.ts';
 import { openXrPage, type XrPage } from './xr-page.ts';
 
 const chromium = useBrowser();
 const SIZE = { width: 480, height: 360 } as const;
 
-/** Records the matrix from object to view that the page gives to a shader last: that of the box, the only object. */
-const WATCH = `
-  const names = new WeakMap();
-  const { getUniformLocation, uniformMatrix4fv } = WebGL2RenderingContext.prototype;
-  Object.assign(WebGL2RenderingContext.prototype, {
-    getUniformLocation(program, name) {
-      const location = getUniformLocation.call(this, program, name);
-      if (location) names.set(location, name);
-      return location;
-    },
-    uniformMatrix4fv(location, transpose, value, ...rest) {
-      if (names.get(location) === 'modelViewMatrix') globalThis.drawnBox = Array.from(value);
-      uniformMatrix4fv.call(this, location, transpose, value, ...rest);
-    },
-  });
-`;
-
 /** Null while the box is not drawn. */
-async function boxOf({ page }: XrPage): Promise<Matrix4 | null> {
-  const drawn = await page.evaluate(() => (globalThis as { drawnBox?: number[] }).drawnBox ?? null);
-  return drawn && new Matrix4().fromArray(drawn);
+async function boxOf(xr: XrPage): Promise<Matrix4 | null> {
+  const drawn = await drawnMatrices(xr);
+  return drawn && new Matrix4().fromArray(drawn.modelViewMatrix);
 }
 
 /** The boxes are 30 cm wide. */
@@ -44,7 +28,7 @@ describe('a box of a page without AR', () => {
   afterAll(() => served.close());
 
   test('lights up under the mouse, grows at a click, and lets no drag on it turn the view', async () => {
-    const xr = await openXrPage(chromium.browser, served.url, { modes: [] }, SIZE, WATCH);
+    const xr = await openXrPage(chromium.browser, served.url, { modes: [] }, SIZE, WATCH_MATRICES);
     const { page } = xr;
     await page.getByText('Drag to look around').waitFor();
     const area = await page.locator('canvas').boundingBox();
@@ -114,13 +98,13 @@ describe('a box that a visitor of a phone has placed', () => {
   afterAll(() => served.close());
 
   test('grows at a tap on it, moves at a drag, and moves at a tap on the floor', async () => {
-    const xr = await openXrPage(chromium.browser, served.url, { device: 'phone', room: 'studio' }, SIZE, WATCH);
+    const xr = await openXrPage(chromium.browser, served.url, { device: 'phone', room: 'studio' }, SIZE, WATCH_MATRICES);
     const pitchRad = 0.7;
     await xr.setPose({ position: [0, 1.5, 1], quaternion: [-Math.sin(pitchRad / 2), 0, 0, Math.cos(pitchRad / 2)] });
     await xr.enter();
     await xr.step(2);
     // The materials of hidden objects are compiled by a draw before the first frame.
-    await xr.page.evaluate(() => Object.assign(globalThis, { drawnBox: null }));
+    await forgetDrawn(xr);
     await xr.step(2);
     const touch = async (...points: readonly (readonly [x: number, y: number])[]) => {
       for (const [i, point] of points.entries()) {

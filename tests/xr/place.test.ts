@@ -5,6 +5,7 @@ import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { useBrowser } from '../support/browser.ts';
 import { eventually } from '../support/patience.ts';
 import { type ServedExport, serveProjectText } from '../support/project-page.ts';
+import { drawnMatrices, WATCH_MATRICES } from './drawn-matrices.ts';
 import { openXrPage, type XrPage } from './xr-page.ts';
 
 const chromium = useBrowser();
@@ -37,39 +38,6 @@ const PITCH_RAD = 0.7;
 const HEAD = { position: [0, 1.5, 1], quaternion: [-Math.sin(PITCH_RAD / 2), 0, 0, Math.cos(PITCH_RAD / 2)] } as const satisfies HeadPose;
 const ROOM_FROM_VIEW = new Matrix4().makeRotationX(-PITCH_RAD).setPosition(...HEAD.position);
 
-/** Records the matrices that the page gives to a shader last: those of the box, the only object. */
-const WATCH = `
-  const names = new WeakMap();
-  const { getUniformLocation, uniformMatrix4fv } = WebGL2RenderingContext.prototype;
-  Object.assign(WebGL2RenderingContext.prototype, {
-    getUniformLocation(program, name) {
-      const location = getUniformLocation.call(this, program, name);
-      if (location) names.set(location, name);
-      return location;
-    },
-    uniformMatrix4fv(location, transpose, value, ...rest) {
-      const name = names.get(location);
-      if (['modelViewMatrix', 'viewMatrix', 'projectionMatrix'].includes(name)) (this.drawn ??= {})[name] = Array.from(value);
-      uniformMatrix4fv.call(this, location, transpose, value, ...rest);
-    },
-  });
-`;
-
-interface Drawn {
-  readonly modelViewMatrix: readonly number[];
-  readonly viewMatrix: readonly number[];
-  readonly projectionMatrix: readonly number[];
-}
-
-/** Null while the box is not drawn. */
-function drawnBy({ page }: XrPage): Promise<Drawn | null> {
-  return page.evaluate(() => {
-    const gl = document.querySelector('canvas')?.getContext('webgl2') as { drawn?: Drawn } | null | undefined;
-    // The quads that filter the environment have no view matrix.
-    return gl?.drawn && 'viewMatrix' in gl.drawn ? gl.drawn : null;
-  });
-}
-
 /** Where a matrix has its origin, seen from another space. */
 function originOf(matrix: readonly number[], outerFromSpace: Matrix4): Vector3 {
   return new Vector3().setFromMatrixPosition(new Matrix4().fromArray(matrix)).applyMatrix4(outerFromSpace);
@@ -84,7 +52,7 @@ interface Visit {
 }
 
 async function visit(options: EmulatorOptions = {}): Promise<Visit> {
-  const xr = await openXrPage(chromium.browser, served.url, { device: 'phone', room: 'studio', ...options }, SIZE, WATCH);
+  const xr = await openXrPage(chromium.browser, served.url, { device: 'phone', room: 'studio', ...options }, SIZE, WATCH_MATRICES);
   await xr.setPose(HEAD);
   await xr.enter();
   await xr.step(2);
@@ -92,7 +60,7 @@ async function visit(options: EmulatorOptions = {}): Promise<Visit> {
   return {
     xr,
     boxInRoom: async () => {
-      const drawn = await drawnBy(xr);
+      const drawn = await drawnMatrices(xr);
       return drawn && originOf(drawn.modelViewMatrix, ROOM_FROM_VIEW).toArray();
     },
     floorAt: (x, y) => {
@@ -159,7 +127,13 @@ describe('objects that a visitor of a phone places', () => {
 });
 
 test('a controller places the box where its ray meets the floor, and drags it onto a table', async () => {
-  const xr = await openXrPage(chromium.browser, served.url, { device: 'headset', room: 'studio' }, { width: 640, height: 320 }, WATCH);
+  const xr = await openXrPage(
+    chromium.browser,
+    served.url,
+    { device: 'headset', room: 'studio' },
+    { width: 640, height: 320 },
+    WATCH_MATRICES,
+  );
   await xr.setPose(HEAD);
   /** Straight down from 1.2 m. */
   const hold = (x: number, z: number, trigger: number) =>
@@ -174,7 +148,7 @@ test('a controller places the box where its ray meets the floor, and drags it on
       [x, z, trigger] as const,
     );
   const box = async () => {
-    const drawn = await drawnBy(xr);
+    const drawn = await drawnMatrices(xr);
     return drawn && originOf(drawn.modelViewMatrix, new Matrix4().fromArray(drawn.viewMatrix).invert()).toArray();
   };
   const play = async (...moments: readonly (readonly [x: number, z: number, trigger: number])[]) => {
@@ -196,14 +170,14 @@ test('a controller places the box where its ray meets the floor, and drags it on
 });
 
 test('without AR the mouse places and drags the box on the floor', async () => {
-  const xr = await openXrPage(chromium.browser, served.url, { modes: [] }, SIZE, WATCH);
+  const xr = await openXrPage(chromium.browser, served.url, { modes: [] }, SIZE, WATCH_MATRICES);
   const { page } = xr;
   await page.getByText('Drag to look around').waitFor();
   const area = await page.locator('canvas').boundingBox();
   if (!area) throw new Error('The page has no canvas.');
   /** Height above the floor in meters, and where on the page, in pixels. */
   const box = async () => {
-    const drawn = await drawnBy(xr);
+    const drawn = await drawnMatrices(xr);
     if (!drawn) return null;
     const clip = originOf(drawn.modelViewMatrix, new Matrix4().fromArray(drawn.projectionMatrix));
     const heightM = originOf(drawn.modelViewMatrix, new Matrix4().fromArray(drawn.viewMatrix).invert()).y;
@@ -285,7 +259,7 @@ test.each([
     },
     {},
   );
-  const xr = await openXrPage(chromium.browser, shadowed.url, { device, room: 'studio' }, SIZE, `${WATCH}${COUNT}`);
+  const xr = await openXrPage(chromium.browser, shadowed.url, { device, room: 'studio' }, SIZE, `${WATCH_MATRICES}${COUNT}`);
   await xr.setPose(HEAD);
   await xr.enter();
   await xr.step(3);

@@ -49,7 +49,7 @@ export const LAYERS: readonly Layer[] = [
     name: 'kit',
     files: [
       'nodes/kit/panorama/**',
-      'nodes/kit/{arithmetic,asset-words,categories,choice-options,color-math,curve,definition,diagnostics,ease,expression,facts,frame-times,glyphs,hand-joints,light-params,play-expression,play-size,rotation-param,surface-params,track-time,wire-types}.ts',
+      'nodes/kit/{arithmetic,asset-words,categories,choice-options,color-math,curve,definition,diagnostics,ease,expression,facts,frame-times,glyphs,hand-joints,light-params,material-params,play-expression,play-size,pointer-params,rotation-param,surface-params,track-time,wire-types}.ts',
     ],
   },
   { name: 'kit with three', files: ['nodes/kit/three/**'], imports: EXPORT_KIT, packages: ['three'] },

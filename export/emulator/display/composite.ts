@@ -1,3 +1,5 @@
+import { linearFromSrgb, srgbFromLinear } from '../../../nodes/kit/color-math.ts';
+
 export type BlendMode = 'opaque' | 'alpha-blend' | 'additive';
 
 /** RGBA, 8 bits, rows from the top. */
@@ -32,16 +34,11 @@ export function compositePixels(layer: Pixels, room: Pixels, blend: BlendMode, g
 
 /** A pixel that the display leaves black shows the room unchanged. */
 function added(below: number, above: number, gain: number): number {
-  return above === 0 ? below : encoded(linear(below) + gain * linear(above));
-}
-
-function linear(byte: number): number {
-  const value = byte / 255;
-  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+  return above === 0 ? below : encoded(linearFromSrgb(below / 255) + gain * linearFromSrgb(above / 255));
 }
 
 function encoded(light: number): number {
-  return Math.round(255 * Math.min(1, light <= 0.0031308 ? light * 12.92 : 1.055 * light ** (1 / 2.4) - 0.055));
+  return Math.round(255 * Math.min(1, srgbFromLinear(light)));
 }
 
 /** Flips rows read from WebGL, which come from the bottom. */

@@ -1,4 +1,5 @@
 import { DataUtils } from 'three';
+import { srgbFromLinear } from '../../../nodes/kit/color-math.ts';
 import type { ReflectionFormat } from './light-probe.ts';
 import type { ReflectionFaces } from './session-light.ts';
 
@@ -21,12 +22,9 @@ function toHalf(linear: Float32Array): Uint16Array {
   return Uint16Array.from(linear, (value) => DataUtils.toHalfFloat(Math.min(value, 65_504)));
 }
 
-/** sRGB transfer function, IEC 61966-2-1. */
 function toSrgb(linear: Float32Array): Uint8Array {
   return Uint8Array.from(linear, (value, index) => {
     if (index % 4 === 3) return 255;
-    const clamped = Math.min(Math.max(value, 0), 1);
-    const encoded = clamped <= 0.0031308 ? clamped * 12.92 : 1.055 * clamped ** (1 / 2.4) - 0.055;
-    return Math.round(encoded * 255);
+    return Math.round(srgbFromLinear(Math.min(Math.max(value, 0), 1)) * 255);
   });
 }

@@ -1,3 +1,4 @@
+import { linearFromSrgb } from '../../../nodes/kit/color-math.ts';
 import type { SessionFrame } from '../../../nodes/kit/session.ts';
 import type { LinkedShader } from '../../program/program.ts';
 import { allocateTexture } from '../gl/allocate-texture.ts';
@@ -44,7 +45,7 @@ void main() {
 };
 
 /** Linear value of each encoded byte. */
-const LINEAR = Float32Array.from({ length: 256 }, (_, i) => (i <= 10 ? i / 255 / 12.92 : ((i / 255 + 0.055) / 1.055) ** 2.4));
+const LINEAR = Float32Array.from({ length: 256 }, (_, i) => linearFromSrgb(i / 255));
 
 /** The parts of the engine that it uses. */
 export interface CameraMeanTools {

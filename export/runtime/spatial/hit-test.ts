@@ -1,11 +1,11 @@
-import type { Hit, HitList, HitRecord, HitSource, HitTest, HitTestOptions } from '../../../nodes/kit/hit-test.ts';
+import type { Hit, HitList, HitRecord, HitSource, HitTest, HitTestOptions, Ray } from '../../../nodes/kit/hit-test.ts';
 import { createHit } from '../../../nodes/kit/hit-test.ts';
 import { multiplyMatrices } from '../../../nodes/kit/matrices.ts';
 import { handOf } from '../../../nodes/kit/pointers.ts';
 import type { Pointer, SessionFrame } from '../../../nodes/kit/session.ts';
 import { castAtRoom, HIT_SOURCES, writeHit } from './cast/cast-room.ts';
 import type { DepthPictures } from './depth-pictures.ts';
-import { createMeeting, createRay, type Ray, setRay } from './ray.ts';
+import { createMeeting, createRay, setRay } from './ray.ts';
 import { createWebXrHits, type WebXrLedger } from './webxr-hits.ts';
 
 /** Hits of one frame at most: of one ray the nearest, or one of each pointer. */

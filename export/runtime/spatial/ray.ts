@@ -1,12 +1,4 @@
-/** A ray in some space; the direction has the length 1. Reused: fill it, use it, keep none. */
-export interface Ray {
-  ox: number;
-  oy: number;
-  oz: number;
-  dx: number;
-  dy: number;
-  dz: number;
-}
+import type { Ray } from '../../../nodes/kit/hit-test.ts';
 
 /** Where a ray meets a surface: distance along the ray in meters, and the normal of any length. */
 export interface Meeting {
@@ -16,6 +8,7 @@ export interface Meeting {
   nz: number;
 }
 
+/** The direction of these rays has the length 1. */
 export function createRay(): Ray {
   return { ox: 0, oy: 0, oz: 0, dx: 0, dy: 0, dz: -1 };
 }

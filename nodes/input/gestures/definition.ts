@@ -1,4 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
+import { ANY_OR_SCREEN, POINTERS_BY } from '../../kit/pointer-params.ts';
 
 export const definition = defineNode({
   type: 'input/gestures',
@@ -65,16 +66,8 @@ export const definition = defineNode({
   },
   params: {
     by: {
-      type: 'choice',
-      stage: 'structure',
-      label: 'By',
-      doc: 'Which pointers count.',
-      default: 'any',
-      options: [
-        { value: 'any', label: 'Anything' },
-        { value: 'screen', label: 'Screen and mouse' },
-        { value: 'hands', label: 'Controllers and hands' },
-      ],
+      ...POINTERS_BY,
+      options: [...ANY_OR_SCREEN, { value: 'hands', label: 'Controllers and hands' }],
     },
     presses: {
       type: 'choice',

@@ -1,8 +1,9 @@
 import { BackSide, DoubleSide, type InstancedMesh, type Material, Matrix4, type Mesh, type Object3D, Sphere, Vector3 } from 'three';
+import type { Ray } from '../../kit/hit-test.ts';
 import type { ObjectItem, ObjectList } from '../../kit/scene-lists.ts';
 import { type GeometryTriangles, trianglesOf } from './geometry-triangles.ts';
 import { createPosedTriangles, type PosedTriangles } from './posed-triangles.ts';
-import { castAtTree, type LocalRay, type Sides, type TriangleHit } from './triangle-tree.ts';
+import { castAtTree, type Sides, type TriangleHit } from './triangle-tree.ts';
 
 /** The object that a ray meets first. Owned by the caller. */
 export interface ObjectHit {
@@ -23,7 +24,7 @@ export function createObjectHit(): ObjectHit {
 }
 
 // Filled and read within one call.
-const scratchRay: LocalRay = { ox: 0, oy: 0, oz: 0, dx: 0, dy: 0, dz: -1 };
+const scratchRay: Ray = { ox: 0, oy: 0, oz: 0, dx: 0, dy: 0, dz: -1 };
 const scratchHit: TriangleHit = { along: 0, nx: 0, ny: 1, nz: 0 };
 const scratchOrigin = new Vector3();
 const scratchAhead = new Vector3();

@@ -1,8 +1,8 @@
 import { describe, expect, test } from '@jest/globals';
-import { BoxGeometry, Matrix4, Mesh, MeshBasicMaterial, Vector3 } from 'three';
-import { addPointer, createPointer, type MutablePointer } from '../../../export/runtime/sessions/input/session-input.ts';
-import { createSessionFrame } from '../../../export/runtime/sessions/session-frame.ts';
+import { BoxGeometry, Matrix4, Mesh, MeshBasicMaterial } from 'three';
+import { createPointer, type MutablePointer } from '../../../export/runtime/sessions/input/session-input.ts';
 import { fakeContext, pulseNumbers } from '../../../tests/support/node-context.ts';
+import { frameOfEyes, nextFrame, type Place, rayTo } from '../../../tests/support/pointer-kit.ts';
 import type { HitRecord, HitSource } from '../../kit/hit-test.ts';
 import { claimPointer } from '../../kit/pointers.ts';
 import { createPose, writePose } from '../../kit/pose.ts';
@@ -12,14 +12,6 @@ import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 
 type Params = NonNullable<NonNullable<Parameters<typeof fakeContext<typeof definition>>[1]>['params']>;
-type Place = readonly [x: number, y: number, z: number];
-
-const EYES: Place = [0, 1.6, 0];
-
-function rayTo(to: Place): number[] {
-  const origin = new Vector3(...EYES);
-  return new Matrix4().lookAt(origin, new Vector3(...to), new Vector3(0, 1, 0.001)).setPosition(origin).elements;
-}
 
 /** A pointer of a mouse, over several frames. */
 function mouse(id = 1, more: Partial<MutablePointer> = {}) {
@@ -61,18 +53,14 @@ interface More {
 }
 
 function start(params: Params = {}, objects: readonly ObjectList[] = [cubes({ a: A, b: B })], { inputs = {}, castRay }: More = {}) {
-  const frame = createSessionFrame();
-  frame.viewCount = 1;
-  frame.views[0]?.worldFromView.set(new Matrix4().setPosition(...EYES).elements);
+  const frame = frameOfEyes();
   const services = { session: { frame, castRay } as never };
   const fake = fakeContext(definition, { params, inputs: { objects, ...inputs }, services });
   const node = create(fake.ctx);
   const { outputs } = fake.ctx;
   /** Before the frame, so that the reader sees what the node gives in the frame after. */
   const step = (...pointers: readonly MutablePointer[]) => {
-    frame.input.pointerCount = 0;
-    for (const each of pointers) addPointer(frame.input, each);
-    frame.index++;
+    nextFrame(frame, pointers);
     fake.tick(1 / 60);
     node.update(frame);
     const seen = {

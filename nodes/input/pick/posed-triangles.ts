@@ -1,11 +1,12 @@
 import { Matrix4, type Mesh, type SkinnedMesh } from 'three';
+import type { Ray } from '../../kit/hit-test.ts';
 import type { GeometryTriangles } from './geometry-triangles.ts';
-import { castAtTriangle, entryOf, type LocalRay, type Sides, type TriangleHit } from './triangle-tree.ts';
+import { castAtTriangle, entryOf, type Sides, type TriangleHit } from './triangle-tree.ts';
 
 /** Triangles of a mesh that is skinned or morphed, as it is posed now. */
 export interface PosedTriangles {
   /** As `castAtTree`, in the space of the mesh. The world matrices of the mesh and its bones are current. */
-  cast(out: TriangleHit, ray: LocalRay, sides: Sides): boolean;
+  cast(out: TriangleHit, ray: Ray, sides: Sides): boolean;
 }
 
 /** Triangles of one cluster: neighbors at rest, so that few bones move them. */

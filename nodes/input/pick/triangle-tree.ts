@@ -1,3 +1,5 @@
+import type { Ray } from '../../kit/hit-test.ts';
+
 /**
  * A tree of boxes around the triangles of a geometry, in which a ray finds the first triangle without looking at all. Built once per
  * geometry, by splitting at the median along the longest axis. In flat arrays, so that casting allocates nothing and a page carries 1 kB
@@ -14,16 +16,6 @@ export interface TriangleTree {
   readonly corners: Float32Array;
   /** The index that each triangle had before. */
   readonly order: Uint32Array;
-}
-
-/** A ray in the space of the triangles; its direction may have any length. */
-export interface LocalRay {
-  ox: number;
-  oy: number;
-  oz: number;
-  dx: number;
-  dy: number;
-  dz: number;
 }
 
 /** The first triangle that a ray meets. */
@@ -172,7 +164,7 @@ const scratchStack = new Int32Array(DEPTH);
  * @param out Its `along` is the limit: what lies farther is not met. It is as it was where nothing is met.
  * @returns Whether a triangle is met.
  */
-export function castAtTree(out: TriangleHit, { bounds, links, counts, corners }: TriangleTree, ray: LocalRay, sides: Sides): boolean {
+export function castAtTree(out: TriangleHit, { bounds, links, counts, corners }: TriangleTree, ray: Ray, sides: Sides): boolean {
   let found = false;
   let top = 0;
   let box = 0;
@@ -202,7 +194,7 @@ export function castAtTree(out: TriangleHit, { bounds, links, counts, corners }:
 }
 
 /** Where a ray enters a box, or infinity where it does not before `limit`. */
-export function entryOf(bounds: ArrayLike<number>, box: number, { ox, oy, oz, dx, dy, dz }: LocalRay, limit: number): number {
+export function entryOf(bounds: ArrayLike<number>, box: number, { ox, oy, oz, dx, dy, dz }: Ray, limit: number): number {
   const at = 6 * box;
   const ix = 1 / (dx || TINY);
   const iy = 1 / (dy || TINY);
@@ -220,13 +212,7 @@ export function entryOf(bounds: ArrayLike<number>, box: number, { ox, oy, oz, dx
 }
 
 /** Möller and Trumbore 1997, with the sides told apart by the sign of the determinant. `at` is the index of the first number. */
-export function castAtTriangle(
-  out: TriangleHit,
-  c: ArrayLike<number>,
-  at: number,
-  { ox, oy, oz, dx, dy, dz }: LocalRay,
-  sides: Sides,
-): boolean {
+export function castAtTriangle(out: TriangleHit, c: ArrayLike<number>, at: number, { ox, oy, oz, dx, dy, dz }: Ray, sides: Sides): boolean {
   const ax = c[at] ?? 0;
   const ay = c[at + 1] ?? 0;
   const az = c[at + 2] ?? 0;

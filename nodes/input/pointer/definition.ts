@@ -1,4 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
+import { ANY_OR_SCREEN, POINTERS_BY } from '../../kit/pointer-params.ts';
 
 export const definition = defineNode({
   type: 'input/pointer',
@@ -25,14 +26,9 @@ export const definition = defineNode({
   },
   params: {
     by: {
-      type: 'choice',
-      stage: 'structure',
-      label: 'By',
-      doc: 'Which pointers count.',
-      default: 'any',
+      ...POINTERS_BY,
       options: [
-        { value: 'any', label: 'Anything' },
-        { value: 'screen', label: 'Screen and mouse' },
+        ...ANY_OR_SCREEN,
         { value: 'left', label: 'Left controller or hand' },
         { value: 'right', label: 'Right controller or hand' },
       ],

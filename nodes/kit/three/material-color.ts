@@ -1,4 +1,4 @@
-import type { Color, Material } from 'three';
+import type { Color, Material, MeshStandardMaterial } from 'three';
 
 /**
  * Sets color and opacity of a material, which is transparent only with an alpha below 1.
@@ -15,4 +15,23 @@ export function setMaterialColor(material: Material & { readonly color: Color },
   if (material.transparent === isTransparent) return;
   material.transparent = isTransparent;
   material.needsUpdate = true;
+}
+
+/** Values of the params `BASE_COLOR`, `ROUGHNESS` and `METALNESS` of `material-params.ts`. */
+export interface SurfaceValues {
+  readonly color: { readonly value: ArrayLike<number> };
+  readonly roughness: { readonly value: number };
+  readonly metalness: { readonly value: number };
+}
+
+/**
+ * Sets color, opacity, roughness and metalness of a material.
+ *
+ * @example
+ * setSurface(material, ctx.params);
+ */
+export function setSurface(material: MeshStandardMaterial, { color, roughness, metalness }: SurfaceValues): void {
+  setMaterialColor(material, color.value);
+  material.roughness = roughness.value;
+  material.metalness = metalness.value;
 }

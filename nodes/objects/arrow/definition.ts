@@ -1,4 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
+import { CASTS_SHADOW } from '../../kit/material-params.ts';
 
 export const definition = defineNode({
   type: 'objects/arrow',
@@ -114,7 +115,7 @@ export const definition = defineNode({
       doc: 'Whether lights shade it. Otherwise it has the same color in any light.',
       default: false,
     },
-    castShadow: { type: 'toggle', stage: 'uniform', label: 'Cast shadows', doc: 'Whether it casts a shadow.', default: false },
+    castShadow: { ...CASTS_SHADOW, default: false },
   },
   lowering: { kind: 'geometry' },
 });

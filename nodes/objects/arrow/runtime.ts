@@ -1,8 +1,8 @@
-import { Matrix4, Mesh, MeshBasicMaterial, MeshStandardMaterial, Quaternion, Vector3 } from 'three';
+import { Mesh, MeshBasicMaterial, MeshStandardMaterial, Quaternion, Vector3 } from 'three';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
-import type { ObjectItem } from '../../kit/scene-lists.ts';
 import type { SessionFrame, ViewFrame } from '../../kit/session.ts';
 import { setMaterialColor } from '../../kit/three/material-color.ts';
+import { createMeshItem } from '../../kit/three/mesh-item.ts';
 import { createArrowGeometry, createArrowShape, setArrowShape } from './arrow-geometry.ts';
 import type { definition } from './definition.ts';
 
@@ -26,16 +26,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const geometry = createArrowGeometry();
   const material = shaded ? new MeshStandardMaterial({ roughness: ROUGHNESS }) : new MeshBasicMaterial();
   const mesh = new Mesh(geometry, material);
-  mesh.matrixAutoUpdate = false;
-  mesh.matrixWorldAutoUpdate = false;
-  const item: ObjectItem = {
-    key: 'arrow',
-    root: mesh,
-    worldFromObject: new Matrix4(),
-    role: 'virtual',
-    castsShadow: false,
-    receivesShadow: shaded,
-  };
+  const item = createMeshItem('arrow', mesh, { receivesShadow: shaded });
   const shape = createArrowShape();
   const drawn = createArrowShape();
 

@@ -1,4 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
+import { BASE_COLOR, ROUGHNESS } from '../../kit/material-params.ts';
 
 export const definition = defineNode({
   type: 'objects/hands',
@@ -33,24 +34,8 @@ export const definition = defineNode({
         { value: 'right', label: 'Right' },
       ],
     },
-    color: {
-      type: 'color',
-      stage: 'uniform',
-      label: 'Color',
-      doc: 'Base color of the surface. With alpha below 1 it is transparent.',
-      default: [0.75, 0.72, 0.7, 1],
-    },
-    roughness: {
-      type: 'number',
-      stage: 'uniform',
-      label: 'Roughness',
-      doc: '0 is a mirror, 1 is matte.',
-      default: 0.7,
-      min: 0,
-      max: 1,
-      step: 0.01,
-      unit: 'ratio',
-    },
+    color: { ...BASE_COLOR, default: [0.75, 0.72, 0.7, 1] },
+    roughness: { ...ROUGHNESS, default: 0.7 },
     castShadow: { type: 'toggle', stage: 'uniform', label: 'Cast shadows', doc: 'Whether they cast shadows.', default: true },
     receiveShadow: {
       type: 'toggle',

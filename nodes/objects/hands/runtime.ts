@@ -3,6 +3,7 @@ import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { ObjectItem } from '../../kit/scene-lists.ts';
 import type { SessionInput } from '../../kit/session.ts';
 import { setMaterialColor } from '../../kit/three/material-color.ts';
+import { setShadows } from '../../kit/three/mesh-item.ts';
 import { createControllerModel } from './controller-model.ts';
 import type { definition } from './definition.ts';
 import { createHandModel } from './hand-model.ts';
@@ -19,7 +20,7 @@ interface Part {
 const SIDES = ['left', 'right'] as const;
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
-  const { color, roughness, castShadow, receiveShadow } = ctx.params;
+  const { color, roughness } = ctx.params;
   const { show, side } = ctx.config;
   const { objects } = ctx.outputs;
   const material = new MeshStandardMaterial();
@@ -46,8 +47,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
         const isTracked = part.follow(input);
         if (isTracked !== part.isListed) isChanged = true;
         part.isListed = isTracked;
-        part.item.castsShadow = castShadow.value;
-        part.item.receivesShadow = receiveShadow.value;
+        setShadows(part.item, ctx.params);
       }
       if (isChanged) list();
     },

@@ -2,14 +2,14 @@ import {
   CanvasTexture,
   LinearFilter,
   LinearMipmapLinearFilter,
-  Matrix4,
   Mesh,
   MeshBasicMaterial,
   PlaneGeometry,
   SRGBColorSpace,
   Vector3,
 } from 'three';
-import type { ObjectItem, ObjectList } from '../../kit/scene-lists.ts';
+import type { ObjectList } from '../../kit/scene-lists.ts';
+import { createMeshItem } from '../../kit/three/mesh-item.ts';
 import type { LabelContentView } from './label-content.ts';
 import type { LabelPose } from './label-pose.ts';
 
@@ -111,15 +111,5 @@ function createTexture(canvas: OffscreenCanvas): CanvasTexture<OffscreenCanvas> 
 
 function createPart(key: string, geometry: PlaneGeometry, material: MeshBasicMaterial) {
   const mesh = new Mesh(geometry, material);
-  mesh.matrixAutoUpdate = false;
-  mesh.matrixWorldAutoUpdate = false;
-  const item: ObjectItem = {
-    key,
-    root: mesh,
-    worldFromObject: new Matrix4(),
-    role: 'virtual',
-    castsShadow: false,
-    receivesShadow: false,
-  };
-  return { mesh, material, item };
+  return { mesh, material, item: createMeshItem(key, mesh) };
 }

@@ -1,4 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
+import { CASTS_SHADOW } from '../../kit/material-params.ts';
 
 export const definition = defineNode({
   type: 'objects/line',
@@ -32,7 +33,7 @@ export const definition = defineNode({
       doc: 'Color of the line. With alpha below 1 it is transparent.',
       default: [1, 1, 1, 1],
     },
-    castShadow: { type: 'toggle', stage: 'uniform', label: 'Cast shadows', doc: 'Whether it casts a shadow.', default: false },
+    castShadow: { ...CASTS_SHADOW, default: false },
   },
   lowering: { kind: 'geometry' },
 });

@@ -1,7 +1,7 @@
-import { CylinderGeometry, Matrix4, Mesh, MeshBasicMaterial, Quaternion, Vector3 } from 'three';
+import { CylinderGeometry, Mesh, MeshBasicMaterial, Quaternion, Vector3 } from 'three';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
-import type { ObjectItem } from '../../kit/scene-lists.ts';
 import { setMaterialColor } from '../../kit/three/material-color.ts';
+import { createMeshItem } from '../../kit/three/mesh-item.ts';
 import type { definition } from './definition.ts';
 
 /** Shorter lines have no direction. */
@@ -21,16 +21,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const geometry = new CylinderGeometry(0.5, 0.5, 1, 12);
   const material = new MeshBasicMaterial();
   const mesh = new Mesh(geometry, material);
-  mesh.matrixAutoUpdate = false;
-  mesh.matrixWorldAutoUpdate = false;
-  const item: ObjectItem = {
-    key: 'line',
-    root: mesh,
-    worldFromObject: new Matrix4(),
-    role: 'virtual',
-    castsShadow: false,
-    receivesShadow: false,
-  };
+  const item = createMeshItem('line', mesh);
 
   function show(shown: boolean): void {
     if (objects.items.length > 0 === shown) return;

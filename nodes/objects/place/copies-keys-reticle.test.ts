@@ -2,7 +2,8 @@ import { describe, expect, test } from '@jest/globals';
 import { InstancedMesh, Matrix4, type Mesh, type MeshBasicMaterial } from 'three';
 import type { MutablePointer } from '../../../export/runtime/sessions/input/session-input.ts';
 import type { MutableFrame } from '../../../export/runtime/sessions/session-frame.ts';
-import { EYES, fingers, pointer, rayTo, rounded, start, wall } from '../../../tests/support/place-kit.ts';
+import { fingers, rounded, start, wall } from '../../../tests/support/place-kit.ts';
+import { EYES, pointer, rayTo } from '../../../tests/support/pointer-kit.ts';
 import type { ObjectItem } from '../../kit/scene-lists.ts';
 
 describe('objects/place', () => {

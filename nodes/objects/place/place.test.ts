@@ -1,7 +1,8 @@
 import { describe, expect, test } from '@jest/globals';
 import { Matrix4 } from 'three';
 import type { MutablePointer } from '../../../export/runtime/sessions/input/session-input.ts';
-import { fingers, NOTHING, type Place, pointer, rayTo, rounded, start, wall } from '../../../tests/support/place-kit.ts';
+import { fingers, NOTHING, rounded, start, wall } from '../../../tests/support/place-kit.ts';
+import { type Place, pointer, rayTo } from '../../../tests/support/pointer-kit.ts';
 
 describe('objects/place', () => {
   test('hides the objects until a tap, and then places them where its ray meets the floor', () => {

@@ -1,4 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
+import { BASE_COLOR, CASTS_SHADOW, METALNESS, RECEIVES_SHADOW, ROUGHNESS } from '../../kit/material-params.ts';
 
 export const definition = defineNode({
   type: 'objects/primitive',
@@ -35,49 +36,11 @@ export const definition = defineNode({
       max: [5, 5, 5],
       unit: 'm',
     },
-    color: {
-      type: 'color',
-      stage: 'uniform',
-      label: 'Color',
-      doc: 'Base color of the surface. With alpha below 1 it is transparent.',
-      default: [0.8, 0.8, 0.8, 1],
-    },
-    roughness: {
-      type: 'number',
-      stage: 'uniform',
-      label: 'Roughness',
-      doc: '0 is a mirror, 1 is matte.',
-      default: 0.6,
-      min: 0,
-      max: 1,
-      step: 0.01,
-      unit: 'ratio',
-    },
-    metalness: {
-      type: 'number',
-      stage: 'uniform',
-      label: 'Metalness',
-      doc: '0 for plastic, wood or stone; 1 for metal.',
-      default: 0,
-      min: 0,
-      max: 1,
-      step: 0.01,
-      unit: 'ratio',
-    },
-    castShadow: {
-      type: 'toggle',
-      stage: 'uniform',
-      label: 'Cast shadows',
-      doc: 'Whether it casts a shadow.',
-      default: true,
-    },
-    receiveShadow: {
-      type: 'toggle',
-      stage: 'uniform',
-      label: 'Receive shadows',
-      doc: 'Whether it receives shadows, its own included.',
-      default: true,
-    },
+    color: { ...BASE_COLOR, default: [0.8, 0.8, 0.8, 1] },
+    roughness: ROUGHNESS,
+    metalness: METALNESS,
+    castShadow: CASTS_SHADOW,
+    receiveShadow: RECEIVES_SHADOW,
   },
   lowering: { kind: 'geometry' },
 });

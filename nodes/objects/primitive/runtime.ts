@@ -5,7 +5,6 @@ import {
   CylinderGeometry,
   DoubleSide,
   FrontSide,
-  Matrix4,
   Mesh,
   MeshStandardMaterial,
   PlaneGeometry,
@@ -14,8 +13,8 @@ import {
   Vector3,
 } from 'three';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
-import type { ObjectItem } from '../../kit/scene-lists.ts';
-import { setMaterialColor } from '../../kit/three/material-color.ts';
+import { setSurface } from '../../kit/three/material-color.ts';
+import { createMeshItem, setShadows } from '../../kit/three/mesh-item.ts';
 import type { definition } from './definition.ts';
 
 type Shape = NodeContext<typeof definition>['config']['shape'];
@@ -34,22 +33,13 @@ const GEOMETRIES: { readonly [S in Shape]: () => BufferGeometry } = {
 const scratchSize = new Vector3();
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
-  const { sizeM, color, roughness, metalness, castShadow, receiveShadow } = ctx.params;
+  const { sizeM } = ctx.params;
   const { shape } = ctx.config;
   const geometry = GEOMETRIES[shape]();
   // A plane has no interior, so one pass draws both sides correctly when it is transparent.
   const material = new MeshStandardMaterial({ side: shape === 'plane' ? DoubleSide : FrontSide, forceSinglePass: true });
   const mesh = new Mesh(geometry, material);
-  mesh.matrixAutoUpdate = false;
-  mesh.matrixWorldAutoUpdate = false;
-  const item: ObjectItem = {
-    key: shape,
-    root: mesh,
-    worldFromObject: new Matrix4(),
-    role: 'virtual',
-    castsShadow: true,
-    receivesShadow: true,
-  };
+  const item = createMeshItem(shape, mesh, { castsShadow: true, receivesShadow: true });
   ctx.outputs.objects.items.push(item);
   ctx.outputs.objects.version++;
 
@@ -58,11 +48,8 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       scratchSize.fromArray(sizeM.value);
       if (shape === 'plane') scratchSize.y = 1;
       mesh.matrixWorld.makeScale(scratchSize.x, scratchSize.y, scratchSize.z);
-      setMaterialColor(material, color.value);
-      material.roughness = roughness.value;
-      material.metalness = metalness.value;
-      item.castsShadow = castShadow.value;
-      item.receivesShadow = receiveShadow.value;
+      setSurface(material, ctx.params);
+      setShadows(item, ctx.params);
     },
     dispose: () => {
       geometry.dispose();

@@ -1,29 +1,20 @@
-import { BufferGeometry, Matrix4, Mesh, MeshStandardMaterial } from 'three';
+import { BufferGeometry, Mesh, MeshStandardMaterial } from 'three';
 import { readGlyphs } from '../../kit/glyphs.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
-import type { ObjectItem } from '../../kit/scene-lists.ts';
-import { setMaterialColor } from '../../kit/three/material-color.ts';
+import { setSurface } from '../../kit/three/material-color.ts';
+import { createMeshItem, setShadows } from '../../kit/three/mesh-item.ts';
 import type { definition } from './definition.ts';
 import { layOut, MAX_CHARACTERS } from './lay-out.ts';
 import { createLetters, mergeLetters } from './letters.ts';
 
 /** `config.characters` has outlines, from the compiler. */
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
-  const { text, sizeM, depthM, color, roughness, metalness, castShadow, receiveShadow } = ctx.params;
+  const { text, sizeM, depthM } = ctx.params;
   const { objects } = ctx.outputs;
   const letterOf = createLetters(readGlyphs(ctx.config.characters));
   const material = new MeshStandardMaterial();
   const mesh = new Mesh(new BufferGeometry(), material);
-  mesh.matrixAutoUpdate = false;
-  mesh.matrixWorldAutoUpdate = false;
-  const item: ObjectItem = {
-    key: 'text',
-    root: mesh,
-    worldFromObject: new Matrix4(),
-    role: 'virtual',
-    castsShadow: true,
-    receivesShadow: true,
-  };
+  const item = createMeshItem('text', mesh, { castsShadow: true, receivesShadow: true });
   let shown: string | null = null;
 
   /** Makes the letters anew, because what readers derive from a geometry is kept by geometry. */
@@ -63,11 +54,8 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     update: () => {
       if (text.value !== shown) write(text.value);
       mesh.matrixWorld.makeScale(sizeM.value, sizeM.value, depthM.value);
-      setMaterialColor(material, color.value);
-      material.roughness = roughness.value;
-      material.metalness = metalness.value;
-      item.castsShadow = castShadow.value;
-      item.receivesShadow = receiveShadow.value;
+      setSurface(material, ctx.params);
+      setShadows(item, ctx.params);
     },
     dispose: () => {
       mesh.geometry.dispose();

@@ -1,4 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
+import { CASTS_SHADOW, RECEIVES_SHADOW } from '../../kit/material-params.ts';
 
 export const definition = defineNode({
   type: 'source/model',
@@ -46,14 +47,8 @@ export const definition = defineNode({
         { value: 'smooth', label: 'Smooth' },
       ],
     },
-    castShadow: { type: 'toggle', stage: 'uniform', label: 'Cast shadows', doc: 'Whether it casts a shadow.', default: true },
-    receiveShadow: {
-      type: 'toggle',
-      stage: 'uniform',
-      label: 'Receive shadows',
-      doc: 'Whether it receives shadows, its own included.',
-      default: true,
-    },
+    castShadow: CASTS_SHADOW,
+    receiveShadow: RECEIVES_SHADOW,
   },
   lowering: { kind: 'source' },
   stateful: { moves: ['playing', 'speed'] },

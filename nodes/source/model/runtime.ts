@@ -2,11 +2,12 @@ import { Matrix4, type Object3D } from 'three';
 import type { ModelAsset } from '../../kit/assets.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { ObjectItem } from '../../kit/scene-lists.ts';
+import { setShadows } from '../../kit/three/mesh-item.ts';
 import { type Animation, createAnimation } from './animation.ts';
 import type { definition } from './definition.ts';
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
-  const { speed, playing, castShadow, receiveShadow } = ctx.params;
+  const { speed, playing } = ctx.params;
   const { objects } = ctx.outputs;
   const id = ctx.assetIds.model;
   const handle = id === null ? null : ctx.assets.model(id);
@@ -35,8 +36,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       const model = handle?.value ?? null;
       if (model === null) return;
       item ??= begin(model);
-      item.castsShadow = castShadow.value;
-      item.receivesShadow = receiveShadow.value;
+      setShadows(item, ctx.params);
       animation?.update(speed.value, playing.value);
     },
     reset: () => animation?.reset(),

@@ -8,8 +8,9 @@ import {
   SphereGeometry,
   Vector3,
 } from 'three';
-import type { ObjectItem, ObjectList } from '../../kit/scene-lists.ts';
+import type { ObjectList } from '../../kit/scene-lists.ts';
 import { setMaterialColor } from '../../kit/three/material-color.ts';
+import { createMeshItem } from '../../kit/three/mesh-item.ts';
 import type { Figure } from './figure.ts';
 
 /** The lines and ends of a measurement, as objects that the room hides like others. */
@@ -35,17 +36,7 @@ export function createDrawing(output: ObjectList, { lines, ends }: Figure): Draw
   const make = (key: string, geometry: BufferGeometry, count: number) => {
     const mesh = new InstancedMesh(geometry, material, count);
     mesh.count = 0;
-    mesh.matrixAutoUpdate = false;
-    mesh.matrixWorldAutoUpdate = false;
-    const item: ObjectItem = {
-      key,
-      root: mesh,
-      worldFromObject: new Matrix4(),
-      role: 'virtual',
-      castsShadow: false,
-      receivesShadow: false,
-      hidden: true,
-    };
+    const item = createMeshItem(key, mesh, { hidden: true });
     output.items.push(item);
     return { mesh, item };
   };

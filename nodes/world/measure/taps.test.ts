@@ -1,23 +1,15 @@
 import { describe, expect, test } from '@jest/globals';
-import { InstancedMesh, Matrix4, Vector3 } from 'three';
-import { addPointer, createPointer, type MutablePointer } from '../../../export/runtime/sessions/input/session-input.ts';
-import { createSessionFrame } from '../../../export/runtime/sessions/session-frame.ts';
+import { InstancedMesh, Matrix4 } from 'three';
+import type { MutablePointer } from '../../../export/runtime/sessions/input/session-input.ts';
 import { createSpatial } from '../../../export/runtime/spatial/create-spatial.ts';
 import { createPulseQueue } from '../../../export/runtime/values/pulses.ts';
 import { fakeContext } from '../../../tests/support/node-context.ts';
+import { frameOfEyes, nextFrame, type Place, pointer, rayTo } from '../../../tests/support/pointer-kit.ts';
 import type { ObjectList } from '../../kit/scene-lists.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 
-type Place = readonly [x: number, y: number, z: number];
 type Params = NonNullable<NonNullable<Parameters<typeof fakeContext<typeof definition>>[1]>['params']>;
-
-const EYES: Place = [0, 1.6, 0];
-
-function rayTo(to: Place): number[] {
-  const origin = new Vector3(...EYES);
-  return new Matrix4().lookAt(origin, new Vector3(...to), new Vector3(0, 1, 0.001)).setPosition(origin).elements;
-}
 
 function start(params: Params) {
   const spatial = createSpatial({ gl: {} as never, held: true });
@@ -29,14 +21,10 @@ function start(params: Params) {
   Object.assign(fake.ctx.outputs, { objects: list });
   Object.assign(fake.ctx.clock, { held: true });
   const node = create(fake.ctx);
-  const frame = createSessionFrame();
-  frame.viewCount = 1;
-  frame.views[0]?.worldFromView.set(new Matrix4().setPosition(...EYES).elements);
+  const frame = frameOfEyes();
   const { outputs } = fake.ctx;
   const step = (...pointers: readonly MutablePointer[]) => {
-    frame.input.pointerCount = 0;
-    for (const each of pointers) addPointer(frame.input, each);
-    frame.index++;
+    nextFrame(frame, pointers);
     fake.tick(1 / 60);
     spatial.enterFrame(frame);
     node.update(frame);
@@ -44,11 +32,7 @@ function start(params: Params) {
     const { value, valid, count } = outputs;
     return { value: Math.round(value.value * 1e5) / 1e5, valid: valid.value, count: count.value, measured: outputs.measured.count };
   };
-  const point = (to: Place, more: Partial<MutablePointer> = {}) => {
-    const pointer = Object.assign(createPointer(), { id: 1, phase: 'end', tapped: true, ...more });
-    pointer.worldFromRay.set(rayTo(to));
-    return pointer;
-  };
+  const point = (to: Place, more: Partial<MutablePointer> = {}) => pointer(1, 'end', rayTo(to), more);
   const tap = (to: Place) => {
     step(point(to, { phase: 'start', tapped: false }));
     return step(point(to));

@@ -1,6 +1,7 @@
-import { BufferAttribute, BufferGeometry, DoubleSide, Matrix4, Mesh, MeshBasicMaterial } from 'three';
-import type { ObjectItem, ObjectList } from '../../kit/scene-lists.ts';
+import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshBasicMaterial } from 'three';
+import type { ObjectList } from '../../kit/scene-lists.ts';
 import { setMaterialColor } from '../../kit/three/material-color.ts';
+import { createMeshItem } from '../../kit/three/mesh-item.ts';
 import type { Candidate } from './candidates.ts';
 
 /** The band along the outline of a surface, as an object. */
@@ -27,16 +28,7 @@ const MITER = 4;
 export function createOutline(list: ObjectList): Outline {
   const material = new MeshBasicMaterial({ side: DoubleSide });
   const mesh = new Mesh(new BufferGeometry(), material);
-  mesh.matrixAutoUpdate = false;
-  mesh.matrixWorldAutoUpdate = false;
-  const item: ObjectItem = {
-    key: 'outline',
-    root: mesh,
-    worldFromObject: new Matrix4(),
-    role: 'virtual',
-    castsShadow: false,
-    receivesShadow: false,
-  };
+  const item = createMeshItem('outline', mesh);
   let shown: Candidate | null = null;
   let shownBandM = 0;
 

@@ -1,5 +1,6 @@
 import { expect, test } from '@jest/globals';
 import { Matrix4, Quaternion, Vector3 } from 'three';
+import { harmonicsBasis } from '../../../../tests/support/spherical-harmonics.ts';
 import { rotateHarmonics } from './rotate-harmonics.ts';
 import { createWebXrLight } from './webxr-light.ts';
 import type { XrBinding, XrSessionWithLight } from './webxr-types.ts';
@@ -13,20 +14,9 @@ function poseOf(x: number, y: number, z: number): Matrix4 {
   return new Matrix4().compose(new Vector3(3, -1, 2), turn, new Vector3(1, 1, 1));
 }
 
-/** Radiance of one channel from one side, function by function (WebXR Lighting Estimation §3.2). */
+/** Radiance of one channel from one side. */
 function radiance(l: ArrayLike<number>, channel: number, { x, y, z }: Vector3): number {
-  const basis = [
-    0.282095,
-    0.488603 * y,
-    0.488603 * z,
-    0.488603 * x,
-    1.092548 * x * y,
-    1.092548 * y * z,
-    0.315392 * (3 * z * z - 1),
-    1.092548 * x * z,
-    0.546274 * (x * x - y * y),
-  ];
-  return basis.reduce((sum, value, i) => sum + value * (l[i * 3 + channel] ?? 0), 0);
+  return harmonicsBasis(x, y, z).reduce((sum, value, i) => sum + value * (l[i * 3 + channel] ?? 0), 0);
 }
 
 test('turned harmonics say of every direction what they said of it before it was turned', () => {

@@ -1,4 +1,5 @@
-import { createRay, type Meeting, type Ray, toLocal, turnNormal } from '../ray.ts';
+import type { Ray } from '../../../../nodes/kit/hit-test.ts';
+import { createRay, type Meeting, toLocal, turnNormal } from '../ray.ts';
 import { type FittedSurface, fitSurface } from './fit-surface.ts';
 
 /** A picture of room depth on the CPU, with the view that it was taken for. */

@@ -1,5 +1,6 @@
+import type { Ray } from '../../../../nodes/kit/hit-test.ts';
 import type { DetectedPlane } from '../../../../nodes/kit/session.ts';
-import { createRay, type Meeting, type Ray, toLocal, turnNormal } from '../ray.ts';
+import { createRay, type Meeting, toLocal, turnNormal } from '../ray.ts';
 
 // Filled and read within one call.
 const scratchRay = createRay();

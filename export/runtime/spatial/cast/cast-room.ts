@@ -1,8 +1,8 @@
-import type { HitRecord, HitSource } from '../../../../nodes/kit/hit-test.ts';
+import type { HitRecord, HitSource, Ray } from '../../../../nodes/kit/hit-test.ts';
 import type { SessionFrame } from '../../../../nodes/kit/session.ts';
 import { setSurfacePose } from '../../../../nodes/kit/surface-pose.ts';
 import type { DepthPictures } from '../depth-pictures.ts';
-import { createMeeting, type Meeting, type Ray } from '../ray.ts';
+import { createMeeting, type Meeting } from '../ray.ts';
 import { castAtDepth } from './cast-depth.ts';
 import { castAtMesh } from './cast-mesh.ts';
 import { castAtFloor, castAtPlane } from './cast-plane.ts';

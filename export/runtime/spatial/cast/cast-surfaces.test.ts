@@ -1,8 +1,9 @@
 import { describe, expect, test } from '@jest/globals';
 import { BoxGeometry, Matrix4, Mesh, Raycaster, Vector3 } from 'three';
+import type { Ray } from '../../../../nodes/kit/hit-test.ts';
 import type { DetectedMesh, DetectedPlane } from '../../../../nodes/kit/session.ts';
 import { createRandom } from '../../random.ts';
-import { createMeeting, createRay, type Ray, setRay } from '../ray.ts';
+import { createMeeting, createRay, setRay } from '../ray.ts';
 import { castAtMesh } from './cast-mesh.ts';
 import { castAtFloor, castAtPlane } from './cast-plane.ts';
 

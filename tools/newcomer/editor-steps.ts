@@ -1,0 +1,80 @@
+import type { Locator, Page } from 'playwright-core';
+import { centerOf, type Point } from '../lib/center-of.ts';
+import type { Hands, Interaction } from './hands.ts';
+
+/** What a script of a newcomer is told. */
+export interface NewcomerOptions {
+  /** The editor without an open project, 1440 × 900. */
+  readonly page: Page;
+  /** Path of the model that is dropped. */
+  readonly model: string;
+  /** Folders that do not exist yet. */
+  readonly project: string;
+  readonly exportTo: string;
+  readonly onDone?: (done: Interaction) => Promise<void>;
+}
+
+/** Parts of the editor, by what a user reads, and steps that scripts have in common. Nodes are found by the stem of their id. */
+export interface EditorSteps {
+  field(name: string): Locator;
+  node(stem: string): Locator;
+  port(owner: Locator, name: string, side: 'source' | 'target'): Promise<Point>;
+  output(stem: string, name: string): Promise<Point>;
+  input(stem: string, name: string): Promise<Point>;
+  /** Makes an empty project. Gives a function from a place on the canvas to client pixels. */
+  newProject(folder: string): Promise<(x: number, y: number) => Point>;
+  /** Drags a wire from a port onto the empty canvas, and adds the node that the query finds. */
+  grow(from: Point, to: Point, query: string, made: string): Promise<void>;
+  /** Selects a wire, and inserts the node that the query finds. */
+  insert(from: Point, to: Point, query: string, made: string): Promise<void>;
+  exportTo(folder: string): Promise<void>;
+}
+
+const EXPORT_MS = 300_000;
+
+/** A point on a wire, which is symmetric about its middle. */
+export function onWire(from: Point, to: Point, part = 0.5): Point {
+  return { x: from.x + part * (to.x - from.x), y: from.y + part * (to.y - from.y) };
+}
+
+export function createEditorSteps(page: Page, hands: Hands): EditorSteps {
+  const field = (name: string) => page.getByRole('textbox', { name, exact: true });
+  const node = (stem: string) => page.locator(`[data-node^="${stem}"]`);
+  const port = async (owner: Locator, name: string, side: 'source' | 'target'): Promise<Point> => {
+    const id = await owner.first().getAttribute('data-node');
+    return centerOf(page.locator(`.react-flow__handle.${side}[data-nodeid="${id}"][data-handleid="${name}"]`));
+  };
+  const add = async (query: string, made: string) => {
+    await hands.type(`“${query}”`, query, page.getByRole('combobox', { name: 'Search nodes' }));
+    await node(made).first().waitFor();
+  };
+  return {
+    field,
+    node,
+    port,
+    output: (stem, name) => port(node(stem), name, 'source'),
+    input: (stem, name) => port(node(stem), name, 'target'),
+    newProject: async (folder) => {
+      await hands.click('New project', page.getByRole('button', { name: 'New project: Empty' }));
+      await hands.type('Its folder', folder, field('Folder'));
+      await node('screen').waitFor();
+      const canvas = await page.locator('.canvas').boundingBox();
+      if (!canvas) throw new Error('There is no canvas.');
+      return (x, y) => ({ x: canvas.x + x, y: canvas.y + y });
+    },
+    grow: async (from, to, query, made) => {
+      await hands.drag('Drag a wire from a port', from, to);
+      await add(query, made);
+    },
+    insert: async (from, to, query, made) => {
+      await hands.clickAt('Select a wire', onWire(from, to));
+      await hands.press('Add a node: Tab', 'Tab');
+      await add(query, made);
+    },
+    exportTo: async (folder) => {
+      await hands.click('Export', page.getByRole('button', { name: 'Export', exact: true }));
+      await hands.type('Its folder', folder, field('Folder'));
+      await page.getByText(/^Exported to/).waitFor({ timeout: EXPORT_MS });
+    },
+  };
+}
