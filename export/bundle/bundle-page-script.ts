@@ -57,11 +57,16 @@ export async function bundleStyle(root: string): Promise<Uint8Array> {
 
 const OPENERS: Readonly<Record<DecoderName, string>> = { draco: 'openDraco', meshopt: 'openMeshopt', ktx2: 'openKtx2' };
 
+const WORKERS_FOLDER = 'nodes/generated/workers/';
+
 function entryText(
-  { nodeTypes, scenes, spatial, input, panoramas, controls, labels }: ProgramUse,
+  { nodeTypes, scenes, spatial, input, panoramas, controls, labels, workerTypes }: ProgramUse,
   decoders: readonly DecoderName[],
 ): string {
   const played = nodeTypes.filter((type) => Object.hasOwn(RUNTIME_FILES, type));
+  // A node that starts no worker is played without its text.
+  const fileOf = (type: string): string | undefined =>
+    RUNTIME_FILES[type]?.startsWith(WORKERS_FOLDER) && !workerTypes.has(type) ? `nodes/${type}/runtime.ts` : RUNTIME_FILES[type];
   const lines = [
     `import { startPage } from './export/page/start-page.ts';`,
     ...(scenes ? [`import { createScenesWith } from './export/runtime/scenes/create-scenes.ts';`] : []),
@@ -72,7 +77,7 @@ function entryText(
     ...(controls ? [`import { createRoomPanel } from './export/page/room-panel/room-panel.ts';`] : []),
     ...(labels ? [`import { createLabelLayer } from './export/page/label-layer.ts';`] : []),
     ...decoders.map((name) => `import { ${OPENERS[name]} } from './export/runtime/scenes/models/decoders/${name}.ts';`),
-    ...played.map((type, i) => `import * as node${i} from ${JSON.stringify(`./${RUNTIME_FILES[type]}`)};`),
+    ...played.map((type, i) => `import * as node${i} from ${JSON.stringify(`./${fileOf(type)}`)};`),
     `const modules = { ${played.map((type, i) => `${JSON.stringify(type)}: node${i}`).join(', ')} };`,
     `const decoders = { ${decoders.map((name) => `${name}: ${OPENERS[name]}`).join(', ')} };`,
     `const createScenes = ${scenes ? `(files) => createScenesWith({ decoders, files${panoramas ? ', readRadiance' : ''} })` : 'null'};`,

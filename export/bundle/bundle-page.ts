@@ -6,6 +6,7 @@ import type { AssetCache } from './assets/model-cache.ts';
 import { type PreparedAsset, type PreparedAssets, prepareAssets } from './assets/prepare-assets.ts';
 import { bundleScript, bundleStyle, type Script } from './bundle-page-script.ts';
 import { hashedName } from './hashed-name.ts';
+import { storeLamps } from './lamps/store-lamps.ts';
 import { LICENCES_FILE, licencesText, licenceWarnings, type PageCredit, pageCredits } from './page-credits.ts';
 import { layOutFiles, layOutSingleFile, type PageFile, toBytes } from './page-layout.ts';
 import { neutralPoster, type PosterPicture } from './poster.ts';
@@ -51,12 +52,14 @@ export interface BundleInput {
  * const { output: report, diagnostics } = await bundlePage({ program, page, generator: 'Scrim 0.1.0', root, readAsset, sink });
  */
 export async function bundlePage(input: BundleInput): Promise<Result<ExportReport>> {
-  const use = programUse(input.program);
   const { root, readAsset, compress = true, cache = null, say = () => {} } = input;
-  const used = input.program.assets.filter(({ id }) => use.assets.has(id));
+  const { assets: usedIds } = programUse(input.program);
+  const used = input.program.assets.filter(({ id }) => usedIds.has(id));
   const prepared = await prepareAssets(used, { root, readAsset, compress, cache, say });
   if (prepared.output === null) return { output: null, diagnostics: prepared.diagnostics };
   const { decoders } = prepared.output;
+  const { program, assets } = await storeLamps(input.program, prepared.output.assets, { root, say });
+  const use = programUse(program);
   let code: Code;
   try {
     code = { script: await bundleScript(input.root, use, decoders), style: await bundleStyle(input.root) };
@@ -67,7 +70,7 @@ export async function bundlePage(input: BundleInput): Promise<Result<ExportRepor
   const files: ReportedFile[] = [];
   const works = pageCredits(input.program.credits ?? [], prepared.output.assets);
   const credits = works.map(({ nodes: _, ...credit }): PageCredit => credit);
-  for (const { path, kind, bytes } of layOut(input, code, prepared.output, credits)) {
+  for (const { path, kind, bytes } of layOut({ ...input, program }, code, { ...prepared.output, assets }, credits)) {
     await input.sink.write(path, bytes);
     files.push({ path, kind, ...sizesOf(bytes) });
   }

@@ -18,6 +18,8 @@ export interface ProgramUse {
   readonly labels: boolean;
   /** Whether it starts workers: those of filters or of other nodes. */
   readonly workers: boolean;
+  /** Node types that have a worker and start it. */
+  readonly workerTypes: ReadonlySet<string>;
   /** Ids of the assets that operations refer to. */
   readonly assets: ReadonlySet<string>;
 }
@@ -28,6 +30,9 @@ export function programUse(program: Program): ProgramUse {
   const imported = passes.flatMap(({ samplers }) => samplers.flatMap(({ source }) => (source.kind === 'import' ? source.assets : [])));
   const assets = new Set([...nodes.flatMap((node) => Object.values(node.assets)), ...imported].filter((id) => id !== null));
   const uses = (...kinds: ProgramAsset['kind'][]) => program.assets.some(({ id, kind }) => kinds.includes(kind) && assets.has(id));
+  const working = program.operations.filter(
+    (operation) => operation.kind === 'cpu' || ('worker' in operation && operation.worker === true),
+  );
   const spatial = program.needs.some(({ capability }) => capability === 'hit-test' || capability === 'anchors');
   const controls = (program.controls ?? []).length > 0;
   return {
@@ -38,7 +43,8 @@ export function programUse(program: Program): ProgramUse {
     spatial,
     input: spatial || controls || program.readsInput === true,
     panoramas: uses('environment'),
-    workers: program.operations.some((operation) => operation.kind === 'cpu' || ('worker' in operation && operation.worker === true)),
+    workers: working.length > 0,
+    workerTypes: new Set(working.flatMap((operation) => ('type' in operation ? [operation.type] : []))),
     controls,
     labels: nodes.some(({ type }) => type === 'objects/label'),
     assets,

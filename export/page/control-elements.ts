@@ -102,8 +102,9 @@ function createSlider(document: Document, id: string, control: Extract<Control, 
   };
 }
 
-/** Formats a slider's value with as many digits as its step needs; without a step, a hundredth of the range. */
-export function sliderText({ min, max, step }: { min: number; max: number; step: number }, value: number): string {
+/** Formats a slider's value with as many digits as its step needs; without a step, a hundredth of the range. Angles are in whole degrees. */
+export function sliderText({ min, max, step, unit }: { min: number; max: number; step: number; unit?: 'rad' }, value: number): string {
+  if (unit === 'rad') return `${Math.round((value * 180) / Math.PI)}°`;
   const finest = step > 0 ? step : (max - min) / 100;
   const digits = finest > 0 ? Math.min(6, Math.max(0, Math.ceil(-Math.log10(finest) - 1e-9))) : 0;
   return value.toFixed(digits);

@@ -1,5 +1,6 @@
 import type { ArithmeticOperation } from '../../nodes/kit/arithmetic.ts';
 import type { AssetKind, ParamValue } from '../../nodes/kit/definition.ts';
+import type { FoundLamps } from '../../nodes/kit/panorama/found-lamps.ts';
 import type { ValueType } from '../../nodes/kit/wire-types.ts';
 import type { ProgramNeed, Tier } from './needs.ts';
 
@@ -52,8 +53,9 @@ export interface ProgramCredit {
  * index of the option for a choice. A button's value is its number of presses, so two presses within a frame count as two.
  */
 export type Control = ControlBase &
+  /** Step 0: none. A value in `rad` is shown in degrees. */
   (
-    | { readonly kind: 'slider'; readonly min: number; readonly max: number /** 0: none. */; readonly step: number }
+    | { readonly kind: 'slider'; readonly min: number; readonly max: number; readonly step: number; readonly unit?: 'rad' }
     | { readonly kind: 'toggle' }
     | { readonly kind: 'button' }
     | { readonly kind: 'choice'; readonly options: readonly string[] }
@@ -356,6 +358,8 @@ export interface ProgramAsset {
   readonly kind: AssetKind;
   /** Relative to the project folder in a preview, to the page in an export. */
   readonly path: string;
+  /** Of a panorama in an export: the lamps that its nodes look for, by `lampKey`, so that the page does not search it. */
+  readonly lamps?: Readonly<Record<string, FoundLamps>>;
 }
 
 /** Fixed before a session starts, because WebXR framebuffers cannot change afterwards. */

@@ -29,8 +29,12 @@ export interface SceneBackend {
    * @param readFile Reads another file by its path in the project, for models of several files.
    */
   loadModel(bytes: ArrayBuffer, path: string, readFile: (path: string) => Promise<ArrayBuffer>): Promise<LoadedModel>;
-  /** Loads a panorama and filters it for lighting. Rejects with an `Error` whose message is text for the user. */
-  loadEnvironment(bytes: ArrayBuffer): Promise<LoadedEnvironment>;
+  /**
+   * Loads a panorama and filters it for lighting. Rejects with an `Error` whose message is text for the user.
+   *
+   * @param lamps Lamps that were found in it before.
+   */
+  loadEnvironment(bytes: ArrayBuffer, lamps?: EnvironmentAsset['lamps']): Promise<LoadedEnvironment>;
   /** Here, because only scenes draw multisampled depth, and other pages leave it out. */
   readonly createNearestDepth: CreateNearestDepth;
   /** Runs draws that only compile their shaders. Resolves when the driver has finished, without blocking. */

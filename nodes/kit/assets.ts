@@ -1,5 +1,7 @@
 import type { AnimationClip, Object3D, Texture } from 'three';
 import type { AssetKind } from './definition.ts';
+import type { FoundLamps } from './panorama/found-lamps.ts';
+import type { LampOptions } from './panorama/lamp-options.ts';
 import type { PanoramaPixels } from './panorama/pixels.ts';
 import type { AudioAsset } from './sound.ts';
 
@@ -52,9 +54,14 @@ export interface EnvironmentAsset {
   readonly widthPx: number;
   readonly heightPx: number;
   /**
-   * Reads the pixels at the precision of the file. It decodes the file again, so call it once and release the pixels.
+   * Reads the pixels at the precision of the file. It decodes the file again, so call it once. The caller owns the pixels, and may transfer
+   * them to a worker.
    */
   readPixels(): PanoramaPixels;
+  /** Lamps that were found when the page was exported, by `lampKey`. */
+  readonly lamps?: Readonly<Record<string, FoundLamps>>;
+  /** Finds lamps at once, for renders. Exported pages leave it out: they have stored lamps or a worker. */
+  findLamps?(options: LampOptions): FoundLamps;
   /**
    * Creates a copy in which the pixels of lamps are filled from their surroundings, filtered for lighting.
    *

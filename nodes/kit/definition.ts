@@ -51,6 +51,8 @@ export interface NodeDefinition {
    * (structure numbers); choices also `options` (structure text, separated by commas), whose value is the index from 0.
    */
   readonly control?: 'slider' | 'toggle' | 'button' | 'choice';
+  /** Uniform params that are controls on the visitor's screen if the structure toggle `by` is on. */
+  readonly visitorParams?: { readonly by: string; readonly params: readonly VisitorParam[] };
   readonly needs?: readonly Need[];
   /**
    * An input port whose sources the node changes, as a world moves bodies: the node is played if a source of the port is, even if the
@@ -78,6 +80,12 @@ export interface NodeDefinition {
  * or an expression. (With a constant speed, for example, time is a function of the clock.)
  */
 export type Stateful = true | { readonly param: string; readonly above: number } | { readonly moves: readonly string[] };
+
+/** A number, choice or toggle for the visitor. `around`: how far from the set value a number may be moved; absent: its whole range. */
+export interface VisitorParam {
+  readonly param: string;
+  readonly around?: number;
+}
 
 /** An input that is not a param. */
 export interface InputPort {

@@ -11,6 +11,8 @@ import { graphOf, nodeOf } from '../state/editor/document.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { toggleMuted } from '../state/graph/edit-graph.ts';
 import { categoryOf } from '../state/graph/palette-search.ts';
+import { isOfOneLamp } from '../state/lamps/edit-lamps.ts';
+import { LAMPS_TYPE } from '../state/lamps/lamp-source.ts';
 import { goToProblem, isAboutNode } from '../state/problems/problems.ts';
 import { useProblems } from '../state/problems/use-problems.ts';
 import { Button, IconButton } from '../ui/button.tsx';
@@ -18,6 +20,7 @@ import { DocText } from '../ui/doc-text.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { ExposedSection } from './exposed-section.tsx';
 import { InputsSection } from './inputs-section.tsx';
+import { LampsSection } from './lamps-section.tsx';
 import { ParamRow } from './param-row.tsx';
 import { SubgraphSection } from './subgraph-section.tsx';
 
@@ -42,6 +45,7 @@ export function NodeInspector({ id }: { readonly id: string }) {
       <Problems id={id} />
       {subgraph !== null && <SubgraphSection name={subgraph} />}
       <InputsSection node={id} definition={definition} wires={wires} />
+      {node.type === LAMPS_TYPE && <LampsSection id={id} />}
       <Params id={id} definition={definition} params={node.params} sourceOf={(name) => wires.find(({ to }) => to.port === name)?.from} />
       <ExposedSection node={id} definition={definition} />
       <Facts definition={definition} />
@@ -109,7 +113,7 @@ interface ParamsProps {
 }
 
 function Params({ id, definition, params, sourceOf }: ParamsProps) {
-  const entries = Object.entries(definition.params);
+  const entries = Object.entries(definition.params).filter(([name]) => definition.type !== LAMPS_TYPE || !isOfOneLamp(name));
   if (entries.length === 0) return null;
   return (
     <section className="inspector-section" aria-label="Parameters">

@@ -28,9 +28,9 @@ export function GizmoBar() {
 
 function Tools({ selected }: { readonly selected: string }) {
   const editor = useEditor();
-  const { mode: chosen, space, snap, chain } = useStore(editor.gizmo);
+  const { mode: chosen, space, snap, chain, lamp } = useStore(editor.gizmo);
   // Compared as JSON, so that the bar rerenders only if a tool changes.
-  const text = useDocument((state) => JSON.stringify(MODES.map(({ mode }) => toolOf(gizmoTargetOf(state, selected, chain, mode)))));
+  const text = useDocument((state) => JSON.stringify(MODES.map(({ mode }) => toolOf(gizmoTargetOf(state, selected, chain, mode, lamp)))));
   const tools = JSON.parse(text) as ReturnType<typeof toolOf>[];
   if (tools.every(({ of, reason }) => of === null && reason === null)) return null;
   return (

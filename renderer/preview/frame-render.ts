@@ -8,6 +8,7 @@ import { ALL_DECODERS } from '../../export/runtime/scenes/models/decoders/all-de
 import { createSpatial } from '../../export/runtime/spatial/create-spatial.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import { findLampsAtOnce } from '../../nodes/kit/panorama/find-lamps.ts';
 import type { FrameRenderRequest, FromPreview, ToPreview } from '../preview-protocol.ts';
 import { previewDecoderFile } from './decoder-files.ts';
 import { createFrameEncoder, type FrameEncoder } from './frame-encoder.ts';
@@ -52,7 +53,7 @@ export function createFrameRender(send: (message: FromPreview, transfer?: Transf
     if (!gl || gl.drawingBufferWidth !== widthPx || gl.drawingBufferHeight !== heightPx) {
       throw new Error(`this computer cannot draw frames of ${widthPx} × ${heightPx}.`);
     }
-    const createScenes = createScenesWith({ decoders: ALL_DECODERS, files: previewDecoderFile, readRadiance });
+    const createScenes = createScenesWith({ decoders: ALL_DECODERS, files: previewDecoderFile, readRadiance, findLamps: findLampsAtOnce });
     const player = createPlayer({
       gl,
       canvas,

@@ -12,6 +12,7 @@ import { type CanvasFitter, createCanvasFitter } from '../../export/runtime/sess
 import { createSpatial } from '../../export/runtime/spatial/create-spatial.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import { findLampsAtOnce } from '../../nodes/kit/panorama/find-lamps.ts';
 import type { FromPreview } from '../preview-protocol.ts';
 import { type CostMeter, createCostMeter } from './cost-meter.ts';
 import { previewDecoderFile } from './decoder-files.ts';
@@ -59,7 +60,13 @@ export function createPlayerHost({ parent, program, assetBaseUrl, clock, onDiagn
   const fitter = createCanvasFitter(canvas);
   fitter.update();
   const assets = createFetchAssetSource(assetBaseUrl, pageFetch);
-  const createScenes = createScenesWith({ decoders: ALL_DECODERS, files: previewDecoderFile, inspect, readRadiance });
+  const createScenes = createScenesWith({
+    decoders: ALL_DECODERS,
+    files: previewDecoderFile,
+    inspect,
+    readRadiance,
+    findLamps: findLampsAtOnce,
+  });
   const meter = createCostMeter(gl, clock, send);
   const player = createPlayer({
     timer: meter,

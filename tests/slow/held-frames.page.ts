@@ -5,6 +5,7 @@ import { createScenesWith } from '../../export/runtime/scenes/create-scenes.ts';
 import { readRadiance } from '../../export/runtime/scenes/environments/read-radiance.ts';
 import { createRecordedSession } from '../../export/runtime/sessions/recorded/recorded-session.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
+import { findLampsAtOnce } from '../../nodes/kit/panorama/find-lamps.ts';
 import { stand } from '../browser/runtime-kit.ts';
 
 const WIDTH_PX = 330;
@@ -30,7 +31,12 @@ export async function hold(program: Program, assetsUrl: string, sessionUrl: stri
   const gl = canvas.getContext('webgl2', { alpha: true, antialias, depth: true, stencil: false });
   if (!gl) throw new Error('no WebGL 2');
   const files = (url: string) => createFetchAssetSource(new URL(url, location.href).href, (...args) => fetch(...args));
-  const createScenes = createScenesWith({ decoders: {}, files: () => Promise.reject(new Error('no decoders')), readRadiance });
+  const createScenes = createScenesWith({
+    decoders: {},
+    files: () => Promise.reject(new Error('no decoders')),
+    readRadiance,
+    findLamps: findLampsAtOnce,
+  });
   // Drivers are waited for in real time.
   const clock = { ...createManualClock(), delay: createBrowserClock().delay };
   const { player, diagnostics } = await stand(program, { gl, modules: RUNTIMES, createScenes, assets: files(assetsUrl), clock });

@@ -98,7 +98,7 @@ export const LAYERS: readonly Layer[] = [
   {
     name: 'bundle',
     files: ['export/bundle/**'],
-    imports: ['kit', 'compiler', 'program', 'gltf', 'page', 'registry of runtime files'],
+    imports: ['kit', 'compiler', 'program', 'gltf', 'page', 'scenes', 'registry of runtime files'],
     packages: [
       'esbuild',
       'node:*',
@@ -153,10 +153,29 @@ export const LAYERS: readonly Layer[] = [
     ],
     packages: ['three', 'mediabunny'],
   },
+  // Decodes panoramas as the page does; it is loaded only while the inspector shows one.
+  {
+    name: 'panorama worker',
+    files: ['renderer/state/lamps/lamps.worker.ts'],
+    imports: ['kit', 'scenes', 'runtime'],
+    own: 'folder',
+    types: ['editor'],
+  },
   {
     name: 'editor',
     files: ['renderer/**'],
-    imports: ['kit', 'graph', 'glsl', 'gltf', 'compiler', 'program', 'preview protocol', 'host client', 'registry of definitions'],
+    imports: [
+      'kit',
+      'graph',
+      'glsl',
+      'gltf',
+      'compiler',
+      'program',
+      'preview protocol',
+      'host client',
+      'registry of definitions',
+      'panorama worker',
+    ],
     types: ['contract'],
     packages: ['react', 'react-dom', '@xyflow/react', 'elkjs', 'monaco-editor', 'zustand', 'immer', 'fast-png'],
   },

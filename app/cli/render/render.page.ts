@@ -10,6 +10,7 @@ import { ALL_DECODERS } from '../../../export/runtime/scenes/models/decoders/all
 import { createSpatial } from '../../../export/runtime/spatial/create-spatial.ts';
 import { RUNTIMES } from '../../../nodes/generated/runtimes.gen.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+import { findLampsAtOnce } from '../../../nodes/kit/panorama/find-lamps.ts';
 import type { SessionFrame } from '../../../nodes/kit/session.ts';
 import { type FrameSource, openFrameSource, type RenderSession } from './frame-source.page.ts';
 
@@ -87,6 +88,7 @@ export async function open(job: RenderJob): Promise<OpenedJob> {
       decoders: ALL_DECODERS,
       files: createFetchAssetSource(decodersUrl, fetchFile).load,
       readRadiance,
+      findLamps: findLampsAtOnce,
     }),
     assets: createFetchAssetSource(new URL(job.assetBaseUrl, document.baseURI).href, fetchFile),
     seed: SEED,

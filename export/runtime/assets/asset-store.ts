@@ -148,7 +148,7 @@ async function load(asset: ProgramAsset, means: AssetMeans): Promise<LoadResult>
   }
 }
 
-function decode({ kind, path }: ProgramAsset, bytes: ArrayBuffer, { objects, source, scenes, delay }: AssetMeans): Promise<Loaded> {
+function decode({ kind, path, lamps }: ProgramAsset, bytes: ArrayBuffer, { objects, source, scenes, delay }: AssetMeans): Promise<Loaded> {
   switch (kind) {
     case 'image':
       return loadImage(objects, bytes);
@@ -159,7 +159,7 @@ function decode({ kind, path }: ProgramAsset, bytes: ArrayBuffer, { objects, sou
     case 'model':
       return scenes().loadModel(bytes, path, source.load);
     case 'environment':
-      return scenes().loadEnvironment(bytes);
+      return scenes().loadEnvironment(bytes, lamps);
   }
 }
 

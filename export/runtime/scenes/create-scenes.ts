@@ -1,8 +1,9 @@
+import { findLampsAtOnce } from '../../../nodes/kit/panorama/find-lamps.ts';
 import type { NumberView } from '../../../nodes/kit/value-views.ts';
 import type { CreateSceneBackend, SceneBackend, SceneHost, ShadowMaps } from '../scene-backend.ts';
 import { createNearestDepth } from '../targets/nearest-depth.ts';
 import { createNeutralEnvironment } from './environments/neutral.ts';
-import { createPanoramaStore } from './environments/panorama-store.ts';
+import { createPanoramaStore, type FindLamps } from './environments/panorama-store.ts';
 import { type ReadRadiance, readRadiance } from './environments/read-radiance.ts';
 import { createLightLimits, createTextureLimits, mapLimitsOf } from './lights/light-limits.ts';
 import { createShadowMaps, type RenderedShadowMaps } from './lights/shadow-maps.ts';
@@ -15,6 +16,7 @@ import { createShadowLayer } from './shadow-layer.ts';
 
 export interface SceneTools extends ModelTools {
   readonly readRadiance?: ReadRadiance;
+  readonly findLamps?: FindLamps;
 }
 
 const FULL_AMBIENT: NumberView = { value: 1 };
@@ -22,7 +24,7 @@ const FULL_AMBIENT: NumberView = { value: 1 };
 /**
  * The scene backend of the player by three.js: scenes of flat proxies, shadow maps and models, on the player's context and framebuffers.
  */
-export const createScenes: CreateSceneBackend = (host) => create(host, { ...NO_TOOLS, readRadiance });
+export const createScenes: CreateSceneBackend = (host) => create(host, { ...NO_TOOLS, readRadiance, findLamps: findLampsAtOnce });
 
 /** The same with decoders for compressed models and optionally for panoramas. */
 export function createScenesWith(tools: SceneTools): CreateSceneBackend {
@@ -32,7 +34,7 @@ export function createScenesWith(tools: SceneTools): CreateSceneBackend {
 function create(host: SceneHost, tools: SceneTools): SceneBackend {
   const renderer = createSceneRenderer(host);
   const neutral = createNeutralEnvironment(renderer);
-  const panoramas = createPanoramaStore(renderer, tools.readRadiance ?? null);
+  const panoramas = createPanoramaStore(renderer, { readRadiance: tools.readRadiance ?? null, findLamps: tools.findLamps ?? null });
   const limits = mapLimitsOf(renderer.three);
   return {
     serviceFor: (binding) => {

@@ -23,6 +23,10 @@ const ITERATIONS = 6;
 export const MAX_SPREAD_RAD = 0.18;
 /** above a threshold that is raised by this factor. */
 const RAISE = 1.5;
+/** A region whose brighter parts have less than this part of its light is evenly bright, as a window: it is one lamp, */
+const MIN_KEPT = 0.5;
+/** unless it is wider than that: a disk of 42°. */
+const MAX_EVEN_SPREAD_RAD = 0.26;
 
 /**
  * Finds bright regions. Each iteration masks what the one before has found and takes the maximum anew, so that a window beside the sun
@@ -66,7 +70,8 @@ function narrowRegions(grid: SphereGrid, taken: Uint8Array, start: number, thres
   const parts: BrightRegion[] = [];
   for (const i of region.pixels) if ((grid.luminance[i] ?? 0) > raised) taken[i] = 0;
   for (const i of region.pixels) if (taken[i] === 0) parts.push(...narrowRegions(grid, taken, i, raised, iteration));
-  return parts;
+  const kept = parts.reduce((sum, { flux }) => sum + flux, 0);
+  return kept < region.flux * MIN_KEPT && spreadRad(region) <= MAX_EVEN_SPREAD_RAD ? [region] : parts;
 }
 
 /**

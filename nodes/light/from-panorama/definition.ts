@@ -1,5 +1,71 @@
-import { defineNode } from '../../kit/definition.ts';
+import { type ChoiceParam, defineNode, type NumberParam, type ParamDefinition, type ToggleParam } from '../../kit/definition.ts';
 import { LOCAL_LIGHT_CASTS_SHADOW, SUN_SHADOW } from '../../kit/light-params.ts';
+
+const NTH = ['first', 'second', 'third'] as const;
+
+/** The params of one lamp, which the editor shows at the lamp. The numbers begin at 1, the strongest lamp. */
+function ofLamp<const N extends 1 | 2 | 3>(n: N) {
+  const which = NTH[n - 1];
+  return {
+    [`lamp${n}Pinned`]: {
+      type: 'toggle',
+      stage: 'uniform',
+      label: `Lamp ${n} pinned`,
+      doc: `Whether the ${which} lamp stays at “Lamp ${n} azimuth” and “Lamp ${n} elevation” instead of where it was found.`,
+      default: false,
+    },
+    [`lamp${n}AzimuthRad`]: {
+      type: 'number',
+      stage: 'uniform',
+      label: `Lamp ${n} azimuth`,
+      doc: `Of a pinned lamp: the horizontal direction that its light comes from, before “Rotation”: 0° is the front (+z), 90° the right (+x), 180° the back (−z), which is the center of the panorama.`,
+      default: Math.PI,
+      min: -Math.PI,
+      max: Math.PI,
+      step: 0.001,
+      unit: 'rad',
+    },
+    [`lamp${n}ElevationRad`]: {
+      type: 'number',
+      stage: 'uniform',
+      label: `Lamp ${n} elevation`,
+      doc: 'Of a pinned lamp: its angle above the horizon.',
+      default: 0.8,
+      min: -Math.PI / 2,
+      max: Math.PI / 2,
+      step: 0.001,
+      unit: 'rad',
+    },
+    [`lamp${n}Kind`]: {
+      type: 'choice',
+      stage: 'uniform',
+      label: `Lamp ${n} type`,
+      doc: `The type of the ${which} lamp, if it is not that of “Type of light”.`,
+      default: 0,
+      options: [
+        { value: 0, label: 'As all' },
+        { value: 1, label: 'Directional' },
+        { value: 2, label: 'Spot' },
+        { value: 3, label: 'Point' },
+      ],
+    },
+    [`lamp${n}DistanceM`]: {
+      type: 'number',
+      stage: 'uniform',
+      label: `Lamp ${n} distance`,
+      doc: `Of a spot or point lamp: its distance from “Center”, in meters. At 0 it is that of all lamps.`,
+      default: 0,
+      min: 0,
+      max: 100,
+      step: 0.1,
+      unit: 'm',
+    },
+  } as const satisfies Readonly<Record<string, ParamDefinition>> as LampParams<N>;
+}
+
+type LampParams<N extends number> = { readonly [K in `lamp${N}Pinned`]: ToggleParam & { readonly stage: 'uniform' } } & {
+  readonly [K in `lamp${N}${'AzimuthRad' | 'ElevationRad' | 'DistanceM'}`]: NumberParam & { readonly stage: 'uniform' };
+} & { readonly [K in `lamp${N}Kind`]: ChoiceParam & { readonly stage: 'uniform' } };
 
 export const definition = defineNode({
   type: 'light/from-panorama',
@@ -126,6 +192,17 @@ export const definition = defineNode({
       step: 0.1,
       unit: 'm',
     },
+    distanceFrom: {
+      type: 'choice',
+      stage: 'structure',
+      label: 'Distance from',
+      doc: 'Of spot and point lamps: “Room” places a lamp on what its direction meets in the room: detected planes and meshes, and room depth. Where it meets nothing, “Distance” counts.',
+      default: 'param',
+      options: [
+        { value: 'param', label: 'Distance' },
+        { value: 'room', label: 'Room' },
+      ],
+    },
     centerM: {
       type: 'vector3',
       stage: 'uniform',
@@ -169,6 +246,37 @@ export const definition = defineNode({
     mapSize: { ...SUN_SHADOW.mapSize, default: '1024' },
     biasPx: SUN_SHADOW.biasPx,
     filter: { ...SUN_SHADOW.filter, default: 'pcss' },
+    visitorControls: {
+      type: 'toggle',
+      stage: 'structure',
+      label: 'Controls on the page',
+      doc: 'Whether visitors can set type, distance and strength of the lamps, the ambient light, and turn all a little. Their values last for the visit.',
+      default: false,
+    },
+    ...ofLamp(1),
+    ...ofLamp(2),
+    ...ofLamp(3),
   },
+  visitorParams: {
+    by: 'visitorControls',
+    params: [
+      { param: 'kind' },
+      { param: 'distanceM' },
+      { param: 'intensity' },
+      { param: 'ambient' },
+      { param: 'rotationRad', around: Math.PI / 6 },
+    ],
+  },
+  needs: [
+    {
+      capability: 'hit-test',
+      required: false,
+      when: 'always',
+      where: { param: 'distanceFrom', is: 'room' },
+      why: 'to find how far away the lamps of the room are',
+      without: 'Lamps are at the distance that is set.',
+    },
+  ],
   lowering: { kind: 'geometry' },
+  worker: true,
 });

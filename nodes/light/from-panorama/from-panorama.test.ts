@@ -2,7 +2,10 @@ import { describe, expect, test } from '@jest/globals';
 import { fakeContext } from '../../../tests/support/node-context.ts';
 import type { EnvironmentAsset } from '../../kit/assets.ts';
 import type { ParamValue } from '../../kit/definition.ts';
+import { findLampsAtOnce } from '../../kit/panorama/find-lamps.ts';
+import { lampKey, lampOptionsOf } from '../../kit/panorama/lamp-options.ts';
 import type { PanoramaPixels } from '../../kit/panorama/pixels.ts';
+import type { SessionService, WorkerService } from '../../kit/runtime.ts';
 import type {
   DirectionalLightItem,
   EnvironmentLightItem,
@@ -12,12 +15,10 @@ import type {
 } from '../../kit/scene-lists.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
+import { type SearchMessage, serve, type WorkerScope } from './worker.ts';
 
 const W = 64;
 const H = 32;
-/** Frames after which a search of this size is complete. */
-const SLICES_OF_64_PX = 20;
-
 /** A dim room with a lamp of 4 × 4 pixels to the right, a little above the horizon; `seam`: the lamp is cut by the left and right edge. */
 function room({ lamp = 200, wall = 0.2, seam = false } = {}): PanoramaPixels {
   const data = new Float32Array(W * H * 3).fill(wall);
@@ -28,7 +29,29 @@ function room({ lamp = 200, wall = 0.2, seam = false } = {}): PanoramaPixels {
   return { widthPx: W, heightPx: H, channels: 3, data };
 }
 
-function make(pixels: PanoramaPixels, params: Record<string, ParamValue> = {}) {
+/** Workers that answer when told to, or at once. */
+function fakeWorkers(isAtOnce = true) {
+  const waiting: (() => void)[] = [];
+  const log: string[] = [];
+  const service: WorkerService = {
+    start: ({ onMessage }) => {
+      const scope: WorkerScope = { onmessage: null, postMessage: (answer) => onMessage(structuredClone(answer)) };
+      serve(scope);
+      log.push('start');
+      return {
+        post: (message) => {
+          const data = structuredClone(message) as SearchMessage;
+          if (isAtOnce) scope.onmessage?.({ data });
+          else waiting.push(() => scope.onmessage?.({ data }));
+        },
+        dispose: () => log.push('end'),
+      };
+    },
+  };
+  return { service, log, answer: () => waiting.splice(0).forEach((one) => void one()) };
+}
+
+function make(pixels: PanoramaPixels, params: Record<string, ParamValue> = {}, session: SessionService = {} as never) {
   const filled: unknown[] = [];
   const rest = { dispose: () => filled.push('disposed') };
   const asset = {
@@ -39,9 +62,13 @@ function make(pixels: PanoramaPixels, params: Record<string, ParamValue> = {}) {
     },
   } as unknown as EnvironmentAsset;
   const environment: EnvironmentOutput = { asset, intensity: 1, rotationRad: 0 };
-  const { ctx, set, reports } = fakeContext(definition, { params, inputs: { environment } });
+  const { ctx, set, reports } = fakeContext(definition, {
+    params,
+    inputs: { environment },
+    services: { session, workers: fakeWorkers().service },
+  });
   const node = create(ctx);
-  for (let i = 0; i < SLICES_OF_64_PX; i++) node.update({} as never);
+  node.update({} as never);
   const { lights, environment: passedOn } = ctx.outputs;
   return { node, set, reports, lights, passedOn, asset, rest, filled, environment, update: () => node.update({} as never) };
 }
@@ -106,6 +133,51 @@ describe('light/from-panorama', () => {
     expect(azimuthDeg(spot.towardsLightWorld)).toBeCloseTo(90, 3);
   });
 
+  test('a pinned lamp keeps its direction and its measured light; a lamp can have its own type and distance', () => {
+    const { lights, set, update } = make(room(), { distanceM: 2, centerM: [0, 1, 0] });
+    const before = (lights.items[0] as DirectionalLightItem).radiance[0] ?? 0;
+    set('lamp1AzimuthRad', Math.PI / 2);
+    set('lamp1ElevationRad', 0);
+    set('lamp1Pinned', true);
+    update();
+    const pinned = lights.items[0] as DirectionalLightItem;
+    expect([...pinned.towardsLightWorld, pinned.radiance[0]]).toEqual([1, 0, 0, before].map((n) => expect.closeTo(n, 5)));
+    set('rotationRad', Math.PI / 2);
+    set('lamp1Kind', 3);
+    set('lamp1DistanceM', 3);
+    update();
+    // Rotated from the right to the back, 3 m from the center.
+    const point = lights.items[0] as PointLightItem;
+    expect([point.kind, ...point.positionWorld]).toEqual(['point', ...[0, 1, -3].map((n) => expect.closeTo(n, 5))]);
+    expect((point.intensityCd[0] ?? 0) / 9).toBeCloseTo(before, 4);
+    set('lamp1Pinned', false);
+    set('lamp1Kind', 0);
+    update();
+    expect((lights.items[0] as DirectionalLightItem).towardsLightWorld[1]).toBeCloseTo(Math.sin(Math.PI / 8), 2);
+  });
+
+  test('spot and point lamps are on what their direction meets in the room, and at “Distance” where it meets nothing', () => {
+    const rays: number[][] = [];
+    let wallM = 1.5;
+    const castRay = (worldFromRay: ArrayLike<number>, hit: { distanceM: number }, sources: readonly string[]) => {
+      rays.push([...Array.from(worldFromRay), Number(sources.includes('floor'))]);
+      hit.distanceM = wallM;
+      return wallM > 0;
+    };
+    const params = { kind: 2, distanceFrom: 'room', distanceM: 4, centerM: [0, 1, 0] };
+    const placed = () => {
+      const { lights } = make(room(), params, { castRay } as never);
+      const [x = 0, y = 0, z = 0] = (lights.items[0] as PointLightItem).positionWorld;
+      return Math.hypot(x, y - 1, z);
+    };
+    expect(placed()).toBeCloseTo(1.5, 5);
+    // A ray from the center, along -z of its pose, to the lamp on the right.
+    expect(rays[0]?.slice(8, 15)).toEqual([-Math.cos(Math.PI / 8), -Math.sin(Math.PI / 8), 0, 0, 0, 1, 0].map((n) => expect.closeTo(n, 1)));
+    expect(rays[0]?.at(-1)).toBe(0);
+    wallM = 0;
+    expect(placed()).toBeCloseTo(4, 5);
+  });
+
   test.each([
     ['white', room({ lamp: 1, wall: 1 }), /no part of it is much brighter/],
     ['black', room({ lamp: 0, wall: 0 }), /is black/],
@@ -134,15 +206,57 @@ describe('light/from-panorama', () => {
     expect(filled.filter((entry) => entry === 'disposed')).toHaveLength(1);
   });
 
-  test('searches in slices over several frames', () => {
-    const pixels = { ...room(), widthPx: W, heightPx: H };
-    const asset = { readPixels: () => pixels, withoutLamps: () => ({ dispose: () => {} }) } as unknown as EnvironmentAsset;
-    const { ctx } = fakeContext(definition, { inputs: { environment: { asset, intensity: 1, rotationRad: 0 } } });
+  test('a worker searches while frames go on; another panorama cancels it', () => {
+    const { service, log, answer } = fakeWorkers(false);
+    const assetOf = (pixels: PanoramaPixels) => ({ readPixels: () => pixels, withoutLamps: () => ({ dispose: () => {} }) }) as never;
+    const environment: EnvironmentOutput = { asset: assetOf(room()), intensity: 1, rotationRad: 0 };
+    const { ctx } = fakeContext(definition, { inputs: { environment }, services: { workers: service } });
     const node = create(ctx);
-    node.update({} as never);
-    expect(ctx.outputs.lights.items).toHaveLength(1);
-    for (let i = 1; i < SLICES_OF_64_PX; i++) node.update({} as never);
-    expect(ctx.outputs.lights.items).toHaveLength(3);
+    const kinds = () => {
+      node.update({} as never);
+      return ctx.outputs.lights.items.map(({ kind }) => kind);
+    };
+    expect(kinds()).toEqual(['environment']);
+    expect(kinds()).toEqual(['environment']);
+    environment.asset = assetOf(room({ seam: true }));
+    expect(kinds()).toEqual(['environment']);
+    expect(log).toEqual(['start', 'end', 'start']);
+    answer();
+    expect(kinds()).toEqual(['directional', 'directional', 'environment']);
     node.dispose();
+    expect(log).toEqual(['start', 'end', 'start', 'end']);
+  });
+
+  test('lamps that the page stores need no worker, and light as those that a worker or a render finds', () => {
+    const searched = make(room()).lights.items;
+    const options = lampOptionsOf({ method: 'solid-angle', lamps: 3, iterations: 2, intensities: 'ranks', clippedShare: 0.5 });
+    // As in `program.json`.
+    const lamps = JSON.parse(JSON.stringify({ [lampKey(options)]: findLampsAtOnce(room(), options) }));
+    const readPixels = () => {
+      throw new Error('not read');
+    };
+    const withoutLamps = () => ({ dispose: () => {} });
+    for (const more of [{ lamps }, { findLamps: () => findLampsAtOnce(room(), options) }]) {
+      const environment: EnvironmentOutput = { asset: { readPixels, withoutLamps, ...more } as never, intensity: 1, rotationRad: 0 };
+      const { ctx } = fakeContext(definition, { inputs: { environment } });
+      if ('findLamps' in more) (ctx.clock as { held: boolean }).held = true;
+      const node = create(ctx);
+      node.update({} as never);
+      expect(ctx.outputs.lights.items.slice(0, 2)).toEqual(searched.slice(0, 2));
+    }
+  });
+
+  test('where no worker starts, the whole panorama lights, with a message', () => {
+    const asset = { readPixels: () => room() } as unknown as EnvironmentAsset;
+    const start = () => {
+      throw new Error('the browser starts no worker');
+    };
+    const inputs = { environment: { asset, intensity: 1, rotationRad: 0 } };
+    const { ctx, reports } = fakeContext(definition, { inputs, services: { workers: { start } } });
+    create(ctx).update({} as never);
+    expect(ctx.outputs.lights.items).toEqual([expect.objectContaining({ environment: asset })]);
+    expect(reports).toEqual([
+      expect.objectContaining({ code: 'SCR028', severity: 'warning', message: expect.stringMatching(/starts no worker\.$/) }),
+    ]);
   });
 });

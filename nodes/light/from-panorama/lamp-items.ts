@@ -20,7 +20,11 @@ export interface LampSetting {
   biasPx: number;
 }
 
-/** A light in the list, and what it was made of. */
+/** The light of a lamp, in panorama space. The direction may change from frame to frame. */
+export type LampLight = Pick<FoundLamp, 'irradiance' | 'sizeRad'> & { readonly towards: Direction };
+type Direction = Readonly<[x: number, y: number, z: number]>;
+
+/** A light in the list. */
 export interface LampItem {
   readonly item: DirectLightItem;
   update(setting: LampSetting): void;
@@ -33,7 +37,7 @@ export interface LampShadow {
 }
 
 /** Creates the light of a lamp. */
-export function createLampItem(key: string, kind: LampKind, lamp: FoundLamp, map: LampShadow): LampItem {
+export function createLampItem(key: string, kind: LampKind, lamp: LampLight, map: LampShadow): LampItem {
   switch (kind) {
     case 'directional':
       return directional(key, lamp, map);
@@ -47,7 +51,7 @@ export function createLampItem(key: string, kind: LampKind, lamp: FoundLamp, map
 /** A directional light; with `onlyShadows`, for the shadow of the rest. */
 export function directional(
   key: string,
-  { towards, irradiance, sizeRad }: Pick<FoundLamp, 'towards' | 'irradiance' | 'sizeRad'>,
+  { towards, irradiance, sizeRad }: LampLight,
   { mapSizePx, filter }: LampShadow,
   onlyShadows = false,
 ): LampItem & { readonly item: DirectionalLightItem } {
@@ -76,7 +80,7 @@ export function directional(
 /** Wider filters sample too far apart (`nodes/kit/contact-shadow.ts`). */
 export const MAX_SIZE_RAD = 1.4;
 
-function spot(key: string, { towards, irradiance, sizeRad }: FoundLamp, { mapSizePx, filter }: LampShadow): LampItem {
+function spot(key: string, { towards, irradiance, sizeRad }: LampLight, { mapSizePx, filter }: LampShadow): LampItem {
   const shadow: LocalLightShadow = { mapSizePx, biasPx: 0, filter, sourceM: 0 };
   const item: SpotLightItem = {
     key,
@@ -108,7 +112,7 @@ function spot(key: string, { towards, irradiance, sizeRad }: FoundLamp, { mapSiz
 const PENUMBRA = 0.2;
 const MAX_HALF_ANGLE_RAD = 1.3;
 
-function point(key: string, { towards, irradiance }: FoundLamp, { mapSizePx, filter }: LampShadow): LampItem {
+function point(key: string, { towards, irradiance }: LampLight, { mapSizePx, filter }: LampShadow): LampItem {
   // Cube maps have the filters without their own textures only.
   const shadow: LocalLightShadow = { mapSizePx, biasPx: 0, filter: filter === 'basic' || filter === 'pcf' ? filter : 'soft' };
   const item: PointLightItem = {
@@ -140,7 +144,7 @@ function scale(into: Float32Array, irradiance: readonly [number, number, number]
 }
 
 /** Rotates counterclockwise seen from above, as `EnvironmentLightItem.rotationRad` does. */
-function turn(into: Float32Array, [x, y, z]: readonly [number, number, number], angleRad: number): void {
+export function turn(into: Float32Array, [x, y, z]: readonly [number, number, number], angleRad: number): void {
   const [cos, sin] = [Math.cos(angleRad), Math.sin(angleRad)];
   into[0] = x * cos + z * sin;
   into[1] = y;

@@ -1,35 +1,61 @@
 import type { EnvironmentAsset } from '../../kit/assets.ts';
 import type { FoundLamps } from '../../kit/panorama/found-lamps.ts';
-import type { PanoramaPixels } from '../../kit/panorama/pixels.ts';
+import { type LampOptions, lampKey } from '../../kit/panorama/lamp-options.ts';
+import type { NodeWorker, WorkerService } from '../../kit/runtime.ts';
+import type { SearchAnswer, SearchMessage } from './worker.ts';
 
-/** Searches a panorama in slices, so that the picture is never blocked. */
+/** A search for the lamps of a panorama that never blocks the picture. */
 export interface LampSearch {
   /**
    * Call it once per frame.
    *
-   * @param whole Whether to complete the search in this frame, as in a render.
-   * @returns The result; null until the search is complete.
+   * @returns The result; null while the search goes on.
+   * @throws Error if the search has failed, with a reason for users.
    */
-  step(whole: boolean): FoundLamps | null;
+  take(): FoundLamps | null;
+  /** Cancels the search. */
+  dispose(): void;
 }
 
-/** Slices of about a millisecond per frame. */
-const SLICES = 6;
+/**
+ * Starts a search. A result that the program stores is taken at once. In a render, where every frame has to be complete, the panorama is
+ * searched at once too. Otherwise a worker searches it.
+ */
+export function startLampSearch(environment: EnvironmentAsset, options: LampOptions, workers: WorkerService, held: boolean): LampSearch {
+  const stored = environment.lamps?.[lampKey(options)];
+  if (stored) return finished(stored);
+  if (held && environment.findLamps) return finished(environment.findLamps(options));
+  return inWorker(environment, options, workers);
+}
 
-/** Starts a search, which is a generator that yields after about a millisecond of work. Drop it to cancel it. */
-export function createLampSearch(
-  environment: EnvironmentAsset,
-  find: (pixels: PanoramaPixels) => Generator<undefined, FoundLamps>,
-): LampSearch {
-  const slices = find(environment.readPixels());
-  let result: FoundLamps | null = null;
+function finished(found: FoundLamps): LampSearch {
+  return { take: () => found, dispose: () => {} };
+}
+
+function inWorker(environment: EnvironmentAsset, options: LampOptions, workers: WorkerService): LampSearch {
+  let worker: NodeWorker | null = null;
+  let answer: SearchAnswer | null = null;
+  const end = (result: SearchAnswer): void => {
+    answer ??= result;
+    worker?.dispose();
+    worker = null;
+  };
+  try {
+    const pixels = environment.readPixels();
+    worker = workers.start({ onMessage: (data) => end(data as SearchAnswer), onFailure: (failure) => end({ failure }) });
+    const message: SearchMessage = { pixels, options };
+    worker.post(message, [pixels.data.buffer as ArrayBuffer]);
+  } catch (error) {
+    end({ failure: error instanceof Error ? error.message : String(error) });
+  }
   return {
-    step: (whole) => {
-      for (let i = 0; result === null && (whole || i < SLICES); i++) {
-        const { done, value } = slices.next();
-        if (done) result = value;
-      }
-      return result;
+    take: () => {
+      if (answer && 'failure' in answer) throw new Error(answer.failure);
+      return answer?.found ?? null;
+    },
+    dispose: () => {
+      worker?.dispose();
+      worker = null;
     },
   };
 }

@@ -1,19 +1,27 @@
 import type { DerivedEnvironment, EnvironmentAsset } from '../../kit/assets.ts';
-import { choiceIndex } from '../../kit/choice-options.ts';
 import { type FoundLamps, NO_LAMPS } from '../../kit/panorama/found-lamps.ts';
-import { findByPaper } from '../../kit/panorama/paper-method.ts';
-import type { PanoramaPixels } from '../../kit/panorama/pixels.ts';
-import { findBySolidAngle } from '../../kit/panorama/solid-angle-method.ts';
+import { lampOptionsOf } from '../../kit/panorama/lamp-options.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { EnvironmentLightItem } from '../../kit/scene-lists.ts';
 import type { definition } from './definition.ts';
-import { createLampItem, directional, type LampItem, type LampSetting, MAX_SIZE_RAD } from './lamp-items.ts';
-import { createLampSearch, type LampSearch } from './lamp-search.ts';
-
-const KINDS = ['directional', 'spot', 'point'] as const;
+import { kindOf, lampChanges } from './lamp-changes.ts';
+import { createLampItem, directional, type LampItem, type LampKind, type LampSetting, MAX_SIZE_RAD, turn } from './lamp-items.ts';
+import { type LampSearch, startLampSearch } from './lamp-search.ts';
+import { createRoomDistances } from './room-distances.ts';
 
 /** A wide light needs no large map. */
 const REST_MAP = { mapSizePx: 512, filter: 'pcss' } as const;
+
+/** A lamp in the list, where it was found, and where it is. */
+interface Listed {
+  readonly kind: LampKind;
+  readonly found: readonly number[];
+  readonly towards: [x: number, y: number, z: number];
+  readonly item: LampItem;
+}
+
+// Written and read within one call.
+const scratchTowards = new Float32Array(3);
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { params, config } = ctx;
@@ -41,18 +49,13 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   let search: LampSearch | null = null;
   let found: FoundLamps | null = null;
   let rest: DerivedEnvironment | null = null;
-  let lamps: LampItem[] = [];
+  let lamps: Listed[] = [];
   let restShadow: LampItem | null = null;
-  let kind: (typeof KINDS)[number] | null = null;
-
-  function find(pixels: PanoramaPixels): Generator<undefined, FoundLamps> {
-    const { lamps, iterations, intensities, clippedShare } = config;
-    return config.method === 'paper'
-      ? findByPaper(pixels, { lamps, iterations, intensities })
-      : findBySolidAngle(pixels, { lamps, clippedShare });
-  }
+  const changes = lampChanges(params);
+  const distances = createRoomDistances(ctx.session, config.distanceFrom === 'room');
 
   function forget(): void {
+    search?.dispose();
     search = null;
     found = null;
     rest?.dispose();
@@ -83,28 +86,64 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     listLamps();
   }
 
+  /** The result of the search, once; null while there is none. A search that fails is reported, and the whole panorama lights the scene. */
+  function arrived(): FoundLamps | null {
+    try {
+      return search?.take() ?? null;
+    } catch (error) {
+      search = null;
+      ctx.report({
+        code: 'SCR028',
+        severity: 'warning',
+        message: `The whole panorama lights the scene, because it could not be searched for lamps: ${String((error as Error).message).replace(/\.$/, '')}.`,
+        fix: 'Reload the page, or use a smaller panorama.',
+      });
+      return null;
+    }
+  }
+
   function listLamps(): void {
-    kind = KINDS[choiceIndex(params.kind.value, KINDS.length)] ?? 'directional';
-    lamps = (found?.lamps ?? []).map((lamp, i) => createLampItem(`lamp ${i + 1}`, kind ?? 'directional', lamp, map));
-    const wide = found?.rest && kind === 'directional' && lamps.length > 0 ? found.rest : null;
+    lamps = (found?.lamps ?? []).map((lamp, i): Listed => {
+      const kind = kindOf(params.kind.value, changes[i]);
+      const towards: [number, number, number] = [...lamp.towards];
+      return { kind, found: lamp.towards, towards, item: createLampItem(`lamp ${i + 1}`, kind, { ...lamp, towards }, map) };
+    });
+    const areFar = lamps.length > 0 && lamps.every(({ kind }) => kind === 'directional');
+    const wide = areFar ? (found?.rest ?? null) : null;
     restShadow = wide ? directional('shadow of the rest', { ...wide, sizeRad: MAX_SIZE_RAD }, REST_MAP, true) : null;
     lights.items.length = 0;
-    for (const { item } of lamps) lights.items.push(item);
+    for (const { item } of lamps) lights.items.push(item.item);
     if (restShadow) lights.items.push(restShadow.item);
     lights.items.push(around);
     lights.version++;
   }
 
+  function haveOtherKinds(): boolean {
+    for (let i = 0; i < lamps.length; i++) if (lamps[i]?.kind !== kindOf(params.kind.value, changes[i])) return true;
+    return false;
+  }
+
   function updateLamps(panoramaIntensity: number): void {
     setting.intensity = params.intensity.value * panoramaIntensity;
     setting.rotationRad = around.rotationRad;
-    setting.distanceM = params.distanceM.value;
     setting.centerWorld = params.centerM.value;
     setting.castShadow = params.castShadow.value;
     setting.softness = params.softness.value;
     setting.areaM = params.areaM.value;
     setting.biasPx = params.biasPx.value;
-    for (let i = 0; i < lamps.length; i++) lamps[i]?.update(setting);
+    for (let i = 0; i < lamps.length; i++) {
+      const lamp = lamps[i];
+      if (!lamp) continue;
+      const change = changes[i];
+      if (change?.pinned.value) writeDirection(lamp.towards, change.azimuthRad.value, change.elevationRad.value);
+      else for (let c = 0; c < 3; c++) lamp.towards[c] = lamp.found[c] ?? 0;
+      setting.distanceM = change && change.distanceM.value > 0 ? change.distanceM.value : params.distanceM.value;
+      if (lamp.kind !== 'directional' && !(change && change.distanceM.value > 0)) {
+        turn(scratchTowards, lamp.towards, setting.rotationRad);
+        setting.distanceM = distances.along(i, setting.centerWorld, scratchTowards) ?? setting.distanceM;
+      }
+      lamp.item.update(setting);
+    }
     setting.softness = 1;
     setting.biasPx = 1;
     setting.intensity = params.contact.value * params.ambient.value * panoramaIntensity;
@@ -120,11 +159,11 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       if (asset !== searched) {
         forget();
         searched = asset;
-        if (asset) search = createLampSearch(asset, find);
+        if (asset) search = startLampSearch(asset, lampOptionsOf(config), ctx.workers, ctx.clock.held);
       }
-      const result = search?.step(ctx.clock.held) ?? null;
+      const result = arrived();
       if (result) take(result);
-      else if (KINDS[choiceIndex(params.kind.value, KINDS.length)] !== kind) listLamps();
+      else if (haveOtherKinds()) listLamps();
       around.environment = rest ?? asset;
       around.intensity = params.ambient.value * intensity;
       around.rotationRad = params.rotationRad.value + (environment?.rotationRad ?? 0);
@@ -134,6 +173,15 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       passedOn.intensity = intensity;
       passedOn.rotationRad = environment?.rotationRad ?? 0;
     },
-    dispose: () => rest?.dispose(),
+    dispose: () => {
+      search?.dispose();
+      rest?.dispose();
+    },
   };
+}
+
+function writeDirection(into: [number, number, number], azimuthRad: number, elevationRad: number): void {
+  into[0] = Math.sin(azimuthRad) * Math.cos(elevationRad);
+  into[1] = Math.sin(elevationRad);
+  into[2] = Math.cos(azimuthRad) * Math.cos(elevationRad);
 }

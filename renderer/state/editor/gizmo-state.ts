@@ -10,6 +10,8 @@ export interface GizmoState {
   readonly snap: boolean;
   /** Nodes of the program that the last clicked object passed through, from its creator to the node that drew it. */
   readonly chain: readonly string[];
+  /** The lamp of a Lights from panorama node that is rotated, from 1. */
+  readonly lamp: number;
   readonly drag: GizmoDrag | null;
   /** `id` of the last drag that ended or was canceled; 0 if there was none since the preview page loaded. */
   readonly endedDrag: number;
@@ -29,7 +31,7 @@ export interface GizmoDrag {
 export type GizmoStore = StoreApi<GizmoState>;
 
 export function createGizmoState(): GizmoStore {
-  return createStore<GizmoState>(() => ({ mode: 'move', space: 'world', snap: false, chain: [], drag: null, endedDrag: 0 }));
+  return createStore<GizmoState>(() => ({ mode: 'move', space: 'world', snap: false, chain: [], lamp: 1, drag: null, endedDrag: 0 }));
 }
 
 /** Sets the mode; turns the gizmo off if it already has this mode. */

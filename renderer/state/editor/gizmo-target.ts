@@ -33,8 +33,15 @@ const PARTICIPLES: Readonly<Record<GizmoMode, string>> = { move: 'moved', rotate
  * The gizmo target of the selected node: the node itself, or the nearest node after it that transforms its objects, as a Transform
  * does for a model. If the wires branch, `chain` selects the branch: nodes of the program that the clicked object passed through.
  */
-export function gizmoTargetOf(state: DocumentState, selected: string | null, chain: readonly string[], mode: GizmoMode): GizmoTargetResult {
+export function gizmoTargetOf(
+  state: DocumentState,
+  selected: string | null,
+  chain: readonly string[],
+  mode: GizmoMode,
+  lamp = 1,
+): GizmoTargetResult {
   if (selected === null) return { target: null, reason: null };
+  if (mode === 'rotate' && nodeOf(state, selected)?.type === LAMPS) return lampTarget(state, selected, lamp);
   let hasTransform = false;
   for (const id of nodesBehind(state, selected, chain)) {
     const node = nodeOf(state, id);
@@ -48,6 +55,27 @@ export function gizmoTargetOf(state: DocumentState, selected: string | null, cha
   const title = state.library.definition(nodeOf(state, selected)?.type ?? '')?.title;
   if (!hasTransform || title === undefined) return { target: null, reason: null };
   return { target: null, reason: `${title} cannot be ${PARTICIPLES[mode]}. Connect its objects to a Transform.` };
+}
+
+const LAMPS = 'light/from-panorama';
+
+/** The direction of a pinned lamp, which is that of two params of its own. */
+function lampTarget(state: DocumentState, node: string, lamp: number): GizmoTargetResult {
+  const params = nodeOf(state, node)?.params ?? {};
+  const pinned = getOwn(params, `lamp${lamp}Pinned`);
+  if (!pinned || !('value' in pinned) || pinned.value !== true) {
+    return { target: null, reason: `Lamp ${lamp} is not pinned. Pin it in the inspector to rotate it.` };
+  }
+  const handles = { azimuth: `lamp${lamp}AzimuthRad`, elevation: `lamp${lamp}ElevationRad` };
+  for (const name of Object.values(handles)) {
+    const binding = getOwn(params, name);
+    const isWired = graphOf(state).wires.some(({ to }) => to.node === node && to.port === name);
+    if (isWired || (binding && 'expression' in binding)) {
+      return { target: null, reason: `The direction of lamp ${lamp} is connected. Reset it to use the gizmo.` };
+    }
+  }
+  const names = Object.fromEntries(Object.values(handles).map((name) => [name, name]));
+  return { target: { node, title: `lamp ${lamp}`, program: nodePath(state, node), handles, names } };
 }
 
 /** Whether a node has a transform or outputs objects. */

@@ -20,7 +20,8 @@ export function currentGizmoTarget(
   { document, selection, gizmo }: Pick<Editor, 'document' | 'selection' | 'gizmo'>,
   mode: GizmoMode,
 ): GizmoTargetResult {
-  return gizmoTargetOf(document.getState(), soleNode(selection.getState()), gizmo.getState().chain, mode);
+  const { chain, lamp } = gizmo.getState();
+  return gizmoTargetOf(document.getState(), soleNode(selection.getState()), chain, mode, lamp);
 }
 
 const VERBS: Readonly<Record<GizmoMode, string>> = { move: 'Move', rotate: 'Rotate', scale: 'Scale' };

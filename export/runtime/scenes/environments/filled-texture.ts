@@ -23,6 +23,12 @@ export function texturePixels(texture: Texture): PanoramaPixels {
   return { widthPx: width, heightPx: height, channels: texture.format === RGBAFormat ? 4 : 1, data, fromBottom: !texture.flipY };
 }
 
+/** A copy of the pixels of a panorama's texture. */
+export function ownPixels(texture: Texture): PanoramaPixels {
+  const pixels = texturePixels(texture);
+  return texture.image instanceof ImageBitmap ? pixels : { ...pixels, data: pixels.data.slice() };
+}
+
 /** Creates a texture like another, in which the pixels of lamps are filled from their surroundings. */
 export function filledTexture(texture: Texture, runs: readonly number[], size: Size): DataTexture {
   const pixels = texturePixels(texture);

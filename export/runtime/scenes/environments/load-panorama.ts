@@ -8,7 +8,7 @@ import {
   Texture,
 } from 'three';
 import type { LoadedEnvironment } from '../../scene-backend.ts';
-import { texturePixels } from './filled-texture.ts';
+import { ownPixels } from './filled-texture.ts';
 import { PanoramaError, type RadianceHeader, readRadianceHeader } from './radiance-header.ts';
 import type { ReadRadiance } from './read-radiance.ts';
 
@@ -26,12 +26,12 @@ export async function loadPanorama(bytes: ArrayBuffer, maxTexturePx: number, rea
   const header = readRadianceHeader(bytes);
   if (header) checkSize(header, maxPx);
   const texture = header ? readRadiance.halves(bytes, header) : await readPicture(bytes, maxPx);
-  const readPixels = () => (header ? readRadiance.floats(bytes, header) : texturePixels(texture));
+  const readPixels = () => (header ? readRadiance.floats(bytes, header) : ownPixels(texture));
   return panoramaOf(texture, readPixels);
 }
 
 /** A panorama that is not filtered for lighting yet. */
-export type LoadedPanorama = Omit<LoadedEnvironment, 'withoutLamps'>;
+export type LoadedPanorama = Omit<LoadedEnvironment, 'withoutLamps' | 'lamps' | 'findLamps'>;
 
 /** Sets a texture up as a panorama, which owns it. */
 export function panoramaOf(texture: Texture, readPixels: LoadedPanorama['readPixels']): LoadedPanorama {

@@ -1,8 +1,11 @@
 import type { Texture } from 'three';
 import type { EnvironmentAsset } from '../../../../nodes/kit/assets.ts';
+import type { FoundLamps } from '../../../../nodes/kit/panorama/found-lamps.ts';
+import type { LampOptions } from '../../../../nodes/kit/panorama/lamp-options.ts';
+import type { PanoramaPixels } from '../../../../nodes/kit/panorama/pixels.ts';
 import type { LoadedEnvironment } from '../../scene-backend.ts';
 import type { SceneRenderer } from '../scene-renderer.ts';
-import { filledTexture, texturePixels } from './filled-texture.ts';
+import { filledTexture, ownPixels } from './filled-texture.ts';
 import { type LoadedPanorama, loadPanorama, panoramaOf } from './load-panorama.ts';
 import { type Prefiltered, prefilter } from './prefilter.ts';
 import type { ReadRadiance } from './read-radiance.ts';
@@ -10,21 +13,31 @@ import type { ReadRadiance } from './read-radiance.ts';
 /** Loaded panoramas with their prefiltered environments, shared by all scenes. */
 export interface PanoramaStore {
   /** Rejects with an `Error` whose message is text for the user. */
-  load(bytes: ArrayBuffer): Promise<LoadedEnvironment>;
+  load(bytes: ArrayBuffer, lamps?: EnvironmentAsset['lamps']): Promise<LoadedEnvironment>;
   prefiltered(environment: EnvironmentAsset): Texture;
   dispose(): void;
 }
 
-/** `readRadiance` is null for pages without panoramas. */
-export function createPanoramaStore(renderer: SceneRenderer, readRadiance: ReadRadiance | null): PanoramaStore {
+/** Finds lamps at once. It is injected, so that pages do not bundle it: only renders search at once. */
+export type FindLamps = (pixels: PanoramaPixels, options: LampOptions) => FoundLamps;
+
+export interface PanoramaTools {
+  /** Null for pages without panoramas. */
+  readonly readRadiance: ReadRadiance | null;
+  readonly findLamps: FindLamps | null;
+}
+
+export function createPanoramaStore(renderer: SceneRenderer, { readRadiance, findLamps }: PanoramaTools): PanoramaStore {
   const filtered = new Map<EnvironmentAsset, Prefiltered>();
   /** Filters a panorama at once, instead of in a frame. */
-  const complete = (panorama: LoadedPanorama): LoadedEnvironment => {
+  const complete = (panorama: LoadedPanorama, lamps?: EnvironmentAsset['lamps']): LoadedEnvironment => {
     const whole: LoadedEnvironment = {
       ...panorama,
+      ...(lamps ? { lamps } : {}),
+      ...(findLamps ? { findLamps: (options) => findLamps(panorama.readPixels(), options) } : {}),
       withoutLamps: (runs, size) => {
         const texture = filledTexture(panorama.texture, runs, size);
-        return complete(panoramaOf(texture, () => texturePixels(texture)));
+        return complete(panoramaOf(texture, () => ownPixels(texture)));
       },
       dispose: () => {
         filtered.get(whole)?.dispose();
@@ -36,9 +49,9 @@ export function createPanoramaStore(renderer: SceneRenderer, readRadiance: ReadR
     return whole;
   };
   return {
-    load: async (bytes) => {
+    load: async (bytes, lamps) => {
       if (!readRadiance) throw new Error('The program has a panorama, but the page was made without.');
-      return complete(await loadPanorama(bytes, renderer.three.capabilities.maxTextureSize, readRadiance));
+      return complete(await loadPanorama(bytes, renderer.three.capabilities.maxTextureSize, readRadiance), lamps);
     },
     prefiltered: (environment) => {
       const known = filtered.get(environment);

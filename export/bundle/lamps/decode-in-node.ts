@@ -1,0 +1,25 @@
+import { decode } from 'fast-png';
+import type { PanoramaPixels } from '../../../nodes/kit/panorama/pixels.ts';
+import { readRadianceHeader } from '../../runtime/scenes/environments/radiance-header.ts';
+import { readRadiance } from '../../runtime/scenes/environments/read-radiance.ts';
+
+/** Wider pictures may be reduced by the page, which then needs the lamps of the reduced picture. */
+const MAX_PICTURE_PX = 4096;
+const PNG_SIGNATURE = [0x89, 0x50, 0x4e, 0x47] as const;
+
+/**
+ * Decodes a panorama as a page does: HDR and EXR to floats, PNG to bytes without color conversion.
+ *
+ * @returns Null for other formats, which only a browser decodes, and for forms of PNG that it converts.
+ * @throws Error if the file is damaged.
+ */
+export function decodeInNode(file: Uint8Array): PanoramaPixels | null {
+  const bytes = file.buffer.slice(file.byteOffset, file.byteOffset + file.byteLength) as ArrayBuffer;
+  const header = readRadianceHeader(bytes);
+  if (header) return readRadiance.floats(bytes, header);
+  if (!PNG_SIGNATURE.every((byte, i) => file[i] === byte)) return null;
+  const { width, height, channels, depth, data, palette } = decode(file);
+  const plain = depth === 8 && palette === undefined && (channels === 1 || channels === 3) && data instanceof Uint8Array;
+  if (!plain || Math.max(width, height) > MAX_PICTURE_PX) return null;
+  return { widthPx: width, heightPx: height, channels, data };
+}

@@ -1,0 +1,22 @@
+import type { FoundLamps } from '../../../nodes/kit/panorama/found-lamps.ts';
+import type { LampOptions } from '../../../nodes/kit/panorama/lamp-options.ts';
+
+/** A panorama to search, as its file. Ending the worker cancels the search. */
+export interface LampRequest {
+  readonly bytes: ArrayBuffer;
+  readonly options: LampOptions;
+}
+
+/** A step of a search as a picture. */
+export interface LampStage {
+  readonly kind: 'picture' | 'gray' | 'threshold' | 'median';
+  /** From 0; 0 of the picture. */
+  readonly iteration: number;
+  readonly image: ImageBitmap;
+}
+
+/** What the worker answers: parts in [0, 1], then one result or one failure, which is text for users. */
+export type LampAnswer =
+  | { readonly kind: 'part'; readonly part: number }
+  | { readonly kind: 'found'; readonly found: FoundLamps; readonly stages: readonly LampStage[] }
+  | { readonly kind: 'failed'; readonly reason: string };
