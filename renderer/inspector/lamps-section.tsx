@@ -2,7 +2,7 @@ import { useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import { getOwn } from '../../export/graph/record.ts';
 import { type FoundLamps, NO_LAMPS } from '../../nodes/kit/panorama/found-lamps.ts';
-import { nodeOf } from '../state/editor/document.ts';
+import { graphOf, nodeOf } from '../state/editor/document.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { isOfOneLamp, MAX_CHANGED, pinLamp } from '../state/lamps/edit-lamps.ts';
 import { type LampView, searchLamps, startLampWorker } from '../state/lamps/lamp-search.ts';
@@ -58,7 +58,7 @@ function Found({ id, found, stages }: FoundProps) {
   return (
     <>
       {stages.length > 1 && (
-        <select aria-label="Step of the search" value={shown} onChange={(event) => setShown(Number(event.target.value))}>
+        <select className="select" aria-label="Step of the search" value={shown} onChange={(event) => setShown(Number(event.target.value))}>
           {stages.map(({ kind, iteration }, i) => (
             <option key={`${kind} ${iteration}`} value={i}>
               {kind === 'picture' ? STAGES[kind] : `${iteration + 1}: ${STAGES[kind]}`}
@@ -112,23 +112,30 @@ function Lamp({ id, found, lamp }: LampProps) {
   const editor = useEditor();
   const definition = useDocument((state) => state.library.definition(LAMPS_TYPE));
   const params = useDocument((state) => nodeOf(state, id)?.params);
+  const wires = useDocument((state) => graphOf(state).wires);
   const pinned = params && getOwn(params, `lamp${lamp}Pinned`);
   const isPinned = pinned !== undefined && 'value' in pinned && pinned.value === true;
   if (!definition || !params) return null;
   const rows = Object.entries(definition.params).filter(
-    ([name]) => isOfOneLamp(name) && name.startsWith(`lamp${lamp}`) && !/Pinned$/.test(name),
+    ([name]) => isOfOneLamp(name) && name.startsWith(`lamp${lamp}`) && !(isPinned ? /Pinned$/ : /Pinned$|Rad$/).test(name),
   );
   return (
     <>
       <Button
-        pressed={isPinned}
         tip="A pinned lamp stays where it is when the panorama or the search changes."
         onPress={() => pinLamp(editor, id, lamp, found, !isPinned)}
       >
-        {`Pin lamp ${lamp}`}
+        {isPinned ? `Unpin lamp ${lamp}` : `Pin lamp ${lamp}`}
       </Button>
       {rows.map(([name, param]) => (
-        <ParamRow key={name} node={id} name={name} param={param} binding={getOwn(params, name)} source={undefined} />
+        <ParamRow
+          key={name}
+          node={id}
+          name={name}
+          param={param}
+          binding={getOwn(params, name)}
+          source={wires.find(({ to }) => to.node === id && to.port === name)?.from}
+        />
       ))}
     </>
   );
