@@ -15,6 +15,8 @@ const CAPABILITIES: Readonly<Record<Capability, string>> = {
   meshes: 'the shape of the room',
   hands: 'the visitor’s hands',
   microphone: 'what the microphone hears',
+  motion: 'how the device is moved and where north is',
+  location: 'where on Earth the device is',
 };
 
 const TIERS: Readonly<Record<Tier['id'], string>> = {

@@ -11,6 +11,8 @@ const WHAT: Readonly<Record<Capability, string>> = {
   meshes: 'The shape of the room',
   hands: 'Your hands',
   microphone: 'The microphone',
+  motion: 'How you move the device',
+  location: 'Where you are',
 };
 
 /** A feature that the page requests, as a line for the visitor. */

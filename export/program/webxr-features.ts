@@ -11,8 +11,10 @@ export const WEBXR_FEATURES: Readonly<Record<Capability, string | null>> = {
   planes: 'plane-detection',
   meshes: 'mesh-detection',
   hands: 'hand-tracking',
-  // The page requests it with `getUserMedia`.
+  // The page requests these itself, outside of WebXR.
   microphone: null,
+  motion: null,
+  location: null,
 };
 
 export interface WebXrFeatures {

@@ -294,7 +294,9 @@ export type Capability =
   | 'planes'
   | 'meshes'
   | 'hands'
-  | 'microphone';
+  | 'microphone'
+  | 'motion'
+  | 'location';
 
 /** A feature that a node uses. */
 export interface Need {

@@ -5,9 +5,10 @@ import { createPreviewController } from './preview-controller.ts';
 
 async function main(): Promise<void> {
   const screen = document.getElementById('room');
-  if (!screen) throw new Error('The page has no #room.');
+  const sensorHint = document.getElementById('sensor-hint');
+  if (!screen || !sensorHint) throw new Error('The page has no #room or #sensor-hint.');
   const editor = await waitForEditor(window);
-  const controller = createPreviewController({ parent: document.body, screen, clock: createBrowserClock(), send: editor.send });
+  const controller = createPreviewController({ parent: document.body, screen, sensorHint, clock: createBrowserClock(), send: editor.send });
   window.addEventListener('resize', controller.resized);
   const frameRender = createFrameRender(editor.send);
   editor.listen((message) => {

@@ -15,6 +15,7 @@ import { createPlayerHost, type PlayerHost } from './player-host.ts';
 import { type CaptureSource, createPosters, type PosterRequest } from './posters.ts';
 import { createProbes } from './probes.ts';
 import { isHandKey } from './room-hands.ts';
+import { createSimulatedSensors } from './simulated-sensors.ts';
 import { createStatus } from './status.ts';
 import { createThumbnails } from './thumbnails.ts';
 import { createTransportClock } from './transport-clock.ts';
@@ -26,6 +27,8 @@ export interface PreviewControllerOptions {
   readonly parent: HTMLElement;
   /** The element in which an emulated device shows its image. */
   readonly screen: HTMLElement;
+  /** Shows the keys of simulated sensors. */
+  readonly sensorHint: HTMLElement;
   readonly clock: FrameClock;
   readonly send: (message: FromPreview, transfer?: Transferable[]) => void;
 }
@@ -49,7 +52,7 @@ const RESIZE_PAUSE_S = 0.25;
 const DISPLAY_FRAME_S = 1 / 60;
 
 /** Drives the player and the sessions of the preview. Messages store the wanted state; `settle` creates what it needs. */
-export function createPreviewController({ parent, screen, clock: base, send }: PreviewControllerOptions): PreviewController {
+export function createPreviewController({ parent, screen, sensorHint, clock: base, send }: PreviewControllerOptions): PreviewController {
   let wanted: Wanted | null = null;
   let source: PreviewSource | null = null;
   /** Counter of the message that set `source`. */
@@ -72,10 +75,11 @@ export function createPreviewController({ parent, screen, clock: base, send }: P
   const probes = createProbes(send, () => clock.wake());
   let lightWorld: Extract<ToPreview, { kind: 'room-light' }>['directionWorld'] = null;
   const gizmo = createGizmo(parent, send, () => clock.wake());
+  const sensors = createSimulatedSensors(window, sensorHint);
   const keys = createKeys(
     window,
     send,
-    (event) => source?.kind === 'room' && (isStep(event) || (source.device !== 'phone' && isHandKey(event))),
+    (event) => sensors.isKey(event) || (source?.kind === 'room' && (isStep(event) || (source.device !== 'phone' && isHandKey(event)))),
   );
   let viewer: Extract<ToPreview, { kind: 'viewer' }> = { kind: 'viewer', left: null, right: null, split: 1 };
   const clock = createTransportClock(base, () => {
@@ -189,6 +193,7 @@ export function createPreviewController({ parent, screen, clock: base, send }: P
   const draw = (frame: SessionFrame) => {
     if (!host || lost) return;
     status.begin();
+    sensors.beforeFrame(frame);
     host.player.draw(frame);
     status.end(frame, open?.recording?.isLate ?? false);
     host.meter.afterFrame();
@@ -211,6 +216,7 @@ export function createPreviewController({ parent, screen, clock: base, send }: P
 
   const setProgram = (next: Wanted) => {
     wanted = next;
+    sensors.follow(next.program);
     if (source && host?.canPlay(next.program, source.assetBaseUrl)) {
       void host.player.replaceProgram(next.program).then((result) => report(next.revision, result));
     }

@@ -2,17 +2,20 @@ import type { Capability } from '../../../nodes/kit/definition.ts';
 import type { ProgramNeed, Tier } from '../../program/needs.ts';
 import type { Presentation } from '../../program/program.ts';
 
+/** What pages ask for themselves, in any kind of session. */
+const OF_THE_PAGE: readonly Capability[] = ['microphone', 'motion', 'location'];
+
 /** Capabilities of each kind of session, best first (docs/ARCHITECTURE.md, “Sessions”; devices: WebXR implementations of 2026). */
 const TIERS: readonly { readonly id: Tier['id']; readonly offers: readonly Capability[] }[] = [
   {
     id: 'ar-camera',
-    offers: ['camera-image', 'depth', 'light-estimation', 'hit-test', 'anchors', 'planes', 'meshes', 'hands', 'microphone'],
+    offers: ['camera-image', 'depth', 'light-estimation', 'hit-test', 'anchors', 'planes', 'meshes', 'hands', ...OF_THE_PAGE],
   },
-  { id: 'ar', offers: ['depth', 'light-estimation', 'hit-test', 'anchors', 'planes', 'meshes', 'hands', 'microphone'] },
-  { id: 'camera', offers: ['camera-image', 'microphone'] },
+  { id: 'ar', offers: ['depth', 'light-estimation', 'hit-test', 'anchors', 'planes', 'meshes', 'hands', ...OF_THE_PAGE] },
+  { id: 'camera', offers: ['camera-image', ...OF_THE_PAGE] },
   // The authored room replaces the camera image.
-  { id: 'authored-vr', offers: ['camera-image', 'hands', 'microphone'] },
-  { id: 'orbit', offers: ['microphone'] },
+  { id: 'authored-vr', offers: ['camera-image', 'hands', ...OF_THE_PAGE] },
+  { id: 'orbit', offers: [...OF_THE_PAGE] },
 ];
 
 /**

@@ -62,7 +62,8 @@ const NOT_IN_TIER: DeviceFact = { has: 'no', source: 'This kind of session has n
 
 /** Whether a device has a feature in the sessions of a tier. */
 function factIn(tier: Tier['id'], capability: Capability, { features }: DeviceFacts): DeviceFact {
-  if (capability === 'microphone') return features.microphone;
+  // The page asks for these itself, in any kind of session.
+  if (capability === 'microphone' || capability === 'motion' || capability === 'location') return features[capability];
   switch (tier) {
     case 'ar-camera':
       return features[capability];

@@ -1,8 +1,8 @@
 import { describe, expect, test } from '@jest/globals';
 import { Matrix4, Vector3 } from 'three';
+import { type DeviceAngles, setUpright } from '../../../../nodes/kit/device-orientation.ts';
 import { createMatrix } from '../matrix.ts';
 import { createCameraViewer } from './camera-viewer.ts';
-import { type DeviceAngles, setUpright } from './device-pose.ts';
 
 function start(given: Partial<DeviceAngles> | null) {
   const angles: DeviceAngles = { alphaRad: 0, betaRad: 0, gammaRad: 0, screenRad: 0 };

@@ -1,5 +1,5 @@
+import { setDeviceRotation, turnAboutVertical, yawToFront } from '../../../../nodes/kit/device-orientation.ts';
 import type { GestureTarget } from '../orbit/orbit-input.ts';
-import { setDeviceRotation, turnAboutVertical, yawToFront } from './device-pose.ts';
 import type { OrientationSensor } from './orientation-sensor.ts';
 
 /** Initial position of the viewer, meters: two meters behind the origin, at eye height. */

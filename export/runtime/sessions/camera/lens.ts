@@ -1,6 +1,6 @@
+import { setDeviceRotation } from '../../../../nodes/kit/device-orientation.ts';
 import { createMatrix } from '../matrix.ts';
 import { LONG_SIDE_FOV_RAD } from './camera-view.ts';
-import { setDeviceRotation } from './device-pose.ts';
 import { createFovEstimator } from './estimate-fov.ts';
 import type { OrientationSensor } from './orientation-sensor.ts';
 

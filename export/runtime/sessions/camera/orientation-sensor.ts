@@ -1,4 +1,4 @@
-import { type DeviceAngles, setUpright } from './device-pose.ts';
+import { type DeviceAngles, screenAngle, setUpright } from '../../../../nodes/kit/device-orientation.ts';
 
 /** The members of `Window` that the sensor uses, so that tests can supply them. */
 export type OrientationWindow = Pick<Window, 'addEventListener' | 'removeEventListener' | 'screen'> & {
@@ -38,11 +38,11 @@ export function listenForOrientation(window: OrientationWindow): OrientationSens
     angles.alphaRad = radians(event.alpha);
     angles.betaRad = radians(event.beta);
     angles.gammaRad = radians(event.gamma);
-    angles.screenRad = radians(screenAngle(window));
+    angles.screenRad = screenAngle(window);
   };
   // A device at rest sends no readings, but the page may rotate.
   const pageTurned = (): void => {
-    if (present) angles.screenRad = radians(screenAngle(window));
+    if (present) angles.screenRad = screenAngle(window);
   };
   window.addEventListener('deviceorientation', turned);
   window.screen.orientation?.addEventListener('change', pageTurned);
@@ -56,11 +56,6 @@ export function listenForOrientation(window: OrientationWindow): OrientationSens
       window.screen.orientation?.removeEventListener('change', pageTurned);
     },
   };
-}
-
-/** Safari before 16.4 has only `window.orientation`, whose sign for clockwise rotations is negative, too. */
-function screenAngle(window: OrientationWindow): number {
-  return window.screen.orientation?.angle ?? (window as { readonly orientation?: number }).orientation ?? 0;
 }
 
 function radians(degrees: number): number {

@@ -2,6 +2,7 @@ import type { Capability } from '../../../../nodes/kit/definition.ts';
 import type { Diagnostic, Result } from '../../../../nodes/kit/diagnostics.ts';
 import type { Session } from '../../../../nodes/kit/session.ts';
 import type { ProgramNeed } from '../../../program/needs.ts';
+import { WEBXR_FEATURES } from '../../../program/webxr-features.ts';
 import type { SessionInputs } from '../input/session-inputs.ts';
 import { grantedCapabilities, sessionInit } from './session-init.ts';
 import { createWebXrSession } from './webxr-session.ts';
@@ -39,8 +40,9 @@ const EYE_HEIGHT_M = 1.6;
 export async function requestWebXrSession(request: WebXrRequest): Promise<Result<Session>> {
   const { xr, gl, needs, mode = 'immersive-ar' } = request;
   const name = mode === 'immersive-ar' ? 'AR' : 'VR';
-  // VR measures no room. Hands and microphone work in both modes.
-  const asked = mode === 'immersive-ar' ? needs : needs.filter(({ capability }) => capability === 'hands' || capability === 'microphone');
+  // VR measures no room. Hands, and what WebXR does not ask for, work in both modes.
+  const asked =
+    mode === 'immersive-ar' ? needs : needs.filter(({ capability }) => capability === 'hands' || WEBXR_FEATURES[capability] === null);
   if (!xr) return refused(NO_WEBXR);
   let session: XRSession;
   try {
@@ -135,6 +137,8 @@ const WORDS: Readonly<Record<Capability, string>> = {
   meshes: 'the shape of the room',
   hands: 'your hands',
   microphone: 'the microphone',
+  motion: 'how you move the device',
+  location: 'where you are',
 };
 
 function reason(error: unknown): string {

@@ -1,7 +1,15 @@
 import { describe, expect, test } from '@jest/globals';
 import { Euler, MathUtils, Matrix4, Quaternion, Vector3 } from 'three';
-import { createMatrix } from '../matrix.ts';
-import { type DeviceAngles, setDeviceRotation, setUpright, turnAboutVertical, yawToFront } from './device-pose.ts';
+import { createMatrix } from '../../export/runtime/sessions/matrix.ts';
+import {
+  clockwiseTurn,
+  type DeviceAngles,
+  setDeviceAngles,
+  setDeviceRotation,
+  setUpright,
+  turnAboutVertical,
+  yawToFront,
+} from './device-orientation.ts';
 
 const angles = (alpha: number, beta: number, gamma: number, screen = 0): DeviceAngles => ({
   alphaRad: MathUtils.degToRad(alpha),
@@ -80,6 +88,30 @@ describe('the pose of a device', () => {
     const [x = 0, , z = 0] = level ? ahead : direction(m, 0, (ahead[1] ?? 0) < 0 ? 1 : -1, 0);
     expect(x).toBeCloseTo(0, 4);
     expect(z).toBeLessThan(0);
+  });
+
+  test.each([
+    [12, 34, 56],
+    [300, -80, 20],
+    [181, 140, -75],
+    [40, 0, 0],
+    [123, 90, 0],
+    [250, -90, 0],
+  ])('gives its angles back: %d, %d, %d', (alpha, beta, gamma) => {
+    const expected = rotation(angles(alpha, beta, gamma));
+    const found = angles(1, 2, 3, 4);
+    setDeviceAngles(found, expected);
+    expect(found.screenRad).toBe(0);
+    rotation(found).forEach((value, i) => {
+      expect(value).toBeCloseTo(expected[i] ?? Number.NaN, 5);
+    });
+  });
+
+  test('is turned clockwise against another, in any tilt', () => {
+    for (const beta of [-60, 0, 45, 90, 150]) {
+      const turn = clockwiseTurn(rotation(angles(20, beta, 10)), rotation(angles(95, beta, 10)));
+      expect(turn).toBeCloseTo(MathUtils.degToRad(75), 5);
+    }
   });
 
   test('without a sensor it is held upright', () => {

@@ -77,3 +77,53 @@ export function yawToFront(m: Float32Array): number {
   }
   return Math.atan2(x, -z);
 }
+
+/**
+ * How far one rotation is turned against another about the vertical, clockwise seen from above, in (-π, π]. All axes count, so the angle
+ * holds in any tilt.
+ *
+ * @param to, from Column-major 4×4, y up.
+ *
+ * @example
+ * const northRad = clockwiseTurn(earthFromDevice, worldFromView); // azimuth of the -z axis of world space
+ */
+export function clockwiseTurn(to: ArrayLike<number>, from: ArrayLike<number>): number {
+  let sine = 0;
+  let cosine = 0;
+  for (let axis = 0; axis < 12; axis += 4) {
+    const [rightTo, aheadTo] = [to[axis] ?? 0, -(to[axis + 2] ?? 0)];
+    const [rightFrom, aheadFrom] = [from[axis] ?? 0, -(from[axis + 2] ?? 0)];
+    sine += rightTo * aheadFrom - aheadTo * rightFrom;
+    cosine += aheadTo * aheadFrom + rightTo * rightFrom;
+  }
+  return Math.atan2(sine, cosine);
+}
+
+/**
+ * Writes the angles of a device with this rotation, the page upright on it: the inverse of `setDeviceRotation`.
+ *
+ * @param rotation Column-major 4×4, y up, north at -z.
+ *
+ * @example
+ * setDeviceAngles(angles, worldFromView);
+ */
+export function setDeviceAngles(out: DeviceAngles, rotation: ArrayLike<number>): void {
+  const at = (i: number): number => rotation[i] ?? 0;
+  const side = at(9) < 0 ? -1 : 1;
+  const level = Math.hypot(at(1), at(9));
+  out.betaRad = Math.atan2(at(5), side * level);
+  out.screenRad = 0;
+  if (level < 1e-6) {
+    // Upright, alpha and gamma turn about the same axis.
+    out.gammaRad = 0;
+    out.alphaRad = Math.atan2(-at(2), at(0));
+    return;
+  }
+  out.gammaRad = Math.atan2(-side * at(1), side * at(9));
+  out.alphaRad = Math.atan2(-side * at(4), -side * at(6));
+}
+
+/** How far the page is rotated on the device, radians. Safari before 16.4 has only `window.orientation`, with the sign of clockwise. */
+export function screenAngle(page: { readonly screen: Screen; readonly orientation?: number }): number {
+  return ((page.screen.orientation?.angle ?? page.orientation ?? 0) * Math.PI) / 180;
+}

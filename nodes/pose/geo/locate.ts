@@ -1,0 +1,65 @@
+import { onGestures } from '../../kit/sensor-permission.ts';
+import type { GeoPlace } from '../../kit/wgs84.ts';
+
+/** A position of the device. */
+export interface GeoFix extends Readonly<GeoPlace> {
+  /** 95 % of positions are within it, level, meters (W3C Geolocation, “accuracy”). */
+  readonly accuracyM: number;
+  /** As `accuracyM`, of the altitude; null where the device knows none. */
+  readonly altitudeAccuracyM: number | null;
+}
+
+/** Why there is no position. `timeout`: it is searched on. */
+export type GeoRefusal = 'denied' | 'unavailable' | 'timeout' | 'absent';
+
+/** What a search waits for a position, milliseconds: satellites take half a minute after a long rest. */
+const TIMEOUT_MS = 30_000;
+
+/**
+ * Follows the location of the device from the visitor's first touch on, when browsers may ask for it.
+ *
+ * @param onAsk Called when the search begins.
+ * @returns Ends it.
+ */
+export function locate(onAsk: () => void, onFix: (fix: GeoFix) => void, onRefusal: (reason: GeoRefusal) => void): () => void {
+  // Undefined in some browsers without HTTPS.
+  const geolocation: Geolocation | undefined = navigator.geolocation;
+  if (!geolocation) {
+    onRefusal('absent');
+    return () => {};
+  }
+  let watch: number | null = null;
+  let isOver = false;
+  const begin = (): void => {
+    if (isOver || watch !== null) return;
+    stop();
+    onAsk();
+    watch = geolocation.watchPosition(
+      ({ coords }) => {
+        const { latitude, longitude, altitude, accuracy, altitudeAccuracy } = coords;
+        if (!isOver && [latitude, longitude, accuracy].every(Number.isFinite)) {
+          onFix({
+            latitudeDeg: latitude,
+            longitudeDeg: longitude,
+            altitudeM: altitude ?? 0,
+            accuracyM: accuracy,
+            altitudeAccuracyM: altitude === null ? null : (altitudeAccuracy ?? accuracy),
+          });
+        }
+      },
+      ({ code }) => {
+        // 1: permission denied, 3: timeout (W3C Geolocation, “GeolocationPositionError”).
+        if (!isOver) onRefusal(code === 1 ? 'denied' : code === 3 ? 'timeout' : 'unavailable');
+      },
+      { enableHighAccuracy: true, timeout: TIMEOUT_MS, maximumAge: 0 },
+    );
+  };
+  const stop = onGestures(begin);
+  // The touch that started the session may have happened before.
+  if (navigator.userActivation?.hasBeenActive) begin();
+  return () => {
+    isOver = true;
+    stop();
+    if (watch !== null) geolocation.clearWatch(watch);
+  };
+}

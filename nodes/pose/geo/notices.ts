@@ -1,0 +1,35 @@
+import type { GeoRefusal } from './locate.ts';
+
+interface Words {
+  readonly message: string;
+  readonly fix: string;
+}
+
+const NOT_SHOWN = 'Things at places on Earth are not shown.';
+
+/** What the visitor is told where there is no location. */
+export const REFUSALS: Readonly<Record<GeoRefusal, Words>> = {
+  denied: { message: `The location was not allowed. ${NOT_SHOWN}`, fix: 'Allow it beside the address bar, then reload the page.' },
+  unavailable: { message: `This device does not know its location. ${NOT_SHOWN}`, fix: 'Turn on location in the settings of the device.' },
+  timeout: { message: 'The location has not been found yet. It is searched on.', fix: 'Go outdoors, or wait.' },
+  absent: { message: `The location cannot be used here. ${NOT_SHOWN}`, fix: 'Open the page over HTTPS.' },
+};
+
+export const NO_NORTH: Words = {
+  message: 'This device has no compass. Things at places on Earth appear once a walk in AR has shown where north is.',
+  fix: 'Walk straight on, or open the page on a phone with a compass.',
+};
+
+export const NORTH_DENIED: Words = {
+  message: 'The compass was not allowed. Things at places on Earth appear once a walk in AR has shown where north is.',
+  fix: 'Walk straight on. To allow the compass, close this tab and open the page again.',
+};
+
+/** @param errorM What is known, meters. */
+export function inaccurate(errorM: number, largestM: number): Words {
+  const known = Number.isFinite(errorM) ? `to ${Math.round(errorM)} m only` : 'too roughly';
+  return {
+    message: `Where you are is known ${known}. Things at places on Earth are shown from ${Math.round(largestM)} m on.`,
+    fix: 'Go outdoors, away from high walls and from metal.',
+  };
+}
