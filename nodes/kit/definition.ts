@@ -59,6 +59,8 @@ export interface NodeDefinition {
    * output does not depend on it otherwise.
    */
   readonly actsOn?: string;
+  /** The visitor notices it otherwise than on the screen, as a sound: it is played if its required inputs are connected. */
+  readonly heard?: true;
   /** A graph contains at most one node of the type (SCR027). */
   readonly single?: true;
   /** Its runtime starts a worker of its own, `worker.ts`, whose text `npm run gen` bundles. */

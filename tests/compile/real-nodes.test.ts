@@ -130,3 +130,10 @@ test('filters by distance ask for a layer with depth, or for the room', () => {
   expect(warnings(studio)).toEqual([['SCR043', 'inputImage']]);
   expect(warnings(studio.add('room-a', 'world/depth').wire('room-a.depth -> fog-a.room'))).toEqual([]);
 });
+
+test('sound is played although no picture depends on it, once something is connected to it', () => {
+  const studio = firstLight().add('tap-a', 'input/tap').add('sound-a', 'output/sound');
+  const nodes = ({ project }: TestStudio) => program(project).operations.map(({ id }) => id);
+  expect(nodes(studio)).not.toEqual(expect.arrayContaining(['tap-a']));
+  expect(nodes(studio.wire('tap-a.tapped -> sound-a.play'))).toEqual(expect.arrayContaining(['tap-a', 'sound-a']));
+});

@@ -39,7 +39,15 @@ export function surround(library: NodeLibrary, type: string, title: string): Pro
   // A node that acts on another is seen by what it does to that one.
   const shown = (own.actsOn !== undefined && supplied.get(`${last}.${own.actsOn}`)) || { id: last, definition: own };
   last = shown.id;
-  for (const step of chainToOutput(shown.definition, definitions)) {
+  let start = shown.definition;
+  // A node that is heard needs any picture beside it.
+  const layer = own.heard ? suppliers.get('layer')?.definition : undefined;
+  if (layer) {
+    last = builder.place(layer);
+    supply(last, layer, null);
+    start = layer;
+  }
+  for (const step of chainToOutput(start, definitions)) {
     const id = builder.place(step.definition);
     builder.wire({ node: last, port: step.fromPort }, { node: id, port: step.toPort });
     supply(id, step.definition, step.toPort);

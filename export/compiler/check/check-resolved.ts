@@ -37,9 +37,9 @@ export function check({ project, library, graph }: Resolved, taps: readonly stri
     diagnostics.push({ code: 'SCR017', severity: 'error', message: 'The output is muted.', fix: 'Unmute it.' });
   if (!screen || hasErrors(diagnostics)) return { output: null, diagnostics };
   const order = orderOf(graph);
-  const liveIds = nodesBehind(graph, [screen.id]);
-  const live = order.filter(({ id }) => liveIds.has(id));
   const encodings = encodingsOf(order);
+  const liveIds = nodesBehind(graph, [screen.id, ...heardNodes(order, encodings)]);
+  const live = order.filter(({ id }) => liveIds.has(id));
   diagnostics.push(...live.flatMap((node) => checkNode(node, encodings)), ...checkSingle(live));
   if (hasErrors(diagnostics)) return { output: null, diagnostics };
   const whole = completeTaps(graph, order, taps, encodings);
@@ -154,6 +154,12 @@ function completeTaps({ replacements }: FlatGraph, order: readonly FlatNode[], t
     const outputs = whole.get(source.node)?.definition.outputs ?? {};
     return Object.hasOwn(outputs, source.port) && outputs[source.port]?.type === 'layer' ? [{ name, source }] : [];
   });
+}
+
+/** Nodes that play sound. One that lacks something is left out, as a viewed layer is. */
+function heardNodes(order: readonly FlatNode[], encodings: Encodings): readonly string[] {
+  if (!order.some(({ definition }) => definition.heard)) return [];
+  return [...completeNodes(order, encodings).values()].filter(({ definition }) => definition.heard).map(({ id }) => id);
 }
 
 /** Nodes whose required inputs are connected, and those of all nodes that they depend on. */

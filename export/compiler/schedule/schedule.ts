@@ -61,7 +61,7 @@ export function schedule(checked: Checked, options: ScheduleOptions): ScheduleRe
   const samples = antialias ? DRAW_SAMPLES : 1;
   const read = new Set([...readOutputs(order), ...checked.taps.map(({ source }) => portKey(source))]);
   const lowering = createLowering({ graph, layers, order, read, compiledIn: plan.blended, onMoved: lowerMovedParam, samples, ...options });
-  const demand = findDemand(graph, live, demandStart(plan));
+  const demand = findDemand(graph, live, withHeard(demandStart(plan), live));
   const shown = lowerShown(lowering, live, plan.leaves, demand);
   const { diagnostics, above } = lowering;
   if (hasErrors(diagnostics)) return { output: null, diagnostics, above };
@@ -93,6 +93,11 @@ export function schedule(checked: Checked, options: ScheduleOptions): ScheduleRe
     diagnostics,
     above: [],
   };
+}
+
+function withHeard(start: DemandStart, live: readonly FlatNode[]): DemandStart {
+  const heard = live.filter(({ definition }) => definition.heard).map(({ id }) => id);
+  return heard.length === 0 ? start : { ...start, nodes: [...start.nodes, ...heard] };
 }
 
 /** Keys of the outputs that are connected to a node. */

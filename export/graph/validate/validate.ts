@@ -52,5 +52,13 @@ function liveNodes(project: ProjectLogic, library: NodeLibrary): ReadonlyMap<str
 }
 
 function rootsOf(name: string, graph: Graph, library: NodeLibrary): readonly string[] {
-  return name === MAIN_GRAPH ? screensOf(graph, library) : graph.exposed.outputs.map(({ node }) => node);
+  return name === MAIN_GRAPH
+    ? [...screensOf(graph, library), ...heardNodes(graph, library)]
+    : graph.exposed.outputs.map(({ node }) => node);
+}
+
+/** Nodes that play sound, once something is connected to them. */
+function heardNodes(graph: Graph, library: NodeLibrary): readonly string[] {
+  const connected = new Set(graph.wires.map(({ to }) => to.node));
+  return Object.entries(graph.nodes).flatMap(([id, { type }]) => (connected.has(id) && library.definition(type)?.heard ? [id] : []));
 }

@@ -3,7 +3,8 @@ import { type BoardLabel, createBoard } from './board.ts';
 
 function labelAt(distanceM: number, bottom: number, more: Partial<BoardLabel> = {}): BoardLabel {
   const box = { left: -0.1, right: 0.1, bottom, top: bottom + 0.1 };
-  return { overlap: 'move', wants: true, distanceM, atMost: 10, box, shown: false, moved: 0, prepare: () => {}, ...more };
+  const hidden = { shown: false, moved: 0, mayLook: false, unseenFrames: Number.POSITIVE_INFINITY };
+  return { overlap: 'move', looks: true, wants: true, distanceM, atMost: 10, box, ...hidden, prepare: () => {}, ...more };
 }
 
 function arrange(...labels: BoardLabel[]) {
@@ -54,5 +55,34 @@ describe('labels among each other', () => {
     for (const label of labels) board.add(label);
     for (let frame = 0; frame < 4; frame++) for (const label of labels) board.arrange(label, {} as never);
     expect(prepared).toBe(3 * 4);
+  });
+
+  describe('looking for what hides them', () => {
+    function watch(labels: readonly BoardLabel[]) {
+      const board = createBoard();
+      for (const label of labels) board.add(label);
+      return () => {
+        for (const label of labels) board.arrange(label, {} as never);
+        return labels.flatMap(({ mayLook, distanceM }) => (mayLook ? [distanceM] : []));
+      };
+    }
+
+    test('four labels look per frame, and each in turn', () => {
+      const frame = watch(Array.from({ length: 10 }, (_, i) => labelAt(i + 1, i)));
+      const looks = Array.from({ length: 30 }, frame);
+      expect(looks.filter(({ length }) => length !== 4)).toEqual([]);
+      // Ten labels by four: none waits longer than three frames.
+      for (let i = 0; i + 3 <= looks.length; i++) expect(new Set(looks.slice(i, i + 3).flat()).size).toBe(10);
+    });
+
+    test('one that appears looks at once, hidden ones and those that never fade do not', () => {
+      const late = labelAt(50, 50, { wants: false });
+      const plain = labelAt(60, 60, { looks: false });
+      const frame = watch([...Array.from({ length: 8 }, (_, i) => labelAt(i + 1, i)), late, plain]);
+      for (let i = 0; i < 3; i++) expect(frame()).not.toContain(50);
+      late.wants = true;
+      expect(frame()).toContain(50);
+      for (let i = 0; i < 4; i++) expect(frame()).not.toContain(60);
+    });
   });
 });

@@ -13,6 +13,8 @@ export interface ScreenBox {
 export interface BoardLabel {
   /** What the label does where a nearer one is in its place. */
   readonly overlap: 'hide' | 'move' | 'allow';
+  /** Whether it looks for what hides it, at `mayLook`. */
+  readonly looks: boolean;
   /** Finds out where the label is in this frame: writes the fields below. */
   prepare(frame: SessionFrame): void;
   /** False while it has no pose or text, or is out of view. */
@@ -24,6 +26,10 @@ export interface BoardLabel {
   /** The result: whether it is shown, and how far up it is moved, in heights of the view. */
   shown: boolean;
   moved: number;
+  /** Whether it may look for what hides it in this frame. Rays through depth images are dear, so labels take turns. */
+  mayLook: boolean;
+  /** Frames since it last looked; infinite for a label that has just appeared. */
+  unseenFrames: number;
 }
 
 /** All labels of a player. */
@@ -37,6 +43,8 @@ export interface Board {
 /** Farther than this a label is not moved; it is hidden. Heights of the view. */
 const MAX_MOVE = 0.25;
 const GAP = 0.006;
+/** Labels that look in a frame: with twenty of them, each looks twelve times a second. */
+const LOOKS_PER_FRAME = 4;
 
 const boards = new WeakMap<SessionService, Board>();
 
@@ -54,7 +62,8 @@ export function createBoard(): Board {
   return {
     add: (label) => void labels.push(label),
     remove: (label) => {
-      labels.splice(labels.indexOf(label), 1);
+      const index = labels.indexOf(label);
+      if (index >= 0) labels.splice(index, 1);
       updated.delete(label);
     },
     arrange: (label, frame) => {
@@ -66,6 +75,7 @@ export function createBoard(): Board {
       for (let i = 0; i < labels.length; i++) labels[i]?.prepare(frame);
       sortByDistance(labels);
       arrangeSorted(labels);
+      takeTurns(labels);
     },
   };
 }
@@ -78,6 +88,23 @@ function arrangeSorted(labels: readonly BoardLabel[]): void {
     label.moved = 0;
     label.shown = label.wants && shownCount < label.atMost && findRoom(label, labels, i);
     if (label.shown) shownCount++;
+  }
+}
+
+/** Lets the labels look that have waited longest; of several, the nearest. */
+function takeTurns(labels: readonly BoardLabel[]): void {
+  for (const label of labels) {
+    label.mayLook = false;
+    label.unseenFrames = label.shown && label.looks ? label.unseenFrames + 1 : Number.POSITIVE_INFINITY;
+  }
+  for (let turn = 0; turn < LOOKS_PER_FRAME; turn++) {
+    let next: BoardLabel | null = null;
+    for (const label of labels) {
+      if (label.shown && label.looks && !label.mayLook && label.unseenFrames > (next?.unseenFrames ?? 0)) next = label;
+    }
+    if (!next) return;
+    next.mayLook = true;
+    next.unseenFrames = 0;
   }
 }
 

@@ -26,18 +26,23 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const hit = createHit();
   let element: LabelElement | null = null;
   let overlay: HTMLElement | null = null;
+  /** Whether the room hid it when it last looked. */
+  let isBehind = false;
   /** What the element and the texture show; they are written when they show something else. */
   let elementVersion = -1;
   let textureVersion = -1;
 
   const label: BoardLabel = {
     overlap: config.overlap,
+    looks: config.fade,
     wants: false,
     distanceM: 0,
     atMost: 1,
     box: { left: 0, right: 0, bottom: 0, top: 0 },
     shown: false,
     moved: 0,
+    mayLook: false,
+    unseenFrames: Number.POSITIVE_INFINITY,
     prepare: (frame) => {
       label.atMost = params.atMost.value;
       label.wants = inputs.pose?.valid === true && frame.viewCount > 0 && content.update();
@@ -64,8 +69,11 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
 
   function opacity(): number {
     if (!config.fade) return 1;
-    pose.writeRay(worldFromRay);
-    const isBehind = ctx.session.castRay(worldFromRay, hit, SOURCES) && hit.distanceM < pose.distanceM - BEHIND_M;
+    // In renders each frame depends on itself alone.
+    if (label.mayLook || ctx.clock.held) {
+      pose.writeRay(worldFromRay);
+      isBehind = ctx.session.castRay(worldFromRay, hit, SOURCES) && hit.distanceM < pose.distanceM - BEHIND_M;
+    }
     return isBehind ? params.faded.value : 1;
   }
 

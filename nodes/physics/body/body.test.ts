@@ -155,7 +155,7 @@ describe('physics/body', () => {
   test('copies are hidden until pulses throw them, one after the other, and the oldest again', () => {
     const { spawn, update, body, ctx } = start({ params: { copies: 2, spawnSpeed: 5 } });
     update();
-    expect([body(), ctx.outputs.objects.items]).toEqual([[], []]);
+    expect([body(), ctx.outputs.objects.items.map(({ hidden }) => hidden)]).toEqual([[], [true, true]]);
     const keys: (string | undefined)[] = [];
     for (let i = 0; i < 3; i++) {
       spawn.emit().setPose(new Matrix4().makeTranslation(i, 1, 0).elements);
@@ -165,6 +165,32 @@ describe('physics/body', () => {
     expect(body()).toHaveLength(2);
     expect(keys[0]).toBe(keys[2]);
     expect(Array.from(body()[0]?.targetVelocity ?? [])).toEqual([-0, -0, -5]);
+  });
+
+  test('several objects are thrown in turn, and are listed before, so that their materials are ready', () => {
+    const list = (key: string): ObjectItem => ({
+      key,
+      root: new Mesh(new BoxGeometry()),
+      worldFromObject: new Matrix4(),
+      role: 'virtual',
+      castsShadow: true,
+      receivesShadow: true,
+    });
+    const objects: ObjectList = { version: 0, items: [list('red'), list('blue')] };
+    const spawn = createPulseQueue();
+    const fake = fakeContext(definition, { params: { copies: 2 }, inputs: { objects: [objects], spawn } });
+    const node = create(fake.ctx);
+    node.prepare?.();
+    expect(fake.ctx.outputs.objects.items.map(({ hidden }) => hidden)).toEqual([true, true, true, true]);
+    const thrown = Array.from({ length: 4 }, () => {
+      fake.tick(1 / 60);
+      spawn.clear();
+      spawn.emit();
+      const before = new Set(fake.ctx.outputs.body.bodies);
+      node.update({ jumps: 0 } as never);
+      return fake.ctx.outputs.body.bodies.find((body) => !before.has(body))?.key;
+    });
+    expect(thrown).toEqual(['body-test/0/red#0', 'body-test/0/blue#0', 'body-test/0/red#1', 'body-test/0/blue#1']);
   });
 
   test('says that a body without a world does not move', () => {

@@ -61,7 +61,7 @@ export const definition = defineNode({
       type: 'number',
       stage: 'structure',
       label: 'Copies',
-      doc: 'How many copies of each object pulses can throw; then the oldest is thrown again. 0: the objects themselves are bodies from the start.',
+      doc: 'How many copies of each object pulses can throw; then the oldest is thrown again. Several objects are thrown in turn. 0: the objects themselves are bodies from the start.',
       default: 0,
       min: 0,
       max: 200,

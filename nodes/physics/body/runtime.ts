@@ -49,20 +49,20 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     const before = new Map(entries.map((entry) => [entry.body.key, entry]));
     entries = [];
     passed = [];
-    ctx.inputs.objects.forEach((list, i) => {
-      for (const source of list.items) {
-        if (source.pickable === false) {
-          passed.push({ source, item: { ...source, key: `${i}/${source.key}` } });
-          continue;
-        }
-        const count = Math.max(config.copies, 1);
-        for (let copy = 0; copy < count; copy++) {
+    // One copy of each object, then the next of each: different objects are thrown in turn.
+    for (let copy = 0; copy < Math.max(config.copies, 1); copy++) {
+      ctx.inputs.objects.forEach((list, i) => {
+        for (const source of list.items) {
+          if (source.pickable === false) {
+            if (copy === 0) passed.push({ source, item: { ...source, key: `${i}/${source.key}` } });
+            continue;
+          }
           const key = config.copies > 0 ? `${i}/${source.key}#${copy}` : `${i}/${source.key}`;
           const kept = before.get(`${ctx.node}/${key}`);
           entries.push(kept?.source === source ? kept : createEntry(source, key));
         }
-      }
-    });
+      });
+    }
     hasListChanged = true;
   }
   function createEntry(source: ObjectItem, key: string): Entry {
@@ -170,9 +170,10 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     outputs.objects.items.length = 0;
     outputs.body.bodies.length = 0;
     for (const entry of entries) {
-      if (!entry.isShown) continue;
+      // Copies that wait are hidden items, so that nothing is compiled when they are thrown.
+      entry.item.hidden = entry.isHidden || !entry.isShown;
       outputs.objects.items.push(entry.item);
-      if (!entry.isHidden) outputs.body.bodies.push(entry.body);
+      if (!entry.item.hidden) outputs.body.bodies.push(entry.body);
     }
     for (const { item } of passed) outputs.objects.items.push(item);
     outputs.objects.version++;
@@ -180,6 +181,10 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   }
 
   return {
+    prepare: () => {
+      if (watch.changed(ctx.inputs.objects)) rebuild();
+      writeLists();
+    },
     update: (frame) => {
       if (watch.changed(ctx.inputs.objects)) rebuild();
       for (const { body } of entries) body.world?.applyPoses();
@@ -187,7 +192,6 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
         const isHidden = entry.source.hidden ?? false;
         hasListChanged ||= entry.isHidden !== isHidden;
         entry.isHidden = isHidden;
-        entry.item.hidden = isHidden;
         updateShape(entry);
         if (config.mode !== 'dynamic' || (entry.body.world === null && !entry.isCopy)) aim(entry, entry.source.worldFromObject);
         if (entry.isShown && (entry.body.worldFromBody[13] ?? 0) < params.lowestM.value && config.mode === 'dynamic') recycle(entry);

@@ -4,8 +4,8 @@ export const definition = defineNode({
   type: 'physics/grab',
   version: 1,
   title: 'Grab',
-  doc: 'Lets the visitor grab bodies by finger, mouse, controller or hand, and carry and throw them. A held body pushes others. A press on a body holds it where the ray meets it; a hand holds what is within its reach. At the end of the press the body keeps its velocity.',
-  keywords: ['pick up', 'throw', 'drag', 'hold', 'carry', 'hand', 'pinch', 'interactive', 'physics'],
+  doc: 'Lets the visitor grab bodies by finger, mouse, controller or hand, and carry and throw them. A held body pushes others. A press on a body holds it where the ray meets it; a pinch or a fist of a bare hand, or the squeezed grip of a controller, holds what is within its reach. When it lets go, the body keeps its velocity.',
+  keywords: ['pick up', 'throw', 'drag', 'hold', 'carry', 'hand', 'pinch', 'fist', 'squeeze', 'interactive', 'physics'],
   inputs: { body: { type: 'body', label: 'Bodies', doc: 'The bodies that can be grabbed.', required: true, multiple: true } },
   outputs: {
     grabbed: { type: 'pulse', label: 'Grabbed', doc: 'A pulse when a body is grabbed, with the body and the pose of the ray.' },
@@ -14,6 +14,11 @@ export const definition = defineNode({
       label: 'Released',
       doc: 'A pulse when a body is released, with the body. Its number is its speed in meters per second.',
     },
+    hands: {
+      type: 'body',
+      label: 'Hands',
+      doc: 'Bodies that follow bare hands and controllers, for “Bodies” of the physics world: with them, hands that hold nothing push others.',
+    },
     isHeld: { type: 'toggle', label: 'Is held', doc: 'On while a body is held.' },
   },
   params: {
@@ -21,7 +26,7 @@ export const definition = defineNode({
       type: 'number',
       stage: 'uniform',
       label: 'Reach of hands',
-      doc: 'How far from the pinch of a hand a body may be.',
+      doc: 'How far from a pinch, a palm or a grip a body may be.',
       default: 0.05,
       min: 0,
       max: 1,
@@ -66,4 +71,13 @@ export const definition = defineNode({
   lowering: { kind: 'behavior' },
   actsOn: 'body',
   stateful: true,
+  needs: [
+    {
+      capability: 'hands',
+      required: false,
+      when: 'always',
+      why: 'to pick things up with your fingers',
+      without: 'Bare hands grab by their rays and grips; a fist grabs nothing.',
+    },
+  ],
 });

@@ -1,18 +1,20 @@
 import { Matrix4, Vector3 } from 'three';
-import type { PhysicsBody, PhysicsJoint } from '../../kit/physics.ts';
-import { claimPointer, pointerById } from '../../kit/pointers.ts';
+import { grabStrength, writePalm, writePinch } from '../../kit/hands.ts';
+import type { PhysicsBody } from '../../kit/physics.ts';
+import { claimPointer, handOf, pointerById } from '../../kit/pointers.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
-import type { Pointer } from '../../kit/session.ts';
-import { castOnBody } from './cast-body.ts';
+import type { Hand, Pointer, SessionInput } from '../../kit/session.ts';
+import { castOnBody, distanceToBody } from './cast-body.ts';
 import type { definition } from './definition.ts';
+import { createHandBodies } from './hand-bodies.ts';
+import { type Carrier, createHold, endHold, type Hold, type Holder } from './holds.ts';
 
-/** A body that a pointer holds. */
-interface Hold {
-  readonly pointer: number;
-  readonly joint: PhysicsJoint;
-  /** The point that is held, in the axes of the ray. */
-  readonly rayFromPoint: Matrix4;
-}
+const SIDES = ['left', 'right'] as const;
+type Side = (typeof SIDES)[number];
+
+/** A fist or a squeeze begins above the one and ends below the other, so that it does not flicker. */
+const CLOSED = 0.8;
+const OPEN = 0.5;
 
 // Filled and read within one call.
 const scratchRay = new Matrix4();
@@ -20,103 +22,200 @@ const scratchOrigin = new Vector3();
 const scratchDirection = new Vector3();
 const scratchPoint = new Vector3();
 const scratchMatrix = new Matrix4();
+const scratchPose = new Float32Array(16);
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { params, outputs } = ctx;
   const holds: Hold[] = [];
+  const hands = createHandBodies(ctx.node, outputs.hands);
+  const isClosed: Record<Side, boolean> = { left: false, right: false };
+  /** What was found last: the body, and how far along the ray or from the hand it is. */
+  let found: PhysicsBody | null = null;
+  let foundM = 0;
 
-  /** What holds: the grip of a hand, otherwise the ray. */
-  function frameOf(pointer: Pointer): Readonly<Float32Array> {
-    return isHand(pointer) && pointer.worldFromGrip ? pointer.worldFromGrip : pointer.worldFromRay;
+  function canHold(body: PhysicsBody): boolean {
+    if (body.description.mode !== 'dynamic') return false;
+    for (const hold of holds) if (hold.body === body) return false;
+    return true;
   }
-  function begin(pointer: Pointer): void {
-    scratchRay.fromArray(pointer.worldFromRay);
-    scratchOrigin.setFromMatrixPosition(scratchRay);
-    scratchDirection.set(-(scratchRay.elements[8] ?? 0), -(scratchRay.elements[9] ?? 0), -(scratchRay.elements[10] ?? 0));
-    let best: PhysicsBody | null = null;
-    let nearestM = params.farM.value;
+  /** The nearest body within the reach of a hand; `scratchPoint` is where the hand is. */
+  function findNear(pose: ArrayLike<number>): void {
+    scratchPoint.set(pose[12] ?? 0, pose[13] ?? 0, pose[14] ?? 0);
+    found = null;
+    foundM = params.reachM.value;
     for (const { bodies } of ctx.inputs.body) {
       for (const body of bodies) {
-        if (body.description.mode !== 'dynamic' || holds.some(({ joint }) => joint.a === body)) continue;
-        const growM = isHand(pointer) ? params.reachM.value : 0;
-        const distanceM = castOnBody(body, scratchOrigin, scratchDirection, growM);
-        if (distanceM >= nearestM) continue;
-        nearestM = distanceM;
-        best = body;
+        const distanceM = canHold(body) ? distanceToBody(body, scratchPoint) : Number.POSITIVE_INFINITY;
+        if (distanceM >= foundM) continue;
+        foundM = distanceM;
+        found = body;
       }
     }
-    if (!best || !claimPointer(pointer, ctx)) return;
-    scratchPoint.copy(scratchDirection).multiplyScalar(nearestM).add(scratchOrigin);
-    hold(pointer, best, scratchPoint);
-    const pulse = outputs.grabbed.emit();
-    pulse.bodyKey = best.key;
-    pulse.setPose(pointer.worldFromRay);
   }
-  function hold(pointer: Pointer, a: PhysicsBody, pointWorld: Vector3): void {
-    scratchMatrix.fromArray(a.worldFromBody).invert();
-    const anchor = pointWorld.clone().applyMatrix4(scratchMatrix);
-    const worldFromPoint = new Matrix4().fromArray(frameOf(pointer)).setPosition(pointWorld);
-    const rayFromPoint = new Matrix4().fromArray(frameOf(pointer)).invert().multiply(worldFromPoint);
-    const joint: PhysicsJoint = {
-      key: `${ctx.node}/${pointer.id}`,
-      kind: 'drag',
-      a,
-      b: null,
-      description: {
-        anchorA: [anchor.x, anchor.y, anchor.z],
-        anchorB: [0, 0, 0],
-        axisA: [0, 1, 0],
-        axisB: [0, 1, 0],
-        lengthM: 0,
-        frequencyHz: params.stiffnessHz.value,
-        dampingRatio: 1,
-        maxForceN: params.maxForceN.value,
-      },
-      worldFromTarget: Float64Array.from(worldFromPoint.elements),
-      isOn: true,
-      version: 0,
-    };
-    a.joints.push(joint);
-    holds.push({ pointer: pointer.id, joint, rayFromPoint });
+  /** The first body along a ray; `scratchPoint` is where. */
+  function findAlong(worldFromRay: ArrayLike<number>): void {
+    readRay(worldFromRay);
+    found = null;
+    foundM = params.farM.value;
+    for (const { bodies } of ctx.inputs.body) {
+      for (const body of bodies) {
+        const distanceM = canHold(body) ? castOnBody(body, scratchOrigin, scratchDirection) : Number.POSITIVE_INFINITY;
+        if (distanceM >= foundM) continue;
+        foundM = distanceM;
+        found = body;
+      }
+    }
+    scratchPoint.copy(scratchDirection).multiplyScalar(foundM).add(scratchOrigin);
+  }
+  function add(by: Holder, carrier: Carrier, body: PhysicsBody, input: SessionInput): void {
+    const worldFromCarrier = poseOf(by, carrier, input);
+    if (!worldFromCarrier) return;
+    const settings = { frequencyHz: params.stiffnessHz.value, maxForceN: params.maxForceN.value };
+    const pointer = typeof by === 'number' ? pointerById(input, by) : null;
+    const hand = typeof by === 'number' ? pointer && handOf(pointer.by) : by;
+    holds.push(createHold(`${ctx.node}/${by}`, { by, hand, carrier, body }, worldFromCarrier, scratchPoint, settings));
+  }
+  /** A press asks for what it would hold; it has it in the next frame, unless another node asks for something nearer. */
+  function ask(pointer: Pointer, input: SessionInput): void {
+    if (isHand(pointer)) {
+      const carrier = handAt(sideOf(pointer), input).tracked ? 'pinch' : 'grip';
+      const pose = poseOf(pointer.id, carrier, input);
+      if (pose) findNear(pose);
+      if (pose && found && claimPointer(pointer, ctx)) {
+        add(pointer.id, carrier, found, input);
+        return;
+      }
+    }
+    findAlong(pointer.worldFromRay);
+    if (found && claimPointer(pointer, ctx, foundM)) add(pointer.id, 'ray', found, input);
+  }
+  /** A fist holds what is in it, a squeezed controller also what its ray meets. */
+  function close(side: Side, input: SessionInput): void {
+    const carrier = handAt(side, input).tracked ? 'palm' : 'grip';
+    const pose = poseOf(side, carrier, input);
+    if (!pose) return;
+    findNear(pose);
+    const { worldFromRay, bare } = input[side];
+    const isNear = found !== null;
+    if (!isNear && worldFromRay && !bare) findAlong(worldFromRay);
+    if (found) add(side, isNear ? carrier : 'ray', found, input);
+  }
+  /** Whether what holds still does. */
+  function isHeld({ by, isBegun }: Hold, input: SessionInput): boolean {
+    if (typeof by !== 'number') return isClosed[by];
+    const pointer = pointerById(input, by);
+    if (!pointer || pointer.owner !== ctx) return false;
+    return pointer.phase === 'hold' || (pointer.phase === 'start' && !isBegun);
+  }
+  function begin(hold: Hold, worldFromCarrier: ArrayLike<number>): void {
+    hold.isBegun = true;
+    hold.body.joints.push(hold.joint);
+    const pulse = outputs.grabbed.emit();
+    pulse.bodyKey = hold.body.key;
+    pulse.setPose(worldFromCarrier);
   }
   function release(index: number): void {
-    const [held] = holds.splice(index, 1);
-    if (!held) return;
-    const { joints, velocity, key } = held.joint.a;
-    joints.splice(joints.indexOf(held.joint), 1);
+    const [hold] = holds.splice(index, 1);
+    if (!hold?.isBegun) return;
+    endHold(hold);
+    const { velocity, key } = hold.body;
     const pulse = outputs.released.emit();
     pulse.bodyKey = key;
     pulse.number = Math.hypot(velocity[0] ?? 0, velocity[1] ?? 0, velocity[2] ?? 0);
   }
+  function followHolders(input: SessionInput): void {
+    for (let i = holds.length - 1; i >= 0; i--) {
+      const hold = holds[i];
+      if (!hold) continue;
+      // A body that was recycled is in no world any more.
+      if (!hold.body.world || !isHeld(hold, input)) {
+        release(i);
+        continue;
+      }
+      // A hand that is lost for a moment stays where it was.
+      const pose = poseOf(hold.by, hold.carrier, input);
+      if (!pose) continue;
+      hold.joint.worldFromTarget.set(scratchMatrix.fromArray(pose).multiply(hold.carrierFromPoint).elements);
+      if (!hold.isBegun) begin(hold, pose);
+    }
+  }
+  function isBusy(side: Side): boolean {
+    for (const { by, hand, isBegun } of holds) if (isBegun && (by === side || hand === side)) return true;
+    return false;
+  }
   function forget(): void {
-    for (const { joint } of holds.splice(0)) joint.a.joints.splice(joint.a.joints.indexOf(joint), 1);
+    hands.clear();
+    for (const hold of holds.splice(0)) endHold(hold);
+    isClosed.left = false;
+    isClosed.right = false;
   }
 
   return {
     update: ({ input }) => {
-      for (let i = holds.length - 1; i >= 0; i--) {
-        const held = holds[i];
-        const pointer = held && pointerById(input, held.pointer);
-        const isOver = !pointer || pointer.phase === 'end' || pointer.phase === 'cancel' || pointer.phase === 'hover';
-        // A body that was recycled is in no world any more.
-        if (!held || isOver || !held.joint.a.world) {
-          release(i);
-          continue;
-        }
-        scratchMatrix.fromArray(frameOf(pointer)).multiply(held.rayFromPoint);
-        held.joint.worldFromTarget.set(scratchMatrix.elements);
+      for (const side of SIDES) {
+        const strength = strengthOf(side, input);
+        const isClosing = !isClosed[side] && strength > CLOSED;
+        isClosed[side] = strength > (isClosed[side] ? OPEN : CLOSED);
+        if (isClosing) close(side, input);
       }
+      followHolders(input);
       for (let i = 0; i < input.pointerCount; i++) {
         const pointer = input.pointers[i];
-        if (pointer?.phase === 'start' && pointer.owner === null && pointer.by !== 'gaze') begin(pointer);
+        if (pointer?.phase !== 'start' || pointer.by === 'gaze' || pointer.owner === ctx) continue;
+        ask(pointer, input);
       }
-      outputs.isHeld.value = holds.length > 0;
+      hands.update(input, ctx.clock.deltaS, isBusy);
+      outputs.isHeld.value = holds.some(isBegunHold);
     },
     reset: forget,
     dispose: forget,
   };
 }
 
+const isBegunHold = ({ isBegun }: Hold): boolean => isBegun;
+
+function readRay(worldFromRay: ArrayLike<number>): void {
+  scratchRay.fromArray(worldFromRay);
+  scratchOrigin.setFromMatrixPosition(scratchRay);
+  const [, , , , , , , , x, y, z] = scratchRay.elements;
+  scratchDirection.set(-x, -y, -z);
+}
+
 function isHand({ by }: Pointer): boolean {
   return by === 'left-hand' || by === 'right-hand';
+}
+
+function sideOf({ by }: Pointer): Side {
+  return handOf(by) ?? 'right';
+}
+
+function handAt(side: Side, { leftHand, rightHand }: SessionInput): Hand {
+  return side === 'left' ? leftHand : rightHand;
+}
+
+/** Where a carrier is; null while it is not tracked. Valid until the next call. */
+function poseOf(by: Holder, carrier: Carrier, input: SessionInput): ArrayLike<number> | null {
+  const pointer = typeof by === 'number' ? pointerById(input, by) : null;
+  const side = typeof by === 'number' ? pointer && sideOf(pointer) : by;
+  if (side === null) return null;
+  switch (carrier) {
+    case 'ray':
+      return (pointer ?? input[side]).worldFromRay;
+    case 'grip':
+      return (pointer ?? input[side]).worldFromGrip;
+    case 'pinch':
+    case 'palm': {
+      const hand = handAt(side, input);
+      if (!hand.tracked) return null;
+      if (carrier === 'pinch') writePinch(scratchPose, hand);
+      else writePalm(scratchPose, hand);
+      return scratchPose;
+    }
+  }
+}
+
+/** How far a side is closed: the fist of a bare hand, or the squeeze of a controller. */
+function strengthOf(side: Side, input: SessionInput): number {
+  const hand = handAt(side, input);
+  return hand.tracked ? grabStrength(hand) : input[side].squeeze;
 }
