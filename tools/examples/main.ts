@@ -16,6 +16,9 @@ import { makeProject } from './paper/recipe.ts';
 import { RECIPES } from './paper/recipes.ts';
 import { makeStrokes } from './paper/strokes.ts';
 import { makePinwheel } from './pinwheel.ts';
+import { makeBall, makeCan, makeCrate } from './play/cans.ts';
+import { MARBLES, makeBase, makeChutes, makeMarble, makeStand } from './play/marble-run.ts';
+import { PLAY } from './play/recipes.ts';
 import { makeRobot } from './robot.ts';
 import { makeSky } from './sky.ts';
 
@@ -42,9 +45,15 @@ const BALL_PATHS = ['nodes/source/video-file/example/assets/film.webm'];
 const STRIPES_PATHS = [`examples/gallery/assets/${GALLERY_FILES.film}`];
 
 /** Generates the files of the examples. */
-export const main: ToolMain = async (_args, { root }) => {
+export const main: ToolMain = async ([only], { root }) => {
+  // `npm run make-examples -- play` makes the examples to play with alone.
+  if (only === 'play') {
+    await placePlay(root);
+    return 0;
+  }
   await place(root, ROBOT_PATHS, await makeRobot());
   await placeProject(root, 'gallery', makeGallery(library()));
+  await placePlay(root);
   for (const recipe of RECIPES) await placeProject(root, recipe.folder, makeProject(library(), recipe));
   await place(
     root,
@@ -64,6 +73,20 @@ export const main: ToolMain = async (_args, { root }) => {
   await place(root, STRIPES_PATHS, await makeFilm(root, 'makeStripes'));
   return 0;
 };
+
+/** The examples to play with, with their models. */
+async function placePlay(root: string): Promise<void> {
+  for (const recipe of PLAY) await placeProject(root, recipe.folder, makeProject(library(), recipe));
+  const run = 'examples/marble-run/assets';
+  await place(root, [`${run}/base.glb`], await makeBase());
+  await place(root, [`${run}/stand.glb`], await makeStand());
+  await place(root, [`${run}/chutes.glb`], await makeChutes());
+  for (const [name, colors] of Object.entries(MARBLES)) await place(root, [`${run}/${name}.glb`], await makeMarble(colors));
+  const cans = 'examples/tin-cans/assets';
+  await place(root, [`${cans}/crate.glb`], await makeCrate());
+  await place(root, [`${cans}/can.glb`], await makeCan());
+  await place(root, [`${cans}/ball.glb`], await makeBall());
+}
 
 /** Folders of the recipes that name the asset. */
 function foldersWith(asset: string): string[] {
