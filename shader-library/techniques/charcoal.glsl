@@ -64,7 +64,7 @@ vec4 surface(const in Surface s) {
   float lit = lightReceived(s) * mix(1.0, own, ownTone);
   // Smudging leaves broad uneven strokes, longer than they are wide.
   vec3 strokes = s.rest * (0.012 / max(PIXEL_M(s.position), 0.000001)) * vec3(1.0, 3.0, 1.0);
-  float rubbed = (valueNoise3d(strokes + s.rest.yzx * 3.0).x - 0.5) * 0.4 * smudge;
+  float rubbed = (valueNoise3d(strokes + s.rest.yzx * 3.0).x - 0.5) * 0.36 * smudge;
   // A contrast about the middle gray that leaves black and white where they are.
   float pressed = clamp(lit + 0.5 - darkness, 0.0, 1.0);
   float bright = pow(pressed, contrast);
@@ -75,7 +75,7 @@ vec4 surface(const in Surface s) {
   // Smudged strokes are as often darker as they are brighter, and faint where there is little paper left.
   dark = clamp(dark + 6.75 * dark * (1.0 - dark) * (1.0 - dark) * rubbed, 0.0, 1.0);
   // Charcoal covers the heights of the paper first; smudging fills its valleys with a soft tone, and so does pressing hard.
-  float rough = grain * (1.0 - 0.5 * smudge) * min((1.0 - dark) / 0.15, 1.0);
+  float rough = grain * (1.0 - 0.5 * smudge) * min((1.0 - dark) / 0.3, 1.0);
   float covered = mix(dark, depositedAt(paper, dark), rough);
   vec4 drawn = mix(paperColor, charcoalColor, covered);
   return vec4(drawn.rgb, drawn.a * s.color.a);

@@ -24,7 +24,10 @@ export interface Stand {
 
 export function stand(params: Params, services: { gl?: WebGL2RenderingContext; assets?: AssetService } = {}): Stand {
   const gl = services.gl ?? createGl();
-  const { ctx } = fakeContext(definition, { params, services: { gl, ...(services.assets && { assets: services.assets }) } });
+  const { ctx } = fakeContext(definition, {
+    params: { filter: 'linear', ...params },
+    services: { gl, ...(services.assets && { assets: services.assets }) },
+  });
   ctx.outputs.depth.views.push(null, null);
   const confidence = [0, 1].map(() => ({ texture: null, widthPx: 0, heightPx: 0, uvFromViewUv: new Float32Array(9) }));
   Object.assign(ctx.outputs, { confidence: { views: confidence } });

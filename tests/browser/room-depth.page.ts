@@ -194,6 +194,18 @@ export function edges(withCamera: boolean) {
   };
 }
 
+/** The sizes of what “By sensor” outputs for sensors of so many samples per side. */
+export function bySensor(sides: readonly number[]) {
+  const { gl, step, node } = stand({ filter: 'by-sensor' });
+  const sensed = sides.map((side) => room(gl, side, 2, new Array<number>(2 * side).fill(2)));
+  const sizes = sensed.map((measured) => {
+    const [depth] = step([seen(measured)]);
+    return [depth?.widthPx, depth?.heightPx];
+  });
+  node.dispose();
+  return { sizes, error: gl.getError() };
+}
+
 /** Black, gray, white and nothing, from the left, at 1 m to 4 m; the picture is wider than the view. */
 export function painted(shades: string, fillHoles: boolean) {
   const gl = createGl();

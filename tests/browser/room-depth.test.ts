@@ -63,6 +63,14 @@ describe('room depth is cleaned before anything reads it', () => {
     expect(await page.call('edges', false)).toMatchObject({ border: 56, between: 0, error: 0 });
   });
 
+  test('by sensor: coarse depth is interpolated to the pixels of the view, and fine depth is left at its own', async () => {
+    const sizes = [
+      [128, 72],
+      [321, 2],
+    ];
+    expect(await page.call('bySensor', [320, 321])).toEqual({ sizes, error: 0 });
+  });
+
   test('a picture is depth by its shades, laid over the view', async () => {
     const half = (4 * (255 - 128) + 128) / 255;
     const byDistance = await page.call('painted', 'distance', false);

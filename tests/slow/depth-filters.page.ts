@@ -24,6 +24,7 @@ const UPRIGHT = Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
 const WAYS = {
   nearest: { filter: 'nearest', offset: null },
   linear: { filter: 'linear', offset: null },
+  'by sensor': { filter: 'by-sensor', offset: null },
   'edge-aware without camera': { filter: 'edge-aware', offset: null },
   'edge-aware, camera shifted': { filter: 'edge-aware', offset: 0.06 },
   'edge-aware': { filter: 'edge-aware', offset: 0 },
@@ -42,19 +43,20 @@ export interface Counts {
   far: number;
 }
 
-/** One frame of the recording, bottom row first. */
-export async function compare(depthUrl: string, colorUrl: string, noise: DepthNoise): Promise<Record<Way, Counts>> {
+/** One frame, bottom row first; without a color image, only the ways that need none. */
+export async function compare(depthUrl: string, colorUrl: string | null, noise: DepthNoise): Promise<Partial<Record<Way, Counts>>> {
   const gl = createGl(WIDTH, HEIGHT);
   const truth = await readMeters(depthUrl);
   const sensed = sense(truth, noise);
-  const image = await readImage(gl, colorUrl);
+  const image = colorUrl === null ? null : await readImage(gl, colorUrl);
   const result: [string, Counts][] = [];
   for (const [way, { filter, offset }] of Object.entries(WAYS)) {
+    if (offset !== null && !image) continue;
     const { ctx } = fakeContext(definition, { params: { filter }, services: { gl } });
     ctx.outputs.depth.views.push(null);
     const node = create(ctx);
     const depth = room(gl, COLUMNS, ROWS, sensed);
-    node.update(frame(0, [view(0, 0, WIDTH, HEIGHT, { depth, cameraImage: offset === null ? null : shifted(image, offset) })]));
+    node.update(frame(0, [view(0, 0, WIDTH, HEIGHT, { depth, cameraImage: offset === null || !image ? null : shifted(image, offset) })]));
     const [refined] = ctx.outputs.depth.views;
     if (!refined) throw new Error('There is no depth.');
     const found = readByPixel(gl, refined);
@@ -64,7 +66,7 @@ export async function compare(depthUrl: string, colorUrl: string, noise: DepthNo
     node.dispose();
   }
   if (gl.getError() !== 0) throw new Error('GL has an error.');
-  return Object.fromEntries(result) as Record<Way, Counts>;
+  return Object.fromEntries(result);
 }
 
 /** Shares of the pixels without depth, as windows are, whose panel at a distance is hidden: as measured, and with holes filled. */

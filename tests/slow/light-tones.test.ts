@@ -8,7 +8,7 @@ import { ASKED } from './light-tones-styles.ts';
 const MODELS = ['Fox.glb', 'BoomBox.glb', 'AntiqueCamera.glb', 'RobotExpressive.glb', 'LeePerrySmith.glb'];
 
 /** How far the mean may be from the tone asked for. */
-const NEAR = 0.11;
+const NEAR = 0.1;
 /** A step of 255 at black, in linear light. */
 const STEP = 1 / 255 / 12.92;
 

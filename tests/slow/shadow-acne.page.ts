@@ -132,8 +132,11 @@ function isInside(hits: readonly (Intersection | null)[], index: number, { dista
   return true;
 }
 
-/** Half the width of a shadow's edge, in texels: closer to a true shadow, a lit pixel may be in its edge. */
-const EDGE_TEXELS: Readonly<Record<ShadowFilter, number>> = { basic: 1.5, pcf: 2.5, soft: 3, vsm: 6, pcss: 3 };
+/**
+ * Half the width of a shadow's edge, in texels: closer to a true shadow, a lit pixel may be in its edge. The offset alone moves an edge by
+ * up to 2.5 texels.
+ */
+const EDGE_TEXELS: Readonly<Record<ShadowFilter, number>> = { basic: 2.5, pcf: 2.5, soft: 3, vsm: 6, pcss: 3 };
 /** Radius of a penumbra per meter between caster and receiver. */
 const PENUMBRA = 0.08;
 

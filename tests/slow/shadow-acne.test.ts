@@ -4,12 +4,8 @@ import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
 import { describeWithData } from '../support/shared-data.ts';
 import type { Acne } from './shadow-acne.page.ts';
 
-/** The part of lit pixels that may be in a false shadow: on objects in a scene, and in a shadow layer. */
+/** The part of lit pixels that may be in a false shadow. */
 const BAR = 0.001;
-/** A shadow layer has normals of triangles by screen-space derivatives, which are wrong in blocks of pixels at edges of small triangles. */
-const LAYER_BAR = 0.02;
-/** Filters that are wider than the offset covers on slopes. */
-const WIDE_BAR = 0.08;
 /** So many pixels are not a stripe: models have triangles smaller than a pixel. */
 const FEW = 6;
 
@@ -39,8 +35,7 @@ describeWithData('models on their own lit sides', 'models', (folder) => {
     ])('have no false shadows: %s, filter %s', async (kind, filter) => {
       const { lit, wrong } = await page.call<Acne>('acne', name, kind, filter);
       expect(lit).toBeGreaterThan(100);
-      const layerBar = filter === 'soft' || filter === 'pcss' ? WIDE_BAR : LAYER_BAR;
-      expect(wrong).toBeLessThanOrEqual(Math.max((filter ? layerBar : BAR) * lit, FEW));
+      expect(wrong).toBeLessThanOrEqual(Math.max(BAR * lit, FEW));
     });
   });
 });

@@ -5,7 +5,7 @@ import type { LightLimits } from './lights/light-limits.ts';
 import { createDepthTwin } from './materials/depth-twin.ts';
 import type { OcclusionPatch } from './materials/occlusion-patch.ts';
 import type { RoomSurface } from './materials/room-surface.ts';
-import { patchMaterial } from './materials/shader-patch.ts';
+import { patchMaterial, type ShaderPatch, wrapMain } from './materials/shader-patch.ts';
 import { catchesShadows, type ShadowCatcher } from './materials/shadow-catcher.ts';
 import { createTwinCache, type Twin } from './materials/twins.ts';
 import { type Drawable, mapMaterials, programFeatures } from './proxies/drawable.ts';
@@ -25,6 +25,23 @@ export interface ShadowSceneOptions {
   readonly watchLimits: LightLimits;
 }
 
+/** The depth pass and the shadows compute the same positions. */
+const INVARIANT: ShaderPatch = {
+  key: 'invariant position',
+  apply: (shader) => {
+    shader.vertexShader = wrapMain(shader.vertexShader, { before: 'invariant gl_Position;', start: '', end: '' });
+  },
+};
+
+/**
+ * Puts the depth behind the surface by so little that nothing behind it passes the test. An offset by slope would show hidden surfaces
+ * along edges, in full shadow.
+ */
+function setSameDepth(material: Material): void {
+  material.polygonOffsetFactor = 0;
+  material.polygonOffsetUnits = 2;
+}
+
 const receivesShadow = (item: ObjectItem): boolean => item.receivesShadow;
 
 /** Draws objects as shadow catchers. */
@@ -39,7 +56,8 @@ export function createShadowScene({ renderer, catcher, catches, occlusion, surfa
 
   function createDepth(master: Material, use: 'surface' | 'solid'): Twin {
     const twin = createDepthTwin(master, use);
-    if (surface) patchMaterial(twin.material, null, [surface.clip]);
+    setSameDepth(twin.material);
+    patchMaterial(twin.material, null, surface ? [INVARIANT, surface.clip] : [INVARIANT]);
     return twin;
   }
 

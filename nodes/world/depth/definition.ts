@@ -2,7 +2,7 @@ import { defineNode } from '../../kit/definition.ts';
 
 export const definition = defineNode({
   type: 'world/depth',
-  version: 1,
+  version: 2,
   title: 'Room depth',
   doc: 'Outputs the distance to real surfaces, as the device measures it, or as an image contains it. Connect it to nodes that hide virtual objects behind real ones, or that place effects by distance. Sensor data is coarse, noisy and has holes; the parameters of this node clean it for all nodes that read it.',
   keywords: [
@@ -47,9 +47,10 @@ export const definition = defineNode({
       type: 'choice',
       stage: 'structure',
       label: 'Filter',
-      doc: 'How the depth samples are interpolated to the pixels of the view. “Nearest” shows the samples as blocks. “Linear” blends them at almost no cost. “Edge-aware” follows the edges of the camera image and removes noise. It asks the visitor for the camera; without it, or where its edges are not those of the depth, it uses the samples alone. It is computed once per view, at a size of at most 960 pixels.',
-      default: 'linear',
+      doc: 'How the depth samples are interpolated to the pixels of the view. “By sensor” is edge-aware for coarse sensors, of at most 320 samples per side, and linear for others and for images; it uses the camera image if the project has it for another reason, and does not ask for it. “Nearest” shows the samples as blocks. “Linear” blends them at almost no cost. “Edge-aware” follows the edges of the camera image and removes noise. It asks the visitor for the camera; without it, or where its edges are not those of the depth, it uses the samples alone. It is computed once per view, at a size of at most 960 pixels.',
+      default: 'by-sensor',
       options: [
+        { value: 'by-sensor', label: 'By sensor' },
         { value: 'nearest', label: 'Nearest' },
         { value: 'linear', label: 'Linear' },
         { value: 'edge-aware', label: 'Edge-aware' },
@@ -116,6 +117,8 @@ export const definition = defineNode({
       unit: 'm',
     },
   },
+  // Up to version 1 the default was “Linear”.
+  migrations: [(params) => ({ filter: 'linear', ...params })],
   lowering: { kind: 'source' },
   stateful: { param: 'smoothingS', above: 0 },
   needs: [

@@ -51,6 +51,11 @@ test('asks for depth where the device measures it, for the camera where its edge
   expect(asked({ source: 'picture' })).toEqual([]);
 });
 
+test('keeps “Linear”, the default of its first version, in projects of that version', () => {
+  const [first] = definition.migrations ?? [];
+  expect([first?.({}), first?.({ filter: 'nearest' })]).toEqual([{ filter: 'linear' }, { filter: 'nearest' }]);
+});
+
 test('rates the depth only where something reads its confidence', () => {
   const outputsWith = (...wires: string[]) =>
     new TestStudio({ library: LIBRARY, readShader })

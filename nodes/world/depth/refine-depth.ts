@@ -5,7 +5,13 @@ import { createHoleFiller, type HoleFiller } from './fill-holes.ts';
 import { createEdgeFollower, type EdgeFollower } from './follow-edges.ts';
 import { createSteadier, type Steadier } from './steady.ts';
 
-export type DepthFilter = 'nearest' | 'linear' | 'edge-aware';
+export type DepthFilter = 'by-sensor' | 'nearest' | 'linear' | 'edge-aware';
+
+/**
+ * Samples per side up to which a sensor is coarse. Phones measure 160 × 90 to 256 × 192 samples, headsets 320 × 320; recordings and painted
+ * images have more, and an interpolation would only cost time.
+ */
+const COARSE_SIDE = 320;
 
 /** The processing of the depth of one view, in this order: smoothing, hole filling, interpolation along edges. */
 export interface DepthRefiner {
@@ -25,6 +31,8 @@ export interface RefineWishes {
   fillHoles: boolean;
   /** Also rate the depth. */
   confidence: boolean;
+  /** Whether a device measured the depth. */
+  isSensor: boolean;
 }
 
 type Mutable<T> = { -readonly [K in keyof T]: T[K] };
@@ -44,7 +52,7 @@ export function createDepthRefiner(gl: WebGL2RenderingContext, drawing: DepthDra
     get confidence() {
       return confidence;
     },
-    refine: (depth, view, { smoothingS, deltaS, fillHoles, confidence: isRated }) => {
+    refine: (depth, view, { smoothingS, deltaS, fillHoles, confidence: isRated, isSensor }) => {
       refined ??= { ...depth };
       let { texture } = depth;
       refined.widthPx = depth.widthPx;
@@ -65,7 +73,7 @@ export function createDepthRefiner(gl: WebGL2RenderingContext, drawing: DepthDra
         meter ??= createConfidenceMeter(drawing);
         confidence = meter.rate(measured, texture, depth.widthPx, depth.heightPx);
       }
-      if (drawing && filter === 'edge-aware') {
+      if (drawing && isEdgeAware(filter, depth, isSensor)) {
         follower ??= createEdgeFollower(gl, drawing);
         const picture = follower.follow(texture, depth, view);
         texture = picture.texture;
@@ -81,6 +89,11 @@ export function createDepthRefiner(gl: WebGL2RenderingContext, drawing: DepthDra
       for (const part of [steadier, filler, follower, meter]) part?.dispose();
     },
   };
+}
+
+function isEdgeAware(filter: DepthFilter, { widthPx, heightPx }: RoomDepth, isSensor: boolean): boolean {
+  if (filter === 'by-sensor') return isSensor && Math.max(widthPx, heightPx) <= COARSE_SIDE;
+  return filter === 'edge-aware';
 }
 
 const UPRIGHT = Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);

@@ -20,10 +20,10 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const forget = (): void => {
     for (const refiner of gpu?.refiners ?? []) refiner.forget();
   };
-  const wishes = { smoothingS: 0, deltaS: 0, fillHoles: true, confidence: rated !== null };
+  const wishes = { smoothingS: 0, deltaS: 0, fillHoles: true, confidence: rated !== null, isSensor: config.source === 'device' };
 
   const reportMismatch = (): void => {
-    const message = 'The camera image has its edges elsewhere than the room depth, so “Edge-aware” ignores it.';
+    const message = 'The camera image has its edges elsewhere than the room depth, so the edge-aware filter ignores it.';
     const fix = 'Choose “Linear” to do without the camera, or record color and depth from the same viewpoint.';
     ctx.report({ code: 'SCR055', severity: 'warning', message, fix });
   };

@@ -62,6 +62,20 @@ describe('a combination', () => {
     expect(lights.map(([id]) => id)).toEqual([sun]);
   });
 
+  test('of an occlusion that is soft where depth is uncertain masks by the confidence of the same depth', async () => {
+    const { editor } = await openTestEditor();
+    const scene = choose(editor, 'scene');
+    choose(editor, 'soft occlusion', outOf(scene, 'layer'));
+    expect(wiresOf(editor)).toEqual([
+      'depth > choose-by-mask.mask',
+      'depth > depth-occlusion.depth',
+      'depth-occlusion > choose-by-mask.inside',
+      'depth-occlusion > gaussian-blur.inputImage',
+      'gaussian-blur > choose-by-mask.outside',
+      'scene > depth-occlusion.layer',
+    ]);
+  });
+
   test('is not what a search for the node itself finds first', async () => {
     const { editor } = await openTestEditor();
     const [shadow, toon] = [choose(editor, 'shadow'), choose(editor, 'toon')];

@@ -78,6 +78,27 @@ const RECIPES: readonly RecipeData[] = [
     inputs: { casters: 'shadow.casters', lights: 'shadow.lights' },
     outputs: { layer: 'clip.layer' },
   },
+  {
+    name: 'soft-occlusion',
+    title: 'Soft occlusion where depth is uncertain',
+    doc: 'Hides what is behind real objects, and blurs the result where the room depth is uncertain: at borders, in noise and in filled holes. Adds a Depth occlusion, a Gaussian blur, a Matte and a Room depth, whose confidence is the mask.',
+    keywords: ['confidence', 'uncertainty', 'feather', 'soft edge'],
+    nodes: {
+      choose: { type: 'operator/choose-by-mask', x: 0, y: 0 },
+      blur: { type: 'filter/gaussian-blur', params: { radius: 6 }, x: -COLUMN_PX, y: ROW_PX },
+      hide: { type: 'layer/depth-occlusion', x: -2 * COLUMN_PX, y: 0 },
+      depth: { type: 'world/depth', x: -3 * COLUMN_PX, y: ROW_PX },
+    },
+    wires: [
+      ['depth.depth', 'hide.depth'],
+      ['hide.layer', 'choose.inside'],
+      ['hide.layer', 'blur.inputImage'],
+      ['blur.layer', 'choose.outside'],
+      ['depth.confidence', 'choose.mask'],
+    ],
+    inputs: { layer: 'hide.layer' },
+    outputs: { result: 'choose.layer' },
+  },
 ];
 
 /** The recipes whose node types exist in the library, and one per technique that applies it to objects. */

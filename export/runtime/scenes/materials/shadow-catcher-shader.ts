@@ -15,6 +15,8 @@ export const CATCHER_VERTEX = /* glsl */ `
 #include <morphtarget_pars_vertex>
 #include <skinning_pars_vertex>
 varying vec3 vPositionWorld;
+// As the depth pass declares it, so that both have the same depth.
+invariant gl_Position;
 
 void main() {
   #include <morphinstance_vertex>
