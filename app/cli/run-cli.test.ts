@@ -35,7 +35,7 @@ const GOOD: ProjectText = {
   assets: { robot: { path: 'assets/robot.glb', kind: 'model' } },
 };
 
-const OWN_WITH_PICTURE = `/*{ "INPUTS": [{ "NAME": "inputImage", "TYPE": "image" }], "IMPORTED": { "leak": { "PATH": "leak.png" } } }*/
+const OWN_WITH_IMAGE = `/*{ "INPUTS": [{ "NAME": "inputImage", "TYPE": "image" }], "IMPORTED": { "leak": { "PATH": "leak.png" } } }*/
 void main() { gl_FragColor = IMG_THIS_PIXEL(inputImage) + IMG_THIS_PIXEL(leak); }
 `;
 
@@ -176,7 +176,7 @@ describe('scrim check', () => {
     ],
     [
       'a missing picture of a shader',
-      () => write({ ...GOOD, nodes: { ...GOOD.nodes, 'sepia-j9k2': 'filter/own' } }, { 'shaders/own.fs': OWN_WITH_PICTURE }),
+      () => write({ ...GOOD, nodes: { ...GOOD.nodes, 'sepia-j9k2': 'filter/own' } }, { 'shaders/own.fs': OWN_WITH_IMAGE }),
       'SCR030',
       'shaders/leak.png',
     ],

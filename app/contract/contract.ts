@@ -76,7 +76,7 @@ const sessionSource = z.object({ id: z.string(), title: z.string(), kind: z.enum
 /** Side of a rendered image in pixels. */
 const side = z.number().int().min(1).max(8192);
 
-const pictureUrl = z.string().startsWith('data:image/jpeg;base64,').optional();
+const thumbnailUrl = z.string().startsWith('data:image/jpeg;base64,').optional();
 
 /** The poster as JPEG of `POSTER_SIZE`; null or absent if the preview shows nothing. */
 const poster = z.instanceof(Uint8Array).refine(isPosterJpeg, 'not a JPEG, or too large');
@@ -119,9 +119,9 @@ export const HOST_CONTRACT = {
       /** Project to open at start. */
       startPath: z.string().nullable(),
       /** `types`: the node types in the example. `picture`: its image as a `data:` URL, if it has one. */
-      examples: z.array(z.object({ title: z.string(), path: z.string(), types: z.array(z.string()), picture: pictureUrl })),
+      examples: z.array(z.object({ title: z.string(), path: z.string(), types: z.array(z.string()), picture: thumbnailUrl })),
       /** Templates for new projects; the default is first. */
-      templates: z.array(z.object({ name: z.string(), title: z.string(), description: z.string(), picture: pictureUrl })),
+      templates: z.array(z.object({ name: z.string(), title: z.string(), description: z.string(), picture: thumbnailUrl })),
       canPickFolders: z.boolean(),
       /** Folder for the projects of the user. It may not exist yet. */
       projectsDir: z.string(),

@@ -1,5 +1,5 @@
 import { bundlePage } from '../../export/bundle/bundle-page.ts';
-import type { PosterPicture } from '../../export/bundle/poster.ts';
+import type { PosterImage } from '../../export/bundle/poster.ts';
 import type { ExportReport } from '../../export/bundle/report.ts';
 import type { Program } from '../../export/program/program.ts';
 import { type Diagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
@@ -34,7 +34,7 @@ export interface ExportJob {
    * Renders the poster. If it returns null, the page gets a neutral poster and a warning (SCR065). If it throws SCR042, the export
    * ends, because no page can draw the shader.
    */
-  readonly drawPoster?: (program: Program) => Promise<PosterPicture | null>;
+  readonly drawPoster?: (program: Program) => Promise<PosterImage | null>;
 }
 
 export interface ExportOutcome {
@@ -98,7 +98,7 @@ const NO_POSTER: Diagnostic = {
   message: 'The poster of the page could not be rendered. Link previews show a neutral one.',
 };
 
-async function posterOf(program: Program, { drawPoster, interrupted }: ExportJob): Promise<PosterPicture | null> {
+async function posterOf(program: Program, { drawPoster, interrupted }: ExportJob): Promise<PosterImage | null> {
   try {
     return (await drawPoster?.(program)) ?? null;
   } catch (error) {

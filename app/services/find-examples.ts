@@ -14,7 +14,7 @@ export interface Example {
 
 /** Folder of images beside the examples: `NAME.jpg` for examples, `template-NAME.jpg` for templates. */
 const PICTURES = 'pictures';
-const MAX_PICTURE_BYTES = 4 * 2 ** 20;
+const MAX_THUMBNAIL_BYTES = 4 * 2 ** 20;
 
 /** The projects directly in a folder, by name. */
 export async function findExamples(examplesDir: string): Promise<Example[]> {
@@ -22,13 +22,13 @@ export async function findExamples(examplesDir: string): Promise<Example[]> {
   const folders = entries.filter((entry) => entry.isDirectory()).map((entry) => join(examplesDir, entry.name));
   const found = await Promise.all(folders.sort().map(readExample));
   return Promise.all(
-    found.filter((example) => example !== null).map(async (example) => withPicture(example, examplesDir, basename(example.path))),
+    found.filter((example) => example !== null).map(async (example) => withThumbnail(example, examplesDir, basename(example.path))),
   );
 }
 
 /** Adds the image as a `data:` URL. Images are small, so they need no URL of their own. */
-export async function withPicture<T extends object>(item: T, examplesDir: string, name: string): Promise<T & { picture?: string }> {
-  const bytes = await readBytes(pictureOf(examplesDir, name), MAX_PICTURE_BYTES).catch(() => null);
+export async function withThumbnail<T extends object>(item: T, examplesDir: string, name: string): Promise<T & { picture?: string }> {
+  const bytes = await readBytes(pictureOf(examplesDir, name), MAX_THUMBNAIL_BYTES).catch(() => null);
   return bytes === null ? item : { ...item, picture: `data:image/jpeg;base64,${Buffer.from(bytes).toString('base64')}` };
 }
 

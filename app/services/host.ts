@@ -10,7 +10,7 @@ import { dispatch, type Handlers } from './dispatch.ts';
 import { createExportJobs } from './export-jobs.ts';
 import { refusal } from './file-errors.ts';
 import { type FileLayer, NODE_FILES } from './file-layer.ts';
-import { findExamples, withPicture } from './find-examples.ts';
+import { findExamples, withThumbnail } from './find-examples.ts';
 import { createFrameJobs } from './frame-jobs.ts';
 import { importAsset } from './import-asset.ts';
 import type { Installation } from './installation.ts';
@@ -78,7 +78,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       examples: await findExamples(installation.examplesDir),
       templates: await Promise.all(
         (await findTemplates(installation.templatesDir)).map((template) =>
-          withPicture(template, installation.examplesDir, `template-${template.name}`),
+          withThumbnail(template, installation.examplesDir, `template-${template.name}`),
         ),
       ),
       canPickFolders: shell.pickFolder !== null,

@@ -9,7 +9,7 @@ import { hashedName } from './hashed-name.ts';
 import { storeLamps } from './lamps/store-lamps.ts';
 import { LICENCES_FILE, licencesText, licenceWarnings, type PageCredit, pageCredits } from './page-credits.ts';
 import { layOutFiles, layOutSingleFile, type PageFile, toBytes } from './page-layout.ts';
-import { neutralPoster, type PosterPicture } from './poster.ts';
+import { neutralPoster, type PosterImage } from './poster.ts';
 import { programUse } from './program-use.ts';
 import { type ExportReport, makeReport, REPORT_FILE, type ReportedFile, sizesOf } from './report.ts';
 
@@ -35,7 +35,7 @@ export interface BundleInput {
   /** Receives progress texts. */
   readonly say?: (text: string) => void;
   /** An image of the project of size `POSTER_SIZE`. Default: a neutral one. */
-  readonly poster?: PosterPicture | null;
+  readonly poster?: PosterImage | null;
   /** Whether `index.html` contains everything, so that it opens without a server. */
   readonly singleFile?: boolean;
   /** Address of the published page, ending in `/`, because link previews require absolute URLs. */

@@ -2,7 +2,7 @@ import { createHash } from 'node:crypto';
 import { type InlineText, type PageConfig, type PageHtml, type Poster, pageHtml } from '../page/page-html.ts';
 import type { PagePowers } from '../page/page-policy.ts';
 import { hashedName } from './hashed-name.ts';
-import type { PosterPicture } from './poster.ts';
+import type { PosterImage } from './poster.ts';
 import type { FileKind } from './report.ts';
 import { OFFLINE_FILE, offlineScript } from './service-worker.ts';
 
@@ -21,7 +21,7 @@ export interface LayoutInput {
   readonly address: string | null;
   readonly script: Uint8Array;
   readonly style: Uint8Array;
-  readonly poster: PosterPicture;
+  readonly poster: PosterImage;
   /** Files that the script loads, including the program, in any order. */
   readonly content: readonly PageFile[];
   readonly config: Omit<PageConfig, 'bytes' | 'offline' | 'title' | 'description'>;
@@ -36,19 +36,19 @@ export function layOutFiles(input: LayoutInput): PageFile[] {
   const { script, style, poster, content, address } = input;
   const page: PageFile = { path: hashedName('page.js', script), kind: 'script', bytes: script };
   const sheet: PageFile = { path: hashedName('page.css', style), kind: 'style', bytes: style };
-  const picture: PageFile = { path: hashedName(`poster.${poster.type}`, poster.bytes), kind: 'poster', bytes: poster.bytes };
+  const image: PageFile = { path: hashedName(`poster.${poster.type}`, poster.bytes), kind: 'poster', bytes: poster.bytes };
   const html = pageHtml({
     ...head(input),
     address,
     parts: { kind: 'files', script: page.path, style: sheet.path },
-    poster: posterOf(picture.path, poster),
+    poster: posterOf(image.path, poster),
     config: configOf(input, OFFLINE_FILE),
   });
   const index: PageFile = { path: 'index.html', kind: 'page', bytes: toBytes(html) };
   // A neutral poster is used by link previews only.
-  const shown = [page, sheet, ...(poster.drawn ? [picture] : []), ...content];
+  const shown = [page, sheet, ...(poster.drawn ? [image] : []), ...content];
   const worker: PageFile = { path: OFFLINE_FILE, kind: 'offline', bytes: toBytes(offlineScript(index, shown)) };
-  return [index, page, sheet, picture, worker, ...content];
+  return [index, page, sheet, image, worker, ...content];
 }
 
 /** The page as one file, which opens without a server. It loads nothing, so it needs no service worker. */
@@ -73,7 +73,7 @@ function head({ title, description, language, powers }: LayoutInput): Pick<PageH
   return { title, description, language, powers };
 }
 
-function posterOf(source: string, { widthPx, heightPx, drawn }: PosterPicture): Poster {
+function posterOf(source: string, { widthPx, heightPx, drawn }: PosterImage): Poster {
   return { source, widthPx, heightPx, drawn };
 }
 

@@ -1,7 +1,7 @@
 import { encode } from 'fast-png';
 
 /** An image of the page for link previews. If it was drawn from the project, it is also shown while the page loads. */
-export interface PosterPicture {
+export interface PosterImage {
   readonly type: 'jpg' | 'png';
   readonly bytes: Uint8Array;
   readonly widthPx: number;
@@ -25,7 +25,7 @@ const CHANNELS = [
 const FOLDS = 9;
 
 /** The poster if the project cannot be drawn: folds of a cloth with light behind it, the same for every page. */
-export function neutralPoster(): PosterPicture {
+export function neutralPoster(): PosterImage {
   const { widthPx, heightPx } = NEUTRAL_SIZE;
   const bell = (offset: number, width: number) => Math.exp(-((offset / width) ** 2));
   const across = Array.from({ length: widthPx }, (_, x) => {

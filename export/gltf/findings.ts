@@ -7,7 +7,7 @@ import { findEdgeFaults } from './open-edges.ts';
 export const LIMITS = {
   triangles: 300_000,
   /** 4,096 × 4,096: the largest texture that all phones support. */
-  picturePx: 4096 * 4096,
+  imagePx: 4096 * 4096,
   /** A third of the memory that browsers on phones give to a page. */
   gpuBytes: 256 * 2 ** 20,
   /** A minute at 4 Mbit/s. */
@@ -25,7 +25,7 @@ export function findingsOf(gltf: Gltf, path: string, fileBytes: number, standsFo
 }
 
 function hugeness(gltf: Gltf, path: string, fileBytes: number): Finding[] {
-  const { triangles, largestPicturePx, geometryBytes, textureBytes } = measureModel(gltf);
+  const { triangles, largestImagePx, geometryBytes, textureBytes } = measureModel(gltf);
   const findings: Finding[] = [];
   const add = (what: string, fix: string) =>
     findings.push({ code: 'SCR034', severity: 'warning', message: `The model "${path}" ${what}.`, fix });
@@ -35,9 +35,9 @@ function hugeness(gltf: Gltf, path: string, fileBytes: number): Finding[] {
       'Reduce it in a 3D program, such as with Decimate in Blender.',
     );
   }
-  if (largestPicturePx > LIMITS.picturePx) {
+  if (largestImagePx > LIMITS.imagePx) {
     add(
-      `has a texture of ${megapixels(largestPicturePx)} million pixels; above ${megapixels(LIMITS.picturePx)} not every phone can show it`,
+      `has a texture of ${megapixels(largestImagePx)} million pixels; above ${megapixels(LIMITS.imagePx)} not every phone can show it`,
       'Make its textures at most 4096 pixels wide and high; 2048 is enough for most.',
     );
   }

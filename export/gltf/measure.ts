@@ -5,7 +5,7 @@ import { imageSize } from './image-size.ts';
 export interface ModelMeasure {
   readonly triangles: number;
   /** Pixels of the largest image. */
-  readonly largestPicturePx: number;
+  readonly largestImagePx: number;
   /** Bytes of vertices, indices and morph targets on the GPU. */
   readonly geometryBytes: number;
   /** Bytes of images on the GPU, including mipmaps. */
@@ -24,18 +24,18 @@ const MORPH_TEXEL_BYTES = 16;
 
 export function measureModel({ document, binary }: Gltf): ModelMeasure {
   let textureBytes = 0;
-  let largestPicturePx = 0;
+  let largestImagePx = 0;
   for (const { bufferView } of document.images ?? []) {
     const view = bufferView === undefined ? undefined : document.bufferViews?.[bufferView];
     const start = view?.byteOffset ?? 0;
     const size = view && binary ? imageSize(binary.subarray(start, start + view.byteLength)) : null;
     if (!size) continue;
     const pixels = size.widthPx * size.heightPx;
-    largestPicturePx = Math.max(largestPicturePx, pixels);
+    largestImagePx = Math.max(largestImagePx, pixels);
     // A KTX2 file with one level is drawn without mipmaps.
     textureBytes += pixels * (size.ktx2 ? BLOCK_BYTES * (size.ktx2.levels === 1 ? 1 : MIPS) : RGBA8_BYTES * MIPS);
   }
-  return { ...measureGeometry(document), largestPicturePx, textureBytes: Math.round(textureBytes) };
+  return { ...measureGeometry(document), largestImagePx, textureBytes: Math.round(textureBytes) };
 }
 
 function measureGeometry({ meshes = [], accessors = [] }: GltfDocument): Pick<ModelMeasure, 'triangles' | 'geometryBytes'> {

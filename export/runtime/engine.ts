@@ -7,8 +7,8 @@ import { type StartWorker, startBlobWorker } from './cpu/worker-source.ts';
 import type { DiagnosticsBoard } from './diagnostics-board.ts';
 import { COPY_SHADER } from './gl/copy-shader.ts';
 import { createGlObjects, type GlCounts, type GlObjects } from './gl/gl-objects.ts';
+import { createImageStore, type ImageStore } from './gl/image-store.ts';
 import { createPassDrawer, type PassDrawer } from './gl/pass-drawer.ts';
-import { createPictureStore, type PictureStore } from './gl/picture-store.ts';
 import { createProgramCache, type GlProgram, type ProgramCache } from './gl/program-cache.ts';
 import { type CameraMean, createCameraMean } from './light/camera-mean.ts';
 import type { NodeHost } from './operations/node-instance.ts';
@@ -29,7 +29,7 @@ export interface Engine {
   tool(shader: LinkedShader): GlProgram;
   readonly nearestDepth: NearestDepth;
   readonly assets: AssetStore;
-  readonly pictures: PictureStore;
+  readonly images: ImageStore;
   readonly clock: FrameClock;
   readonly state: PlayState;
   readonly timer: OperationTimer | null;
@@ -104,7 +104,7 @@ export function createEngine(options: EngineOptions): Engine {
       },
     },
     assets,
-    pictures: createPictureStore(objects),
+    images: createImageStore(objects),
     clock,
     state,
     timer: options.timer ?? null,
@@ -146,7 +146,7 @@ export function createEngine(options: EngineOptions): Engine {
         },
         openHitTest: (hitTest) => spatial().openHitTest(hitTest),
         castRay: (worldFromRay, out, sources) => spatial().castRay(worldFromRay, out, sources),
-        depthPicture: (viewIndex) => spatial().depthPicture(viewIndex),
+        depthImage: (viewIndex) => spatial().depthImage(viewIndex),
         get anchors() {
           return spatial().anchors;
         },

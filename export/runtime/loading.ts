@@ -23,15 +23,15 @@ const POLL_S = 0.004;
 export function loadProgram(engine: Engine, program: Program): Loading {
   const glPrograms = program.shaders.map((shader) => engine.programs.acquire(shader));
   const assets = engine.assets.hold(program.assets);
-  const pictures = engine.pictures.hold(program);
+  const images = engine.images.hold(program);
   let cancelled = false;
   const release = (): void => {
     for (const glProgram of glPrograms.splice(0)) engine.programs.release(glProgram);
     assets.release();
-    pictures.release();
+    images.release();
   };
   return {
-    done: wait(engine, glPrograms, [assets.settled, pictures.settled], () => cancelled).then((ready) => {
+    done: wait(engine, glPrograms, [assets.settled, images.settled], () => cancelled).then((ready) => {
       if (!ready) return null;
       return { program, glPrograms: [...glPrograms], errors: glPrograms.flatMap((p) => p.errors), release };
     }),

@@ -66,7 +66,7 @@ export function readScreen(gl: WebGL2RenderingContext): LayerPixels {
 export function readColor(inspected: Inspected | null, viewIndex: number, heightPx?: number): LayerPixels | null {
   if (!inspected?.layer) return null;
   const { engine, resources, layer } = inspected;
-  const picture = findPicture(engine.state, resources, layer.color, viewIndex);
+  const picture = findImage(engine.state, resources, layer.color, viewIndex);
   if (!picture) return null;
   const scale = heightPx === undefined ? 1 : heightPx / picture.heightPx;
   const width = Math.max(1, Math.round(picture.widthPx * scale));
@@ -128,7 +128,7 @@ export interface Picture {
 }
 
 /** The current texture of a layer; null if it was not drawn. */
-export function findPicture(state: PlayState, resources: LiveResources, id: ResourceId, viewIndex: number): Picture | null {
+export function findImage(state: PlayState, resources: LiveResources, id: ResourceId, viewIndex: number): Picture | null {
   const resource = resources.get(id);
   if (resource?.kind === 'target') {
     const buffer = resource.target.peek(resource.domain === 'view' ? viewIndex : 0);

@@ -93,7 +93,7 @@ export interface VideoAsset {
 /** One playback of a video. */
 export interface VideoPlayback {
   /** The newest decoded frame; null before the first. */
-  readonly picture: ImageAsset | null;
+  readonly image: ImageAsset | null;
   /**
    * Requests the frame at a position. Call it every frame.
    *

@@ -7,7 +7,7 @@ import type { BodyList } from './physics.ts';
 import type { PoseOutput, PoseView } from './pose.ts';
 import type { EnvironmentOutput, LightList, ObjectList, RoomDepthOutput } from './scene-lists.ts';
 import type { SceneLook } from './scene-look.ts';
-import type { DepthPicture, LightEstimate, Session, SessionFrame, ViewFrame } from './session.ts';
+import type { DepthImage, LightEstimate, Session, SessionFrame, ViewFrame } from './session.ts';
 import type { SoundOutput } from './sound.ts';
 import type { TechniqueView } from './technique-view.ts';
 import type { NumberView, ValueViews, Writable } from './value-views.ts';
@@ -300,9 +300,9 @@ export interface SessionService {
    * @returns Null while there is none.
    *
    * @example
-   * const picture = ctx.session.depthPicture(0);
+   * const picture = ctx.session.depthImage(0);
    */
-  depthPicture(viewIndex: number): DepthPicture | null;
+  depthImage(viewIndex: number): DepthImage | null;
   /** Only for nodes whose definition needs `anchors`. */
   readonly anchors: AnchorService;
 }

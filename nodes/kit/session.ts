@@ -277,7 +277,7 @@ export interface RoomDepth {
 }
 
 /** Room depth on the CPU, with the view that it was taken for. */
-export interface DepthPicture {
+export interface DepthImage {
   /** Along the view's axis, meters, 0 where unknown; rows as in the texture. */
   readonly meters: Float32Array;
   readonly widthPx: number;

@@ -64,7 +64,7 @@ function FullNode({ id, data, selected }: NodeBodyProps) {
           dimmed={dimmed !== null && dimmed !== 'all' && dimmed.has(`${port.side} ${port.name}`)}
         />
       ))}
-      {data.shape.picture !== null && <NodeThumbnail node={id} port={data.shape.picture} />}
+      {data.shape.thumbnail !== null && <NodeThumbnail node={id} port={data.shape.thumbnail} />}
       <Expander id={id} data={data} />
       <NodeCost id={id} />
     </div>
@@ -176,7 +176,7 @@ function NodeThumbnail({ node, port }: { readonly node: string; readonly port: s
     [thumbnails, layer],
   );
   return (
-    <div className="node-picture">
+    <div className="node-thumbnail">
       <canvas ref={canvas} width="0" height="0" />
     </div>
   );

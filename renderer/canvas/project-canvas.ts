@@ -32,7 +32,7 @@ export interface CanvasInput extends WiresInput {
   readonly selectedNodes: ReadonlySet<string>;
   readonly expanded: ReadonlySet<string>;
   /** Nodes show thumbnails of their layers. */
-  readonly pictured?: boolean;
+  readonly hasThumbnail?: boolean;
   /** Positions of dragged nodes, in canvas units. */
   readonly dragged: Readonly<Record<string, { readonly x: number; readonly y: number }>>;
   readonly problems: ReadonlyMap<string, NodeProblem>;
@@ -79,7 +79,7 @@ export function createCanvasProjection(): (input: CanvasInput) => CanvasView {
         expanded,
         problem?.severity,
         problem?.text,
-        input.pictured,
+        input.hasThumbnail,
       ];
       const known = nodes.get(id);
       const fresh = known && same(known.key, key) ? known : { key, node: canvasNode(id, node, definition, wired, input, known?.node) };
@@ -126,7 +126,7 @@ function canvasNode(
 ): CanvasNode {
   const expanded = input.expanded.has(id);
   const collapsed = input.layout.nodes[id]?.collapsed === true;
-  const options = { wired: wired.inputs, expanded, collapsed, pictured: input.pictured ?? false };
+  const options = { wired: wired.inputs, expanded, collapsed, hasThumbnail: input.hasThumbnail ?? false };
   const shape = definition ? nodeShape(definition, node, options) : unknownShape([...wired.inputs], [...wired.outputs]);
   const values: Record<string, string> = {};
   for (const port of shape.ports) {

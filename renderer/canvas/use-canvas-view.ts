@@ -25,7 +25,7 @@ export function useCanvasView(): WholeView {
   const library = useNodeTypes();
   const selection = useStore(editor.selection);
   const { expanded, offered, dragged, wireUnder, resized } = useStore(editor.canvas);
-  const pictured = useStore(editor.viewer, (state) => state.thumbnails);
+  const hasThumbnail = useStore(editor.viewer, (state) => state.thumbnails);
   const problems = useNodeProblems();
   const shown = useMemo(() => (offered === null ? expanded : new Set([...expanded, offered])), [expanded, offered]);
   const projectItems = useMemo(createItemsProjection, []);
@@ -51,13 +51,13 @@ export function useCanvasView(): WholeView {
         selectedNodes: selection.nodes,
         selectedWires: selection.wires,
         expanded: shown,
-        pictured,
+        hasThumbnail,
         dragged,
         problems,
         wireUnder,
         encodings,
       }),
-    [project, graph, layout, library, selection, shown, pictured, dragged, problems, wireUnder, encodings],
+    [project, graph, layout, library, selection, shown, hasThumbnail, dragged, problems, wireUnder, encodings],
   );
   return useMemo(() => ({ ...view, items, reroutes }), [view, items, reroutes]);
 }

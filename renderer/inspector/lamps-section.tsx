@@ -9,7 +9,7 @@ import { type LampView, searchLamps, startLampWorker } from '../state/lamps/lamp
 import { LAMPS_TYPE, lampSourceOf } from '../state/lamps/lamp-source.ts';
 import type { LampStage } from '../state/lamps/messages.ts';
 import { Button } from '../ui/button.tsx';
-import { LampPicture } from './lamp-picture.tsx';
+import { LampImage } from './lamp-image.tsx';
 import { ParamRow } from './param-row.tsx';
 import './lamps-section.css';
 
@@ -66,14 +66,7 @@ function Found({ id, found, stages }: FoundProps) {
           ))}
         </select>
       )}
-      <LampPicture
-        id={id}
-        found={found}
-        stage={stage}
-        step={step}
-        chosen={lamp}
-        onChoose={(next) => editor.gizmo.setState({ lamp: next })}
-      />
+      <LampImage id={id} found={found} stage={stage} step={step} chosen={lamp} onChoose={(next) => editor.gizmo.setState({ lamp: next })} />
       {step && <Histogram step={step} />}
       {found.none !== null && <p className="inspector-note">No lamp was found: {NO_LAMPS[found.none]}.</p>}
       {lamp <= Math.min(found.lamps.length, MAX_CHANGED) && <Lamp id={id} found={found} lamp={lamp} />}

@@ -26,7 +26,7 @@ export function PreviewPanel({ previewUrl }: { readonly previewUrl: string }) {
   const stopped = useStore(preview, (state) => state.stopped);
   return (
     <section className="stage" aria-label="Preview" aria-busy={stopped === null && (loading || !answered)}>
-      <div className="stage-picture">
+      <div className="stage-image">
         <Device>
           {stopped === null ? (
             <>

@@ -23,9 +23,9 @@ export function createCaptures(send: (message: FromPreview) => void, wake: () =>
   let recorder: MediaRecorder | null = null;
   const takeScreenshot = ({ canvas }: CaptureSource) => {
     screenshotState = 'none';
-    const picture = new OffscreenCanvas(canvas.width, canvas.height);
-    picture.getContext('2d')?.drawImage(canvas, 0, 0);
-    void picture.convertToBlob({ type: 'image/png' }).then(
+    const image = new OffscreenCanvas(canvas.width, canvas.height);
+    image.getContext('2d')?.drawImage(canvas, 0, 0);
+    void image.convertToBlob({ type: 'image/png' }).then(
       (file) => send({ kind: 'captured', what: 'screenshot', file }),
       () => send({ kind: 'captured', what: 'screenshot', file: null }),
     );

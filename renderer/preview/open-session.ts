@@ -86,8 +86,8 @@ async function openCamera({ gl, clock, canvas }: SessionPlace): Promise<OpenSess
   );
 }
 
-async function openStill(picture: Blob, { gl, clock, canvas }: SessionPlace): Promise<OpenSession> {
-  const stream = createStillStream(canvas.ownerDocument, picture);
+async function openStill(image: Blob, { gl, clock, canvas }: SessionPlace): Promise<OpenSession> {
+  const stream = createStillStream(canvas.ownerDocument, image);
   try {
     await stream.start();
   } catch {

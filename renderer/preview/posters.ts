@@ -50,8 +50,8 @@ export function createPosters(send: (message: FromPreview, transfer?: Transferab
   const answer = ({ request }: PosterRequest, bytes: Uint8Array<ArrayBuffer> | null) =>
     send({ kind: 'poster', request, bytes }, bytes ? [bytes.buffer] : []);
   const take = ({ asked, place }: PendingPoster) => {
-    const picture = cover(place, asked);
-    void picture.convertToBlob({ type: 'image/jpeg', quality: QUALITY }).then(
+    const image = cover(place, asked);
+    void image.convertToBlob({ type: 'image/jpeg', quality: QUALITY }).then(
       async (blob) => answer(asked, new Uint8Array(await blob.arrayBuffer())),
       () => answer(asked, null),
     );
@@ -93,14 +93,14 @@ export function createPosters(send: (message: FromPreview, transfer?: Transferab
 
 /** Scales the first view to cover the size, and crops the longer sides. */
 function cover({ canvas, views }: CaptureSource, { widthPx, heightPx }: PosterSize): OffscreenCanvas {
-  const picture = new OffscreenCanvas(widthPx, heightPx);
-  const context = picture.getContext('2d');
-  if (!context) return picture;
+  const image = new OffscreenCanvas(widthPx, heightPx);
+  const context = image.getContext('2d');
+  if (!context) return image;
   const viewWidthPx = canvas.width / views;
   const scale = Math.max(widthPx / viewWidthPx, heightPx / canvas.height);
   const [width, height] = [widthPx / scale, heightPx / scale];
   context.fillStyle = GROUND;
   context.fillRect(0, 0, widthPx, heightPx);
   context.drawImage(canvas, (viewWidthPx - width) / 2, (canvas.height - height) / 2, width, height, 0, 0, widthPx, heightPx);
-  return picture;
+  return image;
 }

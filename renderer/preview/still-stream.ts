@@ -15,16 +15,16 @@ export function createStillStream(document: Document, file: Blob): CameraStream 
     video,
     start: async () => {
       stop();
-      const picture = await createImageBitmap(file);
+      const image = await createImageBitmap(file);
       const canvas = document.createElement('canvas');
-      canvas.width = picture.width;
-      canvas.height = picture.height;
+      canvas.width = image.width;
+      canvas.height = image.height;
       const context = canvas.getContext('2d');
       stream = canvas.captureStream();
       video.srcObject = stream;
       // A canvas stream has no frame until something is drawn after it started.
-      context?.drawImage(picture, 0, 0);
-      picture.close();
+      context?.drawImage(image, 0, 0);
+      image.close();
       await video.play();
     },
     stop,

@@ -13,19 +13,19 @@ interface ImageCardProps {
 /** A button with an image and title that opens a project or template. */
 export function ImageCard({ purpose, title, text, image, disabled, onPress }: ImageCardProps) {
   return (
-    <button type="button" className="picture-card" disabled={disabled} onClick={onPress}>
+    <button type="button" className="image-card" disabled={disabled} onClick={onPress}>
       {image === undefined ? (
-        <span className="picture-card-none">
+        <span className="image-card-none">
           <Icon name="image" size={24} />
         </span>
       ) : (
         <img src={image} alt="" width={240} height={180} draggable={false} />
       )}
-      <span className="picture-card-title">
+      <span className="image-card-title">
         {purpose !== undefined && <span className="visually-hidden">{purpose}: </span>}
         {title}
       </span>
-      {text !== undefined && <span className="picture-card-text">{text}</span>}
+      {text !== undefined && <span className="image-card-text">{text}</span>}
     </button>
   );
 }

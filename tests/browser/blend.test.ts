@@ -3,7 +3,7 @@ import { readIsf } from '../../export/glsl/isf/read-isf.ts';
 import { linkIsf } from '../../export/glsl/link/link-isf.ts';
 import blend from '../../shader-library/operators/blend.fs';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
-import { fromGl, type Picture, pixelAt } from '../support/picture.ts';
+import { fromGl, pixelAt, type RgbaImage } from '../support/image.ts';
 import { expectSamePixels } from '../support/pixels.ts';
 import { drawPicture, made, PAGE, paint, toPage } from './glsl-kit.ts';
 
@@ -82,7 +82,7 @@ function map([r, g, b]: Rgb, change: (value: number) => number): Rgb {
 }
 
 /** Section 5 and 10: `Cs' = (1 - ab) Cs + ab B(Cb, Cs)`, then source over; for plus-lighter section 9.1.13. */
-function composite(mode: string, top: Picture, bottom: Picture, opacity: number): Picture {
+function composite(mode: string, top: RgbaImage, bottom: RgbaImage, opacity: number): RgbaImage {
   return paint(top.width, top.height, (x, y) => {
     const source = straight(top, x, y);
     const backdrop = straight(bottom, x, y);
@@ -111,7 +111,7 @@ function mix(mode: string, cb: Rgb, cs: Rgb): Rgb {
   return [part(cb[0], cs[0]), part(cb[1], cs[1]), part(cb[2], cs[2])];
 }
 
-function straight(picture: Picture, x: number, y: number): { rgb: Rgb; alpha: number } {
+function straight(picture: RgbaImage, x: number, y: number): { rgb: Rgb; alpha: number } {
   const [r, g, b, a] = pixelAt(picture, x, y);
   return { rgb: a === 0 ? [0, 0, 0] : [r / a, g / a, b / a], alpha: a / 255 };
 }
@@ -119,7 +119,7 @@ function straight(picture: Picture, x: number, y: number): { rgb: Rgb; alpha: nu
 const SIZE = 64;
 
 /** Every corner of the color cube over every other, and colors from all over it, at the alphas given. */
-function swatches(seed: number, alphas: readonly number[]): Picture {
+function swatches(seed: number, alphas: readonly number[]): RgbaImage {
   let state = seed;
   const next = (): number => {
     state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
@@ -156,7 +156,7 @@ afterAll(async () => {
 const shader = made(readIsf(blend, 'operators/blend.fs'));
 const passes = made(linkIsf(shader, { node: 'test' }));
 
-function drawn(mode: number, { top, bottom }: typeof OPAQUE, opacity: number): Promise<Picture> {
+function drawn(mode: number, { top, bottom }: typeof OPAQUE, opacity: number): Promise<RgbaImage> {
   return drawPicture(page, {
     width: SIZE,
     height: SIZE,
@@ -166,7 +166,7 @@ function drawn(mode: number, { top, bottom }: typeof OPAQUE, opacity: number): P
   });
 }
 
-async function inCanvas(name: string, { top, bottom }: typeof OPAQUE, opacity: number): Promise<Picture> {
+async function inCanvas(name: string, { top, bottom }: typeof OPAQUE, opacity: number): Promise<RgbaImage> {
   const rgba = await canvas.call<string>('compositeInCanvas', toPage(top), toPage(bottom), CANVAS_NAMES[name] ?? name, opacity);
   return fromGl(SIZE, SIZE, Buffer.from(rgba, 'base64'));
 }

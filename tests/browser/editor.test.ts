@@ -2,10 +2,10 @@ import { readdir, readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { describe, expect, test } from '@jest/globals';
 import { centerOf } from '../../tools/lib/center-of.ts';
+import { encodeImage } from '../support/image.ts';
 import { type GraphText, saveGraphs, useEditor } from '../support/open-editor.ts';
-import { encodePicture } from '../support/picture.ts';
 
-/** The camera's picture goes to the screen; a number stands by. */
+/** The camera's image goes to the screen; a number stands by. */
 const SIMPLE: GraphText = {
   nodes: {
     'video-aaaa': { type: 'source/camera-video' },
@@ -144,7 +144,7 @@ describe('nodes', () => {
 
   test('a dropped picture becomes an asset of the project and a node that shows it', async () => {
     const { page, editor, project } = await start();
-    const png = Buffer.from(encodePicture({ width: 2, height: 2, data: new Uint8Array(16).fill(200) })).toString('base64');
+    const png = Buffer.from(encodeImage({ width: 2, height: 2, data: new Uint8Array(16).fill(200) })).toString('base64');
     const place = await editor.emptyPlace();
     await page.evaluate(
       ({ bytes, x, y }) => {
@@ -252,7 +252,7 @@ describe('the preview', () => {
     await page.getByText('The graphics device was lost').waitFor();
     await frame?.evaluate(() => (globalThis as { lost?: WEBGL_lose_context | null }).lost?.restoreContext());
     await page.getByText('The graphics device was lost').waitFor({ state: 'detached' });
-    await editor.pictureSameAs(before);
+    await editor.imageSameAs(before);
   });
 
   test('waits to be started where the device was lost the last time, and where Shift was held on opening', async () => {
@@ -297,6 +297,6 @@ describe('the preview', () => {
     await editor.settled();
     const one = await editor.picture();
     await editor.press('Two views, as in a headset');
-    await editor.pictureOtherThan(one);
+    await editor.imageOtherThan(one);
   });
 });

@@ -1,8 +1,8 @@
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { expect, test } from '@jest/globals';
+import { pixelAt } from '../support/image.ts';
 import { useEditor } from '../support/open-editor.ts';
-import { pixelAt } from '../support/picture.ts';
 
 const openEditor = useEditor();
 
@@ -24,7 +24,7 @@ const MENDED = ENDLESS.replace('while (y > -1.0)', 'if (y > 0.9)').replace(' + I
 
 const LOOP_LINE = 4;
 
-/** The camera's picture goes through a filter of the project's own to the screen. */
+/** The camera's image goes through a filter of the project's own to the screen. */
 const GRAPH = {
   nodes: {
     'video-aaaa': { type: 'source/camera-video' },
@@ -68,10 +68,10 @@ test('a shader that never ends leaves the editor live, the rest of the picture p
 
   // What the filter gets passes through it.
   await editor.rewind();
-  await editor.pictureSameAs(plain);
+  await editor.imageSameAs(plain);
 
   await writeFile(join(project, 'shaders', 'own.fs'), MENDED);
   await page.locator('.status-problems').getByText('No problems').waitFor();
-  const mended = await editor.pictureOtherThan(plain);
+  const mended = await editor.imageOtherThan(plain);
   expect(pixelAt(mended, mended.width >> 1, mended.height >> 1).slice(1)).toEqual([0, 0, 255]);
 });

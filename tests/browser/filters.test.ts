@@ -2,11 +2,11 @@ import { beforeAll, describe, expect, test } from '@jest/globals';
 import { readIsf } from '../../export/glsl/isf/read-isf.ts';
 import { linkIsf } from '../../export/glsl/link/link-isf.ts';
 import { useModule } from '../support/browser.ts';
-import { type Picture, pixelAt } from '../support/picture.ts';
+import { pixelAt, type RgbaImage } from '../support/image.ts';
 import { expectSamePixels } from '../support/pixels.ts';
 import { describeWithData } from '../support/shared-data.ts';
 import { drawPicture, made, PAGE, paint, toPage } from './glsl-kit.ts';
-import { applyShader, expectedPicture, type Params, photograph, SHADERS, samplesOf } from './shader-library-kit.ts';
+import { applyShader, expectedImage, type Params, photograph, SHADERS, samplesOf } from './shader-library-kit.ts';
 
 /** Half a step of rounding on either side and one for single precision and for the linear filtering of textures. */
 const TOLERANCE = 2;
@@ -33,7 +33,7 @@ const CASES: Readonly<Record<string, Readonly<Record<string, Params>>>> = {
   'skin-mask': { soft: {}, cut: { softness: 20, widen: 3, show: 1 } },
   'hdr-exposure': { long: {}, kept: { stops: 2.5, highlights: 1 }, short: { stops: -2 } },
   'film-grain': { gray: {}, color: { amount: 0.15, size: 3, color: 0.7, midtones: 1 } },
-  halftone: { ink: {}, color: { size: 13.5, angle: 0.3, pictureColors: 1 } },
+  halftone: { ink: {}, color: { size: 13.5, angle: 0.3, imageColors: 1 } },
   pixelate: { 8: { size: 8 }, 13: { size: 13 } },
   swirl: { left: { angle: 1.5, radius: 60 }, right: { angle: -2, radius: 200 } },
   tile: { plain: { columns: 4, rows: 2 }, mirrored: { columns: 2, rows: 8, mirror: 1 } },
@@ -51,7 +51,7 @@ const EACH = Object.entries(CASES).flatMap(([filter, cases]) =>
   Object.entries(cases).map(([name, params]) => [filter, name, params] as const),
 );
 
-/** Pixels of the generated picture that may differ by more: at corners of flat squares a stroke has no one direction. */
+/** Pixels of the generated image that may differ by more: at corners of flat squares a stroke has no one direction. */
 const STRAYS: Readonly<Record<string, number>> = { 'anisotropic-kuwahara-6': 32 };
 
 /** Seconds over a photograph where the processor draws: `tests/slow/filters-photographs.test.ts` does it. */
@@ -59,21 +59,21 @@ const SLOW = new Set(['anisotropic-kuwahara']);
 
 const page = useModule(PAGE);
 
-function apply(filter: string, inputImage: Picture, params?: Params): Promise<Picture> {
+function apply(filter: string, inputImage: RgbaImage, params?: Params): Promise<RgbaImage> {
   return applyShader(page, `filters/${filter}.fs`, { inputImage }, params);
 }
 
 describe('over the generated picture', () => {
   test.each(EACH)('%s (%s) is what other software computes', async (filter, name, params) => {
-    const drawn = await apply(filter, await expectedPicture('generated'), params);
+    const drawn = await apply(filter, await expectedImage('generated'), params);
     const file = `generated-${filter}-${name}`;
     const pixels = STRAYS[`${filter}-${name}`] ?? 0;
-    await expectSamePixels(file, drawn, await expectedPicture(file), { tolerance: TOLERANCE, pixels });
+    await expectSamePixels(file, drawn, await expectedImage(file), { tolerance: TOLERANCE, pixels });
   });
 });
 
 describeWithData('over a photograph', 'images/astronaut.png', (path) => {
-  let picture: Picture;
+  let picture: RgbaImage;
   beforeAll(async () => {
     picture = await photograph(path);
   });
@@ -81,7 +81,7 @@ describeWithData('over a photograph', 'images/astronaut.png', (path) => {
   test.each(EACH.filter(([filter]) => !SLOW.has(filter)))('%s (%s) is what other software computes', async (filter, name, params) => {
     const drawn = await apply(filter, picture, params);
     const file = `astronaut-${filter}-${name}`;
-    await expectSamePixels(file, samplesOf(drawn), await expectedPicture(file), { tolerance: TOLERANCE });
+    await expectSamePixels(file, samplesOf(drawn), await expectedImage(file), { tolerance: TOLERANCE });
   });
 });
 
@@ -106,18 +106,18 @@ const IDENTITIES: Readonly<Record<string, Params>> = {
 };
 
 test.each(Object.entries(IDENTITIES))('%s changes nothing at its identity', async (filter, params) => {
-  const picture = await expectedPicture('generated');
+  const picture = await expectedImage('generated');
   await expectSamePixels(`identity-${filter}`, await apply(filter, picture, params), picture, { tolerance: 1 });
 });
 
 /** Needs more than one pixel: 64 × 64 pixels, each with a distance. */
 async function applyWithDepth(
   filter: string,
-  inputImage: Picture,
+  inputImage: RgbaImage,
   meters: (x: number, y: number) => number,
   params: Params,
   of: 'inputImage' | 'room' = 'inputImage',
-): Promise<Picture> {
+): Promise<RgbaImage> {
   const file = `filters/${filter}.fs`;
   const shader = made(readIsf(SHADERS[file] ?? '', file));
   const { width, height } = inputImage;

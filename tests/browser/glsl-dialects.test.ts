@@ -1,17 +1,17 @@
 import { describe, expect, test } from '@jest/globals';
 import { useModule } from '../support/browser.ts';
-import { type Picture, pixelAt } from '../support/picture.ts';
+import { pixelAt, type RgbaImage } from '../support/image.ts';
 import { drawPicture, linkText, PAGE } from './glsl-kit.ts';
 
 const page = useModule(PAGE);
 
 const HEADER = '/*{ "ISFVSN": "2" }*/\n';
 
-function render(body: string): Promise<Picture> {
+function render(body: string): Promise<RgbaImage> {
   return drawPicture(page, { width: 8, height: 8, passes: linkText(HEADER + body) });
 }
 
-/** What an expression of type float between 0 and 1 comes to, read from the picture. */
+/** What an expression of type float between 0 and 1 comes to, read from the image. */
 async function evaluate(declarations: string, expression: string): Promise<number> {
   const picture = await render(`${declarations}\nvoid main() { gl_FragColor = vec4(vec3(float(${expression})), 1.0); }`);
   return pixelAt(picture, 3, 3)[0] / 255;

@@ -3,8 +3,8 @@ import type { LinkedPass, LinkOptions } from '../../export/glsl/link/linked-pass
 import { readImageShader } from '../../export/glsl/read-definition.ts';
 import type { Result } from '../../nodes/kit/diagnostics.ts';
 import type { PageModule } from '../support/browser.ts';
-import { fromGl, type Picture } from '../support/picture.ts';
-import type { Drawing, DrawJob, Picture as PagePicture } from './glsl.page.ts';
+import { fromGl, type RgbaImage } from '../support/image.ts';
+import type { Drawing, DrawJob, Picture as PageImage } from './glsl.page.ts';
 
 export const PAGE = 'tests/browser/glsl.page.ts';
 
@@ -23,21 +23,25 @@ export function linkText(
   return made(linkIsf(made(readImageShader(source, file, vertex)), { node: 'test', ...options }));
 }
 
-/** Top row first, as pictures are stored, to bottom row first, as textures are. */
-export function toPage(picture: Picture): PagePicture {
+/** Top row first, as images are stored, to bottom row first, as textures are. */
+export function toPage(picture: RgbaImage): PageImage {
   const { width, height, data } = fromGl(picture.width, picture.height, picture.data);
   return { width, height, rgba: Buffer.from(data).toString('base64') };
 }
 
-/** A picture from a color per pixel, premultiplied, each channel from 0 to 255; (0, 0) is the top left. */
-export function paint(width: number, height: number, color: (x: number, y: number) => readonly [number, number, number, number]): Picture {
+/** A image from a color per pixel, premultiplied, each channel from 0 to 255; (0, 0) is the top left. */
+export function paint(
+  width: number,
+  height: number,
+  color: (x: number, y: number) => readonly [number, number, number, number],
+): RgbaImage {
   const data = new Uint8Array(width * height * 4);
   for (let y = 0; y < height; y++) for (let x = 0; x < width; x++) data.set(color(x, y), (y * width + x) * 4);
   return { width, height, data };
 }
 
 /** Draws, and fails on anything the driver complains about. */
-export async function drawPicture(page: PageModule, job: DrawJob): Promise<Picture> {
+export async function drawPicture(page: PageModule, job: DrawJob): Promise<RgbaImage> {
   const drawing = await drawAny(page, job);
   return fromGl(job.width, job.height, Buffer.from(drawing.rgba, 'base64'));
 }

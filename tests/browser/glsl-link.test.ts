@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { useModule } from '../support/browser.ts';
-import { type Picture, pixelAt } from '../support/picture.ts';
+import { pixelAt, type RgbaImage } from '../support/image.ts';
 import type { DrawJob } from './glsl.page.ts';
 import { drawFloats, drawPicture, linkText, PAGE, paint, toPage } from './glsl-kit.ts';
 
@@ -12,8 +12,8 @@ function header(fields: Readonly<Record<string, unknown>>): string {
 
 const IMAGE = { NAME: 'inputImage', TYPE: 'image' };
 
-/** What a file makes of a picture of 8 by 8 pixels, unless `job` says otherwise. */
-function render(source: string, job: Partial<DrawJob> = {}): Promise<Picture> {
+/** What a file makes of an image of 8 by 8 pixels, unless `job` says otherwise. */
+function render(source: string, job: Partial<DrawJob> = {}): Promise<RgbaImage> {
   return drawPicture(page, { width: 8, height: 8, ...job, passes: job.passes ?? linkText(source) });
 }
 
@@ -99,7 +99,7 @@ describe('images', () => {
   });
 
   test('beside a picture that is fitted in there is nothing', async () => {
-    // Twice as wide as the picture: the view shows texture u from -0.5 to 1.5.
+    // Twice as wide as the image: the view shows texture u from -0.5 to 1.5.
     const uvFromViewUv = [2, 0, 0, 0, 1, 0, -0.5, 0, 1];
     const picture = await render(`${header({ INPUTS: [IMAGE] })}void main() { gl_FragColor = IMG_THIS_PIXEL(inputImage); }`, {
       width: 16,

@@ -26,7 +26,7 @@ export interface Picture {
   readonly uvFromViewUv?: readonly number[];
 }
 
-export interface DepthPicture {
+export interface DepthImage {
   readonly width: number;
   readonly height: number;
   /** Bottom row first: meters, or what a depth buffer holds. */
@@ -40,7 +40,7 @@ export interface DrawJob {
   readonly passes: readonly LinkedPass[];
   readonly pictures?: Readonly<Record<string, Picture>>;
   /** Layer depth by the layer's input, room depth by its own. */
-  readonly depths?: Readonly<Record<string, DepthPicture>>;
+  readonly depths?: Readonly<Record<string, DepthImage>>;
   /** Imported cubes by name: a color per side. */
   readonly cubes?: Readonly<Record<string, readonly (readonly number[])[]>>;
   /** Events too: 1 where they happen. */
@@ -258,7 +258,7 @@ function uploadCube(sides: readonly (readonly number[])[]): WebGLTexture {
   return texture;
 }
 
-function uploadDepth(depth: DepthPicture): WebGLTexture {
+function uploadDepth(depth: DepthImage): WebGLTexture {
   const texture = createTexture(gl.R32F, depth.width, depth.height, gl.NEAREST);
   gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, depth.width, depth.height, gl.RED, gl.FLOAT, new Float32Array(depth.values));
   return texture;

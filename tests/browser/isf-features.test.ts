@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { useModule } from '../support/browser.ts';
-import { type Picture, pixelAt } from '../support/picture.ts';
+import { pixelAt, type RgbaImage } from '../support/image.ts';
 import type { DrawJob } from './glsl.page.ts';
 import { drawPicture, linkText, PAGE, paint, toPage } from './glsl-kit.ts';
 
@@ -17,7 +17,7 @@ interface RenderOptions extends Partial<DrawJob> {
   readonly loopBudget?: boolean;
 }
 
-function render(source: string, { vertex, loopBudget = false, ...job }: RenderOptions = {}): Promise<Picture> {
+function render(source: string, { vertex, loopBudget = false, ...job }: RenderOptions = {}): Promise<RgbaImage> {
   return drawPicture(page, { width: 8, height: 8, ...job, passes: linkText(source, { loopBudget }, 'test.fs', vertex ?? null) });
 }
 

@@ -1,7 +1,7 @@
 import { afterAll, afterEach, beforeAll, describe, expect, test } from '@jest/globals';
 import type { Page } from 'playwright-core';
 import { collectErrors, useBrowser } from '../support/browser.ts';
-import { decodePicture, pixelAt } from '../support/picture.ts';
+import { decodeImage, pixelAt } from '../support/image.ts';
 import { LAMP } from './controls-program.ts';
 import { DISC, type ServedPage, servePage } from './page-kit.ts';
 
@@ -29,7 +29,7 @@ async function open(width = 1280, height = 720) {
 type Color = readonly [red: number, green: number, blue: number];
 
 async function colorAt(page: Page, x: number, y: number): Promise<Color> {
-  const [r, g, b] = pixelAt(decodePicture(await page.screenshot({ clip: { x, y, width: 1, height: 1 } })), 0, 0);
+  const [r, g, b] = pixelAt(decodeImage(await page.screenshot({ clip: { x, y, width: 1, height: 1 } })), 0, 0);
   return [r, g, b];
 }
 

@@ -4,7 +4,7 @@ import { pathToFileURL } from 'node:url';
 import { afterAll, afterEach, beforeAll, describe, expect, test } from '@jest/globals';
 import type { BrowserContext, Page } from 'playwright-core';
 import { collectErrors, useBrowser } from '../support/browser.ts';
-import { decodePicture, pixelAt } from '../support/picture.ts';
+import { decodeImage, pixelAt } from '../support/image.ts';
 import { type ServedExport, serveProjectText } from '../support/project-page.ts';
 import { serveStatic } from '../support/serve.ts';
 import { DISC, servePage } from './page-kit.ts';
@@ -39,7 +39,7 @@ async function visit(url: string): Promise<{ context: BrowserContext; page: Page
 
 /** The red box of the project, in the middle of the view. */
 async function expectBox(page: Page): Promise<void> {
-  const picture = decodePicture(await page.screenshot());
+  const picture = decodeImage(await page.screenshot());
   const [red, green] = pixelAt(picture, 640, 360);
   expect(red - green).toBeGreaterThan(60);
 }

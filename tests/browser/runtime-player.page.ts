@@ -103,7 +103,7 @@ export async function builtins() {
 }
 
 /** What comes with a picture, in shaders that read nothing else of it: its size, its placement, how its depth is read. */
-export async function asideFromPicture() {
+export async function asideFromImage() {
   const resources = [target('small', { size: { base: 'view', width: [20], height: [10] }, depth: 'window' })];
   const depth = { name: 'picture', source: { kind: 'depth', depth: { resource: 'small', encoding: 'window' } }, fit: 'none' } as const;
   const read = async (declaration: string, body: string, sampler: PassOperation['samplers'][number]) => {

@@ -46,7 +46,7 @@ function picture(): Uint8Array {
   return encode({ width: COLOR.widthPx, height: COLOR.heightPx, data, depth: 8, channels: 3 });
 }
 
-function depthPicture(): Uint8Array {
+function depthImage(): Uint8Array {
   const data = Uint16Array.from({ length: DEPTH.widthPx * DEPTH.heightPx }, (_, i) =>
     depthMm(i % DEPTH.widthPx, Math.floor(i / DEPTH.widthPx)),
   );
@@ -61,7 +61,7 @@ async function write(name: string, session: unknown, files: Readonly<Record<stri
 
 beforeAll(async () => {
   root = await mkdtemp(join(tmpdir(), 'scrim-session-'));
-  const files = { 'color/ramp.png': picture(), 'depth/ramp.png': depthPicture() };
+  const files = { 'color/ramp.png': picture(), 'depth/ramp.png': depthImage() };
   await write('ramp', SESSION, files);
   const [first, second, third] = SESSION.frames;
   await write(
@@ -122,7 +122,7 @@ describe.each(SHAPES)('on a canvas of %d × %d', (widthPx, heightPx) => {
     [Math.floor(widthPx / 3), Math.floor(heightPx / 2)],
   ];
   /** Where a canvas pixel's center lies in the color picture, y down. */
-  const inPicture = ([x, y]: readonly [number, number]): [number, number] => [
+  const inImage = ([x, y]: readonly [number, number]): [number, number] => [
     crop.x + ((x + 0.5) / widthPx) * crop.width,
     crop.y + (1 - (y + 0.5) / heightPx) * crop.height,
   ];
@@ -131,7 +131,7 @@ describe.each(SHAPES)('on a canvas of %d × %d', (widthPx, heightPx) => {
     const { shots, error } = await page.call<Stepped>('step', 'sessions/ramp/', 'color', [widthPx, heightPx], [0], at);
     expect(error).toBe(0);
     at.forEach((place, i) => {
-      const [px, py] = inPicture(place);
+      const [px, py] = inImage(place);
       // The ramp stays a ramp between pixel centers.
       const [red = 0, green = 0, blue, alpha] = shots[0]?.pixels[i] ?? [];
       expect(Math.abs(red - (px - 0.5) * 6)).toBeLessThanOrEqual(1);
@@ -146,7 +146,7 @@ describe.each(SHAPES)('on a canvas of %d × %d', (widthPx, heightPx) => {
     const point = [0.02, 0.05, -0.8];
     const row = (r: number): number =>
       (m[r] ?? 0) * (point[0] ?? 0) + (m[r + 4] ?? 0) * (point[1] ?? 0) + (m[r + 8] ?? 0) * (point[2] ?? 0) + (m[r + 12] ?? 0);
-    const drawnAt = inPicture([(0.5 + (0.5 * row(0)) / row(3)) * widthPx - 0.5, (0.5 + (0.5 * row(1)) / row(3)) * heightPx - 0.5]);
+    const drawnAt = inImage([(0.5 + (0.5 * row(0)) / row(3)) * widthPx - 0.5, (0.5 + (0.5 * row(1)) / row(3)) * heightPx - 0.5]);
     const { fxPx, fyPx, cxPx, cyPx } = COLOR.intrinsics;
     expect(drawnAt[0]).toBeCloseTo(cxPx + (fxPx * 0.02) / 0.8, 4);
     expect(drawnAt[1]).toBeCloseTo(cyPx - (fyPx * 0.05) / 0.8, 4);
@@ -156,7 +156,7 @@ describe.each(SHAPES)('on a canvas of %d × %d', (widthPx, heightPx) => {
     const { shots, error } = await page.call<Stepped>('step', 'sessions/ramp/', 'depth', [widthPx, heightPx], [0], at);
     expect(error).toBe(0);
     at.forEach((place, i) => {
-      const [px, py] = inPicture(place);
+      const [px, py] = inImage(place);
       const ray = [(px - COLOR.intrinsics.cxPx) / COLOR.intrinsics.fxPx, (py - COLOR.intrinsics.cyPx) / COLOR.intrinsics.fyPx] as const;
       const column = Math.floor(DEPTH.intrinsics.cxPx + DEPTH.intrinsics.fxPx * ray[0]);
       const line = Math.floor(DEPTH.intrinsics.cyPx + DEPTH.intrinsics.fyPx * ray[1]);

@@ -2,7 +2,7 @@ import { type LoadedVideo, loadVideo } from '../../export/runtime/assets/video/l
 import { createBrowserClock } from '../../export/runtime/clock.ts';
 import { createGlObjects, type GlObjects } from '../../export/runtime/gl/gl-objects.ts';
 import type { ImageAsset, VideoAsset, VideoPlayback } from '../../nodes/kit/assets.ts';
-import { encodeFilm, type FilmPicture } from '../../tools/examples/encode-film.ts';
+import { encodeFilm, type FilmImage } from '../../tools/examples/encode-film.ts';
 import { createGl } from './runtime-kit.ts';
 
 const SIDE_PX = 32;
@@ -15,7 +15,7 @@ const grayOf = (i: number): number => 20 + i * 11;
 const plane = (value: number, length = SIDE_PX * SIDE_PX): Uint8Array => new Uint8Array(length).fill(value);
 
 /** BT.601 video range. */
-function gray(value: number, alpha?: Uint8Array): FilmPicture {
+function gray(value: number, alpha?: Uint8Array): FilmImage {
   const neutral = plane(128, (SIDE_PX * SIDE_PX) / 4);
   return { y: plane(Math.round(16 + (219 * value) / 255)), u: neutral, v: neutral, ...(alpha ? { alpha } : {}) };
 }
@@ -28,7 +28,7 @@ interface FilmOptions {
 /** Two seconds of ten grays each, a key frame every half second. */
 function grays({ timed = true, alpha }: FilmOptions = {}): Promise<Uint8Array<ArrayBuffer>> {
   const pictures = Array.from({ length: COUNT }, (_, i) => gray(alpha ? 200 : grayOf(i), alpha));
-  return encodeFilm({ widthPx: SIDE_PX, heightPx: SIDE_PX, picturesPerS: PER_S, keyEvery: 5, bitrate: 2_000_000, pictures, timed });
+  return encodeFilm({ widthPx: SIDE_PX, heightPx: SIDE_PX, framesPerS: PER_S, keyEvery: 5, bitrate: 2_000_000, images: pictures, timed });
 }
 
 /** A transparent video: left half clear, right half half opaque, an opaque strip at the bottom. */
@@ -77,7 +77,7 @@ async function seek(playback: VideoPlayback, times: readonly number[], read: (pi
   for (const timeS of times) {
     playback.follow(timeS, 0, true);
     await playback.settle();
-    const [red = -99] = read(playback.picture) ?? [];
+    const [red = -99] = read(playback.image) ?? [];
     shown.push((red - grayOf(0)) / 11);
   }
   return shown.map((index) => (Math.abs(index - Math.round(index)) < 0.35 ? Math.round(index) : index));
@@ -126,7 +126,7 @@ export async function transparency() {
   const playback = open(video);
   playback.follow(0.5, 0, true);
   await playback.settle();
-  const { picture } = playback;
+  const { image: picture } = playback;
   const result = { left: read(picture, 6, 24), right: read(picture, 26, 24), bottom: read(picture, 6, 3) };
   playback.dispose();
   video.dispose();
@@ -149,7 +149,7 @@ export async function running(until: number) {
   while (new Set(seen).size < until) {
     const timeS = ((await nextFrame()) / 1000 - start) % video.durationS;
     playback.follow(timeS, 1, true);
-    const [red] = read(playback.picture) ?? [];
+    const [red] = read(playback.image) ?? [];
     if (red === undefined) continue;
     const index = Math.round((red - grayOf(0)) / 11);
     if (seen.at(-1) !== index) seen.push(index);
@@ -179,7 +179,7 @@ export async function blocked() {
   }
   playback.follow(0.55, 1, true);
   await playback.settle();
-  const shown = Math.round(((read(playback.picture)?.[0] ?? 0) - grayOf(0)) / 11);
+  const shown = Math.round(((read(playback.image)?.[0] ?? 0) - grayOf(0)) / 11);
   const before = calls;
   playback.follow(0.55, 1, true);
   const silent = calls === before;

@@ -110,7 +110,7 @@ export function phantoms() {
 }
 
 /** As a three.js user would place it: in a hierarchy, on a canvas of its own. */
-function plainPicture(root: Object3D, at: Matrix4, camera: PerspectiveCamera): Uint8Array {
+function plainImage(root: Object3D, at: Matrix4, camera: PerspectiveCamera): Uint8Array {
   const gl = createGl();
   const three = new WebGLRenderer({ canvas: gl.canvas, context: gl });
   three.setClearColor(0, 0);
@@ -154,7 +154,7 @@ export async function placements(url: string) {
   const union = leftAlone.map((value, i) => Math.max(value, rightAlone[i] ?? 0));
   const result = {
     drawn: covered(leftAlone),
-    plain: difference(leftAlone, plainPicture(pose(0.3), left, FRONT)),
+    plain: difference(leftAlone, plainImage(pose(0.3), left, FRONT)),
     // Seen from the same side, either place shows the same picture.
     samePose: difference(draw(lookingAt([-0.6, 0, 2], [-0.6, 0, 0]), left), draw(lookingAt([0.6, 0, 2], [0.6, 0, 0]), right), 3),
     undisturbed: difference(both, union, 0),

@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { readIsf } from '../../export/glsl/isf/read-isf.ts';
 import { linkIsf } from '../../export/glsl/link/link-isf.ts';
 import type { PageModule } from '../support/browser.ts';
-import { decodePicture, type Picture, pixelAt } from '../support/picture.ts';
+import { decodeImage, pixelAt, type RgbaImage } from '../support/image.ts';
 import { drawPicture, made, paint, toPage } from './glsl-kit.ts';
 
 const FOLDER = 'shader-library';
@@ -25,9 +25,9 @@ export type Params = Readonly<Record<string, number | readonly number[]>>;
 export async function applyShader(
   page: PageModule,
   file: string,
-  pictures: Readonly<Record<string, Picture>>,
+  pictures: Readonly<Record<string, RgbaImage>>,
   params: Params = {},
-): Promise<Picture> {
+): Promise<RgbaImage> {
   const shader = made(readIsf(SHADERS[file] ?? '', file));
   const defaults = Object.fromEntries(shader.inputs.map((input) => [input.name, input.default]));
   const [first] = Object.values(pictures);
@@ -41,19 +41,19 @@ export async function applyShader(
   });
 }
 
-/** One of the pictures in `tests/browser/expected/`; the scripts beside them say who made them. */
-export async function expectedPicture(name: string): Promise<Picture> {
-  return decodePicture(await readFile(`tests/browser/expected/${name}.png`));
+/** One of the images in `tests/browser/expected/`; the scripts beside them say who made them. */
+export async function expectedImage(name: string): Promise<RgbaImage> {
+  return decodeImage(await readFile(`tests/browser/expected/${name}.png`));
 }
 
 /** The part of a photograph of the shared data that `expected/filters.py` uses. */
-export async function photograph(path: string): Promise<Picture> {
-  const whole = decodePicture(await readFile(path));
+export async function photograph(path: string): Promise<RgbaImage> {
+  const whole = decodeImage(await readFile(path));
   return paint(256, 256, (x, y) => pixelAt(whole, x + 128, y));
 }
 
 /** The pixels that it keeps of the result. */
-export function samplesOf(picture: Picture): Picture {
+export function samplesOf(picture: RgbaImage): RgbaImage {
   const every = 8;
   const [left, top] = [5, 7];
   const count = (size: number, first: number) => Math.ceil((size - first) / every);

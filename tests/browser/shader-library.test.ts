@@ -6,22 +6,25 @@ import { linkIsfDepth } from '../../export/glsl/link/link-depth.ts';
 import { linkIsf } from '../../export/glsl/link/link-isf.ts';
 import over from '../../shader-library/operators/over.fs';
 import { useModule } from '../support/browser.ts';
-import { type Picture, pixelAt } from '../support/picture.ts';
+import { pixelAt, type RgbaImage } from '../support/image.ts';
 import { expectSamePixels } from '../support/pixels.ts';
 import { drawFloats, drawPicture, made, PAGE, paint, toPage } from './glsl-kit.ts';
-import { applyShader, expectedPicture as expected, type Params, SHADERS } from './shader-library-kit.ts';
+import { applyShader, expectedImage as expected, type Params, SHADERS } from './shader-library-kit.ts';
 
 /** Half a step of rounding on either side and one for arithmetic in single precision. */
 const TOLERANCE = 2;
 
 const page = useModule(PAGE);
 
-function apply(file: string, pictures: Readonly<Record<string, Picture>>, params?: Params) {
+function apply(file: string, pictures: Readonly<Record<string, RgbaImage>>, params?: Params) {
   return applyShader(page, file, pictures, params);
 }
 
 /** `formula` works on straight colors from 0 to 1; the layer around it is premultiplied and 8 bits. */
-function each(picture: Picture, formula: (rgb: number[], alpha: number, x: number, y: number) => [rgb: number[], alpha: number]): Picture {
+function each(
+  picture: RgbaImage,
+  formula: (rgb: number[], alpha: number, x: number, y: number) => [rgb: number[], alpha: number],
+): RgbaImage {
   return paint(picture.width, picture.height, (x, y) => {
     const [r, g, b, a] = pixelAt(picture, x, y);
     const straight = a === 0 ? [0, 0, 0] : [r / a, g / a, b / a];

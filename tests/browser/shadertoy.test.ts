@@ -1,19 +1,19 @@
 import { expect, test } from '@jest/globals';
 import { convertShadertoy } from '../../export/glsl/shadertoy/convert-shadertoy.ts';
 import { useModule } from '../support/browser.ts';
-import { type Picture, pixelAt } from '../support/picture.ts';
+import { pixelAt, type RgbaImage } from '../support/image.ts';
 import { drawPicture, linkText, made, PAGE, paint, toPage } from './glsl-kit.ts';
 
 const page = useModule(PAGE);
 
 interface Scene {
   readonly frames?: number;
-  readonly picture?: Picture;
+  readonly picture?: RgbaImage;
   readonly mouse?: readonly [number, number];
 }
 
 /** What the real driver draws of a converted source, 16 by 8 pixels. */
-function draw(source: string, { frames = 1, picture, mouse = [0, 0] }: Scene = {}): Promise<Picture> {
+function draw(source: string, { frames = 1, picture, mouse = [0, 0] }: Scene = {}): Promise<RgbaImage> {
   const { text } = made(convertShadertoy(source, 'pasted.glsl'));
   return drawPicture(page, {
     width: 16,

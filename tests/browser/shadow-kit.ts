@@ -130,7 +130,7 @@ export const byBoth = (shot: Omit<Shot, 'method'>): [map: Uint8Array, volume: Ui
   shoot(stand, { ...shot, method: 'volume' }),
 ];
 
-export const toPicture = (pixels: Uint8Array): number[] => [...pixels];
+export const toImage = (pixels: Uint8Array): number[] => [...pixels];
 
 /** Alpha at points of the floor, which is drawn in a picture of these sides. */
 export function onFloor(pixels: Uint8Array, camera: PerspectiveCamera, points: Readonly<Record<string, readonly [number, number]>>) {

@@ -15,7 +15,7 @@ import {
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { ObjectItem } from '../../nodes/kit/scene-lists.ts';
 import { item, loadUrl, lookingAt, midStride, sun, translation } from './scenes-kit.ts';
-import { type Agreement, bentArm, byBoth, compare, desk, LIGHTS, SIDES, SUN, stand, thing, toPicture } from './shadow-kit.ts';
+import { type Agreement, bentArm, byBoth, compare, desk, LIGHTS, SIDES, SUN, stand, thing, toImage } from './shadow-kit.ts';
 
 /** What casts: a lifted truck, or a can, as in the paper's Figure 6. */
 function caster(role: 'virtual' | 'phantom'): ObjectItem {
@@ -59,7 +59,7 @@ export function directions(light: string, picture = false) {
       result[`${from} on ${to}`] = {
         ...compare(map, volume),
         error: stand.gl.getError(),
-        ...(picture ? { pictures: [toPicture(map), toPicture(volume)] } : {}),
+        ...(picture ? { pictures: [toImage(map), toImage(volume)] } : {}),
       };
     }
   }
@@ -123,7 +123,7 @@ export async function model(url: string, picture = false) {
   const result = {
     ...compare(map, volume),
     told: told.map(({ code }) => code),
-    pictures: picture ? [toPicture(map), toPicture(volume)] : [],
+    pictures: picture ? [toImage(map), toImage(volume)] : [],
   };
   loaded.dispose();
   return result;

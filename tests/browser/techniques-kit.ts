@@ -19,7 +19,7 @@ import { linkTechnique } from '../../export/glsl/technique/link-technique.ts';
 import { readTechnique } from '../../export/glsl/technique/read-technique.ts';
 import type { Program } from '../../export/program/program.ts';
 import { createGlObjects } from '../../export/runtime/gl/gl-objects.ts';
-import { createPictureStore } from '../../export/runtime/gl/picture-store.ts';
+import { createImageStore } from '../../export/runtime/gl/image-store.ts';
 import type { DrawBinding } from '../../export/runtime/scene-backend.ts';
 import { SHADERS } from '../../nodes/generated/definitions.gen.ts';
 import type { LightItem, ObjectItem } from '../../nodes/kit/scene-lists.ts';
@@ -42,7 +42,7 @@ export function technique(name: string, values: Values = {}, layers: Layers = {}
 }
 
 /** Decodes what the library's techniques carry; before the first draw with one that carries any. */
-export async function loadPictures(): Promise<void> {
+export async function loadImages(): Promise<void> {
   const carried = Object.keys(SHADERS).filter((path) => path.startsWith('pictures/'));
   const resource = { kind: 'technique', pictures: carried.map((name) => ({ name, data: SHADERS[name] ?? '' })) };
   await pictures.hold({ resources: [resource] } as unknown as Program).settled;
@@ -51,7 +51,7 @@ export async function loadPictures(): Promise<void> {
 /** Layers at image inputs, pixel-aligned with the view: premultiplied sRGB. */
 export type Layers = Readonly<Record<string, WebGLTexture>>;
 
-const pictures = createPictureStore(createGlObjects(stand.gl));
+const pictures = createImageStore(createGlObjects(stand.gl));
 
 export function viewOfText(text: string, key: string, values: Values = {}, layers: Layers = {}): TechniqueView {
   const { output: read, diagnostics } = readTechnique(text, `techniques/${key}.glsl`);

@@ -33,7 +33,7 @@ async function modelOf(...parts: readonly Part[]): Promise<string> {
       .createMaterial()
       .setBaseColorFactor([...color])
       .setAlphaMode(blended ? 'BLEND' : 'OPAQUE');
-    if (disc) material.setBaseColorTexture(doc.createTexture().setImage(discPicture(64)).setMimeType('image/png'));
+    if (disc) material.setBaseColorTexture(doc.createTexture().setImage(discImage(64)).setMimeType('image/png'));
     const primitive = doc
       .createPrimitive()
       .setAttribute('POSITION', accessor('VEC3', list('position')))
@@ -46,7 +46,7 @@ async function modelOf(...parts: readonly Part[]): Promise<string> {
   return `data:model/gltf-binary;base64,${Buffer.from(await new NodeIO().writeBinary(doc)).toString('base64')}`;
 }
 
-function discPicture(sizePx: number): Uint8Array<ArrayBuffer> {
+function discImage(sizePx: number): Uint8Array<ArrayBuffer> {
   const data = Uint8Array.from({ length: sizePx * sizePx * 4 }, (_, i) => {
     const [x, y] = [((i >> 2) % sizePx) - sizePx / 2, Math.floor((i >> 2) / sizePx) - sizePx / 2];
     return i % 4 === 3 && Math.hypot(x, y) > sizePx / 3 ? 0 : 255;

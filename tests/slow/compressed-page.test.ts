@@ -2,7 +2,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { collectErrors, useBrowser } from '../support/browser.ts';
-import { decodePicture, type Picture } from '../support/picture.ts';
+import { decodeImage, type RgbaImage } from '../support/image.ts';
 import type { ProjectText } from '../support/project-kit.ts';
 import { type ServedExport, serveProjectText } from '../support/project-page.ts';
 import { texturedModel } from '../support/textured-model.ts';
@@ -34,7 +34,7 @@ afterAll(async () => {
   for (const page of [plain, packed, single]) await page.close();
 });
 
-async function visit(url: string): Promise<{ picture: Picture; loaded: string[] }> {
+async function visit(url: string): Promise<{ picture: RgbaImage; loaded: string[] }> {
   const context = await chromium.browser.newContext({ viewport: { width: 640, height: 480 } });
   const page = await context.newPage();
   const errors = collectErrors(page);
@@ -42,14 +42,14 @@ async function visit(url: string): Promise<{ picture: Picture; loaded: string[] 
   page.on('request', (request) => loaded.push(new URL(request.url()).pathname));
   await page.goto(url);
   await page.getByText('look around').waitFor();
-  const picture = decodePicture(await page.screenshot());
+  const picture = decodeImage(await page.screenshot());
   expect(errors).toEqual([]);
   await context.close();
   return { picture, loaded };
 }
 
 /** Mean difference of a channel, of 255. */
-function difference(a: Picture, b: Picture): number {
+function difference(a: RgbaImage, b: RgbaImage): number {
   let sum = 0;
   a.data.forEach((value, i) => {
     sum += Math.abs(value - (b.data[i] ?? 0));

@@ -4,15 +4,15 @@ import { pathToFileURL } from 'node:url';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { paint } from '../browser/glsl-kit.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
+import { decodeImage, encodeImage, pixelAt, type RgbaImage } from '../support/image.ts';
 import { openEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
-import { decodePicture, encodePicture, type Picture, pixelAt } from '../support/picture.ts';
 import { type ServedExport, serveProjectText } from '../support/project-page.ts';
 
 const chromium = useBrowser();
 
 /** The part of the pixels that are nearly black, or nearly white. */
-function extremes({ data }: Picture): { readonly dark: number; readonly bright: number } {
+function extremes({ data }: RgbaImage): { readonly dark: number; readonly bright: number } {
   let dark = 0;
   let bright = 0;
   for (let i = 0; i < data.length; i += 4) {
@@ -35,7 +35,7 @@ describe('an exported page', () => {
     wires: ['picture-a.layer -> cpu-a.inputImage', 'cpu-a.layer -> screen-a.layer'],
     assets: { grays: { path: 'assets/grays.png', kind: 'image' } },
   } as const;
-  const FILES = { 'assets/grays.png': encodePicture(GRAYS) };
+  const FILES = { 'assets/grays.png': encodeImage(GRAYS) };
   let served: ServedExport;
   let single: ServedExport;
   beforeAll(async () => {
@@ -47,14 +47,14 @@ describe('an exported page', () => {
     await single.close();
   });
 
-  /** Waits for the worker's picture: the first frames show what it is made of. */
+  /** Waits for the worker's image: the first frames show what it is made of. */
   async function expectEqualized(url: string): Promise<void> {
     const page = await chromium.browser.newPage({ viewport: { width: 1280, height: 720 } });
     const errors = collectErrors(page);
     await page.goto(url);
     await page.getByText('look around').waitFor();
     await eventually(async () => {
-      const picture = decodePicture(await page.screenshot());
+      const picture = decodeImage(await page.screenshot());
       expect([pixelAt(picture, 500, 600), pixelAt(picture, 1200, 600)]).toEqual([
         [0, 0, 0, 255],
         [255, 255, 255, 255],

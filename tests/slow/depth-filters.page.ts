@@ -134,7 +134,7 @@ uniform bool interpolate;
 ${ROOM_DEPTH_TEXT}
 float meters() { return scrim_roomM(room, interpolate, place(roomFromView, uv)); }`;
   const pass = drawing.link(text, ['room']);
-  const target = drawing.createPicture(WIDTH, HEIGHT);
+  const target = drawing.createImage(WIDTH, HEIGHT);
   drawing.begin(target, pass);
   drawing.texture(0, depth.texture, 'nearest');
   gl.uniformMatrix3fv(pass.uniform('roomFromView'), false, depth.uvFromViewUv);

@@ -3,8 +3,8 @@ import type { Locator } from 'playwright-core';
 import { centerOf, type Point } from '../../tools/lib/center-of.ts';
 import { testThemes } from '../support/axe-themes.ts';
 import { Hand } from '../support/hand.ts';
+import type { RgbaImage } from '../support/image.ts';
 import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
-import type { Picture } from '../support/picture.ts';
 import { expectSamePixels } from '../support/pixels.ts';
 
 /** What the camera sees, by curves. */
@@ -19,7 +19,7 @@ const GRAPH: GraphText = {
 };
 
 /** As it was before any curve was touched. */
-let plain: Picture;
+let plain: RgbaImage;
 const open = useOneEditor(GRAPH, { colorScheme: 'dark', hasTouch: true }, async () => {
   await open.editor.settled();
   plain = await open.editor.rewind();
@@ -58,22 +58,22 @@ async function undo(times = 1): Promise<void> {
 test('ends that are dragged to the other corners make a negative, while they are dragged; each is one step', async () => {
   const { page, editor } = open;
   await editor.drag(await centerOf(point(1)), await place(-0.05, 1.05));
-  const white = await editor.pictureOtherThan(plain);
+  const white = await editor.imageOtherThan(plain);
   const [from, to] = [await centerOf(point(2)), await place(1.05, -0.05)];
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
   await page.mouse.move(to.x, (from.y + to.y) / 2);
   await page.mouse.move(to.x, to.y);
   // Not let go yet.
-  const negative = await editor.pictureOtherThan(white);
+  const negative = await editor.imageOtherThan(white);
   const expected = { ...plain, data: plain.data.map((value, i) => (i % 4 === 3 ? value : 255 - value)) };
   await expectSamePixels('negative', negative, expected, { tolerance: 2 });
   await page.mouse.up();
   expect(await saved()).toEqual([0, 1, 1, 0]);
   await undo();
-  await editor.pictureSameAs(white, 'half undone');
+  await editor.imageSameAs(white, 'half undone');
   await undo();
-  await editor.pictureSameAs(plain, 'undone');
+  await editor.imageSameAs(plain, 'undone');
   expect(await saved()).toBeUndefined();
 });
 
@@ -84,7 +84,7 @@ test('a press on the line adds a point and takes it along; a press beside it doe
   expect(await points().count()).toBe(2);
   await editor.drag(await place(0.5, 0.5), await place(0.4, 0.8));
   expect(await savedRoughly()).toEqual([0, 0, 0.4, 0.8, 1, 1]);
-  await editor.pictureOtherThan(plain);
+  await editor.imageOtherThan(plain);
   // It has the keyboard, and its numbers stand below.
   expect(await point(2).evaluate((element) => element === document.activeElement)).toBe(true);
   const height = row('All channels').getByRole('textbox', { name: 'Height of point 2 of All channels' });
@@ -102,7 +102,7 @@ test('a press on the line adds a point and takes it along; a press beside it doe
   await editor.drag(await centerOf(point(2)), await place(1.05, 0.5));
   expect(((await saved()) as readonly number[])[2]).toBe(0.999);
   await undo(2);
-  await editor.pictureSameAs(plain, 'the point undone');
+  await editor.imageSameAs(plain, 'the point undone');
   expect(await points().count()).toBe(2);
 });
 
@@ -175,7 +175,7 @@ test('a curve is copied to another, and reset', async () => {
       .getByRole('button', { name: `Reset ${label}` })
       .click();
   expect([await saved(), await saved('red')]).toEqual([undefined, undefined]);
-  await editor.pictureSameAs(plain, 'reset');
+  await editor.imageSameAs(plain, 'reset');
   // A number is no curve.
   await page.evaluate(() => navigator.clipboard.writeText('[0.5, 0.5]'));
   await choose('Red', 'Paste value');

@@ -81,7 +81,7 @@ async function amountByBrowser(): Promise<number> {
 
 test('a named easing is gone on from by handles, which are dragged; the value follows as the browser would have it', async () => {
   const { page, editor } = open;
-  const before = await editor.restingPicture();
+  const before = await editor.restingImage();
   expect(await amount()).toBeCloseTo(0.3, 6);
   await choice().selectOption('Bézier');
   expect(await savedRoughly()).toEqual([0.35, 0.35, 0.65, 0.65]);
@@ -92,14 +92,14 @@ test('a named easing is gone on from by handles, which are dragged; the value fo
   await page.mouse.move(to.x, to.y);
   // Not let go yet.
   await eventually(async () => expect(await amount()).toBeGreaterThan(0.35));
-  await editor.pictureOtherThan(before);
+  await editor.imageOtherThan(before);
   await page.mouse.up();
   expect(await savedRoughly()).toEqual([0.3, 1.4, 0.65, 0.65]);
   expect(await amount()).toBeCloseTo(await amountByBrowser(), 2);
   // One step, which is undone from within.
   await page.keyboard.press('Control+z');
   expect(await savedRoughly()).toEqual([0.35, 0.35, 0.65, 0.65]);
-  await editor.pictureSameAs(before, 'undone');
+  await editor.imageSameAs(before, 'undone');
 });
 
 test('Escape gives a drag up, and closes only when nothing is dragged', async () => {

@@ -40,7 +40,7 @@ test('a page has the picture of its recording, which plays on as it was', async 
   await editor.settled();
   const before = await editor.rewind();
   await expectPoster(open.browser, await exportTo('recorded'));
-  await editor.pictureSameAs(before, 'exported');
+  await editor.imageSameAs(before, 'exported');
 });
 
 test('a page has the picture of its room, one eye’s of two', async () => {
@@ -51,7 +51,7 @@ test('a page has the picture of its room, one eye’s of two', async () => {
   await editor.settled();
   const before = await editor.rewind();
   await expectPoster(open.browser, await exportTo('room'));
-  await editor.pictureSameAs(before, 'exported');
+  await editor.imageSameAs(before, 'exported');
 });
 
 test('an export that takes long can be cancelled', async () => {

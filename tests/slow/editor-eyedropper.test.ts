@@ -2,9 +2,9 @@ import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { expect, test } from '@jest/globals';
 import { FLAG_PX } from '../support/editor-driver.ts';
+import type { RgbaImage } from '../support/image.ts';
 import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
-import type { Picture } from '../support/picture.ts';
 
 const SHADER = `/*{
   "ISFVSN": "2",
@@ -29,7 +29,7 @@ const GRAPH: GraphText = {
   shaders: { 'own.fs': SHADER },
 };
 
-let picture: Picture;
+let picture: RgbaImage;
 const open = useOneEditor(GRAPH, { colorScheme: 'dark' }, async () => {
   await open.editor.settled();
   picture = await open.editor.rewind();
@@ -40,13 +40,13 @@ const pipette = () => open.editor.inspector.getByRole('button', { name: /pick fr
 const eyedropper = () => open.page.getByRole('application', { name: /pick a color from the preview/ });
 const shown = () => open.page.getByRole('status', { name: 'Color to pick' });
 
-/** Of the preview's picture, in points from its top left. */
+/** Of the preview's image, in points from its top left. */
 function colorAt(x: number, y: number): readonly number[] {
   const index = ((y - FLAG_PX) * picture.width + x) * 4;
   return [...picture.data.slice(index, index + 3)];
 }
 
-/** In points from the preview's top left, where the picture changes most from one pixel to the next. */
+/** In points from the preview's top left, where the image changes most from one pixel to the next. */
 async function edgePoint(): Promise<{ readonly x: number; readonly y: number }> {
   let best = { x: 0, y: 0, change: -1 };
   for (let y = FLAG_PX + 60; y < picture.height - 20; y += 7) {

@@ -1,9 +1,9 @@
 import { expect, test } from '@jest/globals';
 import type { Point } from '../../tools/lib/center-of.ts';
 import { FLAG_PX } from '../support/editor-driver.ts';
+import type { RgbaImage } from '../support/image.ts';
 import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
-import type { Picture } from '../support/picture.ts';
 
 /** A box with two Transforms, a point light whose position is connected, and a directional light. */
 const GRAPH: GraphText = {
@@ -43,14 +43,14 @@ const AXES = { x: [0xf2, 0x49, 0x5c], y: [0x7a, 0xc7, 0x4f], z: [0x4c, 0x8d, 0xf
 type Axis = keyof typeof AXES;
 
 /** With the Transform selected, before anything was moved. */
-let rest: Picture;
+let rest: RgbaImage;
 const open = useOneEditor(GRAPH, { colorScheme: 'dark' }, async () => {
   await open.editor.settled();
   await open.editor.rewind();
 });
 
 /** Pixels of an axis, in page points. */
-function axisPixels({ width, height, data }: Picture, frame: Point, axis: Axis): Point[] {
+function axisPixels({ width, height, data }: RgbaImage, frame: Point, axis: Axis): Point[] {
   const points: Point[] = [];
   for (let i = 0; i < width * height; i++) {
     if (AXES[axis].every((part, c) => Math.abs((data[i * 4 + c] ?? 0) - part) <= 2)) {
@@ -70,7 +70,7 @@ async function frameBox() {
 async function seeAxis(axis: Axis): Promise<Point[]> {
   const frame = await frameBox();
   return eventually(async () => {
-    const points = axisPixels(await open.editor.pictureWithGizmo(), frame, axis);
+    const points = axisPixels(await open.editor.imageWithGizmo(), frame, axis);
     if (points.length <= 8) throw new Error(`The axis ${axis} is not to be seen.`);
     return points;
   });
@@ -128,7 +128,7 @@ test('dragging an arrow moves the thing under the pointer, in the picture and in
   const { page, editor } = open;
   await select('transform');
   await holds('move');
-  rest = await editor.restingPicture();
+  rest = await editor.restingImage();
   // Outside, a quarter turn about y makes z of x, and half the size half the way.
   const up = await tip('y', ({ y }) => -y);
   await page.mouse.move(up.x, up.y);
@@ -140,7 +140,7 @@ test('dragging an arrow moves the thing under the pointer, in the picture and in
   await expectValue('Position Y', (value) => value > half + 0.01);
   await page.mouse.up();
   await page.mouse.move(up.x + 150, up.y - 60);
-  await editor.pictureOtherThan(rest);
+  await editor.imageOtherThan(rest);
   // The arrow went along with the pointer, so that the place is right although another Transform comes after.
   const after = await tip('y', ({ y }) => -y);
   expect(Math.abs(up.y - 40 - after.y)).toBeLessThan(4);
@@ -149,7 +149,7 @@ test('dragging an arrow moves the thing under the pointer, in the picture and in
   expect(positionM[1]).toBeCloseTo(await numberIn('Position Y'), 3);
   await undo();
   expect(await savedParams('transform-aaaa')).toEqual({ positionM: [0, 0.5, 0] });
-  await editor.pictureSameAs(rest, 'gizmo-undone');
+  await editor.imageSameAs(rest, 'gizmo-undone');
 });
 
 async function expectValue(name: string, is: (value: number) => boolean): Promise<void> {
@@ -172,7 +172,7 @@ test('Escape in the middle of a drag leaves everything as it was, and nothing to
   await page.mouse.up();
   await page.mouse.move(up.x + 150, up.y - 60);
   expect(await savedParams('transform-aaaa')).toEqual({ positionM: [0, 0.5, 0] });
-  await editor.pictureSameAs(rest, 'gizmo-escaped');
+  await editor.imageSameAs(rest, 'gizmo-escaped');
   // The step before was undone; it is still there to be done again.
   await page.locator('.canvas').focus();
   expect(await page.getByRole('button', { name: 'Undo' }).isDisabled()).toBe(true);

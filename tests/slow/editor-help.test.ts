@@ -36,7 +36,7 @@ test('help beside the graph says what the selected node takes, gives and can be 
   await help.getByRole('heading', { name: 'Camera video', level: 2 }).waitFor();
   const example = part('Examples').getByRole('button').first();
   await example.locator('img').waitFor();
-  const title = (await example.locator('.picture-card-title').textContent())?.replace('Open the example: ', '') ?? '';
+  const title = (await example.locator('.image-card-title').textContent())?.replace('Open the example: ', '') ?? '';
   await example.click();
   await page.locator('.top-bar').getByText(title, { exact: true }).waitFor();
   await page.keyboard.press('F1');

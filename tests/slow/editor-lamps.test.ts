@@ -43,7 +43,7 @@ async function savedParams(): Promise<Readonly<Record<string, unknown>>> {
 
 /** Where a mark stands, in parts of the panorama. */
 async function place(lamp: number): Promise<{ x: number; y: number }> {
-  const [box, picture] = [await mark(lamp).boundingBox(), await section().locator('.lamps-picture').boundingBox()];
+  const [box, picture] = [await mark(lamp).boundingBox(), await section().locator('.lamps-image').boundingBox()];
   if (!box || !picture) throw new Error('The mark is shown.');
   return { x: (box.x + box.width / 2 - picture.x) / picture.width, y: (box.y + box.height / 2 - picture.y) / picture.height };
 }

@@ -181,7 +181,7 @@ test('removed from the library, it says what uses it, and leaves the picture as 
   expect(Object.keys(graphs)).toEqual(['main']);
   expect(Object.values(graphs.main?.nodes ?? {}).filter(({ type }) => type === 'filter/sepia')).toHaveLength(4);
   await editor.settled();
-  await editor.pictureSameAs(picture, 'unpacked');
+  await editor.imageSameAs(picture, 'unpacked');
   await page.keyboard.press('Control+z');
   await countOf('Worn print', 4);
   expect(JSON.stringify(await saveGraphs(open))).toBe(before);

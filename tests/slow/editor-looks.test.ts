@@ -2,11 +2,11 @@ import { expect, test } from '@jest/globals';
 import { centerOf } from '../../tools/lib/center-of.ts';
 import { axeFindings } from '../support/axe.ts';
 import { FLAG_PX } from '../support/editor-driver.ts';
+import { decodeImage, type RgbaImage } from '../support/image.ts';
 import { type GraphText, useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
-import { decodePicture, type Picture } from '../support/picture.ts';
 
-/** The camera's picture through two filters; another one has no input. */
+/** The camera's image through two filters; another one has no input. */
 const GRAPH: GraphText = {
   nodes: {
     'video-aaaa': { type: 'source/camera-video' },
@@ -28,8 +28,8 @@ const open = useOneEditor(GRAPH, { colorScheme: 'dark' }, async () => {
   await open.editor.rewind();
 });
 
-/** How much of a picture is gray, and how much warmer than blue the rest is. */
-function tints({ width, height, data }: Picture, from = 0, to = 1) {
+/** How much of an image is gray, and how much warmer than blue the rest is. */
+function tints({ width, height, data }: RgbaImage, from = 0, to = 1) {
   let gray = 0;
   let warm = 0;
   let count = 0;
@@ -51,32 +51,32 @@ test('nodes show their layers, and only while somebody looks', async () => {
   await page.keyboard.press('t');
   for (const node of ['video', 'sepia', 'threshold']) {
     await page.waitForFunction(
-      (stem) => (document.querySelector<HTMLCanvasElement>(`[data-node^="${stem}"] .node-picture canvas`)?.width ?? 0) > 100,
+      (stem) => (document.querySelector<HTMLCanvasElement>(`[data-node^="${stem}"] .node-thumbnail canvas`)?.width ?? 0) > 100,
       node,
     );
   }
   // Nothing comes in, so nothing comes out.
   expect(await editor.node('sobel').locator('canvas').getAttribute('width')).toBe('0');
-  const pixels = await editor.node('sepia').locator('.node-picture').screenshot();
-  expect(tints(decodePicture(pixels), 0.1, 0.9).warm).toBeGreaterThan(0.8);
+  const pixels = await editor.node('sepia').locator('.node-thumbnail').screenshot();
+  expect(tints(decodeImage(pixels), 0.1, 0.9).warm).toBeGreaterThan(0.8);
   await page.keyboard.press('t');
-  await page.locator('.node-picture').first().waitFor({ state: 'detached' });
+  await page.locator('.node-thumbnail').first().waitFor({ state: 'detached' });
 });
 
 test('the preview shows any layer, and wipes between two', async () => {
   const { page, editor } = open;
-  const screen = await editor.restingPicture();
+  const screen = await editor.restingImage();
   expect(tints(screen).gray).toBeGreaterThan(0.95);
   await editor.node('sepia').locator('.node-title').click();
   await page.keyboard.press('p');
   await page.locator('.look-pinned').getByText('Sepia').waitFor();
-  const sepia = await editor.pictureOtherThan(screen);
+  const sepia = await editor.imageOtherThan(screen);
   expect(tints(sepia).warm).toBeGreaterThan(0.8);
 
   await editor.node('threshold').locator('.node-title').click({ button: 'right' });
   await page.getByRole('menuitem', { name: 'Compare in the preview' }).click();
   await page.locator('.look-pinned').getByText('Sepia | Threshold').waitFor();
-  const both = await editor.pictureOtherThan(sepia);
+  const both = await editor.imageOtherThan(sepia);
   expect(tints(both, 0, 0.47).warm).toBeGreaterThan(0.8);
   expect(tints(both, 0.53, 1).gray).toBeGreaterThan(0.95);
 
@@ -85,11 +85,11 @@ test('the preview shows any layer, and wipes between two', async () => {
   await editor.drag({ x: at.x, y: at.y - 60 }, { x: at.x - 100, y: at.y - 60 });
   await page.keyboard.press('ArrowLeft');
   expect(Number(await wipe.getAttribute('aria-valuenow'))).toBeLessThan(30);
-  const moved = await editor.pictureOtherThan(both);
+  const moved = await editor.imageOtherThan(both);
   expect(tints(moved, 0.33, 1).gray).toBeGreaterThan(0.95);
 
   await page.getByRole('button', { name: 'Show output' }).click();
-  await editor.pictureSameAs(screen, 'screen-again');
+  await editor.imageSameAs(screen, 'screen-again');
 });
 
 test('a port’s menu shows the layer at it: what an output gives, and what comes in at an input', async () => {
@@ -109,13 +109,13 @@ test('a port’s menu shows the layer at it: what an output gives, and what come
   const subgraph = await editor.nodeId('subgraph');
   const outputs = page.locator(`.react-flow__handle.source[data-nodeid="${subgraph}"]`);
   await eventually(async () => expect(await outputs.count()).toBe(2));
-  const shown: Picture[] = [];
+  const shown: RgbaImage[] = [];
   for (const output of await outputs.all()) {
     await output.click({ button: 'right' });
     await page.getByRole('menuitem', { name: /^View “Subgraph · .*”/ }).click();
     await label.getByText(/^Subgraph · /).waitFor();
     await editor.settled();
-    shown.push(await editor.restingPicture());
+    shown.push(await editor.restingImage());
   }
   const warm = shown.map((picture) => tints(picture).warm > 0.8);
   expect(warm.filter(Boolean)).toHaveLength(1);
@@ -126,7 +126,7 @@ test('a port’s menu shows the layer at it: what an output gives, and what come
 
 test('the probe tells color, distance and place of what is under the pointer', async () => {
   const { page, editor } = open;
-  const picture = await editor.restingPicture();
+  const picture = await editor.restingImage();
   await page.getByRole('button', { name: 'Pixel probe' }).click();
   const frame = await page.locator('iframe[title="Preview"]').boundingBox();
   if (!frame) throw new Error('There is no preview.');

@@ -2,10 +2,10 @@ import { access, rm } from 'node:fs/promises';
 import { join } from 'node:path';
 import { beforeAll, expect, test } from '@jest/globals';
 import { useBrowser } from '../support/browser.ts';
+import type { RgbaImage } from '../support/image.ts';
 import { looseModel } from '../support/loose-model.ts';
 import { type GraphText, openEditor, saveGraphs } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
-import type { Picture } from '../support/picture.ts';
 
 /** An orange tile before the camera, lit by the sun; its model lies in three files in a folder below `assets`. */
 const GRAPH: GraphText = {
@@ -45,7 +45,7 @@ const withFiles = (): GraphText => ({
   assetFiles: Object.fromEntries(Object.entries(files).map(([name, bytes]) => [`shapes/${name}`, bytes])),
 });
 
-function orangePixels({ data }: Picture): number {
+function orangePixels({ data }: RgbaImage): number {
   let count = 0;
   for (let i = 0; i < data.length; i += 4)
     if ((data[i] ?? 0) > 1.5 * (data[i + 1] ?? 0) && (data[i] ?? 0) > 3 * (data[i + 2] ?? 0)) count++;
@@ -72,7 +72,7 @@ test('nodes with a model in several files are copied to another project, where t
     await saveGraphs(second);
     await access(join(second.project, 'assets', 'tile.glb'));
     await second.editor.rewind();
-    await second.editor.pictureSameAs(picture, 'copied-model');
+    await second.editor.imageSameAs(picture, 'copied-model');
     expect([...first.errors, ...second.errors]).toEqual([]);
   } finally {
     await first.close();

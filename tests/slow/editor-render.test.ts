@@ -4,13 +4,13 @@ import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { ALL_FORMATS, BufferSource, type EncodedPacket, EncodedPacketSink, Input } from 'mediabunny';
 import { useBrowser } from '../support/browser.ts';
 import { FLAG_PX } from '../support/editor-driver.ts';
+import { decodeImage, type RgbaImage } from '../support/image.ts';
 import { keyframedSepia } from '../support/keyframed-sepia.ts';
 import { type GraphText, type OpenEditor, openEditor } from '../support/open-editor.ts';
-import { decodePicture, type Picture } from '../support/picture.ts';
 import { countDifferent } from '../support/pixels.ts';
 import { succeed } from '../support/scrim.ts';
 
-/** The camera's picture in a tone that keyframes change, and grain that is another one in every frame and moves with a count of pulses. */
+/** The camera's image in a tone that keyframes change, and grain that is another one in every frame and moves with a count of pulses. */
 const GRAPH: GraphText = {
   nodes: {
     'video-aaaa': { type: 'source/camera-video' },
@@ -75,8 +75,8 @@ async function ask(fields: Readonly<Record<string, string>>, as?: 'video'): Prom
   for (const [name, text] of Object.entries(fields)) await dialog().getByRole('textbox', { name, exact: true }).fill(text);
 }
 
-async function read(path: string): Promise<Picture> {
-  return decodePicture(await readFile(path));
+async function read(path: string): Promise<RgbaImage> {
+  return decodeImage(await readFile(path));
 }
 
 test('pictures are those of the command line from frame 0 and of the preview, byte for byte', async () => {
@@ -104,7 +104,7 @@ test('pictures are those of the command line from frame 0 and of the preview, by
   await editor.press('Go to first frame');
   for (let i = 0; i < 12; i++) await editor.press('Next frame');
   await page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '12');
-  const shown = await editor.restingPicture();
+  const shown = await editor.restingImage();
   const whole = { ...second, height: second.height - FLAG_PX, data: second.data.slice(second.width * FLAG_PX * 4) };
   expect([shown.width, shown.height]).toEqual([whole.width, whole.height]);
   expect(countDifferent(shown, whole).pixels).toBe(0);

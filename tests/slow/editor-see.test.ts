@@ -1,9 +1,9 @@
 import { readFile } from 'node:fs/promises';
 import { expect, test } from '@jest/globals';
 import type { Download } from 'playwright-core';
+import { decodeImage } from '../support/image.ts';
 import { type GraphText, useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
-import { decodePicture } from '../support/picture.ts';
 
 /** What the camera sees, on the screen. */
 const GRAPH: GraphText = {
@@ -51,7 +51,7 @@ test('a screenshot is the preview’s picture, pixel for pixel', async () => {
   const shown = await editor.picture();
   const { download, bytes } = await downloadAfter(() => choose('Take screenshot'));
   expect(download.suggestedFilename()).toBe('Test.png');
-  const picture = decodePicture(bytes);
+  const picture = decodeImage(bytes);
   expect(picture.width).toBe(shown.width);
   const below = picture.data.slice((picture.height - shown.height) * picture.width * 4);
   let different = 0;
@@ -113,15 +113,15 @@ test('the light of an emulated room is moved by pointer and keys, and goes back'
   // From the left, half way up.
   await page.mouse.click(dome.x + dome.width / 4, dome.y + dome.height / 2);
   expect([await azimuth.getAttribute('aria-valuetext'), await elevation.getAttribute('aria-valuetext')]).toEqual(['-90°', '45°']);
-  const left = await editor.pictureOtherThan(home);
+  const left = await editor.imageOtherThan(home);
   await azimuth.focus();
   await page.keyboard.press('End');
   expect(await azimuth.getAttribute('aria-valuetext')).toBe('180°');
-  await editor.pictureOtherThan(left);
+  await editor.imageOtherThan(left);
   await panel.getByRole('button', { name: 'Reset' }).click();
   await page.keyboard.press('Escape');
   await panel.waitFor({ state: 'detached' });
-  await editor.pictureSameAs(home, 'light moved back');
+  await editor.imageSameAs(home, 'light moved back');
 });
 
 test('a picture stands in for the camera, and so does the webcam', async () => {

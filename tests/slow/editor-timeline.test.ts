@@ -53,10 +53,10 @@ test('steps, keys and the ruler lead to the same frames', async () => {
   await handle('Playhead').focus();
   for (let i = 0; i < 12; i++) await page.keyboard.press('ArrowRight');
   await shows(12);
-  const stepped = await editor.restingPicture();
+  const stepped = await editor.restingImage();
   await page.keyboard.press('End');
   await shows(FRAMES - 1);
-  const last = await editor.restingPicture();
+  const last = await editor.restingImage();
   expect(countDifferent(last, stepped, 8).pixels).toBeGreaterThan(1000);
   await page.keyboard.press('Home');
   await shows(0);
@@ -65,32 +65,32 @@ test('steps, keys and the ruler lead to the same frames', async () => {
   for (const part of [0.1, 0.9]) {
     await page.mouse.click(left.x + part * (right.x - left.x), left.y);
     await shows(12);
-    await editor.pictureSameAs(stepped, 'the ruler’s frame');
+    await editor.imageSameAs(stepped, 'the ruler’s frame');
   }
   await page.mouse.click((await borderAt(20)).x + 3, left.y);
   await shows(20);
   await handle('Playhead').focus();
   for (let i = 0; i < 8; i++) await page.keyboard.press('ArrowLeft');
   await shows(12);
-  await editor.pictureSameAs(stepped, 'stepped back');
+  await editor.imageSameAs(stepped, 'stepped back');
 });
 
 test('held, the picture follows the dials, and the frame stays', async () => {
   const { page, editor } = open;
-  const sharp = await editor.restingPicture();
+  const sharp = await editor.restingImage();
   await editor.node('gaussian-blur').locator('.node-title').click();
   const radius = editor.inspector.getByRole('textbox', { name: 'Radius', exact: true });
   await radius.fill('12');
   await page.keyboard.press('Enter');
-  await editor.pictureOtherThan(sharp);
+  await editor.imageOtherThan(sharp);
   await shows(12);
   // Muted, another program is played: at the same frame.
   await editor.node('gaussian-blur').locator('.node-title').click();
   await page.keyboard.press('m');
-  await editor.pictureSameAs(sharp, 'muted');
+  await editor.imageSameAs(sharp, 'muted');
   await page.keyboard.press('Control+z');
   await page.keyboard.press('Control+z');
-  await editor.pictureSameAs(sharp, 'undone');
+  await editor.imageSameAs(sharp, 'undone');
   await shows(12);
 });
 

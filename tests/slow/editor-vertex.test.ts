@@ -55,7 +55,7 @@ test('the vertex shader beside an ISF file is edited, marked, renamed with its f
   await editor.findInText('amount');
   await editor.type('2.0 * ');
   await page.locator('.status-bar').getByText('No problems').waitFor();
-  await editor.pictureOtherThan(near);
+  await editor.imageOtherThan(near);
 
   // An input's name leads to the header in the other file.
   await editor.findInText('amount');
@@ -110,7 +110,7 @@ test('the vertex shader beside an ISF file is edited, marked, renamed with its f
   await writeFile(join(project, 'shaders', 'aside.vs'), VERTEX);
   await page.locator('.code-bar').getByText('saved by another program').waitFor();
   await page.locator('.view-line', { hasText: 'isf_FragNormCoord * amount' }).waitFor();
-  await editor.pictureSameAs(near);
+  await editor.imageSameAs(near);
 });
 
 /** The camera's picture through a filter of the library. */
@@ -138,7 +138,7 @@ test('a vertex shader is begun beside a filter of the library, and taken away', 
 
   // The filter is the project's own now, and the corners are where they were.
   await page.locator('.view-line', { hasText: 'isf_vertShaderInit' }).waitFor();
-  await editor.pictureSameAs(before);
+  await editor.imageSameAs(before);
   expect((await saveGraphs(opened)).main?.nodes['sepia-aaaa']).toMatchObject({ type: 'filter/sepia-2' });
   expect(await files()).toEqual(['sepia-2.fs', 'sepia-2.vs']);
 
@@ -147,13 +147,13 @@ test('a vertex shader is begun beside a filter of the library, and taken away', 
   await page.keyboard.press('End');
   await editor.type(' gl_Position.x *= 0.5;');
   await page.locator('.status-bar').getByText('No problems').waitFor();
-  await editor.pictureOtherThan(before);
+  await editor.imageOtherThan(before);
 
   // Taken away, the filter is as it was, on the disk too; undo goes all the way back.
   await page.getByRole('button', { name: 'Remove vertex shader' }).click();
   await add.waitFor();
   await page.locator('.view-line', { hasText: '/*{' }).first().waitFor();
-  await editor.pictureSameAs(before);
+  await editor.imageSameAs(before);
   await saveGraphs(opened);
   expect(await files()).toEqual(['sepia-2.fs']);
   await editor.node('screen-aaaa').locator('.node-title').click();

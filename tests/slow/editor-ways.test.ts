@@ -45,9 +45,9 @@ const isLightColor = (color: string | undefined) => Number(/\d+/.exec(color ?? '
 test('the start screen shows templates and examples with their pictures', async () => {
   const start = page.getByRole('dialog', { name: 'Scrim' });
   await start.waitFor();
-  const cards = start.locator('.picture-card');
+  const cards = start.locator('.image-card');
   expect(await cards.count()).toBeGreaterThan(20);
-  const shown = await start.locator('.picture-card img').evaluateAll(async (images) => {
+  const shown = await start.locator('.image-card img').evaluateAll(async (images) => {
     for (const image of images) await (image as HTMLImageElement).decode();
     return images.map((image) => (image as HTMLImageElement).naturalWidth);
   });

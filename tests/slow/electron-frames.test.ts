@@ -7,8 +7,8 @@ import type { ElectronApplication, Page } from 'playwright-core';
 import { collectErrors } from '../support/browser.ts';
 import { EditorDriver } from '../support/editor-driver.ts';
 import { describeElectron, editorWindow, findElectron, playedTwiceAfterFault } from '../support/electron.ts';
+import { decodeImage } from '../support/image.ts';
 import { eventually } from '../support/patience.ts';
-import { decodePicture } from '../support/picture.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
 
@@ -66,7 +66,7 @@ describeElectron('rendering frames in Electron', await findElectron(), (launch) 
       await dialog(page).getByRole('button', { name: 'Render', exact: true }).click();
       await page.getByText('Rendered 2 frames to').waitFor();
       expect((await readdir(frames)).sort()).toEqual(['000003.png', '000004.png', 'sequence.json']);
-      const { width, height, data } = decodePicture(await readFile(join(frames, '000003.png')));
+      const { width, height, data } = decodeImage(await readFile(join(frames, '000003.png')));
       expect([width, height]).toEqual([160, 120]);
       // A room is in it, not one color.
       expect(new Set(data).size).toBeGreaterThan(100);

@@ -46,7 +46,7 @@ function readSensor(pose: Matrix4): Matrix4 {
   return new Matrix4().makeRotationFromEuler(new Euler(round(x), round(y), round(z), 'YXZ'));
 }
 
-function pictureAt(pose: Matrix4, focalPx: number, width: number, height: number, noise: () => number): Float32Array {
+function imageAt(pose: Matrix4, focalPx: number, width: number, height: number, noise: () => number): Float32Array {
   const direction = new Vector3();
   return Float32Array.from({ length: width * height }, (_, i) => {
     direction.set(((i % width) - (width - 1) / 2) / focalPx, -(Math.floor(i / width) - (height - 1) / 2) / focalPx, -1);
@@ -60,7 +60,7 @@ function estimate(fovDeg: number, seconds: number, [width, height]: readonly [nu
   const estimator = createFovEstimator(GUESS);
   for (let frame = 0; frame < seconds * RATE_HZ; frame++) {
     const pose = handAt(frame / RATE_HZ);
-    const picture = pictureAt(pose, focalPx, width, height, () => 0.2 * (random.next() - 0.5));
+    const picture = imageAt(pose, focalPx, width, height, () => 0.2 * (random.next() - 0.5));
     estimator.add(picture, width, height, readSensor(pose).elements);
   }
   return estimator.tanHalfLongSide;

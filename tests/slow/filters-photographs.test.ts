@@ -1,15 +1,15 @@
 import { readFile } from 'node:fs/promises';
 import { expect, test } from '@jest/globals';
 import { PAGE } from '../browser/glsl-kit.ts';
-import { applyShader, expectedPicture, type Params, photograph, samplesOf } from '../browser/shader-library-kit.ts';
+import { applyShader, expectedImage, type Params, photograph, samplesOf } from '../browser/shader-library-kit.ts';
 import { useModule } from '../support/browser.ts';
-import { type Picture, pixelAt } from '../support/picture.ts';
+import { pixelAt, type RgbaImage } from '../support/image.ts';
 import { expectSamePixels } from '../support/pixels.ts';
 import { describeWithData } from '../support/shared-data.ts';
 
 const page = useModule(PAGE);
 
-function apply(filter: string, inputImage: Picture, params?: Params): Promise<Picture> {
+function apply(filter: string, inputImage: RgbaImage, params?: Params): Promise<RgbaImage> {
   return applyShader(page, `filters/${filter}.fs`, { inputImage }, params);
 }
 
@@ -17,7 +17,7 @@ describeWithData('anisotropic Kuwahara over a photograph', 'images/astronaut.png
   test('is what OpenCV and numpy compute', async () => {
     const drawn = await apply('anisotropic-kuwahara', await photograph(path));
     const file = 'astronaut-anisotropic-kuwahara-6';
-    await expectSamePixels(file, samplesOf(drawn), await expectedPicture(file), { tolerance: 2 });
+    await expectSamePixels(file, samplesOf(drawn), await expectedImage(file), { tolerance: 2 });
   });
 });
 
@@ -104,7 +104,7 @@ for (const { path: photo, skin, other, recall, precision } of PATCHES) {
 }
 
 /** JPEG too: browsers can. */
-async function decodeInPage(path: string): Promise<Picture> {
+async function decodeInPage(path: string): Promise<RgbaImage> {
   const { width, height, data } = await page.page.evaluate(
     async (base64) => {
       const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));

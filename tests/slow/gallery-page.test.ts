@@ -2,7 +2,7 @@ import { mkdir, writeFile } from 'node:fs/promises';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
-import { decodePicture, encodePicture, type Picture } from '../support/picture.ts';
+import { decodeImage, encodeImage, type RgbaImage } from '../support/image.ts';
 import { type ServedExport, serveProject } from '../support/project-page.ts';
 import { openXrPage } from '../xr/xr-page.ts';
 
@@ -20,9 +20,9 @@ function isBoard(data: Uint8Array, i: number): boolean {
   return r > 30 && b < 75 && Math.abs(r - g) <= 4 && b - r >= 2 && b - r <= 12;
 }
 
-/** The part of a picture, or of its part, that is board, and whether some of it lies at an edge: but below, in headsets, hangs the panel. */
+/** The part of an image, or of its part, that is board, and whether some of it lies at an edge: but below, in headsets, hangs the panel. */
 function boardIn(
-  { width, height, data }: Picture,
+  { width, height, data }: RgbaImage,
   fromX = 0,
   toX = width,
   hasPanel = false,
@@ -40,7 +40,7 @@ function boardIn(
 }
 
 /** Bounds of what is neither gray nor dark, pixels. */
-function colorful({ width, height, data }: Picture) {
+function colorful({ width, height, data }: RgbaImage) {
   let [left, right, top, bottom] = [width, 0, height, 0];
   for (let i = 0; i < width * height; i++) {
     const rgb = data.subarray(4 * i, 4 * i + 3);
@@ -51,7 +51,7 @@ function colorful({ width, height, data }: Picture) {
   return { left, right, top, bottom };
 }
 
-/** In the page: two frames later, what lies over the picture is gone. */
+/** In the page: two frames later, what lies over the image is gone. */
 async function showCanvasAlone(): Promise<void> {
   const canvas = document.querySelector('canvas');
   for (const element of document.querySelectorAll<HTMLElement>('body *')) {
@@ -60,9 +60,9 @@ async function showCanvasAlone(): Promise<void> {
   await new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)));
 }
 
-async function keep(name: string, picture: Picture): Promise<void> {
+async function keep(name: string, picture: RgbaImage): Promise<void> {
   await mkdir('tests/output/gallery', { recursive: true });
-  await writeFile(`tests/output/gallery/${name}.png`, encodePicture(picture));
+  await writeFile(`tests/output/gallery/${name}.png`, encodeImage(picture));
 }
 
 describe('the whole wall is in view, and large', () => {
@@ -75,7 +75,7 @@ describe('the whole wall is in view, and large', () => {
     await page.goto(served.url);
     await page.getByText('Drag to look around').waitFor();
     await page.evaluate(showCanvasAlone);
-    const picture = decodePicture(await page.screenshot());
+    const picture = decodeImage(await page.screenshot());
     await keep(`page-${width}`, picture);
     // Of the colors of the cells, from the first row's balls to the blended bars.
     const { left, right, top, bottom } = colorful(picture);

@@ -7,7 +7,7 @@ import { addDepthNoise } from '../../export/emulator/depth/depth-noise.ts';
 import { createRoom } from '../../export/emulator/rooms/room-source.ts';
 import { createRandom } from '../../export/runtime/random.ts';
 import { setFrustum } from '../../export/runtime/sessions/matrix.ts';
-import { castAtDepth, type DepthPicture } from '../../export/runtime/spatial/cast/cast-depth.ts';
+import { castAtDepth, type DepthImage } from '../../export/runtime/spatial/cast/cast-depth.ts';
 import { createMeeting, createRay, setRay } from '../../export/runtime/spatial/ray.ts';
 import { describeWithData } from '../support/shared-data.ts';
 
@@ -48,8 +48,8 @@ interface Truth {
   readonly normal: Vector3 | null;
 }
 
-function pictureOf(meters: Float32Array, halfX: number, halfY: number, worldFromView: Matrix4): DepthPicture {
-  const picture: DepthPicture = {
+function pictureOf(meters: Float32Array, halfX: number, halfY: number, worldFromView: Matrix4): DepthImage {
+  const picture: DepthImage = {
     meters,
     widthPx: WIDTH,
     heightPx: HEIGHT,
@@ -72,7 +72,7 @@ function quantile(values: readonly number[], share: number): number {
 }
 
 function scoreOf(
-  rays: readonly { readonly origin: Vector3; readonly direction: Vector3; readonly truth: Truth; readonly picture: DepthPicture }[],
+  rays: readonly { readonly origin: Vector3; readonly direction: Vector3; readonly truth: Truth; readonly picture: DepthImage }[],
 ): Score {
   const ray = createRay();
   const meeting = createMeeting();

@@ -3,7 +3,7 @@ import { readIsf } from '../../export/glsl/isf/read-isf.ts';
 import { linkIsf } from '../../export/glsl/link/link-isf.ts';
 import { drawPicture, linkText, made, PAGE } from '../browser/glsl-kit.ts';
 import { useModule } from '../support/browser.ts';
-import { pixelAt } from '../support/picture.ts';
+import { pixelAt } from '../support/image.ts';
 import { CONVERSIONS, type ExpressionIdiom, NAMES, STATEMENTS, WORDS } from './isf-idioms/expressions.ts';
 import { FILES } from './isf-idioms/files.ts';
 

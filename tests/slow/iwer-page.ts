@@ -4,7 +4,7 @@ import { build } from 'esbuild';
 import type { XRDevice } from 'iwer';
 import type { Browser, Page } from 'playwright-core';
 import { collectErrors } from '../support/browser.ts';
-import { fromGl, type Picture } from '../support/picture.ts';
+import { fromGl, type RgbaImage } from '../support/image.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
 
@@ -18,7 +18,7 @@ export interface IwerView {
 
 export interface IwerFrame {
   /** What the page drew, premultiplied. */
-  readonly layer: Picture;
+  readonly layer: RgbaImage;
   readonly views: readonly IwerView[];
 }
 

@@ -3,7 +3,7 @@ import type { LoadedEnvironment } from '../../export/runtime/scene-backend.ts';
 import type { LightItem, ObjectItem } from '../../nodes/kit/scene-lists.ts';
 import type { TechniqueView } from '../../nodes/kit/technique-view.ts';
 import { drawView, item, lights, loadUrl, lookingAt, normalizing, objects, viewOf } from '../browser/scenes-kit.ts';
-import { drawnWith, loadPictures, stand, technique, viewOfText } from '../browser/techniques-kit.ts';
+import { drawnWith, loadImages, stand, technique, viewOfText } from '../browser/techniques-kit.ts';
 import { dimmed, type LampName, type Lamps, lampsOf, reaching } from './light-tones-lamps.ts';
 import { ASKED, type Lit, linear } from './light-tones-styles.ts';
 
@@ -31,7 +31,7 @@ const models = new Map<string, { readonly root: Object3D; readonly own: ObjectIt
 const panoramas = new Map<string, LoadedEnvironment>();
 
 export async function prepare(modelNames: readonly string[], panoramaNames: readonly string[]): Promise<void> {
-  await loadPictures();
+  await loadImages();
   for (const name of modelNames) {
     const root = (await loadUrl(stand.backend, `/models/${name}`)).instantiate();
     root.traverse((node) => {

@@ -147,7 +147,7 @@ describe('the text helps', () => {
     await writeFile(chunk, 'vec3 wash() { return vec3(0.9, 0.2, 0.1); }\n');
     await bar.getByText('This chunk was saved by another program').waitFor();
     await page.locator('.view-line', { hasText: 'vec3(0.9, 0.2, 0.1)' }).waitFor();
-    const red = await editor.pictureOtherThan(blue, 300);
+    const red = await editor.imageOtherThan(blue, 300);
     await editor.findInText('vec3(0.9');
     await editor.type('7');
     expect(await editor.lineText()).toBe('vec3 wash() { return vec3(0.9, 0.2, 0.1); }');
@@ -168,14 +168,14 @@ describe('the text helps', () => {
       .click();
     await page.locator('.monaco-editor.focused').waitFor();
     expect(await editor.lineText()).toBe('vec3 wash() { return wvec3(0.9, 0.2, 0.1); }');
-    await editor.pictureSameAs(red, 'broken chunk');
+    await editor.imageSameAs(red, 'broken chunk');
     await editor.findInText('wvec3');
     await page.keyboard.press('Delete');
     await page.locator('.monaco-editor .squiggly-error').first().waitFor({ state: 'detached' });
     await editor.findInText('0.9, 0.2');
     await page.keyboard.press('Delete');
     await editor.type('1');
-    await editor.pictureOtherThan(red, 300);
+    await editor.imageOtherThan(red, 300);
   });
 });
 
@@ -216,18 +216,18 @@ describe('one step each', () => {
     await page.mouse.down();
     await page.mouse.move(from.x - 60, from.y, { steps: 6 });
     // Still held: the picture has changed already.
-    const meanwhile = await editor.pictureOtherThan(before);
+    const meanwhile = await editor.imageOtherThan(before);
     await page.mouse.move(from.x - 120, from.y, { steps: 6 });
     await page.mouse.up();
     await page.keyboard.up('Alt');
     await page.locator('.view-line', { hasText: 'share * 0.10' }).waitFor();
-    await editor.pictureOtherThan(meanwhile);
+    await editor.imageOtherThan(meanwhile);
     expect((await saved(opened)).shader).toContain('share * 0.10');
     await editor.node('screen-aaaa').locator('.node-title').click();
     await page.keyboard.press('Control+z');
     await editor.node('tint-aaaa').locator('.node-title').click();
     await page.locator('.view-line', { hasText: 'share * 0.50' }).waitFor();
-    await editor.pictureSameAs(before, 'drag undone');
+    await editor.imageSameAs(before, 'drag undone');
 
     // By keys alone.
     await editor.findInText('vec3(0.1');
@@ -236,13 +236,13 @@ describe('one step each', () => {
     await page.waitForFunction(() => document.activeElement?.getAttribute('aria-label') === 'Red');
     await red.press('End');
     await page.locator('.view-line', { hasText: 'vec3(1.0, 0.2, 0.9)' }).waitFor();
-    await editor.pictureOtherThan(before);
+    await editor.imageOtherThan(before);
     await page.keyboard.press('Escape');
     await red.waitFor({ state: 'detached' });
     await page.locator('.monaco-editor.focused').waitFor();
     await page.keyboard.press('Control+z');
     await page.locator('.view-line', { hasText: 'vec3(0.1, 0.2, 0.9)' }).waitFor();
-    await editor.pictureSameAs(before, 'color undone');
+    await editor.imageSameAs(before, 'color undone');
   });
 
   test('the header’s form and its JSON are one: an input added, named, ranged and taken away', async () => {
@@ -307,13 +307,13 @@ test('a shader of the library is copied with one press, compared with the origin
   await editor.findInText('gl_FragColor');
   await page.keyboard.press('End');
   await editor.type(' gl_FragColor.r = 0.0;');
-  await editor.pictureOtherThan(before);
+  await editor.imageOtherThan(before);
   await editor.press('Compare with original');
   await page.locator('.code-compare .line-insert').first().waitFor();
   await editor.press('Stop comparing');
   await page.locator('.code-compare').waitFor({ state: 'detached' });
   await editor.press('Revert');
-  await editor.pictureSameAs(before, 'reverted');
+  await editor.imageSameAs(before, 'reverted');
   expect(await page.getByRole('button', { name: 'Compare with original' }).isDisabled()).toBe(true);
 });
 
@@ -325,7 +325,7 @@ test('a shader that another program saves plays at once, and is read only here u
   await write(red);
   await page.locator('.code-bar-outside').waitFor();
   await page.locator('.view-line', { hasText: 'vec3(0.9, 0.2, 0.1)' }).waitFor();
-  const painted = await editor.pictureOtherThan(blue);
+  const painted = await editor.imageOtherThan(blue);
   expect(await page.locator('.unsaved').count()).toBe(0);
 
   // Nothing can be typed, by text, form or slider.
@@ -343,7 +343,7 @@ test('a shader that another program saves plays at once, and is read only here u
   // A broken one is marked, and the last good one plays on.
   await write(red.replace('much);', 'munch);'));
   await page.locator('.monaco-editor .squiggly-error').first().waitFor();
-  await editor.pictureSameAs(painted, 'broken outside');
+  await editor.imageSameAs(painted, 'broken outside');
   await write(red);
   await page.locator('.monaco-editor .squiggly-error').first().waitFor({ state: 'detached' });
 

@@ -30,5 +30,5 @@ test('the preview of an emulated room comes back after the graphics device was l
   const isLost = () => document.querySelector<HTMLCanvasElement>('#picture')?.getContext('webgl2')?.isContextLost();
   expect(await frame?.evaluate(isLost)).toBe(false);
   expect(await source.inputValue()).toBe('room/studio');
-  await editor.pictureSameAs(before);
+  await editor.imageSameAs(before);
 });

@@ -4,7 +4,7 @@ import { createRandom } from '../../export/runtime/random.ts';
 import { PAGE, paint } from '../browser/glsl-kit.ts';
 import { applyShader, type Params } from '../browser/shader-library-kit.ts';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
-import { decodePicture, type Picture, pixelAt } from '../support/picture.ts';
+import { decodeImage, pixelAt, type RgbaImage } from '../support/image.ts';
 import { countDifferent } from '../support/pixels.ts';
 import { describeWithData } from '../support/shared-data.ts';
 
@@ -22,7 +22,7 @@ const WIDTH = 480;
 const HEIGHT = 270;
 
 /** A layer that is laid over the camera's `camera`. */
-function match(drawn: Picture, camera: Picture, params: Params = {}): Promise<Picture> {
+function match(drawn: RgbaImage, camera: RgbaImage, params: Params = {}): Promise<RgbaImage> {
   return applyShader(page, 'operators/match-camera.fs', { drawn, camera }, params);
 }
 
@@ -43,7 +43,7 @@ function erf(x: number): number {
  * A room of shaded walls and leaning edges, blurred by a Gaussian of `blurPx` and with noise of a standard deviation per channel, in
  * steps of 8 bits.
  */
-function room(blurPx: number, noise: readonly [number, number, number] = [0, 0, 0]): Picture {
+function room(blurPx: number, noise: readonly [number, number, number] = [0, 0, 0]): RgbaImage {
   const normal = createNormal(7);
   return paint(WIDTH, HEIGHT, (x, y) => {
     // Stripes 90 px wide, whose sides lean.
@@ -60,7 +60,7 @@ function room(blurPx: number, noise: readonly [number, number, number] = [0, 0, 
 const HALF = paint(WIDTH, HEIGHT, (x) => (x < WIDTH / 2 ? [128, 128, 128, 255] : [0, 0, 0, 0]));
 
 /** Standard deviation of each channel from `left` to `right`, and how much a pixel has in common with its neighbor, from -1 to 1. */
-function grainOf(picture: Picture, left: number, right: number): { readonly sigma: readonly number[]; readonly neighbors: number } {
+function grainOf(picture: RgbaImage, left: number, right: number): { readonly sigma: readonly number[]; readonly neighbors: number } {
   const columns = right - left;
   const valuesOf = (c: number) =>
     Float64Array.from(
@@ -79,7 +79,7 @@ function grainOf(picture: Picture, left: number, right: number): { readonly sigm
 }
 
 /** Standard deviation of the slope of alpha across the edge of `HALF`, in pixels, over the rows in the middle. */
-function softnessOf(picture: Picture): number {
+function softnessOf(picture: RgbaImage): number {
   let weight = 0;
   let sum = 0;
   let squares = 0;
@@ -130,7 +130,7 @@ test('the controls turn both down', async () => {
 
 describeWithData('over photographs', 'images/astronaut.png', (path) => {
   test('noise that is added to one is found again', async () => {
-    const whole = decodePicture(await readFile(path));
+    const whole = decodeImage(await readFile(path));
     const sigmaWith = async (sigma: number) => {
       const normal = createNormal(3);
       const camera = paint(480, 480, (x, y) => {

@@ -2,7 +2,7 @@ import { mkdtemp, readdir, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
-import { decodePicture, type Picture } from '../support/picture.ts';
+import { decodeImage, type RgbaImage } from '../support/image.ts';
 import { succeed } from '../support/scrim.ts';
 
 const TEMPLATES = resolve(import.meta.dirname, '../../examples/templates');
@@ -14,14 +14,14 @@ beforeAll(async () => {
 afterAll(() => rm(base, { recursive: true, force: true }));
 
 /** The first frame of a new project, in the studio that comes with Scrim. */
-async function draw(template: string): Promise<Picture> {
+async function draw(template: string): Promise<RgbaImage> {
   await succeed('new', join(base, template), '--template', template);
   await succeed('render', join(base, template), '--out', join(base, `${template}.png`));
-  return decodePicture(await readFile(join(base, `${template}.png`)));
+  return decodeImage(await readFile(join(base, `${template}.png`)));
 }
 
 /** Of the pixels, how many pass. */
-function share({ data }: Picture, passes: (r: number, g: number, b: number, i: number) => boolean): number {
+function share({ data }: RgbaImage, passes: (r: number, g: number, b: number, i: number) => boolean): number {
   let count = 0;
   for (let i = 0; i < data.length; i += 4) if (passes(data[i] ?? 0, data[i + 1] ?? 0, data[i + 2] ?? 0, i)) count++;
   return count / (data.length / 4);
@@ -31,7 +31,7 @@ test('every template shows what it is called after, beside the bare picture of t
   const templates = await readdir(TEMPLATES);
   const pictures = Object.fromEntries(await inTurn(templates, async (name) => [name, await draw(name)] as const)) as Record<
     string,
-    Picture
+    RgbaImage
   >;
   const { empty, filter, occlusion } = pictures;
   if (!empty || !filter || !occlusion) throw new Error('A template is missing.');
@@ -44,7 +44,7 @@ test('every template shows what it is called after, beside the bare picture of t
   expect(share(filter, (r, g, b) => r + g + b < 150)).toBeGreaterThan(0.01);
   expect(share(filter, (r, g, b) => r > 200 && g > 190 && b > 160)).toBeGreaterThan(0.1);
 
-  // The robot is a part of the picture, red where the room is not, and its shadow darkens some of the floor beside it.
+  // The robot is a part of the image, red where the room is not, and its shadow darkens some of the floor beside it.
   const roomAt = (i: number) => [empty.data[i] ?? 0, empty.data[i + 1] ?? 0, empty.data[i + 2] ?? 0] as const;
   const changed = share(occlusion, (r, g, b, i) => {
     const [r0, g0, b0] = roomAt(i);

@@ -9,8 +9,8 @@ import { playNewcomer } from '../../tools/newcomer/play-newcomer.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { EditorDriver } from '../support/editor-driver.ts';
 import { visitExportedPage } from '../support/exported-page.ts';
+import type { RgbaImage } from '../support/image.ts';
 import { PATIENCE_MS } from '../support/patience.ts';
-import type { Picture } from '../support/picture.ts';
 import { countDifferent } from '../support/pixels.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
@@ -35,24 +35,24 @@ test('a newcomer makes a page with an occluded, shadowed cartoon in few interact
     const done = await playNewcomer({ page, model: MODEL, project, exportTo });
     expect(done.length).toBeLessThanOrEqual(MOST_INTERACTIONS);
 
-    // Each part is in the picture: without it, the picture is another one.
+    // Each part is in the image: without it, the image is another one.
     const editor = new EditorDriver(page);
     await editor.settled();
     await editor.hold();
     await editor.press('Go to first frame');
     await page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '0');
-    const whole = await pictureThat(editor, (picture) => count(picture, isRed) > 200);
-    /** Takes a part away, waits until the picture shows that, and brings it back. */
-    const without = async (stem: string, takeAway: () => Promise<void>, differs: (picture: Picture) => boolean) => {
+    const whole = await imageThat(editor, (picture) => count(picture, isRed) > 200);
+    /** Takes a part away, waits until the image shows that, and brings it back. */
+    const without = async (stem: string, takeAway: () => Promise<void>, differs: (picture: RgbaImage) => boolean) => {
       await editor.node(stem).first().locator('.node-title').click();
       await takeAway();
-      await pictureThat(editor, differs);
+      await imageThat(editor, differs);
       await page.keyboard.press('Control+z');
-      await pictureThat(editor, (picture) => countDifferent(picture, whole, 8).pixels < MOST_FLICKER);
+      await imageThat(editor, (picture) => countDifferent(picture, whole, 8).pixels < MOST_FLICKER);
     };
     const mute = () => page.keyboard.press('m');
     // In its own materials the robot has no dark outline.
-    const isPlain = (picture: Picture) => count(picture, isInk) < count(whole, isInk) && countDifferent(picture, whole, 24).pixels > 150;
+    const isPlain = (picture: RgbaImage) => count(picture, isInk) < count(whole, isInk) && countDifferent(picture, whole, 24).pixels > 150;
     await without('apply', mute, isPlain);
     // The table hides the legs.
     await without(await occlusionOfScene(page, project), mute, (picture) => countDifferent(picture, whole, 24).pixels > 150);
@@ -75,8 +75,8 @@ test('a newcomer makes a page with an occluded, shadowed cartoon in few interact
 /** Edges of hidden things may differ from one frame to the next by single pixels. */
 const MOST_FLICKER = 30;
 
-/** Waits for the picture; fails where it does not come. */
-async function pictureThat(editor: EditorDriver, accept: (picture: Picture) => boolean): Promise<Picture> {
+/** Waits for the image; fails where it does not come. */
+async function imageThat(editor: EditorDriver, accept: (picture: RgbaImage) => boolean): Promise<RgbaImage> {
   const endMs = Date.now() + PATIENCE_MS;
   for (;;) {
     const picture = await editor.picture();
@@ -98,15 +98,15 @@ type Passes = (red: number, green: number, blue: number) => boolean;
 const isRed: Passes = (red, green, blue) => red > 110 && green < 0.45 * red && blue < 0.45 * red;
 const isInk: Passes = (red, green, blue) => red + green + blue < 75;
 
-function count({ data }: Picture, passes: Passes): number {
+function count({ data }: RgbaImage, passes: Passes): number {
   let found = 0;
   for (let i = 0; i < data.length; i += 4) if (passes(data[i] ?? 0, data[i + 1] ?? 0, data[i + 2] ?? 0)) found++;
   return found;
 }
 
 /** Pixels that are darker in the first, by more than rounding. */
-function darker(a: Picture, b: Picture): number {
-  const sum = ({ data }: Picture, i: number) => (data[i] ?? 0) + (data[i + 1] ?? 0) + (data[i + 2] ?? 0);
+function darker(a: RgbaImage, b: RgbaImage): number {
+  const sum = ({ data }: RgbaImage, i: number) => (data[i] ?? 0) + (data[i + 1] ?? 0) + (data[i + 2] ?? 0);
   let found = 0;
   for (let i = 0; i < a.data.length; i += 4) if (sum(a, i) < sum(b, i) - 12) found++;
   return found;

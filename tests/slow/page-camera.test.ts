@@ -2,7 +2,7 @@ import { afterAll, afterEach, beforeAll, describe, expect, test } from '@jest/gl
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import { DISC, type ServedPage, servePage } from '../browser/page-kit.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
-import { decodePicture, type Picture, pixelAt } from '../support/picture.ts';
+import { decodeImage, pixelAt, type RgbaImage } from '../support/image.ts';
 
 // Chromium's own fake camera, green with a pie that fills; and its visitor, who says yes to everything, or no.
 const chromium = useBrowser(['--use-fake-device-for-media-stream', '--use-fake-ui-for-media-stream']);
@@ -35,20 +35,20 @@ async function open(
   return { page, errors, use };
 }
 
-async function shot(page: Page): Promise<Picture> {
-  return decodePicture(await page.screenshot());
+async function shot(page: Page): Promise<RgbaImage> {
+  return decodeImage(await page.screenshot());
 }
 
 /** Corners are where the fake camera is green and the disc is not. */
-const isGreen = (picture: Picture, x: number, y: number): boolean => {
+const isGreen = (picture: RgbaImage, x: number, y: number): boolean => {
   const [red = 255, green = 0, blue = 255] = pixelAt(picture, x, y);
   return green > 100 && red < green - 60 && blue < green - 60;
 };
 
-/** Frames are there when the page's picture says so, not when a time has passed. */
-async function untilGreen(page: Page): Promise<Picture> {
+/** Frames are there when the page's image says so, not when a time has passed. */
+async function untilGreen(page: Page): Promise<RgbaImage> {
   const y = (page.viewportSize()?.height ?? 0) - 8;
-  while (!isGreen(decodePicture(await page.screenshot({ clip: { x: 8, y, width: 1, height: 1 } })), 0, 0));
+  while (!isGreen(decodeImage(await page.screenshot({ clip: { x: 8, y, width: 1, height: 1 } })), 0, 0));
   return shot(page);
 }
 

@@ -1,14 +1,14 @@
 import { readFile } from 'node:fs/promises';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { collectErrors, useBrowser } from '../support/browser.ts';
-import { decodePicture, type Picture } from '../support/picture.ts';
+import { decodeImage, type RgbaImage } from '../support/image.ts';
 import { expectSamePixels } from '../support/pixels.ts';
 import type { ProjectText } from '../support/project-kit.ts';
 import { type ServedExport, serveProjectText } from '../support/project-page.ts';
 
 const chromium = useBrowser();
 
-/** A picture by curves. */
+/** A image by curves. */
 function project(all: readonly number[]): ProjectText {
   return {
     title: 'Curves',
@@ -31,13 +31,13 @@ afterAll(async () => {
   for (const page of pages) await page.close();
 });
 
-async function visit({ url }: ServedExport): Promise<Picture> {
+async function visit({ url }: ServedExport): Promise<RgbaImage> {
   const page = await chromium.browser.newPage({ viewport: { width: 640, height: 480 } });
   const errors = collectErrors(page);
   await page.goto(url);
   await page.getByText('look around').waitFor();
-  // What the page says lies over the left of the picture.
-  const picture = decodePicture(await page.screenshot({ clip: { x: 340, y: 20, width: 280, height: 380 } }));
+  // What the page says lies over the left of the image.
+  const picture = decodeImage(await page.screenshot({ clip: { x: 340, y: 20, width: 280, height: 380 } }));
   expect(errors).toEqual([]);
   await page.close();
   return picture;

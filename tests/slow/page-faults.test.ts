@@ -2,7 +2,7 @@ import { afterAll, afterEach, beforeAll, describe, expect, test } from '@jest/gl
 import type { Emulator } from '../../export/emulator/emulator.ts';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { useBrowser } from '../support/browser.ts';
-import type { Picture } from '../support/picture.ts';
+import type { RgbaImage } from '../support/image.ts';
 import { type ServedExport, serveProjectText } from '../support/project-page.ts';
 import { roomBox } from '../xr/room-box.ts';
 import { openXrPage, type XrPage } from '../xr/xr-page.ts';
@@ -57,7 +57,7 @@ const set = (page: XrPage, what: 'setDepth' | 'setLight', state: State) =>
   ] as const);
 
 /** How much of the left and of the right half of a view there is something on. */
-function halves({ width, height, data }: Picture, views: number): readonly [left: number, right: number] {
+function halves({ width, height, data }: RgbaImage, views: number): readonly [left: number, right: number] {
   const counts: [number, number] = [0, 0];
   const middle = width / views / 2;
   for (let y = 0; y < height; y++)
@@ -66,7 +66,7 @@ function halves({ width, height, data }: Picture, views: number): readonly [left
 }
 
 /** Mean of what is opaque. */
-function brightness({ data }: Picture): number {
+function brightness({ data }: RgbaImage): number {
   let sum = 0;
   let count = 0;
   for (let i = 0; i < data.length; i += 4) {

@@ -1,7 +1,7 @@
 import { resolve } from 'node:path';
 import { afterEach, expect, test } from '@jest/globals';
 import { useBrowser } from '../support/browser.ts';
-import { pixelAt } from '../support/picture.ts';
+import { pixelAt } from '../support/image.ts';
 import { serveProject } from '../support/project-page.ts';
 import { type IwerPage, type IwerView, openIwerPage } from './iwer-page.ts';
 

@@ -3,7 +3,7 @@ import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { afterAll, afterEach, beforeAll, describe, expect, test } from '@jest/globals';
 import { useBrowser } from '../support/browser.ts';
-import { decodePicture, type Picture, pixelAt } from '../support/picture.ts';
+import { decodeImage, pixelAt, type RgbaImage } from '../support/image.ts';
 import type { ProjectText } from '../support/project-kit.ts';
 import { serveProject, serveProjectText } from '../support/project-page.ts';
 import { openXrPage, type XrPage } from '../xr/xr-page.ts';
@@ -62,7 +62,7 @@ interface Extent {
 }
 
 /** Of what is more there than not, in one eye's half: pixels. */
-function extentOf(layer: Picture, eye: number): Extent {
+function extentOf(layer: RgbaImage, eye: number): Extent {
   const from = (eye * layer.width) / 2;
   let [left, right, top, bottom] = [Number.POSITIVE_INFINITY, 0, Number.POSITIVE_INFINITY, 0];
   let [count, sumX, sumY] = [0, 0, 0];
@@ -81,7 +81,7 @@ function extentOf(layer: Picture, eye: number): Extent {
   return { left, right, top, bottom, middleX: sumX / count, middleY: sumY / count };
 }
 
-/** Our headset sees farther outwards than inwards, iwer's as far to both sides: by how much its pictures lie to the right. */
+/** Our headset sees farther outwards than inwards, iwer's as far to both sides: by how much its images lie to the right. */
 function offAxisPx(iwer: readonly number[], ours: readonly number[], widthPx: number): number {
   return (((ours[8] ?? 0) - (iwer[8] ?? 0)) * widthPx) / 2;
 }
@@ -107,7 +107,7 @@ async function projectionsOf(xr: XrPage): Promise<number[][]> {
 }
 
 /** What of the page's opaque pixels the visitor sees on the window: 1 is all. */
-function shownPart(layer: Picture, screenshot: Picture): number {
+function shownPart(layer: RgbaImage, screenshot: RgbaImage): number {
   let [opaque, shown] = [0, 0];
   for (let y = 0; y < layer.height; y += 3) {
     for (let x = 0; x < layer.width; x += 3) {
@@ -130,7 +130,7 @@ describe('an exported page in plain iwer, on a Quest 3', () => {
       await iwer.page.getByRole('button', { name: 'Enter AR' }).click();
       const { layer, views } = await iwer.nextFrame();
       expect(views).toHaveLength(2);
-      const screenshot = decodePicture(await iwer.page.screenshot());
+      const screenshot = decodeImage(await iwer.page.screenshot());
       expect(shownPart(layer, screenshot)).toBeGreaterThan(0.97);
 
       const ours = await openXrPage(chromium.browser, url, { device: 'headset', room: null, fovYRad: FOV_Y_RAD }, VIEWPORT);
@@ -174,7 +174,7 @@ describe('an exported page in plain iwer, on a Quest 3', () => {
     await page.getByRole('button', { name: 'Enter VR' }).click();
     const { layer } = await nextFrame();
     expect(pixelAt(layer, 5, 5)[3]).toBe(255);
-    expect(shownPart(layer, decodePicture(await page.screenshot()))).toBeGreaterThan(0.97);
+    expect(shownPart(layer, decodeImage(await page.screenshot()))).toBeGreaterThan(0.97);
     expect(errors).toEqual([]);
   });
 });

@@ -4,7 +4,7 @@ import { afterAll, afterEach, beforeAll, describe, expect, test } from '@jest/gl
 import { Matrix4, PerspectiveCamera, Quaternion, Vector3 } from 'three';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { useBrowser } from '../support/browser.ts';
-import { decodePicture, encodePicture, type Picture, pixelAt } from '../support/picture.ts';
+import { decodeImage, encodeImage, pixelAt, type RgbaImage } from '../support/image.ts';
 import { type ServedExport, serveProjectText } from '../support/project-page.ts';
 import { OUTPUT_FOLDER } from '../support/this-test.ts';
 import { openXrPage, type XrPage } from '../xr/xr-page.ts';
@@ -88,22 +88,22 @@ async function look(xr: XrPage, eye: readonly [number, number, number]): Promise
   await xr.step(2);
 }
 
-async function screenshot(xr: XrPage): Promise<Picture> {
-  return decodePicture(await xr.page.screenshot());
+async function screenshot(xr: XrPage): Promise<RgbaImage> {
+  return decodeImage(await xr.page.screenshot());
 }
 
 const isCard = ([r, g, b]: readonly number[]) => (r ?? 0) > 160 && (g ?? 0) < 110 && (b ?? 0) > 160;
 const isText = ([r, g, b]: readonly number[]) => (r ?? 0) > 190 && (g ?? 0) > 190 && (b ?? 0) > 190;
 
 /** The box around the card, and that around its text inside, pixels from the top left. */
-function find(picture: Picture) {
+function find(picture: RgbaImage) {
   const card = boxOf(picture, isCard, 0, 0, picture.width, picture.height);
   if (!card) throw new Error('There is no card in the picture.');
   const [left, top, right, bottom] = card as [number, number, number, number];
   return { card, text: boxOf(picture, isText, left + 2, top + 2, right - 2, bottom - 2) };
 }
 
-function boxOf(picture: Picture, is: (p: readonly number[]) => boolean, x0: number, y0: number, x1: number, y1: number): number[] | null {
+function boxOf(picture: RgbaImage, is: (p: readonly number[]) => boolean, x0: number, y0: number, x1: number, y1: number): number[] | null {
   const box = [Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY, -1, -1] as [number, number, number, number];
   for (let y = y0; y < y1; y++) {
     for (let x = x0; x < x1; x++) {
@@ -117,7 +117,7 @@ function boxOf(picture: Picture, is: (p: readonly number[]) => boolean, x0: numb
   return box[2] < 0 ? null : box;
 }
 
-function beside(left: Picture, right: Picture): Picture {
+function beside(left: RgbaImage, right: RgbaImage): RgbaImage {
   const width = left.width + right.width;
   const data = new Uint8Array(width * left.height * 4);
   for (let y = 0; y < left.height; y++) {
@@ -148,7 +148,7 @@ describe('a label in an exported page', () => {
       await look(element, eye);
       await look(texture, eye);
       const [inPage, inScene] = [await screenshot(element), await screenshot(texture)];
-      await writeFile(join(OUTPUT_FOLDER, 'labels', `${asElement}-${side}.png`), encodePicture(beside(inPage, inScene)));
+      await writeFile(join(OUTPUT_FOLDER, 'labels', `${asElement}-${side}.png`), encodeImage(beside(inPage, inScene)));
       const [ofPage, ofScene] = [find(inPage), find(inScene)];
       expectNear(ofPage.card, ofScene.card, 2);
       expectNear(ofPage.text, ofScene.text, 2);

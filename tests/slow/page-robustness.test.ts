@@ -6,7 +6,7 @@ import type { Program } from '../../export/program/program.ts';
 import { LAMP } from '../browser/controls-program.ts';
 import { type ServedPage, servePage } from '../browser/page-kit.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
-import { decodePicture, type Picture, pixelAt } from '../support/picture.ts';
+import { decodeImage, pixelAt, type RgbaImage } from '../support/image.ts';
 import { type ServedExport, serveProject } from '../support/project-page.ts';
 import { aliveGl, watchGl } from '../xr/count-gl.ts';
 import { openXrPage, readCapture, type XrPage } from '../xr/xr-page.ts';
@@ -63,12 +63,12 @@ async function open(options: EmulatorOptions, url = served.url): Promise<XrPage>
 }
 
 /** The middle of a view. */
-function middle({ width, height, ...picture }: Picture, view = 0, views = 1): readonly number[] {
+function middle({ width, height, ...picture }: RgbaImage, view = 0, views = 1): readonly number[] {
   return pixelAt({ width, height, ...picture }, Math.floor((width / views) * (view + 0.5)), Math.floor(height / 2));
 }
 
 /** The share of a layer in which there is anything. */
-function covered({ data }: Picture): number {
+function covered({ data }: RgbaImage): number {
   let count = 0;
   for (let i = 3; i < data.length; i += 4) if ((data[i] ?? 0) > 0) count++;
   return count / (data.length / 4);
@@ -227,7 +227,7 @@ describe('a page that is looked at without AR', () => {
     await page.getByText('look around').waitFor();
     return { page, errors };
   }
-  const shot = async (page: Page) => decodePicture(await page.screenshot());
+  const shot = async (page: Page) => decodeImage(await page.screenshot());
   const nowOf = async (page: Page) => secondsOf(middle(await shot(page)));
 
   test.each([

@@ -6,8 +6,8 @@ import { loadProject } from '../../export/graph/load.ts';
 import type { Program } from '../../export/program/program.ts';
 import { type ServedPage, servePage } from '../browser/page-kit.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
+import { decodeImage, pixelAt } from '../support/image.ts';
 import { LIBRARY } from '../support/library.ts';
-import { decodePicture, pixelAt } from '../support/picture.ts';
 
 // Chromium's own fake microphone beeps; and its visitor says yes to everything, or no.
 const allowing = useBrowser(['--use-fake-device-for-media-stream', '--use-fake-ui-for-media-stream']);
@@ -86,10 +86,10 @@ async function open(browser: Browser, url: string): Promise<{ page: Page; errors
 type Pixel = readonly [number, number, number, number];
 
 async function corner(page: Page): Promise<Pixel> {
-  return pixelAt(decodePicture(await page.screenshot({ clip: { x: 316, y: 4, width: 1, height: 1 } })), 0, 0);
+  return pixelAt(decodeImage(await page.screenshot({ clip: { x: 316, y: 4, width: 1, height: 1 } })), 0, 0);
 }
 
-/** A picture says so, not a time that has passed. */
+/** A image says so, not a time that has passed. */
 async function untilPixel(page: Page, isRight: (pixel: Pixel) => boolean): Promise<void> {
   while (!isRight(await corner(page)));
 }

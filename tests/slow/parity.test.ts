@@ -6,7 +6,7 @@ import { startServer } from '../../app/server/start-server.ts';
 import { installationAt } from '../../app/services/installation.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { EditorDriver, FLAG_PX } from '../support/editor-driver.ts';
-import { decodePicture, type Picture } from '../support/picture.ts';
+import { decodeImage, type RgbaImage } from '../support/image.ts';
 import { countDifferent, expectSamePixels } from '../support/pixels.ts';
 import { serveProject } from '../support/project-page.ts';
 import { openXrPage } from '../xr/xr-page.ts';
@@ -46,7 +46,7 @@ async function copyExample(name: string, forward: boolean): Promise<string> {
 async function previewOf(
   project: string,
   views: 1 | 2,
-): Promise<{ readonly still: Picture; readonly size: { width: number; height: number } }> {
+): Promise<{ readonly still: RgbaImage; readonly size: { width: number; height: number } }> {
   const server = await startServer({ installation: installationAt(ROOT, '0.0.0'), startPath: project, log: () => {} });
   const page = await chromium.browser.newPage({ viewport: { width: 1280, height: 800 } });
   const errors = collectErrors(page);
@@ -58,7 +58,7 @@ async function previewOf(
   await editor.settled();
   await editor.rewind();
   for (let i = 0; i < STEPS; i++) await editor.press('Next frame');
-  const still = await editor.restingPicture();
+  const still = await editor.restingImage();
   const box = await page.locator('iframe[title="Preview"]').boundingBox();
   if (!box) throw new Error('There is no preview.');
   expect(errors).toEqual([]);
@@ -72,7 +72,7 @@ async function pageOf(
   project: string,
   views: 1 | 2,
   size: { width: number; height: number },
-): Promise<{ readonly first: Picture; readonly later: Picture }> {
+): Promise<{ readonly first: RgbaImage; readonly later: RgbaImage }> {
   // Compression rounds what a model is made of; what is compared here is how it is played.
   const served = await serveProject(project, { compress: false });
   const options = {
@@ -89,7 +89,7 @@ async function pageOf(
     button.style.visibility = 'hidden';
   });
   const y = FLAG_PX;
-  const screenshot = async () => decodePicture(await xr.page.screenshot({ clip: { x: 0, y, width: size.width, height: size.height - y } }));
+  const screenshot = async () => decodeImage(await xr.page.screenshot({ clip: { x: 0, y, width: size.width, height: size.height - y } }));
   const first = await screenshot();
   await xr.step(LATER_STEPS);
   const later = await screenshot();

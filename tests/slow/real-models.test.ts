@@ -9,9 +9,9 @@ import { DECODER_FILES_FOLDER } from '../../export/gltf/decoders.ts';
 import { loadProject } from '../../export/graph/load.ts';
 import type { Program } from '../../export/program/program.ts';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { encodeImage, fromGl } from '../support/image.ts';
 import { LIBRARY } from '../support/library.ts';
 import { MATERIAL_EXTENSIONS, materialSpheres } from '../support/material-spheres.ts';
-import { encodePicture, fromGl } from '../support/picture.ts';
 import { projectText } from '../support/project-kit.ts';
 import { describeWithData } from '../support/shared-data.ts';
 
@@ -89,11 +89,10 @@ async function compareAt(baseUrl: string, name: string): Promise<Compared> {
   return page.call<Compared>('compare', programOf(name), baseUrl, `${baseUrl}${name}`, TIME_S, SUN);
 }
 
-function keepPictures(name: string, { ours, reference, widthPx: width, heightPx: height }: Compared): void {
+function keepImages(name: string, { ours, reference, widthPx: width, heightPx: height }: Compared): void {
   const out = resolve('tests/output/models');
   mkdirSync(out, { recursive: true });
-  const write = (what: string, data: number[]) =>
-    writeFileSync(join(out, `${name}-${what}.png`), encodePicture(fromGl(width, height, data)));
+  const write = (what: string, data: number[]) => writeFileSync(join(out, `${name}-${what}.png`), encodeImage(fromGl(width, height, data)));
   write('scrim', ours);
   write('three', reference);
 }
@@ -102,7 +101,7 @@ test('materials of every extension but those of glass are drawn as by three.js i
   const name = 'material-extensions.gltf';
   await writeFile(join(folder, name), materialSpheres());
   const result = await compareAt('/packed/', name);
-  keepPictures(name, result);
+  keepImages(name, result);
   expect([result.diagnostics, result.error]).toEqual([[], 0]);
   expect([result.mean < 2, result.far < 0.01, result.onlyOne < 0.01]).toEqual([true, true, true]);
   expect(result.covered).toBeGreaterThan(500);
@@ -120,7 +119,7 @@ describeWithData('real models', 'models', () => {
     });
 
     test('is drawn by the player as by three.js itself', () => {
-      keepPictures(name, result);
+      keepImages(name, result);
       expect(result.diagnostics).toEqual([]);
       expect(result.error).toBe(0);
       const [least, most] = SIZES[name] ?? [0.01, 1000];

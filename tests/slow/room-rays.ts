@@ -1,4 +1,4 @@
-import { type Picture, pixelAt } from '../support/picture.ts';
+import { pixelAt, type RgbaImage } from '../support/image.ts';
 import { BOX_HALF_M, BOX_HEIGHT_M, FLOOR_HALF_M, SHADOW_STRENGTH } from '../xr/room-box.ts';
 import type { XrPage } from '../xr/xr-page.ts';
 
@@ -144,7 +144,7 @@ export async function tally(
   xr: XrPage,
   place: Place,
   eye: Eye,
-  layer: Picture,
+  layer: RgbaImage,
   { marginPx = MARGIN_PX, leaveOut = [] }: { readonly marginPx?: number; readonly leaveOut?: readonly Expected[] } = {},
 ): Promise<Tally> {
   const counts = { box: 0, shadow: 0, 'lit floor': 0, hidden: 0, room: 0 };

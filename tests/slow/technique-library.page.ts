@@ -5,7 +5,7 @@ import {
   EYE,
   FRONT,
   instanced,
-  loadPictures,
+  loadImages,
   morphing,
   shoot,
   skinned,
@@ -28,7 +28,7 @@ function linear(byte: number): number {
 }
 
 export async function prepare(): Promise<void> {
-  await loadPictures();
+  await loadImages();
 }
 
 /** How bright a plate is on the whole, linear, that faces the eye, in light that comes ever more aslant. */

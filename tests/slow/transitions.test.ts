@@ -5,7 +5,7 @@ import { linkIsf } from '../../export/glsl/link/link-isf.ts';
 import { readTransition } from '../../export/glsl/transition/read-transition.ts';
 import { drawPicture, made, PAGE, paint, toPage } from '../browser/glsl-kit.ts';
 import { useModule } from '../support/browser.ts';
-import { type Picture, pixelAt } from '../support/picture.ts';
+import { pixelAt, type RgbaImage } from '../support/image.ts';
 
 const page = useModule(PAGE);
 
@@ -13,10 +13,10 @@ const WIDTH = 32;
 const HEIGHT = 18;
 const FROM = paint(WIDTH, HEIGHT, (x, y) => [x * 7, 40, y * 13, 255]);
 const TO = paint(WIDTH, HEIGHT, (x, y) => [200, y * 12, 255 - x * 7, 255]);
-/** For those that take a third picture: gray from black to white. */
+/** For those that take a third image: gray from black to white. */
 const MAP = paint(WIDTH, HEIGHT, (x) => [x * 8, x * 8, x * 8, 255]);
 
-function render(source: string, file: string, progress: number): Promise<Picture> {
+function render(source: string, file: string, progress: number): Promise<RgbaImage> {
   const shader = made(readTransition(source, file));
   const images = shader.inputs.filter(({ type }) => type === 'image').map(({ name }) => name);
   return drawPicture(page, {
@@ -29,7 +29,7 @@ function render(source: string, file: string, progress: number): Promise<Picture
 }
 
 /** Of any channel, as a number from 0 to 255. */
-function largestDifference(a: Picture, b: Picture): number {
+function largestDifference(a: RgbaImage, b: RgbaImage): number {
   return a.data.reduce((most, value, i) => Math.max(most, Math.abs(value - (b.data[i] ?? 0))), 0);
 }
 

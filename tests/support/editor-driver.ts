@@ -1,14 +1,14 @@
 import type { FrameLocator, Locator, Page } from 'playwright-core';
 import { centerOf, type Point } from '../../tools/lib/center-of.ts';
+import { decodeImage, type RgbaImage } from './image.ts';
 import { PATIENCE_MS } from './patience.ts';
-import { decodePicture, type Picture } from './picture.ts';
 import { countDifferent, expectSamePixels } from './pixels.ts';
 
 /** Height of the strip at the top of the preview that messages may cover. */
 export const FLAG_PX = 40;
 /** A paused preview draws four times per second. */
 const REST_MS = 300;
-const RESTING_PICTURES = 2;
+const RESTING_IMAGES = 2;
 /** Delay of a fast typist. The text editor reads keys between two paints. */
 const KEY_MS = 15;
 
@@ -159,20 +159,20 @@ export class EditorDriver {
   }
 
   /** Goes to the first frame, and returns its image once it no longer changes. Recordings decode their frames asynchronously. */
-  async rewind(): Promise<Picture> {
+  async rewind(): Promise<RgbaImage> {
     await this.hold();
     await this.press('Go to first frame');
     await this.page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '0');
     // The frame number is the requested one; its image follows. Other sources draw at their next frame.
     await this.preview.locator('body').evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
     await this.settled();
-    return this.restingPicture();
+    return this.restingImage();
   }
 
   /** The image of the preview once it no longer changes. */
-  async restingPicture(): Promise<Picture> {
+  async restingImage(): Promise<RgbaImage> {
     let last = await this.picture();
-    for (let same = 0; same < RESTING_PICTURES; ) {
+    for (let same = 0; same < RESTING_IMAGES; ) {
       await this.page.waitForTimeout(REST_MS);
       const next = await this.picture();
       same = isAsLarge(next, last) && countDifferent(next, last).pixels === 0 ? same + 1 : 0;
@@ -182,10 +182,10 @@ export class EditorDriver {
   }
 
   /** The preview without gizmos, below the strip that messages may cover. */
-  async picture(): Promise<Picture> {
+  async picture(): Promise<RgbaImage> {
     await this.showGizmo(false);
     try {
-      return await this.pictureWithGizmo();
+      return await this.imageWithGizmo();
     } finally {
       await this.showGizmo(true);
     }
@@ -201,12 +201,12 @@ export class EditorDriver {
   }
 
   /** The image with the gizmo, for tests of the gizmo. */
-  async pictureWithGizmo(): Promise<Picture> {
+  async imageWithGizmo(): Promise<RgbaImage> {
     await this.keepSize();
     const box = await this.page.locator('iframe[title="Preview"]').boundingBox();
     if (!box) throw new Error('There is no preview.');
     const clip = { x: box.x, y: box.y + FLAG_PX, width: box.width, height: box.height - FLAG_PX };
-    return decodePicture(await this.page.screenshot({ clip }));
+    return decodeImage(await this.page.screenshot({ clip }));
   }
 
   /**
@@ -222,20 +222,20 @@ export class EditorDriver {
   }
 
   /** The image once it no longer changes, after at least `pixels` pixels have changed. */
-  async pictureOtherThan(before: Picture, pixels = 1000): Promise<Picture> {
-    const isOther = (picture: Picture) => isAsLarge(picture, before) && countDifferent(picture, before, 4).pixels >= pixels;
-    if (!isOther(await this.pictureThat(isOther))) throw new Error('The picture did not change.');
-    return this.restingPicture();
+  async imageOtherThan(before: RgbaImage, pixels = 1000): Promise<RgbaImage> {
+    const isOther = (picture: RgbaImage) => isAsLarge(picture, before) && countDifferent(picture, before, 4).pixels >= pixels;
+    if (!isOther(await this.imageThat(isOther))) throw new Error('The picture did not change.');
+    return this.restingImage();
   }
 
   /** Waits until the image equals `expected`. If it does not, both images and their difference are written as `name`. */
-  async pictureSameAs(expected: Picture, name = 'editor'): Promise<void> {
-    const last = await this.pictureThat((picture) => isAsLarge(picture, expected) && countDifferent(picture, expected, 1).pixels === 0);
+  async imageSameAs(expected: RgbaImage, name = 'editor'): Promise<void> {
+    const last = await this.imageThat((picture) => isAsLarge(picture, expected) && countDifferent(picture, expected, 1).pixels === 0);
     await expectSamePixels(name, last, expected, { tolerance: 1 });
   }
 
   /** The first accepted image; after the timeout, the last one. */
-  private async pictureThat(accept: (picture: Picture) => boolean): Promise<Picture> {
+  private async imageThat(accept: (picture: RgbaImage) => boolean): Promise<RgbaImage> {
     const endMs = Date.now() + PATIENCE_MS;
     for (;;) {
       const picture = await this.picture();
@@ -244,6 +244,6 @@ export class EditorDriver {
   }
 }
 
-function isAsLarge(a: Picture, b: Picture): boolean {
+function isAsLarge(a: RgbaImage, b: RgbaImage): boolean {
   return a.width === b.width && a.height === b.height;
 }

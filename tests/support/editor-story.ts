@@ -51,7 +51,7 @@ async function play({ page, project, exportTo, answerFolder }: StoryOptions): Pr
   const sepia = await editor.nodeId('sepia');
   await editor.wire(source, [sepia, 'inputImage']);
   await editor.wire([sepia, 'layer'], [screen, 'layer']);
-  const brown = await editor.pictureOtherThan(untouched);
+  const brown = await editor.imageOtherThan(untouched);
 
   // A param in the inspector changes it without a compile. Undo reverts both.
   const compiled = await compileStatus(page);
@@ -59,16 +59,16 @@ async function play({ page, project, exportTo, answerFolder }: StoryOptions): Pr
   const slider = editor.inspector.getByRole('slider').first();
   await slider.focus();
   await page.keyboard.press('Home');
-  const plain = await editor.pictureOtherThan(brown);
+  const plain = await editor.imageOtherThan(brown);
   // Edges may differ: without a filter, objects are drawn directly to the output, with its antialiasing.
   expect(countDifferent(plain, untouched, 8).pixels).toBeLessThan(0.03 * plain.width * plain.height);
   expect(await compileStatus(page)).toBe(compiled);
   await page.keyboard.press('Control+z');
-  await editor.pictureSameAs(brown, 'undone');
+  await editor.imageSameAs(brown, 'undone');
   await page.keyboard.press('Control+Shift+Z');
-  await editor.pictureSameAs(plain, 'redone');
+  await editor.imageSameAs(plain, 'redone');
   await page.keyboard.press('Control+z');
-  await editor.pictureSameAs(brown, 'undone again');
+  await editor.imageSameAs(brown, 'undone again');
 
   // An invalid shader is marked on its line; the last valid program plays.
   await editor.press('Edit shader');
@@ -79,12 +79,12 @@ async function play({ page, project, exportTo, answerFolder }: StoryOptions): Pr
   await page.locator('.status-bar').getByText('error').click();
   const problem = page.getByRole('list', { name: 'Problems' }).getByRole('button').first();
   expect(await problem.textContent()).toMatch(new RegExp(`shaders/sepia[^:]*\\.fs:${broken}`));
-  await editor.pictureSameAs(brown, 'broken');
+  await editor.imageSameAs(brown, 'broken');
   await editor.press('Play');
   const frame = await editor.frame();
   await page.waitForFunction((f) => Number(document.querySelector('.transport-time span')?.textContent) > f + 1, frame);
   await editor.rewind();
-  await editor.pictureSameAs(brown, 'rewound');
+  await editor.imageSameAs(brown, 'rewound');
 
   // A click on the problem goes to the line; a fix removes the mark.
   await problem.click();
@@ -93,7 +93,7 @@ async function play({ page, project, exportTo, answerFolder }: StoryOptions): Pr
   for (let i = 0; i < 4; i++) await page.keyboard.press('Control+z');
   await page.locator('.monaco-editor .squiggly-error').first().waitFor({ state: 'detached' });
   await page.getByText('Showing the last working version').waitFor({ state: 'detached' });
-  await editor.pictureSameAs(brown, 'mended');
+  await editor.imageSameAs(brown, 'mended');
 
   // A new input in the header becomes a port and a param.
   await typeIntoLine(page, '"INPUTS"', '', ' { "NAME": "darken", "TYPE": "float", "LABEL": "Darken", "MIN": 0, "MAX": 1, "DEFAULT": 0 },');
@@ -102,7 +102,7 @@ async function play({ page, project, exportTo, answerFolder }: StoryOptions): Pr
   await editor.settled();
   await editor.inspector.getByRole('textbox', { name: 'Darken' }).fill('0.5');
   await page.keyboard.press('Enter');
-  const dark = await editor.pictureOtherThan(brown);
+  const dark = await editor.imageOtherThan(brown);
 
   // Saved, and there again after a reload.
   await page.keyboard.press('Control+s');
@@ -110,7 +110,7 @@ async function play({ page, project, exportTo, answerFolder }: StoryOptions): Pr
   await page.reload();
   await editor.settled();
   await editor.rewind();
-  await editor.pictureSameAs(dark, 'reloaded');
+  await editor.imageSameAs(dark, 'reloaded');
   expect(await editor.node(sepia).count()).toBe(1);
 
   // Exported.

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { expect } from '@jest/globals';
 import type { Browser } from 'playwright-core';
 import { collectErrors } from './browser.ts';
-import { decodePicture } from './picture.ts';
+import { decodeImage } from './image.ts';
 import { countColors } from './pixels.ts';
 import { serveStatic } from './serve.ts';
 
@@ -15,7 +15,7 @@ export async function visitExportedPage(browser: Browser, folder: string): Promi
   try {
     await page.goto(host.origin);
     await page.getByText('look around').waitFor();
-    expect(countColors(decodePicture(await page.screenshot()))).toBeGreaterThan(50);
+    expect(countColors(decodeImage(await page.screenshot()))).toBeGreaterThan(50);
     expect(errors).toEqual([]);
   } finally {
     await page.close();

@@ -1,7 +1,7 @@
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import { dirname, join, relative } from 'node:path';
 import pixelmatch from 'pixelmatch';
-import { decodePicture, encodePicture, type Picture } from './picture.ts';
+import { decodeImage, encodeImage, type RgbaImage } from './image.ts';
 import { currentTest, OUTPUT_FOLDER, refreshCommand, TESTS_FOLDER, updatesGoldens } from './this-test.ts';
 
 export interface PixelOptions {
@@ -15,7 +15,7 @@ export interface PixelOptions {
  * Compares with the golden `tests/goldens/PROJECT/NAME.png`. `UPDATE_GOLDENS=1` writes it instead. A missing golden fails the test,
  * so that none is created by accident. Only for images of the pinned Chromium.
  */
-export async function expectPixels(name: string, actual: Picture, options: PixelOptions = {}): Promise<void> {
+export async function expectPixels(name: string, actual: RgbaImage, options: PixelOptions = {}): Promise<void> {
   const path = join(TESTS_FOLDER, 'goldens', currentTest().project, `${name}.png`);
   if (updatesGoldens()) {
     await write(path, actual);
@@ -26,16 +26,16 @@ export async function expectPixels(name: string, actual: Picture, options: Pixel
     const kept = await write(outputPath(name, 'actual'), actual);
     throw new Error(`There is no golden picture ${shown(path)} yet.\nactual:   ${kept}\nIf it looks right: ${refreshCommand()}`);
   }
-  await compare(name, actual, decodePicture(bytes), options, `\nIf the new picture is right: ${refreshCommand()}`);
+  await compare(name, actual, decodeImage(bytes), options, `\nIf the new picture is right: ${refreshCommand()}`);
 }
 
 /** Compares two images of the same test, such as those of the preview and the exported page. */
-export async function expectSamePixels(name: string, actual: Picture, expected: Picture, options: PixelOptions = {}): Promise<void> {
+export async function expectSamePixels(name: string, actual: RgbaImage, expected: RgbaImage, options: PixelOptions = {}): Promise<void> {
   await compare(name, actual, expected, options, '');
 }
 
 /** Number of pixels that differ by more than `tolerance` in a channel, and the largest difference. */
-export function countDifferent(a: Picture, b: Picture, tolerance = 0): { readonly pixels: number; readonly largest: number } {
+export function countDifferent(a: RgbaImage, b: RgbaImage, tolerance = 0): { readonly pixels: number; readonly largest: number } {
   let pixels = 0;
   let largest = 0;
   for (let i = 0; i < a.data.length; i += 4) {
@@ -50,13 +50,13 @@ export function countDifferent(a: Picture, b: Picture, tolerance = 0): { readonl
 }
 
 /** Number of different colors, without alpha. Most images of a scene have many. */
-export function countColors({ data }: Picture): number {
+export function countColors({ data }: RgbaImage): number {
   const seen = new Set<number>();
   for (let i = 0; i < data.length; i += 4) seen.add(((data[i] ?? 0) << 16) | ((data[i + 1] ?? 0) << 8) | (data[i + 2] ?? 0));
   return seen.size;
 }
 
-async function compare(name: string, actual: Picture, expected: Picture, options: PixelOptions, advice: string): Promise<void> {
+async function compare(name: string, actual: RgbaImage, expected: RgbaImage, options: PixelOptions, advice: string): Promise<void> {
   const { tolerance = 0, pixels = 0 } = options;
   const sameSize = actual.width === expected.width && actual.height === expected.height;
   const different = sameSize ? countDifferent(actual, expected, tolerance) : null;
@@ -73,7 +73,7 @@ async function compare(name: string, actual: Picture, expected: Picture, options
 }
 
 /** An image of all differing pixels in red over the faded original. */
-function drawDifference(actual: Picture, expected: Picture): Picture {
+function drawDifference(actual: RgbaImage, expected: RgbaImage): RgbaImage {
   const { width, height } = actual;
   const data = new Uint8Array(width * height * 4);
   pixelmatch(actual.data, expected.data, data, width, height, { threshold: 0, includeAA: true });
@@ -84,9 +84,9 @@ function outputPath(name: string, role: 'expected' | 'actual' | 'diff'): string 
   return join(OUTPUT_FOLDER, 'pixels', `${name}.${role}.png`);
 }
 
-async function write(path: string, picture: Picture): Promise<string> {
+async function write(path: string, picture: RgbaImage): Promise<string> {
   await mkdir(dirname(path), { recursive: true });
-  await writeFile(path, encodePicture(picture));
+  await writeFile(path, encodeImage(picture));
   return shown(path);
 }
 

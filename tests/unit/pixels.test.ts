@@ -1,13 +1,13 @@
 import { readFile } from 'node:fs/promises';
 import { describe, expect, test } from '@jest/globals';
-import { decodePicture, encodePicture, fromGl, type Picture, pixelAt } from '../support/picture.ts';
+import { decodeImage, encodeImage, fromGl, pixelAt, type RgbaImage } from '../support/image.ts';
 import { countDifferent, expectPixels, expectSamePixels } from '../support/pixels.ts';
 
 const RED = [255, 0, 0, 255];
 const GREEN = [0, 255, 0, 255];
 
 /** 2×2: the pixels from the top left, row by row. */
-function picture(...pixels: readonly (readonly number[])[]): Picture {
+function picture(...pixels: readonly (readonly number[])[]): RgbaImage {
   return { width: 2, height: 2, data: Uint8Array.from(pixels.flat()) };
 }
 
@@ -21,7 +21,7 @@ async function complaint(promise: Promise<void>): Promise<string> {
 describe('pictures', () => {
   test('PNG bytes come back as they were', () => {
     const original = picture(RED, GREEN, [1, 2, 3, 4], RED);
-    expect(decodePicture(encodePicture(original))).toEqual(original);
+    expect(decodeImage(encodeImage(original))).toEqual(original);
   });
 
   test('GL’s bottom row comes last', () => {
@@ -50,8 +50,8 @@ describe('comparing pictures', () => {
     expect(message).toContain('1 pixels differ by more than 0 (at most 255); 0 may.');
     const paths = [...message.matchAll(/^(?:expected|actual|diff): +(\S+\.png)$/gm)].map((match) => match[1] as string);
     expect(paths).toHaveLength(3);
-    const [, , diff] = await Promise.all(paths.map(async (path) => decodePicture(await readFile(path))));
-    expect(pixelAt(diff as Picture, 1, 0)).toEqual([255, 0, 0, 255]);
+    const [, , diff] = await Promise.all(paths.map(async (path) => decodeImage(await readFile(path))));
+    expect(pixelAt(diff as RgbaImage, 1, 0)).toEqual([255, 0, 0, 255]);
   });
 
   test('fails on another size', async () => {

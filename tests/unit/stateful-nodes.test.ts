@@ -235,7 +235,7 @@ function giveAt(
       },
       ...{ restore: () => null, forget: () => {} },
     },
-    depthPicture: () => null,
+    depthImage: () => null,
     openHitTest: () => ({ read: () => hits(now), close: () => {} }),
     castRay: (ray: Float32Array, out: HitRecord) => {
       out.worldFromHit.set(ray);

@@ -4,7 +4,7 @@ import { join, resolve } from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { useBrowser } from '../support/browser.ts';
-import type { Picture } from '../support/picture.ts';
+import type { RgbaImage } from '../support/image.ts';
 import { serveProject } from '../support/project-page.ts';
 import { openXrPage } from './xr-page.ts';
 
@@ -20,7 +20,7 @@ interface SavedProject {
   readonly graphs: { readonly main: { readonly nodes: Record<string, SavedNode>; readonly wires: readonly string[] } };
 }
 
-/** One thing taken out of the example, so that what it does to the picture can be seen. */
+/** One thing taken out of the example, so that what it does to the image can be seen. */
 type Variant = 'whole' | 'no shadow' | 'nothing hidden' | 'no filter';
 
 let base = '';
@@ -53,7 +53,7 @@ async function makeVariant(variant: Variant): Promise<string> {
 }
 
 /** What a visitor in the studio sees, and the room without the page. */
-async function see(variant: Variant, options: EmulatorOptions): Promise<{ readonly seen: Picture; readonly room: Picture }> {
+async function see(variant: Variant, options: EmulatorOptions): Promise<{ readonly seen: RgbaImage; readonly room: RgbaImage }> {
   const served = await serveProject(await makeVariant(variant));
   const xr = await openXrPage(chromium.browser, served.url, { room: 'studio', ...options }, { width: 320, height: 240 });
   await xr.enter();
@@ -68,7 +68,7 @@ async function see(variant: Variant, options: EmulatorOptions): Promise<{ readon
 }
 
 /** Pixels that differ by more than a few steps, with how much lighter `a` is than `b` there, over all channels. */
-function differences(a: Picture, b: Picture): number[] {
+function differences(a: RgbaImage, b: RgbaImage): number[] {
   const found: number[] = [];
   for (let i = 0; i < a.data.length; i += 4) {
     const deltas = [0, 1, 2].map((c) => (a.data[i + c] ?? 0) - (b.data[i + c] ?? 0));
@@ -78,7 +78,7 @@ function differences(a: Picture, b: Picture): number[] {
 }
 
 /** Mean red over mean blue of the upper third, where only the room is. */
-function warmth({ data, width, height }: Picture): number {
+function warmth({ data, width, height }: RgbaImage): number {
   let red = 0;
   let blue = 0;
   for (let i = 0; i < width * Math.floor(height / 3) * 4; i += 4) {

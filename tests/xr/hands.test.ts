@@ -4,7 +4,7 @@ import { projectEye } from '../../export/emulator/session/projection.ts';
 import { HAND_JOINTS } from '../../nodes/kit/hand-joints.ts';
 import { useBrowser } from '../support/browser.ts';
 import { captureHand } from '../support/captured-hand.ts';
-import { type Picture, pixelAt } from '../support/picture.ts';
+import { pixelAt, type RgbaImage } from '../support/image.ts';
 import { type ServedExport, serveProject, serveProjectText } from '../support/project-page.ts';
 import { openXrPage, type XrPage } from './xr-page.ts';
 
@@ -61,10 +61,10 @@ function pixelOf([x = 0, y = 0, z = 0]: readonly number[]): [number, number] {
   return [Math.floor(((1 + right) / 2) * SIZE.width), Math.floor(((1 - up) / 2) * SIZE.height)];
 }
 
-const alphaAt = (picture: Picture, [x, y]: readonly [number, number]) => pixelAt(picture, x, y)[3];
+const alphaAt = (picture: RgbaImage, [x, y]: readonly [number, number]) => pixelAt(picture, x, y)[3];
 
 /** Pixels that are drawn at all. */
-function drawnCount(picture: Picture): number {
+function drawnCount(picture: RgbaImage): number {
   let count = 0;
   for (let i = 3; i < picture.data.length; i += 4) if ((picture.data[i] ?? 0) > 127) count++;
   return count;

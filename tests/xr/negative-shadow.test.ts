@@ -2,7 +2,7 @@ import { resolve } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import type { DeviceName } from '../../export/emulator/profiles.ts';
 import { useBrowser } from '../support/browser.ts';
-import { type Picture, pixelAt } from '../support/picture.ts';
+import { pixelAt, type RgbaImage } from '../support/image.ts';
 import { serveProject } from '../support/project-page.ts';
 import { openXrPage } from './xr-page.ts';
 
@@ -16,7 +16,7 @@ beforeAll(async () => {
 afterAll(() => served.close());
 
 /** What a device shows of the ball on the floor, seen from the front and above, in the first view. */
-async function see(device: DeviceName): Promise<{ layer: Picture; seen: Picture; room: Picture; errors: readonly string[] }> {
+async function see(device: DeviceName): Promise<{ layer: RgbaImage; seen: RgbaImage; room: RgbaImage; errors: readonly string[] }> {
   const xr = await openXrPage(chromium.browser, served.url, { room: 'studio', device, views: 1, fovYRad: 0.9, sizePx: [320, 240] });
   try {
     await xr.enter();
@@ -29,10 +29,10 @@ async function see(device: DeviceName): Promise<{ layer: Picture; seen: Picture;
   }
 }
 
-const gray = (picture: Picture, x: number, y: number): number => pixelAt(picture, x, y)[1];
+const gray = (picture: RgbaImage, x: number, y: number): number => pixelAt(picture, x, y)[1];
 
 /** All pixels where the layer has no object: only light and shadow, which is gray. */
-function floorPixels(layer: Picture): readonly (readonly [x: number, y: number])[] {
+function floorPixels(layer: RgbaImage): readonly (readonly [x: number, y: number])[] {
   return Array.from({ length: layer.width * layer.height }, (_, i) => [i % layer.width, Math.floor(i / layer.width)] as const).filter(
     ([x, y]) => pixelAt(layer, x, y)[3] === 0,
   );

@@ -3,7 +3,7 @@ import { resolve } from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { useBrowser } from '../support/browser.ts';
-import { type Picture, pixelAt } from '../support/picture.ts';
+import { pixelAt, type RgbaImage } from '../support/image.ts';
 import type { ProjectText } from '../support/project-kit.ts';
 import { type ServedExport, serveProjectText } from '../support/project-page.ts';
 import { openXrPage, readCapture, type XrPage } from './xr-page.ts';
@@ -103,7 +103,7 @@ async function look(xr: XrPage, eyeHeightM: number): Promise<void> {
   await xr.step(3);
 }
 
-function covers(layer: Picture, x: number, y: number): boolean {
+function covers(layer: RgbaImage, x: number, y: number): boolean {
   return pixelAt(layer, x, y)[3] > 0;
 }
 
@@ -120,7 +120,7 @@ interface Tally {
  * there must be nothing of it, where the room is farther than all of it every pixel of it must be there. What lies between the
  * two, and the depth map's own outlines, are left out.
  */
-async function tally(xr: XrPage, eye: Eye, layer: Picture, silhouette: Picture): Promise<Tally> {
+async function tally(xr: XrPage, eye: Eye, layer: RgbaImage, silhouette: RgbaImage): Promise<Tally> {
   const nearM = -PLACE[0] + eye.position[0] - REACH_M;
   const farM = -PLACE[0] + eye.position[0] + REACH_M;
   const STEP = 6;

@@ -3,7 +3,7 @@ import { afterAll, afterEach, beforeAll, describe, expect, test } from '@jest/gl
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { projectEye } from '../../export/emulator/session/projection.ts';
 import { useBrowser } from '../support/browser.ts';
-import { type Picture, pixelAt } from '../support/picture.ts';
+import { pixelAt, type RgbaImage } from '../support/image.ts';
 import { type ServedExport, serveProject } from '../support/project-page.ts';
 import { openXrPage, type XrPage } from './xr-page.ts';
 
@@ -39,14 +39,14 @@ async function enter(options: EmulatorOptions): Promise<XrPage> {
 }
 
 /** Looks from `eye` down by `pitchRad`. */
-async function look(xr: XrPage, eye: readonly [number, number, number], pitchRad: number): Promise<Picture> {
+async function look(xr: XrPage, eye: readonly [number, number, number], pitchRad: number): Promise<RgbaImage> {
   await xr.setPose({ position: eye, quaternion: [-Math.sin(pitchRad / 2), 0, 0, Math.cos(pitchRad / 2)] });
   await xr.step(3);
   return xr.readLayer();
 }
 
 /** The box around everything that the page drew, pixels from the top left; null for nothing. */
-function drawn(picture: Picture) {
+function drawn(picture: RgbaImage) {
   const box = { left: Number.POSITIVE_INFINITY, right: -1, top: Number.POSITIVE_INFINITY, bottom: -1 };
   for (let y = 0; y < picture.height; y++) {
     for (let x = 0; x < picture.width; x++) {

@@ -7,7 +7,7 @@ import type { Control, Program } from '../../export/program/program.ts';
 import { LAMP } from '../browser/controls-program.ts';
 import { DISC, type ServedPage, servePage } from '../browser/page-kit.ts';
 import { useBrowser } from '../support/browser.ts';
-import { type Picture, pixelAt } from '../support/picture.ts';
+import { pixelAt, type RgbaImage } from '../support/image.ts';
 import { aliveGl, watchGl } from './count-gl.ts';
 import { openXrPage, type XrPage } from './xr-page.ts';
 
@@ -102,7 +102,7 @@ async function pull(xr: XrPage, trigger: number): Promise<void> {
 
 type Place = readonly [x: number, y: number, z: number];
 
-/** A place of the panel's picture in the room. */
+/** A place of the panel's image in the room. */
 function placeOf({ widthPx, heightPx }: PanelLayout, x: number, y: number): Place {
   const [right, up] = [(x - widthPx / 2) / PX_PER_M, (heightPx / 2 - y) / PX_PER_M];
   return [MIDDLE[0] + right, MIDDLE[1] + up * UP[1], MIDDLE[2] + up * UP[2]];
@@ -131,7 +131,7 @@ function middleOf(layout: PanelLayout, control: number, option = 0): readonly [n
 }
 
 /** Where one eye of the emulated headset sees a place: pixels of the layer from its top left. */
-async function seenAt(xr: XrPage, layer: Picture, view: 0 | 1, [x, y, z]: Place): Promise<readonly [number, number]> {
+async function seenAt(xr: XrPage, layer: RgbaImage, view: 0 | 1, [x, y, z]: Place): Promise<readonly [number, number]> {
   const fovY = await xr.page.evaluate(() => scrimEmulator?.current?.device.fovy ?? 0);
   const width = layer.width / 2;
   const m = projectEye(view === 0 ? 'left' : 'right', fovY, width / layer.height, 0.05, 100);
@@ -142,7 +142,7 @@ async function seenAt(xr: XrPage, layer: Picture, view: 0 | 1, [x, y, z]: Place)
 
 const isAccent = ([r, g, b]: readonly number[]) => (r ?? 0) > 180 && (g ?? 0) > 140 && (g ?? 0) < 230 && (b ?? 255) < 140;
 /** Of the lamp, in the middle of the left eye. */
-const lampOf = (layer: Picture) => pixelAt(layer, Math.floor(layer.width / 4), Math.floor(layer.height / 2));
+const lampOf = (layer: RgbaImage) => pixelAt(layer, Math.floor(layer.width / 4), Math.floor(layer.height / 2));
 
 describe('the controls of a page in a headset', () => {
   test('hang in the room before the viewer, in both eyes, and stay there', async () => {

@@ -3,7 +3,7 @@ import type { Program } from '../../export/program/program.ts';
 import { LAMP } from '../browser/controls-program.ts';
 import { type ServedPage, servePage } from '../browser/page-kit.ts';
 import { useBrowser } from '../support/browser.ts';
-import { type Picture, pixelAt } from '../support/picture.ts';
+import { pixelAt, type RgbaImage } from '../support/image.ts';
 import { aliveGl, watchGl } from './count-gl.ts';
 import { openXrPage, type XrPage } from './xr-page.ts';
 
@@ -40,7 +40,7 @@ async function enter({ page, setPose }: XrPage): Promise<void> {
 }
 
 /** At a fraction of one eye's view, from its top left. */
-function seen(layer: Picture, view: 0 | 1, x: number, y: number): readonly number[] {
+function seen(layer: RgbaImage, view: 0 | 1, x: number, y: number): readonly number[] {
   return pixelAt(layer, Math.floor((view + x) * (layer.width / 2)), Math.floor(y * layer.height));
 }
 

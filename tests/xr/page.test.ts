@@ -2,7 +2,7 @@ import { afterAll, afterEach, beforeAll, describe, expect, test } from '@jest/gl
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { DISC, type ServedPage, servePage } from '../browser/page-kit.ts';
 import { useBrowser } from '../support/browser.ts';
-import { type Picture, pixelAt } from '../support/picture.ts';
+import { pixelAt, type RgbaImage } from '../support/image.ts';
 import { openXrPage, readCapture, type XrPage } from './xr-page.ts';
 
 // With a camera, for those whom AR refuses.
@@ -26,7 +26,7 @@ async function open(options: EmulatorOptions = {}): Promise<XrPage> {
 }
 
 /** Whether the disc of the test's program is where it belongs in the part of the layer that one view covers. */
-function showsDisc(layer: Picture, fromX: number, toX: number): boolean {
+function showsDisc(layer: RgbaImage, fromX: number, toX: number): boolean {
   const [red, , , alpha] = pixelAt(layer, Math.floor((fromX + toX) / 2), Math.floor(layer.height / 2));
   const corner = pixelAt(layer, fromX + 2, 2);
   return red > 200 && alpha === 255 && corner[3] === 0;

@@ -2,8 +2,8 @@ import { resolve } from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { Matrix4, Vector3 } from 'three';
 import { useBrowser } from '../support/browser.ts';
+import { decodeImage, pixelAt } from '../support/image.ts';
 import { eventually } from '../support/patience.ts';
-import { decodePicture, pixelAt } from '../support/picture.ts';
 import { type ServedExport, serveProject, serveProjectText } from '../support/project-page.ts';
 import { drawnMatrices, forgetDrawn, WATCH_MATRICES } from './drawn-matrices.ts';
 import { openXrPage, type XrPage } from './xr-page.ts';
@@ -37,7 +37,7 @@ describe('a box of a page without AR', () => {
     const beside = [area.x + area.width * 0.1, area.y + area.height / 2] as const;
     /** Whether the box is orange, not blue. */
     const isLit = async () => {
-      const [red, , blue] = pixelAt(decodePicture(await page.screenshot()), Math.round(middle[0]), Math.round(middle[1]));
+      const [red, , blue] = pixelAt(decodeImage(await page.screenshot()), Math.round(middle[0]), Math.round(middle[1]));
       return red > blue;
     };
     await page.mouse.move(...beside);

@@ -7,7 +7,7 @@ import type { HeadPose } from '../../export/emulator/emulator.ts';
 import type {} from '../../export/emulator/inject.ts';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { collectErrors } from '../support/browser.ts';
-import type { Picture } from '../support/picture.ts';
+import type { RgbaImage } from '../support/image.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
 
@@ -20,11 +20,11 @@ export interface XrPage {
   setPose(pose: HeadPose): Promise<void>;
   step(count?: number): Promise<void>;
   /** What the page drew in the last frame, premultiplied. */
-  readLayer(): Promise<Picture>;
+  readLayer(): Promise<RgbaImage>;
   /** What the visitor saw in the last frame. */
-  readComposite(): Promise<Picture>;
+  readComposite(): Promise<RgbaImage>;
   /** What the device's cameras saw in the last frame. */
-  readRoom(): Promise<Picture>;
+  readRoom(): Promise<RgbaImage>;
   /** Distance to the room along a ray, meters, or null. */
   measure(originWorld: readonly number[], directionWorld: readonly number[]): Promise<number | null>;
   close(): Promise<void>;
@@ -60,7 +60,7 @@ export async function openXrPage(
     enter: async () => {
       await page.getByRole('button', { name: 'Enter AR' }).click();
       await page.evaluate(() => scrimEmulator?.current?.frameRequested());
-      // Depth and pictures of a device come with its first frames.
+      // Depth and images of a device come with its first frames.
       await page.evaluate(() => scrimEmulator?.current?.stepFrame(3));
     },
     setPose: (pose) => page.evaluate((p) => scrimEmulator?.current?.setPose(p), pose),
@@ -73,8 +73,8 @@ export async function openXrPage(
   };
 }
 
-/** Bytes as base64: as a list of numbers a picture takes ten times as long. */
-async function readPicture(page: Page, what: 'readLayer' | 'readComposite' | 'readRoom'): Promise<Picture> {
+/** Bytes as base64: as a list of numbers an image takes ten times as long. */
+async function readPicture(page: Page, what: 'readLayer' | 'readComposite' | 'readRoom'): Promise<RgbaImage> {
   const { width, height, base64 } = await page.evaluate((method) => {
     const pixels = scrimEmulator?.current?.[method]();
     if (!pixels) throw new Error('There is no emulator.');

@@ -31,10 +31,10 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
       sample: async () => {
         const { page, preview } = await open();
         const without = await frameMs(preview);
-        await showPictures(page, true);
-        const withPictures = await frameMs(preview);
-        await showPictures(page, false);
-        return withPictures / without;
+        await showThumbnails(page, true);
+        const withThumbnails = await frameMs(preview);
+        await showThumbnails(page, false);
+        return withThumbnails / without;
       },
       dispose: async () => {
         if (!opened) return;
@@ -71,11 +71,11 @@ async function openEditor(root: string): Promise<Opened> {
 }
 
 /** Switches thumbnails on or off, and waits until the change is drawn. */
-async function showPictures(page: Page, shown: boolean): Promise<void> {
+async function showThumbnails(page: Page, shown: boolean): Promise<void> {
   await page.locator('.react-flow__pane').click({ position: { x: 4, y: 4 } });
   await page.keyboard.press('t');
   await page
-    .locator('.node-picture')
+    .locator('.node-thumbnail')
     .first()
     .waitFor({ state: shown ? 'visible' : 'detached' });
 }

@@ -1,7 +1,7 @@
 import { BufferTarget, EncodedPacket, EncodedVideoPacketSource, Output, WebMOutputFormat } from 'mediabunny';
 
 /** A frame of a video: Y, U and V as the codec takes them (BT.601, video range), and alpha in [0, 255]; rows from the top. */
-export interface FilmPicture {
+export interface FilmImage {
   readonly y: Uint8Array;
   readonly u: Uint8Array;
   readonly v: Uint8Array;
@@ -11,11 +11,11 @@ export interface FilmPicture {
 export interface Film {
   readonly widthPx: number;
   readonly heightPx: number;
-  readonly picturesPerS: number;
+  readonly framesPerS: number;
   /** Interval of key frames. */
   readonly keyEvery: number;
   readonly bitrate: number;
-  readonly pictures: readonly FilmPicture[];
+  readonly images: readonly FilmImage[];
   /** Whether the file states its duration. Browser recordings do not. */
   readonly timed?: boolean;
 }
@@ -31,14 +31,14 @@ interface Encoded {
 
 /** Encodes a WebM video with WebCodecs in a browser, with alpha if the frames have it. */
 export async function encodeFilm(film: Film): Promise<Uint8Array<ArrayBuffer>> {
-  const { widthPx, heightPx, picturesPerS, pictures, timed = true } = film;
+  const { widthPx, heightPx, framesPerS, images, timed = true } = film;
   const gray = new Uint8Array((widthPx / 2) * (heightPx / 2)).fill(128);
   const colors = await encode(film, ({ y, u, v }) => [y, u, v]);
-  const hasAlpha = pictures.some(({ alpha }) => alpha !== undefined);
+  const hasAlpha = images.some(({ alpha }) => alpha !== undefined);
   const alphas = hasAlpha ? await encode(film, ({ y, alpha }) => [alpha ?? y.map(() => 255), gray, gray]) : null;
   const source = new EncodedVideoPacketSource('vp9');
   const output = new Output({ format: new WebMOutputFormat({ appendOnly: !timed }), target: new BufferTarget() });
-  output.addVideoTrack(source, { frameRate: picturesPerS });
+  output.addVideoTrack(source, { frameRate: framesPerS });
   await output.start();
   for (const [i, chunk] of colors.chunks.entries()) {
     const alpha = alphas?.chunks[i];
@@ -56,13 +56,13 @@ function bytesOf(chunk: EncodedVideoChunk): Uint8Array {
   return bytes;
 }
 
-function timeMsOf(index: number, picturesPerS: number): number {
-  return Math.round((index * 1000) / picturesPerS);
+function timeMsOf(index: number, framesPerS: number): number {
+  return Math.round((index * 1000) / framesPerS);
 }
 
 async function encode(
-  { widthPx, heightPx, picturesPerS, keyEvery, bitrate, pictures }: Film,
-  planes: (picture: FilmPicture) => readonly Uint8Array[],
+  { widthPx, heightPx, framesPerS, keyEvery, bitrate, images }: Film,
+  planes: (image: FilmImage) => readonly Uint8Array[],
 ): Promise<Encoded> {
   const chunks: EncodedVideoChunk[] = [];
   let metadata: EncodedVideoChunkMetadata | undefined;
@@ -74,11 +74,11 @@ async function encode(
     },
     error: (error) => failures.push(error),
   });
-  encoder.configure({ codec: CODEC, width: widthPx, height: heightPx, bitrate, framerate: picturesPerS, latencyMode: 'realtime' });
-  pictures.forEach((picture, i) => {
-    const data = new Uint8Array(planes(picture).flatMap((plane) => [...plane]));
-    const timestamp = timeMsOf(i, picturesPerS) * 1000;
-    const duration = 1e6 / picturesPerS;
+  encoder.configure({ codec: CODEC, width: widthPx, height: heightPx, bitrate, framerate: framesPerS, latencyMode: 'realtime' });
+  images.forEach((image, i) => {
+    const data = new Uint8Array(planes(image).flatMap((plane) => [...plane]));
+    const timestamp = timeMsOf(i, framesPerS) * 1000;
+    const duration = 1e6 / framesPerS;
     const frame = new VideoFrame(data, { format: 'I420', codedWidth: widthPx, codedHeight: heightPx, timestamp, duration });
     encoder.encode(frame, { keyFrame: i % keyEvery === 0 });
     frame.close();

@@ -1,24 +1,24 @@
-import { encodeFilm, type FilmPicture } from './encode-film.ts';
+import { encodeFilm, type FilmImage } from './encode-film.ts';
 
-const BALL = { sidePx: 96, pictures: 24, picturesPerS: 12 } as const;
+const BALL = { sidePx: 96, images: 24, framesPerS: 12 } as const;
 /** BT.601 of a warm orange: about sRGB (255, 139, 60). */
 const ORANGE = { y: 158, u: 76, v: 185 };
 
 /** Two seconds of a pulsing ball with a soft edge on a transparent background. */
 export async function makeBall(): Promise<number[]> {
-  const { sidePx, pictures, picturesPerS } = BALL;
+  const { sidePx, images, framesPerS } = BALL;
   const bytes = await encodeFilm({
     widthPx: sidePx,
     heightPx: sidePx,
-    picturesPerS,
-    keyEvery: picturesPerS,
+    framesPerS,
+    keyEvery: framesPerS,
     bitrate: 150_000,
-    pictures: Array.from({ length: pictures }, (_, i) => ball(Math.sin((2 * Math.PI * i) / pictures))),
+    images: Array.from({ length: images }, (_, i) => ball(Math.sin((2 * Math.PI * i) / images))),
   });
   return [...bytes];
 }
 
-function ball(swell: number): FilmPicture {
+function ball(swell: number): FilmImage {
   const { sidePx } = BALL;
   const radiusPx = 30 + 10 * swell;
   const alpha = new Uint8Array(sidePx * sidePx);
@@ -34,26 +34,26 @@ function ball(swell: number): FilmPicture {
 const STRIPES = {
   widthPx: 160,
   heightPx: 90,
-  pictures: 24,
-  picturesPerS: 12,
+  images: 24,
+  framesPerS: 12,
   /** Period of the rainbow along x and along y. */ periodPx: 60,
 } as const;
 
 /** Diagonal rainbows that move by their width in two seconds, in a seamless loop. */
 export async function makeStripes(): Promise<number[]> {
-  const { widthPx, heightPx, pictures, picturesPerS } = STRIPES;
+  const { widthPx, heightPx, images, framesPerS } = STRIPES;
   const bytes = await encodeFilm({
     widthPx,
     heightPx,
-    picturesPerS,
-    keyEvery: picturesPerS,
+    framesPerS,
+    keyEvery: framesPerS,
     bitrate: 200_000,
-    pictures: Array.from({ length: pictures }, (_, i) => stripes(i / pictures)),
+    images: Array.from({ length: images }, (_, i) => stripes(i / images)),
   });
   return [...bytes];
 }
 
-function stripes(turn: number): FilmPicture {
+function stripes(turn: number): FilmImage {
   const { widthPx, heightPx, periodPx } = STRIPES;
   const hueAt = (x: number, y: number): number => 2 * Math.PI * ((x + (heightPx - y)) / periodPx - turn);
   const luma = new Uint8Array(widthPx * heightPx);

@@ -38,12 +38,12 @@ export const main: ToolMain = async ([out, ...sessions], { root }) => {
     for (const { path, title } of examples) {
       const png = await draw(path);
       if (png) cells.push({ title, png });
-      if (png && session === null) await writePicture(examplesDir, basename(path), png);
+      if (png && session === null) await writeThumbnail(examplesDir, basename(path), png);
     }
     if (session === null) {
       for (const { name } of await findTemplates(templatesDir)) {
         const png = await draw(join(templatesDir, name));
-        if (png) await writePicture(examplesDir, `template-${name}`, png);
+        if (png) await writeThumbnail(examplesDir, `template-${name}`, png);
       }
     }
     const sheet = await makeSheet(cells);
@@ -55,7 +55,7 @@ export const main: ToolMain = async ([out, ...sessions], { root }) => {
 };
 
 /** Writes the small image of an example for the editor. */
-async function writePicture(examplesDir: string, name: string, png: Uint8Array): Promise<void> {
+async function writeThumbnail(examplesDir: string, name: string, png: Uint8Array): Promise<void> {
   const file = pictureOf(examplesDir, name);
   await mkdir(dirname(file), { recursive: true });
   await writeFile(file, await sharp(png).resize({ width: WIDTH_PX }).jpeg({ quality: QUALITY }).toBuffer());

@@ -32,8 +32,8 @@ export async function film(camera: StudioCamera, poses: readonly (readonly numbe
   const view = createRoomView(room, true);
   view.resize(camera.widthPx * OVERSAMPLING, camera.heightPx * OVERSAMPLING);
   const depth = createDepthCamera(view, camera.depthWidthPx, camera.depthHeightPx, depthUvFromViewUv({}));
-  const picture = new OffscreenCanvas(camera.widthPx, camera.heightPx);
-  const context = picture.getContext('2d');
+  const image = new OffscreenCanvas(camera.widthPx, camera.heightPx);
+  const context = image.getContext('2d');
   if (!context) throw new Error('This browser draws no pictures.');
   context.imageSmoothingQuality = 'high';
   const frames: StudioFrame[] = [];
@@ -47,7 +47,7 @@ export async function film(camera: StudioCamera, poses: readonly (readonly numbe
     } as const;
     view.drawRoom([eye]);
     context.drawImage(view.canvas, 0, 0, camera.widthPx, camera.heightPx);
-    const jpeg = await picture.convertToBlob({ type: 'image/jpeg', quality: camera.jpegQuality });
+    const jpeg = await image.convertToBlob({ type: 'image/jpeg', quality: camera.jpegQuality });
     const meters = depth.measure({ worldFromDepth: eye.worldFromView, clipFromDepth: eye.clipFromView });
     frames.push({ jpeg: toBase64(new Uint8Array(await jpeg.arrayBuffer())), meters: toBase64(new Uint8Array(meters.buffer)) });
   }

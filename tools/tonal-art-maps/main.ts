@@ -15,13 +15,13 @@ const PICTURES = [
 export const main: ToolMain = async (_args, { root }) => {
   const folder = join(root, 'shader-library', 'pictures');
   await mkdir(folder, { recursive: true });
-  for (const { name, bytes } of drawPictures()) {
+  for (const { name, bytes } of drawImages()) {
     await writeFile(join(folder, name), bytes);
     console.log(`${join(folder, name)}: ${bytes.length} bytes`);
   }
   return 0;
 };
 
-export function drawPictures(maps: TonalArtMaps = makeTonalArtMaps()): readonly { readonly name: string; readonly bytes: Uint8Array }[] {
+export function drawImages(maps: TonalArtMaps = makeTonalArtMaps()): readonly { readonly name: string; readonly bytes: Uint8Array }[] {
   return PICTURES.map(({ name, tones }) => ({ name, bytes: encode(packTones(maps, tones), { zlib: { level: 9 } }) }));
 }

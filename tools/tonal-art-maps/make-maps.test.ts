@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, test } from '@jest/globals';
 import { decode } from 'fast-png';
-import { drawPictures } from './main.ts';
+import { drawImages } from './main.ts';
 import { makeTonalArtMaps, TONES, type TonalArtMaps } from './make-maps.ts';
 import { eachPixel, toneOf } from './strokes.ts';
 
@@ -54,7 +54,7 @@ describe('the pictures of the library', () => {
   const stored = (name: string) => new Uint8Array(readFileSync(new URL(`../../shader-library/pictures/${name}`, import.meta.url)));
 
   test('are what the script draws', () => {
-    for (const { name, bytes } of drawPictures(maps)) {
+    for (const { name, bytes } of drawImages(maps)) {
       const [drawn, kept] = [decode(bytes), decode(stored(name))];
       expect([kept.width, kept.height, kept.channels]).toEqual([511, 256, 3]);
       expect(Buffer.compare(Buffer.from(drawn.data.buffer), Buffer.from(kept.data.buffer))).toBe(0);

@@ -69,9 +69,9 @@ export const renderCommand: Command = {
         projectRoot: compiled.root,
         job: { program, session: session.output.session, ...session.output.sizePx, subject: subject.output },
         sourceOf: (file) => compiled.files.sources[file.replace(/^shaders\//, '')] ?? LIBRARY.shader(file),
-        onPicture: async (...picture) => {
+        onImage: async (...image) => {
           interrupted.throwIfAborted();
-          await writer.add(...picture);
+          await writer.add(...image);
         },
         say,
       });

@@ -1,5 +1,5 @@
 import type { Page } from 'playwright-core';
-import { POSTER_SIZE, type PosterPicture } from '../../../export/bundle/poster.ts';
+import { POSTER_SIZE, type PosterImage } from '../../../export/bundle/poster.ts';
 import type { Program } from '../../../export/program/program.ts';
 import { HostError } from '../../contract/host-error.ts';
 import { findChromium } from '../../services/chromium.ts';
@@ -22,7 +22,7 @@ export interface PosterJob {
  *
  * @throws SCR042 if the driver rejects a shader
  */
-export async function drawPoster({ program, projectRoot, installation }: PosterJob): Promise<PosterPicture | null> {
+export async function drawPoster({ program, projectRoot, installation }: PosterJob): Promise<PosterImage | null> {
   const found = await findChromium();
   const session = await findRenderSession(null, projectRoot, installation, POSTER_SIZE);
   if (found === null || session.output === null) return null;
@@ -35,7 +35,7 @@ export async function drawPoster({ program, projectRoot, installation }: PosterJ
     projectRoot,
     job: { program, session: session.output.session, ...POSTER_SIZE, subject: { kind: 'screen' } },
     sourceOf: () => undefined,
-    onPicture: async (_index, { widthPx, heightPx }, pixels) => {
+    onImage: async (_index, { widthPx, heightPx }, pixels) => {
       png = encodeLayer({ widthPx, heightPx, pixels });
     },
     say: () => {},

@@ -5,12 +5,12 @@ import process from 'node:process';
 import { encodeDepth, encodeLayer } from '../../services/encode-png.ts';
 import { writeRefusal } from '../../services/file-errors.ts';
 import { makeFolders } from '../../services/make-folders.ts';
-import type { PictureHead } from './render.page.ts';
+import type { ImageHead } from './render.page.ts';
 
 /** Collects images in a temporary folder until all are complete, so that a failed render leaves nothing. */
 export interface FrameWriter {
   /** @param bytes Premultiplied RGBA, or depth in meters as 32-bit floats. */
-  add(index: number, head: PictureHead, bytes: Uint8Array): Promise<void>;
+  add(index: number, head: ImageHead, bytes: Uint8Array): Promise<void>;
   /** Moves the images to their destination. Returns their paths. */
   finish(): Promise<readonly string[]>;
   dispose(): Promise<void>;

@@ -22,7 +22,7 @@ export interface RenderOptions {
   readonly last: number;
   /** Text of a shader by its file name, to find the column that a driver message quotes. */
   readonly sourceOf: (file: string) => string | undefined;
-  readonly onPicture: (index: number, head: RenderPage.PictureHead, bytes: Uint8Array) => Promise<void>;
+  readonly onImage: (index: number, head: RenderPage.ImageHead, bytes: Uint8Array) => Promise<void>;
   readonly say: (text: string) => void;
 }
 
@@ -70,7 +70,7 @@ async function inBrowser(found: Chromium, server: RenderServer, options: RenderO
       if (hasErrors(now)) return [...early, ...now];
       if (!keep) continue;
       if (head === null) throw new Error(`Frame ${index} has no picture, and nothing says why.`);
-      await options.onPicture(index, head, server.takeImage());
+      await options.onImage(index, head, server.takeImage());
       if (options.last > options.first) options.say(`Frame ${index} of ${options.first}..${options.last}`);
     }
     return [...early, ...(await call('diagnostics'))];

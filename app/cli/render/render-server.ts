@@ -25,14 +25,14 @@ const PAGE = '<!doctype html><meta charset="utf-8"><title>Scrim</title><script s
 /** Serves the headless browser on loopback: the render page, the assets of the project, and the session. */
 export async function startRenderServer({ script, folders }: RenderServerOptions): Promise<RenderServer> {
   const prefix = `/${randomBytes(16).toString('hex')}/`;
-  let picture: Uint8Array | null = null;
+  let image: Uint8Array | null = null;
 
   const answer = async (request: IncomingMessage, response: ServerResponse) => {
     const [path = ''] = (request.url ?? '').split('?');
     if (!path.startsWith(prefix)) return send(response, 404, 'text/plain', 'Not found. No file or command has this address.');
     const rest = path.slice(prefix.length);
     if (request.method === 'POST' && rest === 'picture') {
-      picture = await readAll(request);
+      image = await readAll(request);
       return send(response, 200, 'text/plain', '');
     }
     if (rest === '') return send(response, 200, 'text/html', PAGE);
@@ -54,8 +54,8 @@ export async function startRenderServer({ script, folders }: RenderServerOptions
   return {
     url: `http://127.0.0.1:${(server.address() as AddressInfo).port}${prefix}`,
     takeImage: () => {
-      if (picture === null) throw new Error('The page has sent no picture.');
-      return picture;
+      if (image === null) throw new Error('The page has sent no picture.');
+      return image;
     },
     close: () =>
       new Promise((resolve) => {

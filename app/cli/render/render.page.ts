@@ -42,7 +42,7 @@ export interface OpenedJob {
  * Description of an image: premultiplied RGBA bytes, or meters as 32-bit floats, rows from the top. The page sends the bytes to the
  * URL `picture`.
  */
-export interface PictureHead {
+export interface ImageHead {
   readonly widthPx: number;
   readonly heightPx: number;
 }
@@ -56,7 +56,7 @@ interface OpenRender {
   readonly subject: Subject;
 }
 
-interface Picture extends PictureHead {
+interface Picture extends ImageHead {
   readonly bytes: Uint8Array<ArrayBuffer>;
 }
 
@@ -115,7 +115,7 @@ export async function open(job: RenderJob): Promise<OpenedJob> {
 }
 
 /** Plays one frame. With `keep`, sends its image. Returns null if there is none to send. */
-export async function play(index: number, keep: boolean): Promise<PictureHead | null> {
+export async function play(index: number, keep: boolean): Promise<ImageHead | null> {
   if (!opened) throw new Error('Nothing is open.');
   take = keep;
   taken = null;

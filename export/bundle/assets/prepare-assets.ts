@@ -140,7 +140,7 @@ function prepare(
 ): PreparedAsset {
   const name = fileName(asset.path).replace(/\.gltf$/i, '.glb');
   const path = hashedName(`assets/${name}`, bytes);
-  const gpu = (content: Uint8Array) => (asset.kind === 'model' ? gpuBytesOf(content) : picturesGpuBytes(content));
+  const gpu = (content: Uint8Array) => (asset.kind === 'model' ? gpuBytesOf(content) : imagesGpuBytes(content));
   const report = {
     source: asset.path,
     path,
@@ -154,7 +154,7 @@ function prepare(
 }
 
 /** GPU memory of an image asset, which has no mipmaps. */
-function picturesGpuBytes(bytes: Uint8Array): number {
+function imagesGpuBytes(bytes: Uint8Array): number {
   const size = imageSize(bytes);
   return size ? size.widthPx * size.heightPx * 4 : 0;
 }

@@ -3,7 +3,7 @@ import type { PanoramaPixels } from '../../../nodes/kit/panorama/pixels.ts';
 import { readRadianceHeader } from '../../runtime/scenes/environments/radiance-header.ts';
 import { readRadiance } from '../../runtime/scenes/environments/read-radiance.ts';
 
-/** Wider pictures may be reduced by the page, which then needs the lamps of the reduced picture. */
+/** Wider images may be reduced by the page, which then needs the lamps of the reduced image. */
 const MAX_PICTURE_PX = 4096;
 const PNG_SIGNATURE = [0x89, 0x50, 0x4e, 0x47] as const;
 

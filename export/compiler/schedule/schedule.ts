@@ -77,7 +77,7 @@ export function schedule(checked: Checked, options: ScheduleOptions): ScheduleRe
   lowerViewed(lowering, viewedOrder, viewedDemand, shown);
   const isLive = new Set(live.map(({ id }) => id));
   const viewedLayers = taps.map(({ name, source }) => [name, layerAt(lowering, source, (layer) => depthAt(lowering, layer))] as const);
-  const operations = orderOperations(lowering.steps, shown.onScreen, delayedPictures(order));
+  const operations = orderOperations(lowering.steps, shown.onScreen, delayedTargets(order));
   const viewedResources = new Set(viewedLayers.flatMap(([, { color, depth }]) => [color, depth?.resource ?? color]));
   return {
     output: {
@@ -123,7 +123,7 @@ function presentationOf({ background }: ScreenPlan, { steps, samples }: Lowering
 }
 
 /** Layers that show the previous frame. */
-function delayedPictures(order: readonly FlatNode[]): ReadonlySet<string> {
+function delayedTargets(order: readonly FlatNode[]): ReadonlySet<string> {
   return new Set(
     order
       .filter(isDelayed)

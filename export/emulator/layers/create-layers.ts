@@ -2,7 +2,7 @@ import { P_SESSION, XRRigidTransform, XRSpace } from 'iwer';
 import type { Gl } from '../display/app-gl.ts';
 import { P_EMULATED } from '../private.ts';
 import type { EmulatedSession } from '../session/emulated-session.ts';
-import { pictureSizePx } from '../world.ts';
+import { framebufferSizePx } from '../world.ts';
 import {
   EmulatedCylinderLayer,
   EmulatedProjectionLayer,
@@ -51,7 +51,7 @@ export function createProjectionLayer(session: EmulatedSession, gl: Gl, init: Pr
   const { world } = session[P_EMULATED];
   const { views } = world.settings;
   const asArray = init.textureType === 'texture-array';
-  const [widthPx, heightPx] = pictureSizePx(world, Math.min(Math.max(init.scaleFactor ?? 1, 0.2), 1));
+  const [widthPx, heightPx] = framebufferSizePx(world, Math.min(Math.max(init.scaleFactor ?? 1, 0.2), 1));
   const images = createLayerImages(gl, {
     widthPx: asArray ? widthPx / views : widthPx,
     heightPx,

@@ -19,7 +19,7 @@ import { createEyeCamera, type Eye } from '../display/eye.ts';
 import type { ViewportPx } from '../session/viewport-scale.ts';
 
 /** An image of a layer, for one eye or for both. */
-export interface LayerPicture {
+export interface LayerImage {
   /** Premultiplied, rows from the bottom. */
   readonly rgba: Uint8Array;
   readonly widthPx: number;
@@ -46,7 +46,7 @@ export type LayerShape =
 /** Composites the images of several layers on the device's own context, as the compositor of a headset does. */
 export interface LayerCompositor {
   /** Draws the images of each eye from bottom to top. `out` receives premultiplied RGBA, rows from the bottom. */
-  compose(widthPx: number, heightPx: number, eyes: readonly Eye[], pictures: (eye: Eye) => Iterable<LayerPicture>, out: Uint8Array): void;
+  compose(widthPx: number, heightPx: number, eyes: readonly Eye[], images: (eye: Eye) => Iterable<LayerImage>, out: Uint8Array): void;
   dispose(): void;
 }
 
@@ -105,9 +105,9 @@ export function createLayerCompositor(renderer: WebGLRenderer): LayerCompositor 
   const camera = createEyeCamera();
   let target: WebGLRenderTarget | null = null;
 
-  const draw = (picture: LayerPicture, eye: Eye): void => {
-    const { part, shape, widthPx, heightPx } = picture;
-    const texture = new DataTexture(picture.rgba, widthPx, heightPx, RGBAFormat, UnsignedByteType);
+  const draw = (image: LayerImage, eye: Eye): void => {
+    const { part, shape, widthPx, heightPx } = image;
+    const texture = new DataTexture(image.rgba, widthPx, heightPx, RGBAFormat, UnsignedByteType);
     if (shape.kind !== 'screen') {
       texture.minFilter = LinearFilter;
       texture.magFilter = LinearFilter;
@@ -115,8 +115,8 @@ export function createLayerCompositor(renderer: WebGLRenderer): LayerCompositor 
     texture.needsUpdate = true;
     uniforms.image.value = texture;
     uniforms.part.value.set(part.x / widthPx, part.y / heightPx, part.widthPx / widthPx, part.heightPx / heightPx);
-    uniforms.opacity.value = picture.opacity;
-    uniforms.useAlpha.value = picture.useAlpha;
+    uniforms.opacity.value = image.opacity;
+    uniforms.useAlpha.value = image.useAlpha;
     uniforms.onScreen.value = shape.kind === 'screen';
     if (shape.kind === 'quad') uniforms.shape.value.set(shape.widthM, shape.heightM, 0, 0);
     if (shape.kind === 'cylinder') uniforms.shape.value.set(0, shape.heightM, shape.angleRad, shape.radiusM);
@@ -129,7 +129,7 @@ export function createLayerCompositor(renderer: WebGLRenderer): LayerCompositor 
   };
 
   return {
-    compose: (widthPx, heightPx, eyes, pictures, out) => {
+    compose: (widthPx, heightPx, eyes, images, out) => {
       if (!target || target.width !== widthPx || target.height !== heightPx) {
         target?.dispose();
         target = new WebGLRenderTarget(widthPx, heightPx, { depthBuffer: false });
@@ -144,7 +144,7 @@ export function createLayerCompositor(renderer: WebGLRenderer): LayerCompositor 
         target.scissor.set(x, y, w, h);
         target.scissorTest = true;
         renderer.setRenderTarget(target);
-        for (const picture of pictures(eye)) draw(picture, eye);
+        for (const image of images(eye)) draw(image, eye);
       }
       target.scissorTest = false;
       target.viewport.set(0, 0, widthPx, heightPx);

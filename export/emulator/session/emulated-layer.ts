@@ -3,7 +3,7 @@ import { type Gl, isWebGl2 } from '../display/app-gl.ts';
 import { createLayerTarget } from '../display/create-layer-target.ts';
 import { canvasTarget, type LayerTarget } from '../display/layer-target.ts';
 import { P_EMULATED, P_EYE } from '../private.ts';
-import { pictureSizePx } from '../world.ts';
+import { framebufferSizePx } from '../world.ts';
 import { isXrCompatible } from '../xr-compatible.ts';
 import { EmulatedSession } from './emulated-session.ts';
 import { EmulatedView } from './emulated-view.ts';
@@ -45,7 +45,7 @@ export class EmulatedLayer extends XRLayer {
     }
     const antialias = (init.antialias ?? true) && isWebGl2(context);
     this.#scale = Math.min(Math.max(init.framebufferScaleFactor ?? 1, SCALE_LIMITS.min), SCALE_LIMITS.max);
-    this.target = createLayerTarget(context, ...pictureSizePx(world, this.#scale), {
+    this.target = createLayerTarget(context, ...framebufferSizePx(world, this.#scale), {
       antialias,
       depth: init.depth ?? true,
       stencil: init.stencil ?? false,
@@ -57,7 +57,7 @@ export class EmulatedLayer extends XRLayer {
 
   /** Resizes to the current size of the device's screen. */
   fit(): void {
-    const [widthPx, heightPx] = pictureSizePx(this[P_WEBGL_LAYER].session[P_EMULATED].world, this.#scale);
+    const [widthPx, heightPx] = framebufferSizePx(this[P_WEBGL_LAYER].session[P_EMULATED].world, this.#scale);
     if (widthPx !== this.target.widthPx || heightPx !== this.target.heightPx) this.target.resize(widthPx, heightPx);
   }
 

@@ -8,10 +8,10 @@ import {
   EmulatedQuadLayer,
   P_LAYER,
 } from '../layers/composition-layer.ts';
-import type { LayerPicture, LayerShape } from '../layers/layer-compositor.ts';
+import type { LayerImage, LayerShape } from '../layers/layer-compositor.ts';
 import { partForEye } from '../layers/sub-image.ts';
 import { P_EMULATED } from '../private.ts';
-import { pictureSizePx } from '../world.ts';
+import { framebufferSizePx } from '../world.ts';
 import { EmulatedLayer } from './emulated-layer.ts';
 import type { EmulatedSession } from './emulated-session.ts';
 import type { EmulatedRenderState } from './render-state.ts';
@@ -59,7 +59,7 @@ function pixelsFor(bytes: number): Uint8Array {
 }
 
 function presentList(session: EmulatedSession, layers: readonly XRLayer[]): Presentation {
-  const [widthPx, heightPx] = pictureSizePx(session[P_EMULATED].world, 1);
+  const [widthPx, heightPx] = framebufferSizePx(session[P_EMULATED].world, 1);
   return {
     widthPx,
     heightPx,
@@ -78,7 +78,7 @@ function presentList(session: EmulatedSession, layers: readonly XRLayer[]): Pres
 }
 
 /** The images of a layer per eye, read back once for all eyes. */
-function imagesOf(session: EmulatedSession, layer: XRLayer): (eye: Eye) => LayerPicture[] {
+function imagesOf(session: EmulatedSession, layer: XRLayer): (eye: Eye) => LayerImage[] {
   if (layer instanceof EmulatedLayer) {
     const { widthPx, heightPx } = layer.target;
     const rgba = readWebGlLayer(session, layer).slice();
@@ -104,7 +104,7 @@ function imagesOf(session: EmulatedSession, layer: XRLayer): (eye: Eye) => Layer
 }
 
 function scaleTo({ x, y, widthPx, heightPx }: Eye['viewport'], layerWidthPx: number, session: EmulatedSession): Eye['viewport'] {
-  const factor = layerWidthPx / pictureSizePx(session[P_EMULATED].world, 1)[0];
+  const factor = layerWidthPx / framebufferSizePx(session[P_EMULATED].world, 1)[0];
   return { x: x * factor, y: y * factor, widthPx: widthPx * factor, heightPx: heightPx * factor };
 }
 

@@ -1,5 +1,5 @@
 import { describe, expect, test } from '@jest/globals';
-import { lookUp, lutPicture } from './lut-picture.ts';
+import { lookUp, lutImage } from './lut-image.ts';
 import { type CubeTable, readCube } from './read-cube.ts';
 
 /** Two entries an axis that leave every color as it is. */
@@ -56,14 +56,14 @@ describe('a .cube file', () => {
 
 describe('as a picture', () => {
   test('small tables keep their entries, in one row of squares', () => {
-    const { widthPx, heightPx, size, columns, rgba } = lutPicture(table(SAME));
+    const { widthPx, heightPx, size, columns, rgba } = lutImage(table(SAME));
     expect({ widthPx, heightPx, size, columns }).toEqual({ widthPx: 4, heightPx: 2, size: 2, columns: 2 });
     // Top row: green 0; black, red, then blue, purple.
     expect([...rgba.slice(0, 16)]).toEqual([0, 0, 0, 255, 255, 0, 0, 255, 0, 0, 255, 255, 255, 0, 255, 255]);
   });
 
   test('curves become eight rows of eight squares', () => {
-    const { widthPx, heightPx, size, columns } = lutPicture(table('LUT_1D_SIZE 2\n0 0 0\n1 1 1'));
+    const { widthPx, heightPx, size, columns } = lutImage(table('LUT_1D_SIZE 2\n0 0 0\n1 1 1'));
     expect({ widthPx, heightPx, size, columns }).toEqual({ widthPx: 512, heightPx: 512, size: 64, columns: 8 });
   });
 });

@@ -39,7 +39,7 @@ export function printIsf(shader: Shadertoy, terms: Terms): string {
   const taken = new Set([...words, ...ISF_WORDS]);
   const buffers = new Map<BufferLetter, string>();
   for (const { buffer } of tabs) if (buffer !== null) buffers.set(buffer, fresh(`buffer${buffer}`, taken));
-  const pictures = picturesOf({ tabs, common: shader.common }, buffers, taken);
+  const pictures = channelImagesOf({ tabs, common: shader.common }, buffers, taken);
   const mouse = words.has('iMouse') ? fresh('mouse', taken) : null;
   const { common, codes, macros } = separateTabs({ tabs, common: shader.common });
   const mains = tabs.map((tab) => fresh(`main${tabName(tab).replace(' ', '')}`, taken));
@@ -67,7 +67,7 @@ export function printIsf(shader: Shadertoy, terms: Terms): string {
 }
 
 /** Layers by name in the tabs, without unused images. The first is the node's input. */
-function picturesOf(
+function channelImagesOf(
   { tabs, common }: Pick<Shadertoy, 'tabs' | 'common'>,
   buffers: ReadonlyMap<BufferLetter, string>,
   taken: Set<string>,
@@ -78,7 +78,7 @@ function picturesOf(
     const words = wordsOf(code);
     channels.forEach((channel, index) => {
       const used = words.has(`iChannel${index}`) || shared.has(`iChannel${index}`) || (tabs.length === 1 && isMeasured(code, index));
-      const picture = asPicture(channel, buffers);
+      const picture = asImage(channel, buffers);
       if (used && picture && !keys.has(picture.key)) keys.set(picture.key, picture);
     });
   }
@@ -97,7 +97,7 @@ function isMeasured(code: string, channel: number): boolean {
 }
 
 /** A missing buffer is read as an image. */
-function asPicture(channel: Channel, buffers: ReadonlyMap<BufferLetter, string>): (Channel & { kind: 'picture' }) | null {
+function asImage(channel: Channel, buffers: ReadonlyMap<BufferLetter, string>): (Channel & { kind: 'picture' }) | null {
   if (channel.kind === 'picture') return channel;
   return buffers.has(channel.buffer) ? null : { kind: 'picture', key: `Buffer ${channel.buffer}`, repeat: false };
 }
@@ -115,7 +115,7 @@ interface SectionContext {
 /** Prints a tab, with defines for its own names. */
 function section(tab: Tab, { code, macros, main, alone, words, buffers, pictures }: SectionContext): string {
   const images = tab.channels.map((channel) => {
-    const picture = asPicture(channel, buffers);
+    const picture = asImage(channel, buffers);
     return picture ? pictures.get(picture.key)?.name : channel.kind === 'buffer' ? buffers.get(channel.buffer) : undefined;
   });
   const own: [string, string][] = [];

@@ -52,7 +52,7 @@ export function readTechnique(source: string, file: string): Result<TechniqueSha
       .map(textOf)
       .filter((category) => category !== null),
     inputs: readTaken(header),
-    pictures: readPictures(header),
+    pictures: readImages(header),
     imported: readImported(header),
     passes: readPasses(header),
     renamed: readRenamed(header),
@@ -81,7 +81,7 @@ function readTaken(header: Header): TechniqueShader['inputs'] {
 }
 
 /** Image inputs that are read by UV as textures, instead of by position in the view. */
-function readPictures(header: Header): readonly string[] {
+function readImages(header: Header): readonly string[] {
   return items(property(header.root, 'INPUTS')).flatMap((node) => {
     const space = property(node, 'SPACE');
     if (space === undefined) return [];

@@ -15,7 +15,7 @@ const RAY_START_M = 0.06;
 /** Draws the panel in one WebGL context. */
 export interface PanelDrawer {
   /** Uploads a changed image of the panel. */
-  upload(picture: HTMLCanvasElement): void;
+  upload(image: HTMLCanvasElement): void;
   /** Draws the panel over all views without a depth test, so that it is always legible. */
   draw(frame: SessionFrame, worldFromPanel: Float32Array, pointers: readonly Pointer[]): void;
   dispose(): void;
@@ -79,13 +79,13 @@ export function createPanelDrawer(gl: WebGL2RenderingContext, layout: PanelLayou
     gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
   };
   return {
-    upload: (picture) => {
+    upload: (image) => {
       prepareUpload(gl, 4);
       gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, true);
       gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, true);
       gl.activeTexture(gl.TEXTURE0);
       gl.bindTexture(gl.TEXTURE_2D, texture);
-      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, gl.RGBA, gl.UNSIGNED_BYTE, picture);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, gl.RGBA, gl.UNSIGNED_BYTE, image);
       gl.generateMipmap(gl.TEXTURE_2D);
       gl.bindTexture(gl.TEXTURE_2D, null);
       gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);

@@ -14,7 +14,7 @@ import type { StartWorker } from './worker-source.ts';
 /** Plays a node whose pixels are computed by a worker (ADR 21). */
 export interface CpuFilter extends NodeRuntime {
   /** Called once per view and frame: draws the last result, or the input if there is none, and sends the input if the worker is idle. */
-  exchange(viewIndex: number, picture: TargetBuffer, into: TargetBuffer): void;
+  exchange(viewIndex: number, image: TargetBuffer, into: TargetBuffer): void;
 }
 
 /** What a CPU filter needs of the engine. */
@@ -133,7 +133,7 @@ export function createCpuFilter({ worker: text }: WorkerModule, node: CpuNode, m
   const giveUp = (): void => fail('its worker does not answer');
   return {
     update: () => {},
-    exchange: (viewIndex, picture, into) => {
+    exchange: (viewIndex, image, into) => {
       const view = views[viewIndex];
       if (!view) return;
       const { exchange } = view;
@@ -141,11 +141,11 @@ export function createCpuFilter({ worker: text }: WorkerModule, node: CpuNode, m
       if (exchange.state === 'away' && ++view.framesAway > PATIENCE_FRAMES) giveUp();
       const result = exchange.show();
       if (!ended && exchange.state === 'idle') {
-        exchange.read(picture);
+        exchange.read(image);
         if (node.held) send(viewIndex, true);
         else pollSoon();
       }
-      draw(result ?? picture.color, into);
+      draw(result ?? image.color, into);
     },
     settle: () => {
       if (!isAway()) return null;

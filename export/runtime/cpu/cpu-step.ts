@@ -11,12 +11,12 @@ export function isCpu(operation: NodeOperation): operation is CpuOperation {
 /** A step that exchanges the image of a CPU filter, per view or once for all views. */
 export function createCpuStep(operation: CpuOperation, runtime: NodeRuntime, resources: LiveResources): Step {
   if (!isCpuFilter(runtime)) throw new Error(`The node type ${operation.type} has no worker.`);
-  const picture = liveResource(resources, operation.picture, 'target');
+  const image = liveResource(resources, operation.picture, 'target');
   const into = liveResource(resources, operation.target, 'target');
   return {
     run: ({ viewIndex }) => {
       const index = into.domain === 'view' ? viewIndex : 0;
-      runtime.exchange(index, picture.target.front(index), into.target.back(index));
+      runtime.exchange(index, image.target.front(index), into.target.back(index));
       into.target.finish(index);
     },
   };

@@ -11,7 +11,7 @@ import type { TargetBuffer } from '../targets/target-buffer.ts';
 export interface ViewExchange {
   readonly state: 'idle' | 'reading' | 'away' | 'back';
   /** Starts reading the image without waiting. */
-  read(picture: TargetBuffer): void;
+  read(image: TargetBuffer): void;
   /** The bytes once the GPU has read them, else null; with `wait` it blocks until then. The caller owns the buffer until `giveBack`. */
   collect(wait: boolean): ViewBytes | null;
   giveBack(buffer: ArrayBuffer, isResult: boolean): void;
@@ -57,11 +57,11 @@ export function createViewExchange(objects: GlObjects): ViewExchange {
     get state() {
       return state;
     },
-    read: (picture) => {
-      ({ widthPx, heightPx } = picture);
+    read: (image) => {
+      ({ widthPx, heightPx } = image);
       const bytes = widthPx * heightPx * 4;
       prepareReadback(gl);
-      gl.bindFramebuffer(gl.FRAMEBUFFER, picture.resolvedFramebuffer);
+      gl.bindFramebuffer(gl.FRAMEBUFFER, image.resolvedFramebuffer);
       gl.bindBuffer(gl.PIXEL_PACK_BUFFER, packBuffer);
       if (packBytes !== bytes) gl.bufferData(gl.PIXEL_PACK_BUFFER, bytes, gl.STREAM_READ);
       packBytes = bytes;

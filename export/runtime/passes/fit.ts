@@ -16,13 +16,13 @@ export function fitted(
   viewHeightPx: number,
 ): Float32Array {
   if (fit === 'none' || fit === 'stretch') return uv;
-  const picture = widthPx / heightPx;
+  const image = widthPx / heightPx;
   const view = viewWidthPx / viewHeightPx;
-  if (!(picture > 0) || !(view > 0) || !Number.isFinite(picture / view)) return uv;
+  if (!(image > 0) || !(view > 0) || !Number.isFinite(image / view)) return uv;
   // `cover` crops the longer side of the image, `contain` extends the shorter one: image UV = 0.5 + scale * (view UV − 0.5).
-  const alongX = picture > view === (fit === 'cover');
-  const scaleX = alongX ? view / picture : 1;
-  const scaleY = alongX ? 1 : picture / view;
+  const alongX = image > view === (fit === 'cover');
+  const scaleX = alongX ? view / image : 1;
+  const scaleY = alongX ? 1 : image / view;
   for (let row = 0; row < 3; row++) {
     const a = uv[row] ?? 0;
     const b = uv[row + 3] ?? 0;

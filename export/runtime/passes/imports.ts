@@ -4,7 +4,7 @@ import type { Engine } from '../engine.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
 
 /** An image or a cube map that a shader imports. */
-export interface ImportedPicture {
+export interface ImportedImage {
   /** Null until it is loaded completely, or if it is invalid. */
   readonly texture: WebGLTexture | null;
   readonly widthPx: number;
@@ -14,32 +14,32 @@ export interface ImportedPicture {
 
 /** The imports of one program. */
 export interface Imports {
-  find(assets: readonly string[], cube: boolean): ImportedPicture;
+  find(assets: readonly string[], cube: boolean): ImportedImage;
   release(): void;
 }
 
 /** Failures are reported at the first node whose shader imports the file. */
 export function createImports(engine: Engine, program: Program): Imports {
-  const pictures = new Map<string, ImportedPicture & { release(): void }>();
+  const images = new Map<string, ImportedImage & { release(): void }>();
   for (const operation of program.operations) {
     if (operation.kind !== 'pass') continue;
     for (const { assets, cube } of importsOf(operation)) {
       const key = keyOf(assets, cube);
-      if (pictures.has(key)) continue;
+      if (images.has(key)) continue;
       const service = engine.assets.serviceFor(program.assets, (diagnostic) => engine.host.board.report(operation.node, diagnostic));
       const handles = assets.map((id) => service.image(id));
-      pictures.set(key, cube ? createCube(engine.objects, handles) : createPicture(handles));
+      images.set(key, cube ? createCube(engine.objects, handles) : createImage(handles));
     }
   }
   return {
     find: (assets, cube) => {
-      const picture = pictures.get(keyOf(assets, cube));
-      if (!picture) throw new Error(`The program does not import ${assets.join()}.`);
-      return picture;
+      const image = images.get(keyOf(assets, cube));
+      if (!image) throw new Error(`The program does not import ${assets.join()}.`);
+      return image;
     },
     release: () => {
-      for (const picture of pictures.values()) picture.release();
-      pictures.clear();
+      for (const image of images.values()) image.release();
+      images.clear();
     },
   };
 }
@@ -52,7 +52,7 @@ function keyOf(assets: readonly string[], cube: boolean): string {
   return `${cube} ${assets.join('\n')}`;
 }
 
-function createPicture(handles: readonly AssetHandle<ImageAsset>[]): ImportedPicture & { release(): void } {
+function createImage(handles: readonly AssetHandle<ImageAsset>[]): ImportedImage & { release(): void } {
   const [handle] = handles;
   return {
     get texture() {
@@ -72,7 +72,7 @@ function createPicture(handles: readonly AssetHandle<ImageAsset>[]): ImportedPic
 }
 
 /** The faces are scaled to the size of the first, because they must be equal. */
-function createCube(objects: GlObjects, handles: readonly AssetHandle<ImageAsset>[]): ImportedPicture & { release(): void } {
+function createCube(objects: GlObjects, handles: readonly AssetHandle<ImageAsset>[]): ImportedImage & { release(): void } {
   let texture: WebGLTexture | null = null;
   let sidePx = 1;
   return {

@@ -7,11 +7,11 @@ import type { GlProgram } from '../gl/program-cache.ts';
 import type { PlayState } from '../play-state.ts';
 import type { LiveCurve } from '../resources/live-curve.ts';
 import { type LiveResources, liveResource } from '../resources/resources.ts';
-import type { SoundPicture } from '../sound/sound-picture.ts';
+import type { SoundTexture } from '../sound/sound-texture.ts';
 import type { Target } from '../targets/target.ts';
 import { setDecode } from './depth-decode.ts';
 import { fitted } from './fit.ts';
-import type { ImportedPicture, Imports } from './imports.ts';
+import type { ImportedImage, Imports } from './imports.ts';
 
 /** Valid within one call; uniforms are copied when they are set. */
 const scratchSize = new Float32Array(2);
@@ -72,7 +72,7 @@ function createSampler(
       return imported(gl, drawer, unit, locations, imports.find(source.assets, source.cube));
     case 'sound': {
       const { live } = liveResource(resources, source.resource, 'sound');
-      return heard(gl, drawer, unit, locations, live.picture(source.analysis, source.count));
+      return heard(gl, drawer, unit, locations, live.texture(source.analysis, source.count));
     }
     case 'curve':
       return drawn(drawer, unit, locations, liveResource(resources, source.resource, 'curve').curve);
@@ -171,12 +171,12 @@ function roomDepth(gl: WebGL2RenderingContext, drawer: PassDrawer, unit: number,
   };
 }
 
-function heard(gl: WebGL2RenderingContext, drawer: PassDrawer, unit: number, locations: Locations, picture: SoundPicture): Sampler {
+function heard(gl: WebGL2RenderingContext, drawer: PassDrawer, unit: number, locations: Locations, image: SoundTexture): Sampler {
   return {
-    prepare: picture.update,
+    prepare: image.update,
     bind: () => {
-      if (locations.texture) drawer.texture(unit, locations.texture, picture.texture, 'linear');
-      setSize(gl, locations, picture.widthPx, picture.heightPx);
+      if (locations.texture) drawer.texture(unit, locations.texture, image.texture, 'linear');
+      setSize(gl, locations, image.widthPx, image.heightPx);
     },
   };
 }
@@ -190,14 +190,14 @@ function drawn(drawer: PassDrawer, unit: number, locations: Locations, curve: Li
   };
 }
 
-function imported(gl: WebGL2RenderingContext, drawer: PassDrawer, unit: number, locations: Locations, picture: ImportedPicture): Sampler {
+function imported(gl: WebGL2RenderingContext, drawer: PassDrawer, unit: number, locations: Locations, image: ImportedImage): Sampler {
   return {
     // Creates a cube map at its first use.
-    prepare: () => picture.texture,
+    prepare: () => image.texture,
     bind: () => {
-      if (locations.texture && picture.cube) drawer.cube(unit, locations.texture, picture.texture);
-      else if (locations.texture) drawer.texture(unit, locations.texture, picture.texture, 'linear');
-      setSize(gl, locations, picture.widthPx, picture.heightPx);
+      if (locations.texture && image.cube) drawer.cube(unit, locations.texture, image.texture);
+      else if (locations.texture) drawer.texture(unit, locations.texture, image.texture, 'linear');
+      setSize(gl, locations, image.widthPx, image.heightPx);
     },
   };
 }

@@ -33,13 +33,13 @@ export function createBackground(
       if (!view) return;
       const { x, y, widthPx, heightPx } = view.viewport;
       clearRectangle(gl, state.frame.framebuffer, x, y, widthPx, heightPx, premultiplied);
-      const picture = background === 'world' && session?.world === 'image' ? view.cameraImage : null;
+      const image = background === 'world' && session?.world === 'image' ? view.cameraImage : null;
       const location = copy.state === 'linked' ? copy.uniform(COPY_SAMPLER) : null;
-      if (!picture || !location) return;
+      if (!image || !location) return;
       drawer.begin(state.frame.framebuffer, x, y, widthPx, heightPx, 'replace');
       drawer.use(copy);
-      drawer.texture(0, location, picture.texture, 'linear');
-      gl.uniformMatrix3fv(copy.uniform(COPY_UV), false, picture.uvFromViewUv);
+      drawer.texture(0, location, image.texture, 'linear');
+      gl.uniformMatrix3fv(copy.uniform(COPY_UV), false, image.uvFromViewUv);
       drawer.draw();
       drawer.end();
     },

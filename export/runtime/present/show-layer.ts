@@ -1,7 +1,7 @@
 import { clearRectangle } from '../gl/clear.ts';
 import { COPY_SAMPLER, COPY_SCENE_SHADER, COPY_UV } from '../gl/copy-shader.ts';
 import type { Inspected } from '../inspected.ts';
-import { findPicture } from '../readback.ts';
+import { findImage } from '../readback.ts';
 
 const CLEAR = new Float32Array(4);
 
@@ -14,26 +14,26 @@ export function showLayer({ engine, resources, layer }: Inspected, viewIndex: nu
   const { gl } = objects;
   if (layer === null) return false;
   const view = state.frame.views[viewIndex];
-  const picture = findPicture(state, resources, layer.color, viewIndex);
-  const copy = picture?.encoding === 'scene' ? engine.tool(COPY_SCENE_SHADER) : engine.copy;
+  const image = findImage(state, resources, layer.color, viewIndex);
+  const copy = image?.encoding === 'scene' ? engine.tool(COPY_SCENE_SHADER) : engine.copy;
   const location = copy.state === 'linked' ? copy.uniform(COPY_SAMPLER) : null;
-  if (!view || !picture || !location) return false;
+  if (!view || !image || !location) return false;
   const { x, y, widthPx, heightPx } = view.viewport;
   const leftPx = Math.round(widthPx * from);
   const partPx = Math.round(widthPx * to) - leftPx;
   if (partPx < 1 || heightPx < 1) return true;
   clearRectangle(gl, state.frame.framebuffer, x + leftPx, y, partPx, heightPx, CLEAR);
-  const scale = Math.min(widthPx / picture.widthPx, heightPx / picture.heightPx);
-  const width = Math.round(picture.widthPx * scale);
-  const height = Math.round(picture.heightPx * scale);
+  const scale = Math.min(widthPx / image.widthPx, heightPx / image.heightPx);
+  const width = Math.round(image.widthPx * scale);
+  const height = Math.round(image.heightPx * scale);
   const left = x + Math.round((widthPx - width) / 2);
   const bottom = y + Math.round((heightPx - height) / 2);
   drawer.begin(state.frame.framebuffer, left, bottom, width, height, 'replace');
   gl.enable(gl.SCISSOR_TEST);
   gl.scissor(x + leftPx, y, partPx, heightPx);
   drawer.use(copy);
-  drawer.texture(0, location, picture.texture, 'linear');
-  gl.uniformMatrix3fv(copy.uniform(COPY_UV), false, picture.uvFromViewUv);
+  drawer.texture(0, location, image.texture, 'linear');
+  gl.uniformMatrix3fv(copy.uniform(COPY_UV), false, image.uvFromViewUv);
   drawer.draw();
   drawer.end();
   gl.disable(gl.SCISSOR_TEST);

@@ -3,7 +3,7 @@ import type { LayerOutput } from '../../../nodes/kit/runtime.ts';
 import type { TechniqueImage, TechniqueImageView, TechniqueUniformView, TechniqueView } from '../../../nodes/kit/technique-view.ts';
 import type { NumberView, ToggleView, VectorView, Writable } from '../../../nodes/kit/value-views.ts';
 import type { PassSampler, ResourceId, TechniqueResource, TechniqueUniform } from '../../program/program.ts';
-import type { PictureStore } from '../gl/picture-store.ts';
+import type { ImageStore } from '../gl/image-store.ts';
 import { fitted } from '../passes/fit.ts';
 import type { PlayState } from '../play-state.ts';
 import type { Target } from '../targets/target.ts';
@@ -23,7 +23,7 @@ export type LiveLayer =
 
 /** The parts of a running program that a technique reads. */
 export interface TechniqueParts {
-  readonly pictures: PictureStore;
+  readonly images: ImageStore;
   readonly state: PlayState;
   /** Undefined if the resource is not a layer. */
   readonly layer: (id: ResourceId) => LiveLayer | undefined;
@@ -35,7 +35,7 @@ export function createLiveTechnique(id: string): LiveTechnique {
   let text = '';
   return {
     view,
-    point: (resource, { layer, slots, pictures, state }) => {
+    point: (resource, { layer, slots, images, state }) => {
       const { vertex, fragment, passes, uniforms, samplers = [], pictures: carried = [] } = resource;
       const names = [...samplers, ...carried].map(({ name }) => name);
       const next = JSON.stringify([vertex, fragment, passes, uniforms.map(({ name, type }) => [name, type]), names]);
@@ -53,7 +53,7 @@ export function createLiveTechnique(id: string): LiveTechnique {
       view.uniforms = [...uniforms.map((uniform) => uniformView(uniform, slots)), { name: 'a_TIME', kind: 'number', view: time }];
       view.images = [
         ...samplers.map((sampler) => layerView(sampler, layer)),
-        ...carried.map(({ name, data }) => ({ name, at: () => pictureImage(pictures.texture(data)) })),
+        ...carried.map(({ name, data }) => ({ name, at: () => techniqueImageOf(images.texture(data)) })),
       ];
     },
   };
@@ -82,7 +82,7 @@ function uniformView({ name, slot }: TechniqueUniform, slots: Slots): TechniqueU
 // Valid until the next call.
 const scratchImage: Writable<TechniqueImage> = { texture: null, uvFromViewUv: IDENTITY, widthPx: 1, heightPx: 1 };
 
-function pictureImage(texture: WebGLTexture | null): TechniqueImage {
+function techniqueImageOf(texture: WebGLTexture | null): TechniqueImage {
   return Object.assign(scratchImage, { texture, uvFromViewUv: IDENTITY });
 }
 

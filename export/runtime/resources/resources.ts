@@ -66,10 +66,10 @@ function sharedWith(resource: Resource): ResourceId | null {
 export function pointResources(
   program: Program,
   live: LiveResources,
-  engine: Pick<TechniqueParts, 'pictures' | 'state'>,
+  engine: Pick<TechniqueParts, 'images' | 'state'>,
   slots: Slots,
 ): void {
-  const { pictures, state } = engine;
+  const { images, state } = engine;
   const layer = (id: ResourceId): LiveLayer | undefined => {
     const resource = live.get(id);
     return resource?.kind === 'target' || resource?.kind === 'external' ? resource : undefined;
@@ -77,7 +77,7 @@ export function pointResources(
   for (const resource of program.resources) {
     if (resource.kind === 'curve') liveResource(live, resource.id, 'curve').curve.point(slots, resource.slot);
     if (resource.kind === 'technique')
-      liveResource(live, resource.id, 'technique').technique.point(resource, { layer, slots, pictures, state });
+      liveResource(live, resource.id, 'technique').technique.point(resource, { layer, slots, images, state });
   }
 }
 

@@ -1,12 +1,12 @@
 import type { SoundOutput } from '../../../nodes/kit/sound.ts';
 import { MAX_CHANNELS, SOUND_WINDOW } from '../../program/texture-sizes.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
-import { createSoundPicture, type SoundAnalysis, type SoundPicture } from './sound-picture.ts';
+import { createSoundTexture, type SoundAnalysis, type SoundTexture } from './sound-texture.ts';
 
 /** A sound of the running program with its textures, which passes share. */
 export interface LiveSound {
   readonly sound: SoundOutput;
-  picture(analysis: SoundAnalysis, count: number): SoundPicture;
+  texture(analysis: SoundAnalysis, count: number): SoundTexture;
   dispose(): void;
 }
 
@@ -17,18 +17,18 @@ export function createLiveSound(objects: GlObjects): LiveSound {
     samples: Array.from({ length: MAX_CHANNELS }, () => new Float32Array(SOUND_WINDOW)),
     version: 0,
   };
-  const pictures = new Map<string, SoundPicture>();
+  const images = new Map<string, SoundTexture>();
   return {
     sound,
-    picture: (analysis, count) => {
+    texture: (analysis, count) => {
       const key = `${analysis} ${count}`;
-      const known = pictures.get(key) ?? createSoundPicture(objects, sound, analysis, count);
-      pictures.set(key, known);
+      const known = images.get(key) ?? createSoundTexture(objects, sound, analysis, count);
+      images.set(key, known);
       return known;
     },
     dispose: () => {
-      for (const picture of pictures.values()) picture.dispose();
-      pictures.clear();
+      for (const image of images.values()) image.dispose();
+      images.clear();
     },
   };
 }

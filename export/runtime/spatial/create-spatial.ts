@@ -3,7 +3,7 @@ import { EMPTY_FRAME } from '../play-state.ts';
 import { createAnchorMemory } from './anchor-memory.ts';
 import { createAnchorStore } from './anchor-store.ts';
 import { castAtRoom, HIT_SOURCES } from './cast/cast-room.ts';
-import { createDepthPictures } from './depth-pictures.ts';
+import { createDepthImages } from './depth-images.ts';
 import { createHitTest } from './hit-test.ts';
 import { createRay, setRay } from './ray.ts';
 import type { CreateSpatial } from './spatial.ts';
@@ -19,7 +19,7 @@ const scratchRay = createRay();
  * Creates hit tests from the device, detected surfaces, room depth and the floor; anchors from the device, or ideal ones without a device.
  */
 export const createSpatial: CreateSpatial = ({ gl, held, keptAnchors }) => {
-  const depth = createDepthPictures(gl, held);
+  const depth = createDepthImages(gl, held);
   const ledger: WebXrLedger = { sources: 0, pending: 0 };
   const open = new Set<HitTest>();
   let frame = EMPTY_FRAME;
@@ -44,7 +44,7 @@ export const createSpatial: CreateSpatial = ({ gl, held, keptAnchors }) => {
     },
     castRay: (worldFromRay, out, sources = HIT_SOURCES) =>
       setRay(scratchRay, worldFromRay) && castAtRoom(out, scratchRay, frame, depth, sources),
-    depthPicture: (viewIndex) => depth.picture(frame, viewIndex),
+    depthImage: (viewIndex) => depth.image(frame, viewIndex),
     anchors,
     enterFrame: (next) => {
       frame = next;

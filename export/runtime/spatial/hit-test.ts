@@ -4,7 +4,7 @@ import { multiplyMatrices } from '../../../nodes/kit/matrices.ts';
 import { handOf } from '../../../nodes/kit/pointers.ts';
 import type { Pointer, SessionFrame } from '../../../nodes/kit/session.ts';
 import { castAtRoom, HIT_SOURCES, writeHit } from './cast/cast-room.ts';
-import type { DepthPictures } from './depth-pictures.ts';
+import type { DepthImages } from './depth-images.ts';
 import { createMeeting, createRay, setRay } from './ray.ts';
 import { createWebXrHits, type WebXrLedger } from './webxr-hits.ts';
 
@@ -24,7 +24,7 @@ export interface HitTestParts {
   readonly frame: () => SessionFrame;
   /** Raised with each frame. */
   readonly round: () => number;
-  readonly depth: DepthPictures;
+  readonly depth: DepthImages;
   readonly ledger: WebXrLedger;
   readonly onClose: () => void;
 }

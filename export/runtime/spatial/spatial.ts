@@ -7,7 +7,7 @@ import type { AnchorStorage } from './anchor-memory.ts';
  * Hit tests and anchors of a player. Pages whose program needs neither `hit-test` nor `anchors` are bundled without it. It lives as
  * long as the player, because the state of nodes outlives a lost context.
  */
-export interface Spatial extends Pick<SessionService, 'openHitTest' | 'castRay' | 'depthPicture'> {
+export interface Spatial extends Pick<SessionService, 'openHitTest' | 'castRay' | 'depthImage'> {
   readonly anchors: AnchorService;
   /** Once a frame, before nodes are updated. */
   enterFrame(frame: SessionFrame): void;

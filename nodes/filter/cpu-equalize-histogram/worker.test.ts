@@ -1,6 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import { describe, expect, test } from '@jest/globals';
-import { decodePicture, type Picture, pixelAt } from '../../../tests/support/picture.ts';
+import { decodeImage, pixelAt, type RgbaImage } from '../../../tests/support/image.ts';
 import { countDifferent } from '../../../tests/support/pixels.ts';
 import { describeWithData } from '../../../tests/support/shared-data.ts';
 import { process } from './worker.ts';
@@ -12,22 +12,22 @@ const WAYS = [
   ['channels', 1],
 ] as const;
 
-async function read(path: string): Promise<Picture> {
-  return decodePicture(await readFile(path));
+async function read(path: string): Promise<RgbaImage> {
+  return decodeImage(await readFile(path));
 }
 
-function expected(name: string): Promise<Picture> {
+function expected(name: string): Promise<RgbaImage> {
   return read(`tests/browser/expected/${name}.png`);
 }
 
-function equalized(picture: Picture, spread: number, amount = 1): Picture {
+function equalized(picture: RgbaImage, spread: number, amount = 1): RgbaImage {
   const data = Uint8Array.from(picture.data);
   process({ data, widthPx: picture.width, heightPx: picture.height }, { amount, spread });
   return { ...picture, data };
 }
 
-/** A part of a picture, every `step`th pixel. */
-function part(picture: Picture, width: number, height: number, left: number, top: number, step = 1): Picture {
+/** A part of an image, every `step`th pixel. */
+function part(picture: RgbaImage, width: number, height: number, left: number, top: number, step = 1): RgbaImage {
   const data = new Uint8Array(width * height * 4);
   for (let i = 0; i < width * height; i++) data.set(pixelAt(picture, left + (i % width) * step, top + Math.floor(i / width) * step), i * 4);
   return { width, height, data };
@@ -48,7 +48,7 @@ describe.each(WAYS)('%s', (name, spread) => {
 
   test('what is transparent neither changes nor counts', async () => {
     const picture = await expected('dim');
-    const padded: Picture = { ...picture, height: picture.height * 2, data: new Uint8Array(picture.data.length * 2) };
+    const padded: RgbaImage = { ...picture, height: picture.height * 2, data: new Uint8Array(picture.data.length * 2) };
     (padded.data as Uint8Array).set(picture.data);
     const made = equalized(padded, spread).data;
     expect(made.subarray(0, picture.data.length)).toEqual(equalized(picture, spread).data);
@@ -57,9 +57,9 @@ describe.each(WAYS)('%s', (name, spread) => {
 
   test('a picture half transparent all over is spread as if it were opaque', async () => {
     const picture = await expected('dim');
-    const halved: Picture = { ...picture, data: picture.data.map((value) => Math.round((value * 128) / 255)) };
+    const halved: RgbaImage = { ...picture, data: picture.data.map((value) => Math.round((value * 128) / 255)) };
     const opaque = equalized(picture, spread);
-    const seen: Picture = { ...opaque, data: opaque.data.map((value) => Math.round((value * 128) / 255)) };
+    const seen: RgbaImage = { ...opaque, data: opaque.data.map((value) => Math.round((value * 128) / 255)) };
     const made = equalized(halved, spread).data;
     // Half the shades are left of the few that there were, so single pixels land elsewhere; on the whole they do not.
     const difference = made.reduce((sum, value, i) => sum + Math.abs(value - (seen.data[i] ?? 0)), 0) / made.length;
@@ -68,7 +68,7 @@ describe.each(WAYS)('%s', (name, spread) => {
   });
 
   test('a picture of one color stays as it is', () => {
-    const gray: Picture = { width: 4, height: 4, data: new Uint8Array(64).fill(99).map((value, i) => (i % 4 === 3 ? 255 : value)) };
+    const gray: RgbaImage = { width: 4, height: 4, data: new Uint8Array(64).fill(99).map((value, i) => (i % 4 === 3 ? 255 : value)) };
     expect(equalized(gray, spread)).toEqual(gray);
   });
 });

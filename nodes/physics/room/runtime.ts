@@ -1,6 +1,6 @@
 import type { DepthFrame, PhysicsRoom } from '../../kit/physics.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
-import type { DepthPicture } from '../../kit/session.ts';
+import type { DepthImage } from '../../kit/session.ts';
 import type { definition } from './definition.ts';
 
 /** Wider images are thinned: at 4 m, 160 texels over 60° are 3 cm apart, less than a voxel. */
@@ -30,13 +30,13 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       jumps = frame.jumps;
       ({ sessions } = ctx.session);
       if (ctx.inputs.clear.count > 0) forget();
-      const picture = ctx.session.depthPicture(0);
-      if (!picture || picture.frame === lastFrame) return;
+      const image = ctx.session.depthImage(0);
+      if (!image || image.frame === lastFrame) return;
       const deltaS = lastFrame < 0 ? 1 / 30 : ctx.clock.timeS - lastS;
-      lastFrame = picture.frame;
+      lastFrame = image.frame;
       lastS = ctx.clock.timeS;
       if (room.frames.length === MAX_FRAMES) room.frames.shift();
-      const depth = depthFrame(picture, deltaS);
+      const depth = depthFrame(image, deltaS);
       if (depth) room.frames.push(depth);
     },
     reset: forget,
@@ -52,8 +52,8 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
  *
  * @returns Null for a projection or a UV matrix without inverse.
  */
-export function depthFrame(picture: DepthPicture, deltaS: number): DepthFrame | null {
-  const { meters, widthPx, heightPx, uvFromViewUv: u, clipFromView: c, worldFromView } = picture;
+export function depthFrame(image: DepthImage, deltaS: number): DepthFrame | null {
+  const { meters, widthPx, heightPx, uvFromViewUv: u, clipFromView: c, worldFromView } = image;
   const stride = Math.max(1, Math.ceil(widthPx / MAX_WIDTH_PX));
   const width = Math.floor(widthPx / stride);
   const height = Math.floor(heightPx / stride);

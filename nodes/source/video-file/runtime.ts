@@ -12,11 +12,11 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   let playback: VideoPlayback | null = null;
 
   function show(): void {
-    const picture = playback?.picture ?? null;
+    const image = playback?.image ?? null;
     if (!view) return;
-    view.texture = picture?.texture ?? null;
-    view.widthPx = picture?.widthPx ?? 0;
-    view.heightPx = picture?.heightPx ?? 0;
+    view.texture = image?.texture ?? null;
+    view.widthPx = image?.widthPx ?? 0;
+    view.heightPx = image?.heightPx ?? 0;
   }
 
   return {

@@ -23,7 +23,7 @@ function make(params: Record<string, ParamValue> = {}) {
     open: (onProblem) => {
       problems.push(onProblem);
       return {
-        get picture() {
+        get image() {
           return picture;
         },
         follow: (timeS, rate, loop) => followed.push([Math.round(timeS * 1e9) / 1e9, rate, loop]),

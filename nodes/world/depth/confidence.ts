@@ -1,4 +1,4 @@
-import type { DepthDrawing, DepthPicture } from './drawing.ts';
+import type { DepthDrawing, DepthImage } from './drawing.ts';
 
 /** Rates how far the depth of one view can be trusted. */
 export interface ConfidenceMeter {
@@ -20,20 +20,20 @@ export interface ConfidenceMeter {
  */
 export function createConfidenceMeter(drawing: DepthDrawing): ConfidenceMeter {
   const pass = drawing.link(RATE, ['measured', 'filled']);
-  let picture: DepthPicture | null = null;
+  let image: DepthImage | null = null;
   const free = (): void => {
-    if (picture) drawing.free(picture);
-    picture = null;
+    if (image) drawing.free(image);
+    image = null;
   };
   return {
     rate: (measured, filled, widthPx, heightPx) => {
-      if (picture?.widthPx !== widthPx || picture.heightPx !== heightPx) free();
-      picture ??= drawing.createPicture(widthPx, heightPx, 'gray');
-      drawing.begin(picture, pass);
+      if (image?.widthPx !== widthPx || image.heightPx !== heightPx) free();
+      image ??= drawing.createImage(widthPx, heightPx, 'gray');
+      drawing.begin(image, pass);
       drawing.texture(0, measured, 'nearest');
       drawing.texture(1, filled, 'nearest');
       drawing.draw();
-      return picture.texture;
+      return image.texture;
     },
     dispose: free,
   };

@@ -7,18 +7,18 @@ import { setPassState, setSampler } from '../../kit/pass-state.ts';
  */
 export interface DepthDrawing {
   /** Creates a texture, all 0. `meters`: depth in the red channel, 0 where unknown; `gray`: opaque shades of gray, RGBA8. */
-  createPicture(widthPx: number, heightPx: number, content?: 'meters' | 'gray'): DepthPicture;
-  free(picture: DepthPicture): void;
+  createImage(widthPx: number, heightPx: number, content?: 'meters' | 'gray'): DepthImage;
+  free(image: DepthImage): void;
   /** Creates a pass; samplers are bound to texture units in order. The same text returns the same pass. */
   link(fragment: string, samplers: readonly string[]): DepthPass;
   /** Activates a pass; textures and uniforms that are set until `draw` belong to it. */
-  begin(target: DepthPicture, pass: DepthPass): void;
+  begin(target: DepthImage, pass: DepthPass): void;
   texture(unit: number, texture: WebGLTexture | null, filter: 'linear' | 'nearest'): void;
   draw(): void;
   dispose(): void;
 }
 
-export interface DepthPicture {
+export interface DepthImage {
   readonly texture: WebGLTexture;
   readonly framebuffer: WebGLFramebuffer;
   readonly widthPx: number;
@@ -40,27 +40,27 @@ export function createDepthDrawing(gl: WebGL2RenderingContext): DepthDrawing | n
   const vertexArray = gl.createVertexArray();
   const samplers = { linear: createSampler(gl, gl.LINEAR), nearest: createSampler(gl, gl.NEAREST) };
   const passes = new Map<string, DepthPass>();
-  const pictures = new Set<DepthPicture>();
+  const images = new Set<DepthImage>();
   let units = 0;
 
-  const free = (picture: DepthPicture): void => {
-    gl.deleteTexture(picture.texture);
-    gl.deleteFramebuffer(picture.framebuffer);
-    pictures.delete(picture);
+  const free = (image: DepthImage): void => {
+    gl.deleteTexture(image.texture);
+    gl.deleteFramebuffer(image.framebuffer);
+    images.delete(image);
   };
   return {
-    createPicture: (widthPx, heightPx, content = 'meters') => {
-      const picture = { texture: gl.createTexture(), framebuffer: gl.createFramebuffer(), widthPx, heightPx };
-      pictures.add(picture);
+    createImage: (widthPx, heightPx, content = 'meters') => {
+      const image = { texture: gl.createTexture(), framebuffer: gl.createFramebuffer(), widthPx, heightPx };
+      images.add(image);
       gl.activeTexture(gl.TEXTURE0);
-      gl.bindTexture(gl.TEXTURE_2D, picture.texture);
+      gl.bindTexture(gl.TEXTURE_2D, image.texture);
       gl.texStorage2D(gl.TEXTURE_2D, 1, content === 'gray' ? gl.RGBA8 : format, widthPx, heightPx);
       // Readers that use three.js bind no sampler, so the texture needs these parameters.
       for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
       for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
-      gl.bindFramebuffer(gl.FRAMEBUFFER, picture.framebuffer);
-      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, picture.texture, 0);
-      return picture;
+      gl.bindFramebuffer(gl.FRAMEBUFFER, image.framebuffer);
+      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, image.texture, 0);
+      return image;
     },
     free,
     link: (fragment, names) => {
@@ -86,7 +86,7 @@ export function createDepthDrawing(gl: WebGL2RenderingContext): DepthDrawing | n
       gl.bindVertexArray(null);
     },
     dispose: () => {
-      for (const picture of pictures) free(picture);
+      for (const image of images) free(image);
       for (const { program } of passes.values()) gl.deleteProgram(program);
       gl.deleteSampler(samplers.linear);
       gl.deleteSampler(samplers.nearest);

@@ -1,4 +1,4 @@
-import type { DepthDrawing, DepthPicture } from './drawing.ts';
+import type { DepthDrawing, DepthImage } from './drawing.ts';
 
 /** Fills unknown samples from the known samples around them. */
 export interface HoleFiller {
@@ -21,19 +21,19 @@ export interface HoleFiller {
  */
 export function createHoleFiller(drawing: DepthDrawing): HoleFiller {
   const pass = drawing.link(FILL, ['room']);
-  let picture: DepthPicture | null = null;
+  let image: DepthImage | null = null;
   const free = (): void => {
-    if (picture) drawing.free(picture);
-    picture = null;
+    if (image) drawing.free(image);
+    image = null;
   };
   return {
     fill: (texture, widthPx, heightPx) => {
-      if (picture?.widthPx !== widthPx || picture.heightPx !== heightPx) free();
-      picture ??= drawing.createPicture(widthPx, heightPx);
-      drawing.begin(picture, pass);
+      if (image?.widthPx !== widthPx || image.heightPx !== heightPx) free();
+      image ??= drawing.createImage(widthPx, heightPx);
+      drawing.begin(image, pass);
       drawing.texture(0, texture, 'nearest');
       drawing.draw();
-      return picture.texture;
+      return image.texture;
     },
     dispose: free,
   };

@@ -1,14 +1,14 @@
 import { setInverse3 } from '../../kit/matrices.ts';
 import type { CameraImage, RoomDepth, ViewFrame } from '../../kit/session.ts';
-import type { DepthDrawing, DepthPicture } from './drawing.ts';
+import type { DepthDrawing, DepthImage } from './drawing.ts';
 import { createRegistrationMeter, TRUSTED } from './registration.ts';
 
 /** Interpolates the depth of one view to the resolution of the view, along the edges of objects. */
 export interface EdgeFollower {
   /** Aligned with the view; valid until the next call. */
-  follow(texture: WebGLTexture, depth: RoomDepth, view: ViewFrame): DepthPicture;
+  follow(texture: WebGLTexture, depth: RoomDepth, view: ViewFrame): DepthImage;
   /** What `RegistrationMeter` measured for the last depth; null without a camera image. */
-  readonly registration: DepthPicture | null;
+  readonly registration: DepthImage | null;
   dispose(): void;
 }
 
@@ -35,16 +35,16 @@ export function createEdgeFollower(gl: WebGL2RenderingContext, drawing: DepthDra
     hasGuide: pass.uniform('hasGuide'),
   };
   const viewUvFromUv = new Float32Array(9);
-  let picture: DepthPicture | null = null;
-  let registration: DepthPicture | null = null;
+  let picture: DepthImage | null = null;
+  let registration: DepthImage | null = null;
 
-  const fitted = (widthPx: number, heightPx: number): DepthPicture => {
+  const fitted = (widthPx: number, heightPx: number): DepthImage => {
     const scale = Math.min(1, MAX_SIDE_PX / Math.max(widthPx, heightPx));
     const width = Math.max(1, Math.round(widthPx * scale));
     const height = Math.max(1, Math.round(heightPx * scale));
     if (picture?.widthPx === width && picture.heightPx === height) return picture;
     if (picture) drawing.free(picture);
-    picture = drawing.createPicture(width, height);
+    picture = drawing.createImage(width, height);
     return picture;
   };
   return {

@@ -1,6 +1,6 @@
 import type { RoomDepth, ViewFrame } from '../../kit/session.ts';
 import { type ConfidenceMeter, createConfidenceMeter } from './confidence.ts';
-import type { DepthDrawing, DepthPicture } from './drawing.ts';
+import type { DepthDrawing, DepthImage } from './drawing.ts';
 import { createHoleFiller, type HoleFiller } from './fill-holes.ts';
 import { createEdgeFollower, type EdgeFollower } from './follow-edges.ts';
 import { createSteadier, type Steadier } from './steady.ts';
@@ -20,7 +20,7 @@ export interface DepthRefiner {
   /** The confidence of the depth that was refined last, at the resolution of the sensor; null if it was not requested. */
   readonly confidence: WebGLTexture | null;
   /** How well the camera image matches the depth; null if none guides it. */
-  readonly registration: DepthPicture | null;
+  readonly registration: DepthImage | null;
   forget(): void;
   dispose(): void;
 }
@@ -75,10 +75,10 @@ export function createDepthRefiner(gl: WebGL2RenderingContext, drawing: DepthDra
       }
       if (drawing && isEdgeAware(filter, depth, isSensor)) {
         follower ??= createEdgeFollower(gl, drawing);
-        const picture = follower.follow(texture, depth, view);
-        texture = picture.texture;
-        refined.widthPx = picture.widthPx;
-        refined.heightPx = picture.heightPx;
+        const image = follower.follow(texture, depth, view);
+        texture = image.texture;
+        refined.widthPx = image.widthPx;
+        refined.heightPx = image.heightPx;
         refined.uvFromViewUv = UPRIGHT;
       }
       refined.texture = texture;

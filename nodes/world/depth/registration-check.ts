@@ -1,10 +1,10 @@
-import type { DepthPicture } from './drawing.ts';
+import type { DepthImage } from './drawing.ts';
 import { TRUSTED, UNKNOWN } from './registration.ts';
 
 /** Tells once when the camera image does not belong to the depth. */
 export interface RegistrationCheck {
   /** Call it in each frame with what was measured in it. Reads a pixel now and then, without waiting for the GPU. */
-  look(measured: DepthPicture): void;
+  look(measured: DepthImage): void;
   dispose(): void;
 }
 

@@ -1,6 +1,6 @@
 import { setInverse3 } from '../../kit/matrices.ts';
 import type { CameraImage, RoomDepth } from '../../kit/session.ts';
-import type { DepthDrawing, DepthPicture } from './drawing.ts';
+import type { DepthDrawing, DepthImage } from './drawing.ts';
 
 /** Measures whether the borders of the depth are where the camera image has edges. */
 export interface RegistrationMeter {
@@ -8,7 +8,7 @@ export interface RegistrationMeter {
    * Draws one pixel: how much more the image changes at borders of the depth than beside them, as a difference of colors, or `UNKNOWN`. The
    * same object each time. Stays on the GPU, so nothing waits for it.
    */
-  measure(texture: WebGLTexture, depth: RoomDepth, image: CameraImage): DepthPicture;
+  measure(texture: WebGLTexture, depth: RoomDepth, image: CameraImage): DepthImage;
   dispose(): void;
 }
 
@@ -33,8 +33,8 @@ export function createRegistrationMeter(gl: WebGL2RenderingContext, drawing: Dep
     counting: block.uniform('counting'),
   };
   const viewUvFromUv = new Float32Array(9);
-  let sums: { readonly gains: DepthPicture; readonly counts: DepthPicture } | null = null;
-  const result = drawing.createPicture(1, 1);
+  let sums: { readonly gains: DepthImage; readonly counts: DepthImage } | null = null;
+  const result = drawing.createImage(1, 1);
   const free = (): void => {
     if (sums) for (const picture of [sums.gains, sums.counts]) drawing.free(picture);
   };
@@ -43,10 +43,10 @@ export function createRegistrationMeter(gl: WebGL2RenderingContext, drawing: Dep
     const [width, height] = [Math.ceil(depth.widthPx / BLOCK), Math.ceil(depth.heightPx / BLOCK)];
     if (sums?.gains.widthPx === width && sums.gains.heightPx === height) return sums;
     free();
-    sums = { gains: drawing.createPicture(width, height), counts: drawing.createPicture(width, height) };
+    sums = { gains: drawing.createImage(width, height), counts: drawing.createImage(width, height) };
     return sums;
   };
-  const sum = (target: DepthPicture, counting: 0 | 1, texture: WebGLTexture, image: CameraImage): void => {
+  const sum = (target: DepthImage, counting: 0 | 1, texture: WebGLTexture, image: CameraImage): void => {
     drawing.begin(target, block);
     drawing.texture(0, texture, 'nearest');
     drawing.texture(1, image.texture, 'linear');

@@ -3,7 +3,7 @@ import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { RoomDepth, ViewFrame } from '../../kit/session.ts';
 import type { definition } from './definition.ts';
 import { createDepthDrawing, type DepthDrawing } from './drawing.ts';
-import { createPictureDepth, type PictureDepth } from './picture-depth.ts';
+import { createImageDepth, type ImageDepth } from './image-depth.ts';
 import { createDepthRefiner, type DepthRefiner } from './refine-depth.ts';
 import { createRegistrationCheck, type RegistrationCheck } from './registration-check.ts';
 
@@ -30,13 +30,13 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const measured = (view: ViewFrame, index: number): RoomDepth | null => {
     if (config.source === 'device') return view.depth;
     const image = picture?.value ?? null;
-    return image && pictured(image, view, index);
+    return image && depthOfImage(image, view, index);
   };
-  const pictured = (image: ImageAsset, view: ViewFrame, index: number): RoomDepth | null => {
+  const depthOfImage = (image: ImageAsset, view: ViewFrame, index: number): RoomDepth | null => {
     gpu ??= createGpu(ctx);
     if (!gpu.drawing) return null;
-    gpu.pictureDepth ??= createPictureDepth(ctx.gl, gpu.drawing, views.length, config.shades);
-    return gpu.pictureDepth.read(image, view, index, params.nearM.value, params.farM.value);
+    gpu.imageDepth ??= createImageDepth(ctx.gl, gpu.drawing, views.length, config.shades);
+    return gpu.imageDepth.read(image, view, index, params.nearM.value, params.farM.value);
   };
   return {
     update: (frame) => {
@@ -70,7 +70,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     reset: forget,
     dispose: () => {
       for (const refiner of gpu?.refiners ?? []) refiner.dispose();
-      gpu?.pictureDepth?.dispose();
+      gpu?.imageDepth?.dispose();
       check?.dispose();
       gpu?.drawing?.dispose();
       picture?.release();
@@ -92,11 +92,11 @@ type ConfidenceLayer = NonNullable<NodeContext<typeof definition>['outputs']['co
 interface Gpu {
   readonly drawing: DepthDrawing | null;
   readonly refiners: readonly DepthRefiner[];
-  pictureDepth: PictureDepth | null;
+  imageDepth: ImageDepth | null;
 }
 
 function createGpu(ctx: NodeContext<typeof definition>): Gpu {
   const drawing = createDepthDrawing(ctx.gl);
   const refiners = ctx.outputs.depth.views.map(() => createDepthRefiner(ctx.gl, drawing, ctx.config.filter));
-  return { drawing, refiners, pictureDepth: null };
+  return { drawing, refiners, imageDepth: null };
 }

@@ -1,6 +1,6 @@
 import { multiplyMatrices, setInverse3 } from '../../kit/matrices.ts';
 import type { RoomDepth, ViewFrame } from '../../kit/session.ts';
-import type { DepthDrawing, DepthPicture } from './drawing.ts';
+import type { DepthDrawing, DepthImage } from './drawing.ts';
 
 /** Smooths the measurements of a sensor over time, for one view. */
 export interface Steadier {
@@ -30,14 +30,14 @@ export function createSteadier(gl: WebGL2RenderingContext, drawing: DepthDrawing
   const viewUvFromUv = new Float32Array(9);
   const pastFromView = new Float32Array(16);
   const past = { uvFromViewUv: new Float32Array(9), clipFromView: new Float32Array(16), viewFromWorld: new Float32Array(16) };
-  let front: DepthPicture | null = null;
-  let back: DepthPicture | null = null;
+  let front: DepthImage | null = null;
+  let back: DepthImage | null = null;
   let isKnown = false;
 
   const resize = (widthPx: number, heightPx: number): void => {
-    for (const picture of [front, back]) if (picture) drawing.free(picture);
-    front = drawing.createPicture(widthPx, heightPx);
-    back = drawing.createPicture(widthPx, heightPx);
+    for (const image of [front, back]) if (image) drawing.free(image);
+    front = drawing.createImage(widthPx, heightPx);
+    back = drawing.createImage(widthPx, heightPx);
     isKnown = false;
   };
   return {
@@ -69,7 +69,7 @@ export function createSteadier(gl: WebGL2RenderingContext, drawing: DepthDrawing
       isKnown = false;
     },
     dispose: () => {
-      for (const picture of [front, back]) if (picture) drawing.free(picture);
+      for (const image of [front, back]) if (image) drawing.free(image);
     },
   };
 }

@@ -43,7 +43,7 @@ export function resetViewer(store: ViewerStore): void {
 /** Components that show thumbnails. Thumbnails bypass the stores, so that a new one rerenders nothing. */
 export interface ThumbnailWatchers {
   /** Watches a layer until the returned function is called. The watcher must close the bitmaps. */
-  watch(layer: string, onPicture: (picture: ImageBitmap) => void): () => void;
+  watch(layer: string, onImage: (picture: ImageBitmap) => void): () => void;
   wanted(): readonly string[];
   onChange: { run: (() => void) | null };
   deliver(layer: string, picture: ImageBitmap): void;
@@ -54,13 +54,13 @@ export function createThumbnailWatchers(): ThumbnailWatchers {
   const onChange: ThumbnailWatchers['onChange'] = { run: null };
   return {
     onChange,
-    watch: (layer, onPicture) => {
+    watch: (layer, onImage) => {
       const all = watchers.get(layer) ?? new Set();
-      all.add(onPicture);
+      all.add(onImage);
       watchers.set(layer, all);
       onChange.run?.();
       return () => {
-        all.delete(onPicture);
+        all.delete(onImage);
         if (all.size === 0 && watchers.get(layer) === all) watchers.delete(layer);
         onChange.run?.();
       };

@@ -1,4 +1,4 @@
-import { lutPicture } from '../../../export/glsl/lut/lut-picture.ts';
+import { lutImage } from '../../../export/glsl/lut/lut-image.ts';
 import { readCube } from '../../../export/glsl/lut/read-cube.ts';
 import { putAsset } from '../../../export/graph/commands/asset-commands.ts';
 import { sequence } from '../../../export/graph/commands/change.ts';
@@ -32,7 +32,7 @@ export async function addCube(
   }
   const { open } = editor.document.getState();
   if (output === null || open === null) return [];
-  const { widthPx, heightPx, size, columns, rgba } = lutPicture(output);
+  const { widthPx, heightPx, size, columns, rgba } = lutImage(output);
   // Loaded on demand, because color tables are rare.
   const { encode } = await import('fast-png');
   let path: string;
@@ -45,15 +45,15 @@ export async function addCube(
   }
   const { project, library, graph } = editor.document.getState();
   const asset = makeAssetId(project, path, editor.random);
-  const picture = makeNodeId(project, PICTURE, editor.random);
+  const image = makeNodeId(project, PICTURE, editor.random);
   const table = makeNodeId(project, TABLE, editor.random);
   const right = { x: place.x + BETWEEN_PX, y: place.y };
   const change = sequence(
     project,
     (before: Project) => putAsset(before, { id: asset, asset: { path, kind: 'image' } }),
-    (before: Project) => addNode(before, { library, graph, id: picture, type: PICTURE, ...place, params: { file: asset } }),
+    (before: Project) => addNode(before, { library, graph, id: image, type: PICTURE, ...place, params: { file: asset } }),
     (before: Project) => addNode(before, { library, graph, id: table, type: TABLE, ...right, params: { size, columns } }),
-    (before: Project) => connect(before, { library, graph, from: { node: picture, port: 'layer' }, to: { node: table, port: 'table' } }),
+    (before: Project) => connect(before, { library, graph, from: { node: image, port: 'layer' }, to: { node: table, port: 'table' } }),
   );
-  return apply(editor, `Add ${name}`, change) ? [picture, table] : [];
+  return apply(editor, `Add ${name}`, change) ? [image, table] : [];
 }

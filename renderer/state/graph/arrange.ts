@@ -57,7 +57,7 @@ export function boxesOf(editor: Editor, isWanted: (id: string) => boolean): read
   const { nodes, wires } = graphOf(state);
   const places = layoutOf(state).nodes;
   const { expanded } = editor.canvas.getState();
-  const { thumbnails: pictured } = editor.viewer.getState();
+  const { thumbnails: hasThumbnail } = editor.viewer.getState();
   const wiredOf = new Map<string, Set<string>>();
   for (const { to } of wires) wiredOf.set(to.node, (wiredOf.get(to.node) ?? new Set()).add(to.port));
   return Object.entries(nodes)
@@ -65,7 +65,7 @@ export function boxesOf(editor: Editor, isWanted: (id: string) => boolean): read
     .map(([id, node]) => {
       const definition = state.library.definition(node.type);
       const wired = wiredOf.get(id) ?? NO_PORTS;
-      const options = { wired, expanded: expanded.has(id), collapsed: getOwn(places, id)?.collapsed === true, pictured };
+      const options = { wired, expanded: expanded.has(id), collapsed: getOwn(places, id)?.collapsed === true, hasThumbnail };
       const shape = definition ? nodeShape(definition, node, options) : unknownShape([...wired], []);
       const { x, y } = getOwn(places, id) ?? { x: 0, y: 0 };
       return { id, x, y, width: shape.width, height: shape.height, shape };

@@ -20,13 +20,13 @@ const GRID = 8;
 /**
  * Moves the nodes that `before` does not have down until they cover no other node. Nodes of `before` stay where they are.
  *
- * @param context `pictured`: whether nodes show thumbnails, which makes them higher.
+ * @param context `hasThumbnail`: whether nodes show thumbnails, which makes them higher.
  */
 export function placeFreely(
   before: Project,
-  context: { library: NodeLibrary; graph: string; pictured: boolean },
+  context: { library: NodeLibrary; graph: string; hasThumbnail: boolean },
 ): (project: Project) => Change {
-  const { library, graph, pictured } = context;
+  const { library, graph, hasThumbnail } = context;
   const known = before.graphs[graph]?.nodes ?? {};
   return (project) => {
     const { nodes = {}, wires = [] } = project.graphs[graph] ?? {};
@@ -37,7 +37,7 @@ export function placeFreely(
       const definition = node && library.definition(node.type);
       if (!node || !definition) return { x, y, width: NODE_WIDTH, height: HEADER_HEIGHT };
       const wired = new Set(wires.flatMap(({ to }) => (to.node === id ? [to.port] : [])));
-      const { width, height } = nodeShape(definition, node, { wired, expanded: false, collapsed, pictured });
+      const { width, height } = nodeShape(definition, node, { wired, expanded: false, collapsed, hasThumbnail });
       return { x, y, width, height };
     };
     const ids = Object.keys(nodes);

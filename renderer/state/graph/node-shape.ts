@@ -14,7 +14,7 @@ export const BODY_PADDING = 6;
 /** Size of the hit area of a port. The drawn shape has half of it. */
 export const PORT_SIZE = 22;
 /** Height of a thumbnail. */
-export const PICTURE_HEIGHT = 104;
+export const THUMBNAIL_HEIGHT = 104;
 
 export interface PortView {
   readonly name: string;
@@ -39,7 +39,7 @@ export interface NodeShape {
   /** Only the header is shown. */
   readonly collapsed?: true;
   /** Output port of the layer in the thumbnail; null without one. */
-  readonly picture: string | null;
+  readonly thumbnail: string | null;
 }
 
 export interface ShapeOptions {
@@ -50,13 +50,13 @@ export interface ShapeOptions {
   /** Whether only the header is shown. Wires then end at its sides. */
   readonly collapsed?: boolean;
   /** Whether a thumbnail of the first layer is shown. */
-  readonly pictured?: boolean;
+  readonly hasThumbnail?: boolean;
 }
 
 export function nodeShape(
   definition: NodeDefinition,
   node: GraphNode,
-  { wired, expanded, collapsed = false, pictured = false }: ShapeOptions,
+  { wired, expanded, collapsed = false, hasThumbnail = false }: ShapeOptions,
 ): NodeShape {
   const inputs = Object.entries(definition.inputs);
   const outputs = Object.entries(definition.outputs);
@@ -105,11 +105,11 @@ export function nodeShape(
     ports.push({ name, label: param.label, doc: param.doc, type, side: 'input', row, multiple: false, required: false, param });
     row++;
   }
-  if (collapsed) return { width: NODE_WIDTH, height: HEADER_HEIGHT, ports, hiddenParams: 0, collapsed, picture: null };
+  if (collapsed) return { width: NODE_WIDTH, height: HEADER_HEIGHT, ports, hiddenParams: 0, collapsed, thumbnail: null };
   const rows = Math.max(row, 1);
-  const picture = pictured ? layerPortOf(definition) : null;
-  const height = HEADER_HEIGHT + 2 * BODY_PADDING + rows * ROW_HEIGHT + (picture === null ? 0 : PICTURE_HEIGHT);
-  return { width: NODE_WIDTH, height, ports, hiddenParams, picture };
+  const thumbnail = hasThumbnail ? layerPortOf(definition) : null;
+  const height = HEADER_HEIGHT + 2 * BODY_PADDING + rows * ROW_HEIGHT + (thumbnail === null ? 0 : THUMBNAIL_HEIGHT);
+  return { width: NODE_WIDTH, height, ports, hiddenParams, thumbnail };
 }
 
 /** The wire type that colors a node: that of its first output; without outputs, of its first input. */
@@ -135,7 +135,7 @@ export function unknownShape(wiredInputs: readonly string[], wiredOutputs: reado
     ...wiredOutputs.map((name, row) => port(name, 'output', row)),
   ];
   const rows = Math.max(wiredInputs.length, wiredOutputs.length, 1);
-  return { width: NODE_WIDTH, height: HEADER_HEIGHT + 2 * BODY_PADDING + rows * ROW_HEIGHT, ports, hiddenParams: 0, picture: null };
+  return { width: NODE_WIDTH, height: HEADER_HEIGHT + 2 * BODY_PADDING + rows * ROW_HEIGHT, ports, hiddenParams: 0, thumbnail: null };
 }
 
 /** Center of a port relative to the top left corner of the node. */

@@ -12,7 +12,7 @@ const scope = self as unknown as {
   postMessage(answer: LampAnswer, transfer?: Transferable[]): void;
 };
 
-/** Larger pictures are reduced for the inspector. */
+/** Larger images are reduced for the inspector. */
 const SHOWN_WIDTH_PX = 1024;
 
 scope.onmessage = async ({ data: { bytes, options } }) => {
@@ -44,7 +44,7 @@ async function decode(bytes: ArrayBuffer): Promise<PanoramaPixels> {
 }
 
 async function drawStages(pixels: PanoramaPixels, { widthPx, heightPx, steps }: FoundLamps): Promise<LampStage[]> {
-  const stages: LampStage[] = [{ kind: 'picture', iteration: 0, image: await draw(pixels.widthPx, pixels.heightPx, pictureOf(pixels)) }];
+  const stages: LampStage[] = [{ kind: 'picture', iteration: 0, image: await draw(pixels.widthPx, pixels.heightPx, imageOf(pixels)) }];
   if (steps.length === 0) return stages;
   const { gray } = whole(grayImageOf(pixels));
   for (const [iteration, { bright, smooth }] of steps.entries()) {
@@ -65,7 +65,7 @@ function grayPixels(values: Uint8Array, factor: number): Uint8ClampedArray<Array
 }
 
 /** The panorama for a screen: radiance is exposed so that its mean is a middle gray. */
-function pictureOf(pixels: PanoramaPixels): Uint8ClampedArray<ArrayBuffer> {
+function imageOf(pixels: PanoramaPixels): Uint8ClampedArray<ArrayBuffer> {
   const { widthPx, heightPx } = pixels;
   const linear = new Float32Array(widthPx * heightPx * 3);
   const rows = createRowReader(pixels);

@@ -7,7 +7,7 @@ export interface LampRequest {
   readonly options: LampOptions;
 }
 
-/** A step of a search as a picture. */
+/** A step of a search as an image. */
 export interface LampStage {
   readonly kind: 'picture' | 'gray' | 'threshold' | 'median';
   /** From 0; 0 of the picture. */

@@ -28,20 +28,20 @@ export function lowerCpu(lowering: Lowering, node: FlatNode): void {
     samples: 1,
     lifetime: 'frame',
   });
-  const picture: ResourceId = addResource(lowering, target(`${node.id}.picture`));
+  const image: ResourceId = addResource(lowering, target(`${node.id}.picture`));
   addResource(lowering, target(key));
-  lowering.writerOf.set(picture, picture);
+  lowering.writerOf.set(image, image);
   lowering.resourceOf.set(key, key);
   lowering.writerOf.set(key, node.id);
   const copy = copyOf(lowering, layer, 'none');
-  addStep(lowering, { ...copy, id: picture, node: node.id, view, writes: [picture], target: picture, blend: 'replace' });
+  addStep(lowering, { ...copy, id: image, node: node.id, view, writes: [image], target: image, blend: 'replace' });
   const operation: CpuOperation = {
     ...nodeOperation(lowering, node, node.id, 'cpu'),
     view,
-    reads: [picture],
+    reads: [image],
     writes: [key],
     outputs: {},
-    picture,
+    picture: image,
     target: key,
   };
   addStep(lowering, operation, valueSteps(lowering, node));

@@ -51,7 +51,7 @@ export function lowerDraw(lowering: Lowering, { node, occlusion, target, id }: D
   const shown = layerOutput(occlusion ?? node);
   const drawn = layerOutput(node);
   if (!shown || !drawn) throw new Error(`${node.id} draws no layer.`);
-  const picture = target === 'texture' ? addPicture(lowering, shown, id) : null;
+  const image = target === 'texture' ? addColorTarget(lowering, shown, id) : null;
   const shadowMaps = shadowMapsOf(lowering, node);
   const base = nodeOperation(lowering, node, id, 'draw');
   const hiding = occlusion && drawOcclusion(lowering, occlusion);
@@ -63,12 +63,10 @@ export function lowerDraw(lowering: Lowering, { node, occlusion, target, id }: D
     kind: 'draw',
     view: 'each',
     reads,
-    writes: picture === null ? [] : [picture],
+    writes: image === null ? [] : [image],
     outputs:
-      picture === null
-        ? {}
-        : { [drawn.port]: { kind: 'layer', layer: { color: picture, depth: { resource: picture, encoding: 'window' } } } },
-    target: picture ?? 'screen',
+      image === null ? {} : { [drawn.port]: { kind: 'layer', layer: { color: image, depth: { resource: image, encoding: 'window' } } } },
+    target: image ?? 'screen',
     shadowMaps,
     occlusion: hiding,
   };
@@ -76,7 +74,7 @@ export function lowerDraw(lowering: Lowering, { node, occlusion, target, id }: D
   return operation;
 }
 
-function addPicture(lowering: Lowering, shown: Source, operation: string): ResourceId {
+function addColorTarget(lowering: Lowering, shown: Source, operation: string): ResourceId {
   const key = portKey(shown);
   addResource(lowering, {
     id: key,
@@ -111,7 +109,7 @@ export function nodeOperation<K extends NodeKind | 'draw' | 'cpu'>(
   kind: K,
 ): NodeOperation & { readonly kind: K; readonly view: 'once' } {
   const { type, params, delay, stateful, worker } = node.definition;
-  // The layer of a CPU filter is its field `picture`, not an input.
+  // The layer of a CPU filter is its field `image`, not an input.
   const ports = kind === 'cpu' ? {} : node.definition.inputs;
   const pulses = Object.keys(ports).filter((port) => ports[port]?.type === 'pulse');
   const poses = Object.keys(ports).filter((port) => ports[port]?.type === 'pose');

@@ -28,9 +28,9 @@ export function lowerTechnique(lowering: Lowering, node: FlatNode): void {
   for (const [name, param] of Object.entries(params)) if (param.stage === 'uniform') lowering.slots.ofParam(node, name);
   const { technique, linked } = output;
   const samplers = linked.samplers.map(({ name, input }) => sampler(lowering, node, name, input, technique.pictures.includes(input)));
-  const pictures = linked.pictures.flatMap(({ name, path }) => {
+  const images = linked.pictures.flatMap(({ name, path }) => {
     const data = lowering.library.shader(path);
-    if (data === undefined) lowering.diagnostics.push(missingPicture(node, technique, path));
+    if (data === undefined) lowering.diagnostics.push(missingImage(node, technique, path));
     return data === undefined ? [] : [{ name, data }];
   });
   lowering.techniqueReads.set(
@@ -46,11 +46,11 @@ export function lowerTechnique(lowering: Lowering, node: FlatNode): void {
     passes: technique.passes,
     uniforms: linked.uniforms.map(({ name, type, param }) => ({ name, type, slot: lowering.slots.ofParam(node, param) })),
     ...(samplers.length > 0 ? { samplers } : {}),
-    ...(pictures.length > 0 ? { pictures } : {}),
+    ...(images.length > 0 ? { pictures: images } : {}),
   });
 }
 
-function missingPicture({ id }: FlatNode, { file, imported }: TechniqueShader, path: string): Diagnostic {
+function missingImage({ id }: FlatNode, { file, imported }: TechniqueShader, path: string): Diagnostic {
   const { line = 1, column = 1 } = imported.find((one) => one.path === path) ?? {};
   return {
     code: 'SCR043',

@@ -105,7 +105,7 @@ export const rug: Painter = (u, v) => {
 };
 
 /** Abstract hills under a sun, in flat colors. */
-export const pictureOfHills: Painter = (u, v) => {
+export const imageOfHills: Painter = (u, v) => {
   if (Math.min(u, 1 - u, v, 1 - v) < 0.1) return [0.93, 0.92, 0.88];
   const ridge = (height: number, seed: number): number => height + 0.13 * fractal(u * 4, seed, 64, 64, seed) - 0.06;
   if (v < ridge(0.28, 61)) return [0.18, 0.29, 0.31];
@@ -116,7 +116,7 @@ export const pictureOfHills: Painter = (u, v) => {
 };
 
 /** Overlapping discs and a line. */
-export const pictureOfDiscs: Painter = (u, v) => {
+export const imageOfDiscs: Painter = (u, v) => {
   if (Math.min(u, 1 - u, v, 1 - v) < 0.1) return [0.93, 0.92, 0.88];
   const disc = (x: number, y: number, r: number): boolean => Math.hypot(u - x, (v - y) * 1.25) < r;
   if (Math.abs(v - 0.3 - 0.3 * u) < 0.008) return [0.15, 0.16, 0.18];

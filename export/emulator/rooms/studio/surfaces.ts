@@ -1,10 +1,10 @@
 import {
+  imageOfDiscs,
+  imageOfHills,
   leaf,
   oakBoards,
   outdoors,
   type Painter,
-  pictureOfDiscs,
-  pictureOfHills,
   plain,
   plaster,
   rug,
@@ -43,8 +43,8 @@ export const SURFACES = {
   knit: { paint: weave([0.74, 0.66, 0.54], 0.42, 85), sizePx: [96, 96], tileM: [0.36, 0.36] },
   ceramic: { paint: plain, sizePx: [4, 4], tileM: [1, 1], gloss: 0.4 },
   leaf: { paint: leaf, sizePx: [64, 128], tileM: [1, 1], gloss: 0.1 },
-  hills: { paint: pictureOfHills, sizePx: [160, 200], tileM: [0.56, 0.7] },
-  discs: { paint: pictureOfDiscs, sizePx: [160, 200], tileM: [0.56, 0.7] },
+  hills: { paint: imageOfHills, sizePx: [160, 200], tileM: [0.56, 0.7] },
+  discs: { paint: imageOfDiscs, sizePx: [160, 200], tileM: [0.56, 0.7] },
   outdoors: { paint: outdoors, sizePx: [128, 96], tileM: [1.9, 1.4], glow: 1 },
 } as const satisfies Record<string, SurfaceStyle>;
 

@@ -41,7 +41,7 @@ export function createPlayback(source: VideoSource, onProblem: (problem: Problem
    * Events that the element has not dispatched since the last load or seek: the seek itself and its frame, which often comes later. No
    * other seek may start before.
    */
-  const awaited = { event: true, picture: tells };
+  const awaited = { event: true, image: tells };
   /** Whether the video was playing before the seek. A frame from before may then arrive late, so the seek is repeated. */
   let ran = false;
   /** Whether the element has a frame that the texture does not have. */
@@ -50,22 +50,22 @@ export function createPlayback(source: VideoSource, onProblem: (problem: Problem
   let blocked = false;
   let settled: { readonly promise: Promise<void>; readonly resolve: () => void } | null = null;
 
-  const isIdle = (): boolean => !awaited.event && !awaited.picture;
+  const isIdle = (): boolean => !awaited.event && !awaited.image;
   const isThere = (): boolean => failed || (isIdle() && wantedS !== null && soughtS === wantedS);
   const seek = (timeS: number): void => {
     soughtS = timeS;
     awaited.event = true;
-    awaited.picture = tells;
+    awaited.image = tells;
     element.currentTime = Math.min(timeS + ROUNDING_S, durationS);
     void insist(++tries, PATIENCE_S);
   };
   /** Repeats the seek. Chromium sometimes does not report a frame, mostly if it is the same as before. */
   const insist = async (mine: number, patienceS: number): Promise<void> => {
     await delay(patienceS);
-    if (mine !== tries || !awaited.picture || failed) return;
+    if (mine !== tries || !awaited.image || failed) return;
     // At the very end there may be no frame.
     if (patienceS > MAX_PATIENCE_S || (element.ended && !awaited.event)) {
-      awaited.picture = false;
+      awaited.image = false;
       arrive();
       return;
     }
@@ -101,7 +101,7 @@ export function createPlayback(source: VideoSource, onProblem: (problem: Problem
   const watch = (): void => {
     watching = element.requestVideoFrameCallback(() => {
       fresh = true;
-      awaited.picture = false;
+      awaited.image = false;
       arrive();
       watch();
     });
@@ -167,8 +167,8 @@ export function createPlayback(source: VideoSource, onProblem: (problem: Problem
   };
 
   return {
-    get picture() {
-      return texture.picture;
+    get image() {
+      return texture.image;
     },
     follow: (timeS, rate, loop) => {
       if (failed) return;

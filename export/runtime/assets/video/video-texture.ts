@@ -6,26 +6,26 @@ import { prepareUpload } from '../../gl/upload.ts';
 /** The current frame of a video: premultiplied, first row at the bottom. */
 export interface VideoTexture {
   /** Null before the first frame; another object if the size of the video changes. */
-  readonly picture: ImageAsset | null;
+  readonly image: ImageAsset | null;
   upload(video: HTMLVideoElement): void;
   dispose(): void;
 }
 
 export function createVideoTexture(objects: GlObjects): VideoTexture {
   const { gl } = objects;
-  let picture: ImageAsset | null = null;
+  let image: ImageAsset | null = null;
 
   function pictureOf(widthPx: number, heightPx: number): ImageAsset {
-    if (picture?.widthPx === widthPx && picture.heightPx === heightPx) return picture;
-    if (picture) objects.deleteTexture(picture.texture);
+    if (image?.widthPx === widthPx && image.heightPx === heightPx) return image;
+    if (image) objects.deleteTexture(image.texture);
     const texture = allocateTexture(gl, objects.createTexture(), gl.RGBA8, gl.LINEAR, widthPx, heightPx);
-    picture = { texture, widthPx, heightPx };
-    return picture;
+    image = { texture, widthPx, heightPx };
+    return image;
   }
 
   return {
-    get picture() {
-      return picture;
+    get image() {
+      return image;
     },
     upload: (video) => {
       const { videoWidth, videoHeight } = video;
@@ -42,8 +42,8 @@ export function createVideoTexture(objects: GlObjects): VideoTexture {
       gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
     },
     dispose: () => {
-      if (picture) objects.deleteTexture(picture.texture);
-      picture = null;
+      if (image) objects.deleteTexture(image.texture);
+      image = null;
     },
   };
 }

@@ -8,11 +8,11 @@ interface ParserCache {
   readonly sourceCache: Record<number, Promise<Texture>>;
 }
 
-export interface EmbeddedPictures {
+export interface EmbeddedImages {
   readonly document: GltfDocument;
   /** Receives every decoded image, so that the owner of the model can close it. */
   readonly bitmaps: ImageBitmap[];
-  readonly decodeKtx2: ModelDecoder['decodePicture'];
+  readonly decodeKtx2: ModelDecoder['decodeImage'];
 }
 
 /**
@@ -22,10 +22,10 @@ export interface EmbeddedPictures {
  * passes them to the parser through its cache. `tests/browser/scenes-models.test.ts` loads a model under `default-src 'none'` and fails if
  * an upgrade of three.js does not read the cache.
  */
-export function embeddedPictures({ document, bitmaps, decodeKtx2 }: EmbeddedPictures, parser: GLTFParser): GLTFLoaderPlugin {
+export function embeddedImages({ document, bitmaps, decodeKtx2 }: EmbeddedImages, parser: GLTFParser): GLTFLoaderPlugin {
   const { sourceCache } = parser as unknown as ParserCache;
 
-  async function decodeImage(index: number): Promise<Texture | null> {
+  async function decodeImageAt(index: number): Promise<Texture | null> {
     const image = document.images?.[index];
     const bytes: ArrayBuffer = await parser.getDependency('bufferView', image?.bufferView ?? -1);
     if (image?.mimeType !== 'image/ktx2') return decodeBitmap(index, new Blob([bytes], { type: image?.mimeType ?? '' }));
@@ -53,7 +53,7 @@ export function embeddedPictures({ document, bitmaps, decodeKtx2 }: EmbeddedPict
   return {
     name: 'SCRIM_embedded_pictures',
     beforeRoot: async () => {
-      const images = await Promise.allSettled((document.images ?? []).map((_, i) => decodeImage(i)));
+      const images = await Promise.allSettled((document.images ?? []).map((_, i) => decodeImageAt(i)));
       images.forEach((image, i) => {
         if (image.status === 'rejected') throw image.reason;
         if (image.value) sourceCache[i] = Promise.resolve(image.value);

@@ -8,7 +8,7 @@ import type { LoadedModel, ModelFinding, SceneBackend } from '../../scene-backen
 import { isDrawable, materialsOf } from '../proxies/drawable.ts';
 import type { DecoderFiles, ModelDecoder, ModelDecoders } from './decoders/decoder.ts';
 import { createDecoderPool } from './decoders/decoder-pool.ts';
-import { embeddedPictures } from './embedded.ts';
+import { embeddedImages } from './embedded.ts';
 import { addMissingNormals } from './missing-normals.ts';
 
 export interface ModelTools {
@@ -39,10 +39,10 @@ async function decode(bytes: ArrayBuffer, { document }: Gltf, decoders: readonly
   const closeBitmaps = (): void => {
     for (const bitmap of bitmaps) bitmap.close();
   };
-  const decodeKtx2 = decoders.find(({ decodePicture }) => decodePicture)?.decodePicture;
+  const decodeKtx2 = decoders.find(({ decodeImage }) => decodeImage)?.decodeImage;
   const loader = new GLTFLoader();
   for (const decoder of decoders) decoder.attach(loader);
-  loader.register((parser) => embeddedPictures({ document, bitmaps, decodeKtx2 }, parser));
+  loader.register((parser) => embeddedImages({ document, bitmaps, decodeKtx2 }, parser));
   try {
     const { scene, animations } = await parse(loader, bytes);
     const missing = addMissingNormals(scene);

@@ -172,7 +172,7 @@ export function isSeeThrough(material: Material): boolean {
 }
 
 /** Whether an image cuts or displaces its triangles, which volumes ignore. */
-export function isShapedByPicture(material: Material): boolean {
+export function isShapedByTexture(material: Material): boolean {
   const { map, alphaMap, displacementMap, alphaTest, transparent } = material as Partial<MeshStandardMaterial> & Material;
   return Boolean(displacementMap) || ((alphaTest > 0 || transparent) && Boolean(map ?? alphaMap));
 }

@@ -3,9 +3,9 @@ import type { NumberView, VectorView } from '../../../../nodes/kit/value-views.t
 import type { ShaderPatch } from '../materials/shader-patch.ts';
 import { createCatcherMaterial, followSides, type ShadowCatcher } from '../materials/shadow-catcher.ts';
 import { KNOWN_SHADOW_FRAGMENT } from '../materials/shadow-catcher-shader.ts';
-import { type BlockedPictureOptions, createBlockedPicture } from './blocked-picture.ts';
+import { type BlockedTextureOptions, createBlockedTexture } from './blocked-texture.ts';
 
-export interface VolumeCatcherOptions extends BlockedPictureOptions {
+export interface VolumeCatcherOptions extends BlockedTextureOptions {
   readonly strength: NumberView;
   readonly color: VectorView;
   readonly occlusion: readonly ShaderPatch[];
@@ -14,7 +14,7 @@ export interface VolumeCatcherOptions extends BlockedPictureOptions {
 /** Catches shadows by shadow volumes, whose edges are sharp and follow the triangles. */
 export function createVolumeCatcher(options: VolumeCatcherOptions): ShadowCatcher {
   const { strength, color, occlusion } = options;
-  const blocked = createBlockedPicture(options);
+  const blocked = createBlockedTexture(options);
   const blockedPart: IUniform<Texture | null> = { value: null };
   const uniforms = {
     strength: { value: 0 },

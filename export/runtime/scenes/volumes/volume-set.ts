@@ -2,7 +2,7 @@ import type { BufferGeometry, Material, Mesh, Object3D, Scene } from 'three';
 import type { ObjectItem, ObjectList } from '../../../../nodes/kit/scene-lists.ts';
 import { createVersionWatch } from '../../../../nodes/kit/version-watch.ts';
 import { isInstanced, materialsOf } from '../proxies/drawable.ts';
-import { type Caster, castsAsSolid, createCaster, isSeeThrough, isShapedByPicture } from './caster.ts';
+import { type Caster, castsAsSolid, createCaster, isSeeThrough, isShapedByTexture } from './caster.ts';
 import { createMeshShape, type MeshShape } from './mesh-shape.ts';
 import type { VolumeLight } from './volume-light.ts';
 
@@ -57,7 +57,7 @@ export function createVolumeSet(scene: Scene, lists: readonly ObjectList[], limi
     if (!isMesh(object)) return;
     const shape = shapeOf(object);
     meshes.push({ mesh: object, item });
-    if (materialsOf(object).some((material) => castsAsSolid(material) && isShapedByPicture(material))) shaped ??= object.name || item.key;
+    if (materialsOf(object).some((material) => castsAsSolid(material) && isShapedByTexture(material))) shaped ??= object.name || item.key;
     const count = isInstanced(object) ? object.count : 1;
     for (let i = 0; i < count; i++) casters.push(createCaster(scene, object, item, i, shape, lights));
   }

@@ -47,7 +47,7 @@ export function createCameraSession({ gl, canvas, clock, stream, sensor, inputs,
   const viewer = createCameraViewer(sensor);
   const { video } = stream;
   const lens = createLens?.(page, sensor) ?? null;
-  let picture = createCameraView(gl);
+  let image = createCameraView(gl);
   let fitter: CanvasFitter | null = null;
   let input: PageInput | null = null;
   let gestures: OrbitGestures | null = null;
@@ -66,7 +66,7 @@ export function createCameraSession({ gl, canvas, clock, stream, sensor, inputs,
     stop?.();
     stream.stop();
     sensor.dispose();
-    picture.dispose();
+    image.dispose();
     onFrame = null;
     onEvent?.({ kind: 'ended', by });
   };
@@ -83,7 +83,7 @@ export function createCameraSession({ gl, canvas, clock, stream, sensor, inputs,
   };
   /** Recreates the camera view after the WebGL context was restored. */
   const restored = (): void => {
-    picture = createCameraView(gl);
+    image = createCameraView(gl);
     fresh = true;
   };
   const setTracked = (next: boolean): void => {
@@ -97,13 +97,13 @@ export function createCameraSession({ gl, canvas, clock, stream, sensor, inputs,
     time.write(frame, nowS);
     setTracked(sensor.present || frame.timeS < SENSOR_TIMEOUT_S);
     if (fresh && video.readyState >= video.HAVE_CURRENT_DATA) {
-      picture.upload(video);
+      image.upload(video);
       lens?.look(video);
       fresh = !hasFrameCallback(video);
     }
     const view = coverCanvas(frame, gl);
     lens?.update(frame.deltaS);
-    picture.fill(view, tanHalfLongSide());
+    image.fill(view, tanHalfLongSide());
     gestures?.settle();
     viewer.writeWorldFromView(view.worldFromView);
     setRigidInverse(view.viewFromWorld, view.worldFromView);

@@ -1,7 +1,7 @@
 /**
- * Estimates the field of view of a camera whose lens is not known: how far the picture moves for a known rotation tells the focal length.
+ * Estimates the field of view of a camera whose lens is not known: how far the image moves for a known rotation tells the focal length.
  *
- * Of two pictures and the rotation between them (`deviceorientation`), the focal length is searched at which the first, warped by the
+ * Of two images and the rotation between them (`deviceorientation`), the focal length is searched at which the first, warped by the
  * rotation, is the second: a Gauss–Newton search with one unknown. Pairs differ, because sensors round to 0.1° and
  * things move, so the weighted median of all pairs counts.
  *
@@ -11,17 +11,17 @@
 export interface FovEstimator {
   /** Tangent of half the field of view of the longer side; null until it is known to about 3 %. */
   readonly tanHalfLongSide: number | null;
-  /** It has seen enough: more pictures change nothing. */
+  /** It has seen enough: more images change nothing. */
   readonly isDone: boolean;
   /**
-   * @param luminance Of a small picture, rows from the top; kept until a later call.
-   * @param worldFromCamera Column-major 4×4, at the time of the picture: x right, y up, -z ahead.
-   * @returns Whether the picture is kept, so that the caller gives another array next time.
+   * @param luminance Of a small image, rows from the top; kept until a later call.
+   * @param worldFromCamera Column-major 4×4, at the time of the image: x right, y up, -z ahead.
+   * @returns Whether the image is kept, so that the caller gives another array next time.
    */
   add(luminance: Float32Array, widthPx: number, heightPx: number, worldFromCamera: ArrayLike<number>): boolean;
 }
 
-/** Rotation between two pictures of a pair: far above the rounding of sensors, and small enough for the search. */
+/** Rotation between two images of a pair: far above the rounding of sensors, and small enough for the search. */
 const LEAST_RAD = 0.04;
 const MOST_RAD = 0.12;
 const MAX_PAIRS = 200;
@@ -112,7 +112,7 @@ function setRelative(out: Float64Array, worldFromBefore: Float64Array, worldFrom
 const scratchAt = { x: 0, y: 0 };
 const scratchBeside = { x: 0, y: 0 };
 
-/** Refines `out.focal`; false where the pictures do not agree or do not tell it. */
+/** Refines `out.focal`; false where the images do not agree or do not tell it. */
 function search(
   out: { focal: number; weight: number },
   first: Float32Array,
@@ -162,7 +162,7 @@ function search(
   return false;
 }
 
-/** Where a pixel of the second picture is in the first, in pixels whose centers are whole. */
+/** Where a pixel of the second image is in the first, in pixels whose centers are whole. */
 function warp(
   out: { x: number; y: number },
   x: number,
@@ -179,14 +179,14 @@ function warp(
   out.y = (heightPx - 1) / 2 + (focalPx * ((m[1] ?? 0) * dx + (m[4] ?? 0) * dy - (m[7] ?? 0))) / z;
 }
 
-function sample(picture: Float32Array, widthPx: number, x: number, y: number): number {
+function sample(image: Float32Array, widthPx: number, x: number, y: number): number {
   const column = Math.floor(x);
   const row = Math.floor(y);
   const at = row * widthPx + column;
   const s = x - column;
   const t = y - row;
-  const above = (picture[at] ?? 0) * (1 - s) + (picture[at + 1] ?? 0) * s;
-  const below = (picture[at + widthPx] ?? 0) * (1 - s) + (picture[at + widthPx + 1] ?? 0) * s;
+  const above = (image[at] ?? 0) * (1 - s) + (image[at + 1] ?? 0) * s;
+  const below = (image[at + widthPx] ?? 0) * (1 - s) + (image[at + widthPx + 1] ?? 0) * s;
   return above * (1 - t) + below * t;
 }
 

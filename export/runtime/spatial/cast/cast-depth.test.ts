@@ -3,7 +3,7 @@ import { Matrix4, Plane, Ray as ThreeRay, Vector3 } from 'three';
 import { createRandom } from '../../random.ts';
 import { setFrustum } from '../../sessions/matrix.ts';
 import { createMeeting, createRay, setRay } from '../ray.ts';
-import { castAtDepth, type DepthPicture } from './cast-depth.ts';
+import { castAtDepth, type DepthImage } from './cast-depth.ts';
 
 const WIDTH = 160;
 const HEIGHT = 120;
@@ -11,8 +11,8 @@ const HEIGHT = 120;
 /** A camera at 1.5 m that looks down a little, with rows from the top as recordings have them. */
 const WORLD_FROM_VIEW = new Matrix4().makeRotationX(-0.5).setPosition(0.2, 1.5, 1);
 
-function pictureOf(depthAlong: (ray: ThreeRay) => number): DepthPicture {
-  const picture: DepthPicture = {
+function pictureOf(depthAlong: (ray: ThreeRay) => number): DepthImage {
+  const picture: DepthImage = {
     meters: new Float32Array(WIDTH * HEIGHT),
     widthPx: WIDTH,
     heightPx: HEIGHT,
@@ -44,7 +44,7 @@ function depthOf(...planes: readonly Plane[]): (ray: ThreeRay) => number {
   };
 }
 
-function cast(picture: DepthPicture, from: Vector3, towards: Vector3) {
+function cast(picture: DepthImage, from: Vector3, towards: Vector3) {
   const ray = createRay();
   setRay(ray, new Matrix4().lookAt(from, towards, new Vector3(0.1, 1, 0.3)).setPosition(from).elements);
   const meeting = createMeeting();

@@ -2,8 +2,8 @@ import type { Ray } from '../../../../nodes/kit/hit-test.ts';
 import { createRay, type Meeting, toLocal, turnNormal } from '../ray.ts';
 import { type FittedSurface, fitSurface } from './fit-surface.ts';
 
-/** A picture of room depth on the CPU, with the view that it was taken for. */
-export interface DepthPicture {
+/** A image of room depth on the CPU, with the view that it was taken for. */
+export interface DepthImage {
   /** Along the view's axis, meters, 0 where unknown; rows as in the texture. */
   meters: Float32Array;
   widthPx: number;
@@ -31,28 +31,28 @@ const scratchRay = createRay();
 const scratchTexel = { x: 0, y: 0 };
 const scratchSurface: FittedSurface = { a: 0, b: 0, c: 0, sigma: 0 };
 /** Whose UV `toTangent` reads. */
-let tangentOf: DepthPicture | null = null;
+let tangentOf: DepthImage | null = null;
 
 /**
- * Follows a ray through a depth picture until it goes behind a surface. A ray that passes behind an edge, where depth jumps, goes on:
+ * Follows a ray through a depth image until it goes behind a surface. A ray that passes behind an edge, where depth jumps, goes on:
  * nobody knows what is there. Between samples 1 / depth is interpolated, which is exact for planes; the hit is then moved to the plane that
  * fits the surface around it best (`fitSurface`), which has less noise than a sample and gives the normal.
  *
  * @returns False where it meets nothing; `out` is then as it was.
  */
-export function castAtDepth(out: Meeting, ray: Ray, picture: DepthPicture): boolean {
-  toLocal(scratchRay, ray, picture.worldFromView);
+export function castAtDepth(out: Meeting, ray: Ray, image: DepthImage): boolean {
+  toLocal(scratchRay, ray, image.worldFromView);
   const view = scratchRay;
-  const [near, far] = clipToView(view, picture);
+  const [near, far] = clipToView(view, image);
   if (!(far > near)) return false;
   const zNear = -(view.oz + view.dz * near);
   const zFar = -(view.oz + view.dz * far);
-  const steps = Math.min(MAX_STEPS, Math.max(1, Math.ceil(pixelsBetween(view, near, far, picture) * 2)));
+  const steps = Math.min(MAX_STEPS, Math.max(1, Math.ceil(pixelsBetween(view, near, far, image) * 2)));
   let before = 0;
-  let wasInFront = behind(view, near, picture) < 0;
+  let wasInFront = behind(view, near, image) < 0;
   for (let i = 1; i <= steps; i++) {
     const s = i / steps;
-    const gap = behind(view, distanceAt(s, near, far, zNear, zFar), picture);
+    const gap = behind(view, distanceAt(s, near, far, zNear, zFar), image);
     if (Number.isNaN(gap)) {
       wasInFront = false;
       continue;
@@ -62,13 +62,13 @@ export function castAtDepth(out: Meeting, ray: Ray, picture: DepthPicture): bool
       let high = s;
       for (let k = 0; k < 40; k++) {
         const middle = (low + high) / 2;
-        if (behind(view, distanceAt(middle, near, far, zNear, zFar), picture) < 0) low = middle;
+        if (behind(view, distanceAt(middle, near, far, zNear, zFar), image) < 0) low = middle;
         else high = middle;
       }
       const distanceM = distanceAt(high, near, far, zNear, zFar);
       const z = -(view.oz + view.dz * distanceM);
-      if (Math.abs(behind(view, distanceM, picture)) <= 0.001 * z && meetSurface(out, view, distanceM, z, picture)) {
-        turnNormal(out, picture.worldFromView);
+      if (Math.abs(behind(view, distanceM, image)) <= 0.001 * z && meetSurface(out, view, distanceM, z, image)) {
+        turnNormal(out, image.worldFromView);
         return true;
       }
     }
@@ -88,7 +88,7 @@ function distanceAt(s: number, near: number, far: number, zNear: number, zFar: n
 /** The part of a ray that the view sees, as distances along it. Filled and read within one call. */
 const scratchRange: [near: number, far: number] = [0, 0];
 
-function clipToView(ray: Ray, { clipFromView: c }: DepthPicture): readonly [number, number] {
+function clipToView(ray: Ray, { clipFromView: c }: DepthImage): readonly [number, number] {
   const p8 = c[8] ?? 0;
   const p9 = c[9] ?? 0;
   scratchRange[0] = 0;
@@ -117,10 +117,10 @@ function cut(ray: Ray, a: number, b: number, d: number, w: number): void {
   else scratchRange[1] = Math.min(scratchRange[1], t);
 }
 
-function pixelsBetween(ray: Ray, near: number, far: number, picture: DepthPicture): number {
-  toTexel(ray, near, picture);
+function pixelsBetween(ray: Ray, near: number, far: number, image: DepthImage): number {
+  toTexel(ray, near, image);
   const { x, y } = scratchTexel;
-  toTexel(ray, far, picture);
+  toTexel(ray, far, image);
   return Math.hypot(scratchTexel.x - x, scratchTexel.y - y);
 }
 
@@ -128,7 +128,7 @@ function pixelsBetween(ray: Ray, near: number, far: number, picture: DepthPictur
 function toTexel(
   { ox, oy, oz, dx, dy, dz }: Ray,
   distanceM: number,
-  { clipFromView: c, uvFromViewUv: m, widthPx, heightPx }: DepthPicture,
+  { clipFromView: c, uvFromViewUv: m, widthPx, heightPx }: DepthImage,
 ): void {
   const z = -(oz + dz * distanceM);
   const u = (((c[0] ?? 1) * (ox + dx * distanceM)) / z - (c[8] ?? 0) + 1) / 2;
@@ -138,14 +138,14 @@ function toTexel(
   scratchTexel.y = (((m[1] ?? 0) * u + (m[4] ?? 0) * v + (m[7] ?? 0)) / w) * heightPx;
 }
 
-/** How far a point of the ray is behind what the picture shows, along the view's axis; NaN where that is unknown. */
-function behind(ray: Ray, distanceM: number, picture: DepthPicture): number {
-  toTexel(ray, distanceM, picture);
-  const depth = sample(picture, scratchTexel.x, scratchTexel.y);
+/** How far a point of the ray is behind what the image shows, along the view's axis; NaN where that is unknown. */
+function behind(ray: Ray, distanceM: number, image: DepthImage): number {
+  toTexel(ray, distanceM, image);
+  const depth = sample(image, scratchTexel.x, scratchTexel.y);
   return depth > 0 ? -(ray.oz + ray.dz * distanceM) - depth : Number.NaN;
 }
 
-function sample({ meters, widthPx, heightPx }: DepthPicture, x: number, y: number): number {
+function sample({ meters, widthPx, heightPx }: DepthImage, x: number, y: number): number {
   if (x < 0 || y < 0 || x > widthPx || y > heightPx) return 0;
   // Half a sample at the border continues the outermost two.
   const column = clamp(Math.floor(x - 0.5), 0, widthPx - 2);
@@ -183,10 +183,10 @@ function aroundHole(...depths: [number, number, number, number]): number {
 }
 
 /** Moves the hit along the ray to the surface around it, and writes its normal in view space. */
-function meetSurface(out: Meeting, ray: Ray, distanceM: number, z: number, picture: DepthPicture): boolean {
-  toTexel(ray, distanceM, picture);
-  tangentOf = picture;
-  const isFitted = fitSurface(scratchSurface, picture, Math.floor(scratchTexel.x), Math.floor(scratchTexel.y), z, toTangent);
+function meetSurface(out: Meeting, ray: Ray, distanceM: number, z: number, image: DepthImage): boolean {
+  toTexel(ray, distanceM, image);
+  tangentOf = image;
+  const isFitted = fitSurface(scratchSurface, image, Math.floor(scratchTexel.x), Math.floor(scratchTexel.y), z, toTangent);
   tangentOf = null;
   if (!isFitted) return false;
   const { a, b, c, sigma } = scratchSurface;

@@ -1,7 +1,7 @@
 import type { HitRecord, HitSource, Ray } from '../../../../nodes/kit/hit-test.ts';
 import type { SessionFrame } from '../../../../nodes/kit/session.ts';
 import { setSurfacePose } from '../../../../nodes/kit/surface-pose.ts';
-import type { DepthPictures } from '../depth-pictures.ts';
+import type { DepthImages } from '../depth-images.ts';
 import { createMeeting, type Meeting } from '../ray.ts';
 import { castAtDepth } from './cast-depth.ts';
 import { castAtMesh } from './cast-mesh.ts';
@@ -19,7 +19,7 @@ export const HIT_SOURCES: readonly HitSource[] = ['session', 'plane', 'mesh', 'd
  *
  * @returns False where nothing is hit; `out` is then as it was.
  */
-export function castAtRoom(out: HitRecord, ray: Ray, frame: SessionFrame, depth: DepthPictures, sources: readonly HitSource[]): boolean {
+export function castAtRoom(out: HitRecord, ray: Ray, frame: SessionFrame, depth: DepthImages, sources: readonly HitSource[]): boolean {
   for (let i = 0; i < HIT_SOURCES.length; i++) {
     const source = HIT_SOURCES[i];
     if (!source || !sources.includes(source)) continue;
@@ -37,7 +37,7 @@ export function castAtRoom(out: HitRecord, ray: Ray, frame: SessionFrame, depth:
 
 const scratchFound = { label: '', frame: 0 };
 
-function castAt(source: HitSource, ray: Ray, frame: SessionFrame, depth: DepthPictures): boolean {
+function castAt(source: HitSource, ray: Ray, frame: SessionFrame, depth: DepthImages): boolean {
   switch (source) {
     case 'session':
       return false;
@@ -46,9 +46,9 @@ function castAt(source: HitSource, ray: Ray, frame: SessionFrame, depth: DepthPi
       return castAtSurfaces(source, ray, frame);
     case 'depth':
       for (let i = 0; i < frame.viewCount; i++) {
-        const picture = depth.picture(frame, i);
-        if (!picture || !castAtDepth(scratchBest, ray, picture)) continue;
-        scratchFound.frame = picture.frame;
+        const image = depth.image(frame, i);
+        if (!image || !castAtDepth(scratchBest, ray, image)) continue;
+        scratchFound.frame = image.frame;
         return true;
       }
       return false;

@@ -9,7 +9,7 @@ export type DecoderFiles = (file: DecoderFile) => Promise<ArrayBuffer>;
 export interface ModelDecoder {
   attach(loader: GLTFLoader): void;
   /** For decoders of images only; takes ownership of the buffer. */
-  readonly decodePicture?: (bytes: ArrayBuffer) => Promise<Texture>;
+  readonly decodeImage?: (bytes: ArrayBuffer) => Promise<Texture>;
   dispose(): void;
 }
 

@@ -17,7 +17,7 @@ export async function openKtx2(files: DecoderFiles, renderer: WebGLRenderer): Pr
   preloaded(named, () => ktx2.init());
   return {
     attach: (loader) => loader.setKTX2Loader(ktx2),
-    decodePicture: (bytes) => new Promise<Texture>((resolve, reject) => ktx2.parse(bytes, resolve, reject)),
+    decodeImage: (bytes) => new Promise<Texture>((resolve, reject) => ktx2.parse(bytes, resolve, reject)),
     dispose: () => ktx2.dispose(),
   };
 }

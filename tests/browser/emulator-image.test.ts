@@ -1,12 +1,12 @@
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
-import type { Landmark, MovedLight } from './emulator-picture.page.ts';
+import type { Landmark, MovedLight } from './emulator-image.page.ts';
 
 const chromium = useBrowser();
 let page: PageModule;
 
 beforeAll(async () => {
-  page = await openModule(chromium.browser, 'tests/browser/emulator-picture.page.ts');
+  page = await openModule(chromium.browser, 'tests/browser/emulator-image.page.ts');
 });
 afterAll(async () => {
   await page?.close();
@@ -24,9 +24,9 @@ describe('camera image, picture and depth agree', () => {
   ])('on three landmarks, %s', async (_, options, views) => {
     const found = await page.call<Landmark[]>('landmarks', options);
     expect(found).toHaveLength(3 * views);
-    found.forEach(({ cameraChannel, pictureChannel, depthErrorM }, i) => {
+    found.forEach(({ cameraChannel, imageChannel, depthErrorM }, i) => {
       // Red, green, blue in this order.
-      expect([cameraChannel, pictureChannel]).toEqual([i % 3, i % 3]);
+      expect([cameraChannel, imageChannel]).toEqual([i % 3, i % 3]);
       // The cube's front is up to half its diagonal nearer than its center.
       expect(depthErrorM).toBeLessThan(-0.03);
       expect(depthErrorM).toBeGreaterThan(-0.11);

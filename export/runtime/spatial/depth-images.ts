@@ -1,28 +1,28 @@
 import type { RoomDepth, SessionFrame, ViewFrame } from '../../../nodes/kit/session.ts';
 import { prepareReadback } from '../gl/upload.ts';
 import { MAX_VIEWS } from '../targets/target.ts';
-import type { DepthPicture } from './cast/cast-depth.ts';
+import type { DepthImage } from './cast/cast-depth.ts';
 
 /** Room depth of each view on the CPU, if it was requested. */
-export interface DepthPictures {
+export interface DepthImages {
   /**
    * @param frame The current frame.
    * @returns Depth that the session has on the CPU, of this frame; else what was last read back from the GPU, with the view that it was
    * taken for. Null while there is none.
    */
-  picture(frame: SessionFrame, viewIndex: number): DepthPicture | null;
+  image(frame: SessionFrame, viewIndex: number): DepthImage | null;
   /** GPU objects are gone with the context. */
   contextLost(): void;
   dispose(): void;
 }
 
 /** `held`: frames come one by one and have to repeat, so each waits for its own depth; else nobody waits for the GPU. */
-export function createDepthPictures(gl: WebGL2RenderingContext, held: boolean): DepthPictures {
+export function createDepthImages(gl: WebGL2RenderingContext, held: boolean): DepthImages {
   const views = Array.from({ length: MAX_VIEWS }, () => createReading(gl, held));
   return {
-    picture: (frame, index) => {
+    image: (frame, index) => {
       const view = index < frame.viewCount ? frame.views[index] : null;
-      return (view && views[index]?.picture(frame, view)) ?? null;
+      return (view && views[index]?.image(frame, view)) ?? null;
     },
     contextLost: () => {
       for (const view of views) view.forget();
@@ -34,17 +34,17 @@ export function createDepthPictures(gl: WebGL2RenderingContext, held: boolean): 
 }
 
 interface Reading {
-  picture(frame: SessionFrame, view: ViewFrame): DepthPicture | null;
+  image(frame: SessionFrame, view: ViewFrame): DepthImage | null;
   forget(): void;
   dispose(): void;
 }
 
-type MutablePicture = DepthPicture & { rgba: Float32Array };
+type MutableDepthImage = DepthImage & { rgba: Float32Array };
 
 function createReading(gl: WebGL2RenderingContext, held: boolean): Reading {
   /** What is shown, and what is being read. They change places. */
-  let shown = createPicture();
-  let coming = createPicture();
+  let shown = createImage();
+  let coming = createImage();
   let hasShown = false;
   let framebuffer: WebGLFramebuffer | null = null;
   let buffer: WebGLBuffer | null = null;
@@ -53,22 +53,22 @@ function createReading(gl: WebGL2RenderingContext, held: boolean): Reading {
   let askedFrame = -1;
   let askedS = -1;
 
-  function describe(picture: MutablePicture, frame: SessionFrame, view: ViewFrame, depth: RoomDepth): void {
-    picture.widthPx = depth.widthPx;
-    picture.heightPx = depth.heightPx;
-    picture.uvFromViewUv.set(depth.uvFromViewUv);
-    picture.clipFromView.set(view.clipFromView);
-    picture.worldFromView.set(depth.worldFromDepth);
-    picture.frame = frame.index;
+  function describe(image: MutableDepthImage, frame: SessionFrame, view: ViewFrame, depth: RoomDepth): void {
+    image.widthPx = depth.widthPx;
+    image.heightPx = depth.heightPx;
+    image.uvFromViewUv.set(depth.uvFromViewUv);
+    image.clipFromView.set(view.clipFromView);
+    image.worldFromView.set(depth.worldFromDepth);
+    image.frame = frame.index;
   }
 
   /** Returns false if the GPU does not support reading floats. */
-  function read(picture: MutablePicture, depth: RoomDepth): boolean {
+  function read(image: MutableDepthImage, depth: RoomDepth): boolean {
     framebuffer ??= gl.createFramebuffer();
     const count = depth.widthPx * depth.heightPx;
-    if (picture.rgba.length !== 4 * count) {
-      picture.rgba = new Float32Array(4 * count);
-      picture.meters = new Float32Array(count);
+    if (image.rgba.length !== 4 * count) {
+      image.rgba = new Float32Array(4 * count);
+      image.meters = new Float32Array(count);
     }
     prepareReadback(gl);
     gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
@@ -78,12 +78,12 @@ function createReading(gl: WebGL2RenderingContext, held: boolean): Reading {
       return false;
     }
     if (held) {
-      gl.readPixels(0, 0, depth.widthPx, depth.heightPx, gl.RGBA, gl.FLOAT, picture.rgba);
+      gl.readPixels(0, 0, depth.widthPx, depth.heightPx, gl.RGBA, gl.FLOAT, image.rgba);
     } else {
       buffer ??= gl.createBuffer();
       gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
-      if (bufferBytes !== picture.rgba.byteLength) gl.bufferData(gl.PIXEL_PACK_BUFFER, picture.rgba.byteLength, gl.STREAM_READ);
-      bufferBytes = picture.rgba.byteLength;
+      if (bufferBytes !== image.rgba.byteLength) gl.bufferData(gl.PIXEL_PACK_BUFFER, image.rgba.byteLength, gl.STREAM_READ);
+      bufferBytes = image.rgba.byteLength;
       gl.readPixels(0, 0, depth.widthPx, depth.heightPx, gl.RGBA, gl.FLOAT, 0);
       gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
       fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
@@ -126,7 +126,7 @@ function createReading(gl: WebGL2RenderingContext, held: boolean): Reading {
     hasShown = false;
   };
   return {
-    picture: (frame, view) => {
+    image: (frame, view) => {
       const { depth } = view;
       if (!depth) {
         hasShown = false;
@@ -155,7 +155,7 @@ function createReading(gl: WebGL2RenderingContext, held: boolean): Reading {
 
 const NONE = new Float32Array(0);
 
-function createPicture(): MutablePicture {
+function createImage(): MutableDepthImage {
   return {
     meters: NONE,
     rgba: NONE,

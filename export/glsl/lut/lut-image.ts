@@ -1,7 +1,7 @@
 import type { CubeTable } from './read-cube.ts';
 
 /** A color table as an image for `operator/color-lut`: squares of red (to the right) by green (down), one per value of blue. */
-export interface LutPicture {
+export interface LutImage {
   readonly widthPx: number;
   readonly heightPx: number;
   /** Entries along each axis. */
@@ -19,7 +19,7 @@ const MAX_IN_A_ROW = 45;
 const LARGE = 64;
 const LARGE_COLUMNS = 8;
 
-export function lutPicture(table: CubeTable): LutPicture {
+export function lutImage(table: CubeTable): LutImage {
   const plain = table.kind === '3D' && table.size <= MAX_IN_A_ROW;
   const size = plain ? table.size : LARGE;
   const columns = plain ? size : LARGE_COLUMNS;

@@ -8,7 +8,7 @@ import { createSpectrum, type Spectrum } from './spectrum.ts';
 export type SoundAnalysis = 'waveform' | 'spectrum';
 
 /** The most recent sound as a texture (ISF `audio` and `audioFFT`): one row per channel, in the red channel. */
-export interface SoundPicture {
+export interface SoundTexture {
   /** Half floats, linear. */
   readonly texture: WebGLTexture;
   readonly widthPx: number;
@@ -23,7 +23,7 @@ export interface SoundPicture {
  * `waveform`: the last `count` samples, oldest first, around 0.5. `spectrum`: the amplitude in `count` equal bands from 0 Hz to half the
  * sample rate; if `count` is not a power of two, each has the maximum of its bins.
  */
-export function createSoundPicture(objects: GlObjects, sound: SoundOutput, analysis: SoundAnalysis, count: number): SoundPicture {
+export function createSoundTexture(objects: GlObjects, sound: SoundOutput, analysis: SoundAnalysis, count: number): SoundTexture {
   const { gl } = objects;
   const texture = allocateTexture(gl, objects.createTexture(), gl.R16F, gl.LINEAR, count, MAX_CHANNELS);
   const row = new Float32Array(count);

@@ -2,7 +2,7 @@ import type { Program } from '../../program/program.ts';
 import type { GlObjects } from './gl-objects.ts';
 
 /** Textures of the images in a program's techniques. Each is decoded once and deleted when no program holds it. */
-export interface PictureStore {
+export interface ImageStore {
   /** Holds the images of a program. `settled` never rejects; an invalid image has no texture. */
   hold(program: Program): { readonly settled: Promise<void>; release(): void };
   /** Null while the image is decoded, or if it is invalid. */
@@ -15,7 +15,7 @@ interface Entry {
   readonly ready: Promise<void>;
 }
 
-export function createPictureStore(objects: GlObjects): PictureStore {
+export function createImageStore(objects: GlObjects): ImageStore {
   const entries = new Map<string, Entry>();
 
   function enter(data: string): Entry {

@@ -1,9 +1,9 @@
 import type { ImageAsset } from '../../kit/assets.ts';
 import type { RoomDepth, ViewFrame } from '../../kit/session.ts';
-import type { DepthDrawing, DepthPicture } from './drawing.ts';
+import type { DepthDrawing, DepthImage } from './drawing.ts';
 
 /** Depth from an image in shades of gray, the same for all views, scaled to cover each view. */
-export interface PictureDepth {
+export interface ImageDepth {
   /** Valid until the next call. */
   read(image: ImageAsset, view: ViewFrame, viewIndex: number, nearM: number, farM: number): RoomDepth;
   dispose(): void;
@@ -12,25 +12,25 @@ export interface PictureDepth {
 type Mutable<T> = { -readonly [K in keyof T]: T[K] };
 
 /** `shades`: whether the gray values are linear in distance or in inverse distance. */
-export function createPictureDepth(
+export function createImageDepth(
   gl: WebGL2RenderingContext,
   drawing: DepthDrawing,
   viewCount: number,
   shades: 'distance' | 'inverse',
-): PictureDepth {
+): ImageDepth {
   const pass = drawing.link(shades === 'distance' ? DISTANCE : INVERSE, ['shades']);
   const rangeM = pass.uniform('rangeM');
-  let meters: DepthPicture | null = null;
+  let meters: DepthImage | null = null;
   let drawn: WebGLTexture | null = null;
   let drawnNearM = 0;
   let drawnFarM = 0;
   const views: (Mutable<RoomDepth> | null)[] = Array.from({ length: viewCount }, () => null);
 
-  const draw = (image: ImageAsset, nearM: number, farM: number): DepthPicture => {
+  const draw = (image: ImageAsset, nearM: number, farM: number): DepthImage => {
     if (meters && drawn === image.texture && drawnNearM === nearM && drawnFarM === farM) return meters;
     if (meters?.widthPx !== image.widthPx || meters.heightPx !== image.heightPx) {
       if (meters) drawing.free(meters);
-      meters = drawing.createPicture(image.widthPx, image.heightPx);
+      meters = drawing.createImage(image.widthPx, image.heightPx);
     }
     drawing.begin(meters, pass);
     drawing.texture(0, image.texture, 'nearest');
@@ -64,9 +64,9 @@ function createDepth(texture: WebGLTexture, widthPx: number, heightPx: number): 
 }
 
 /** The center of the image, scaled to cover the view. */
-function setCover(out: Float32Array, pictureAspect: number, viewAspect: number): void {
-  const width = Math.min(1, viewAspect / pictureAspect);
-  const height = Math.min(1, pictureAspect / viewAspect);
+function setCover(out: Float32Array, imageAspect: number, viewAspect: number): void {
+  const width = Math.min(1, viewAspect / imageAspect);
+  const height = Math.min(1, imageAspect / viewAspect);
   out.fill(0);
   out[0] = width;
   out[4] = height;

@@ -7,7 +7,7 @@ import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { directionAtPlace, directionOf, MAX_CHANGED, moveLamp, type PanoramaPlace, placeOf } from '../state/lamps/edit-lamps.ts';
 import type { LampStage } from '../state/lamps/messages.ts';
 
-interface LampPictureProps {
+interface LampImageProps {
   readonly id: string;
   readonly found: FoundLamps;
   readonly stage: LampStage;
@@ -19,7 +19,7 @@ interface LampPictureProps {
 }
 
 /** A step of the search with contours, and the lamps as numbers that can be dragged. */
-export function LampPicture({ id, found, stage, step, chosen, onChoose }: LampPictureProps) {
+export function LampImage({ id, found, stage, step, chosen, onChoose }: LampImageProps) {
   const { widthPx, heightPx, lamps } = found;
   const canvas = useRef<HTMLCanvasElement>(null);
   const { image } = stage;
@@ -28,7 +28,7 @@ export function LampPicture({ id, found, stage, step, chosen, onChoose }: LampPi
   }, [image]);
   const contours = step ? step.contours : lamps.map(({ contour }) => contour);
   return (
-    <div className="lamps-picture">
+    <div className="lamps-image">
       <canvas ref={canvas} width={image.width} height={image.height} />
       <svg viewBox={`-.5 -.5 ${widthPx} ${heightPx}`} preserveAspectRatio="none" aria-hidden="true">
         {contours.map((contour) => (

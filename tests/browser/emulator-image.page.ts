@@ -42,7 +42,7 @@ const LANDMARK_ROOM: { readonly boxes: readonly RoomBox[] } = {
 export interface Landmark {
   /** The strongest channel of the camera image, of the picture and of depth's own pixel at the landmark. */
   readonly cameraChannel: number;
-  readonly pictureChannel: number;
+  readonly imageChannel: number;
   /** Depth there less the landmark's own distance along the view's axis; its front is half a side nearer. */
   readonly depthErrorM: number;
 }
@@ -82,7 +82,7 @@ export async function landmarks(options: EmulatorOptions): Promise<Landmark[]> {
   await stage.leave();
   return seen.flat().map(({ cameraChannel, at: [column, row], depthErrorM }) => ({
     cameraChannel,
-    pictureChannel: strongest(picture.rgba, (row * picture.widthPx + column) * 4),
+    imageChannel: strongest(picture.rgba, (row * picture.widthPx + column) * 4),
     depthErrorM,
   }));
 }

@@ -35,7 +35,7 @@ import { createVolumeSet, type VolumeLimits } from './volume-set.ts';
 const EPSILON = 2 ** -20;
 
 /** The blocked fraction of the light per pixel of a view, computed by shadow volumes. */
-export interface BlockedPicture {
+export interface BlockedTexture {
   /** Applies changed lists and this frame's matrices. */
   update(receivers: readonly ObjectList[], lights: readonly LightList[]): void;
   /** Draws the image for a view. Its red channel is 1 where all light is blocked. Its corner is that of the viewport. */
@@ -43,7 +43,7 @@ export interface BlockedPicture {
   dispose(): void;
 }
 
-export interface BlockedPictureOptions {
+export interface BlockedTextureOptions {
   readonly renderer: SceneRenderer;
   readonly casters: readonly ObjectList[];
   /** Objects that hide others; those that receive shadows catch them. */
@@ -61,11 +61,11 @@ const SAMPLES = 4;
 const STEPS = 3;
 
 /**
- * Draws a `BlockedPicture` in a single render call of three.js, because its multisampled targets do not keep depth between calls. For each
+ * Draws a `BlockedTexture` in a single render call of three.js, because its multisampled targets do not keep depth between calls. For each
  * light, volumes mark pixels in the stencil; receivers add the light's fraction of all light there, 0 to 1, and reset the marks. The
  * target has its own stencil, because WebXR's framebuffers may have none.
  */
-export function createBlockedPicture({ renderer, casters, catches, limits }: BlockedPictureOptions): BlockedPicture {
+export function createBlockedTexture({ renderer, casters, catches, limits }: BlockedTextureOptions): BlockedTexture {
   const scene = new Scene();
   scene.matrixWorldAutoUpdate = false;
   const camera = createInfiniteCamera();
