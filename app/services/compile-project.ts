@@ -1,12 +1,13 @@
 import { compileApart } from '../../export/bundle/compile/compile-apart.ts';
 import { type CompileOptions, compile } from '../../export/compiler/compile.ts';
 import { isImported } from '../../export/compiler/imported-assets.ts';
+import { migrateNodes } from '../../export/graph/library/migrate-nodes.ts';
 import { loadProject } from '../../export/graph/load.ts';
 import type { Project } from '../../export/graph/project.ts';
 import type { Program } from '../../export/program/program.ts';
 import { DEFINITIONS, SHADERS } from '../../nodes/generated/definitions.gen.ts';
 import { libraryOf, type NodeLibrary } from '../../nodes/kit/definition.ts';
-import { type Diagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
+import { type Diagnostic, hasErrors, type Result } from '../../nodes/kit/diagnostics.ts';
 import type { ProjectFiles } from '../contract/contract.ts';
 import { checkAssets } from './check-assets.ts';
 import { checkModels } from './check-models.ts';
@@ -47,9 +48,7 @@ export async function compileProject(
   if (project === null) return { project, program: null, diagnostics: loaded.diagnostics };
   const options = optionsOf(project);
   const compiled =
-    apart !== null && isLarge(project)
-      ? await compileApart(apart.root, { project, definitions: DEFINITIONS, shaders: SHADERS, options }, apart.interrupted)
-      : compile({ project, library: LIBRARY, options });
+    apart !== null && isLarge(project) ? await compileMigrated(project, options, apart) : compile({ project, library: LIBRARY, options });
   const played = compiled.output?.assets ?? [];
   const used = new Set(compiled.output ? played.map(({ id }) => id) : Object.keys(project.assets));
   // Images that shaders import are not in the asset table of the project.
@@ -60,6 +59,14 @@ export async function compileProject(
   const models = compiled.output === null ? [] : await checkModels(root, compiled.output, known);
   const diagnostics = [...loaded.diagnostics, ...compiled.diagnostics, ...assets, ...models];
   return { project, program: hasErrors(diagnostics) ? null : compiled.output, diagnostics };
+}
+
+/** Compiles in a worker, which cannot migrate params. */
+async function compileMigrated(loaded: Project, options: CompileOptions, { root, interrupted }: Apart): Promise<Result<Program>> {
+  const { project, diagnostics } = migrateNodes(loaded, LIBRARY);
+  if (hasErrors(diagnostics)) return { output: null, diagnostics };
+  const compiled = await compileApart(root, { project, definitions: DEFINITIONS, shaders: SHADERS, options }, interrupted);
+  return { ...compiled, diagnostics: [...diagnostics, ...compiled.diagnostics] };
 }
 
 /** The node types of Scrim. The compiler adds the shaders of the project. */

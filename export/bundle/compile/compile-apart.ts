@@ -7,6 +7,7 @@ import { bundleWorker } from '../bundle-worker.ts';
 
 /** Input of the compiler as data that can be sent to a thread. */
 export interface CompileWork {
+  /** Its params have been migrated (`migrateNodes`): threads cannot be sent functions. */
   readonly project: CompileInput['project'];
   readonly definitions: readonly NodeDefinition[];
   readonly shaders: Readonly<Record<string, string>>;
@@ -22,7 +23,7 @@ export interface CompileWork {
 export async function compileApart(root: string, work: CompileWork, interrupted?: AbortSignal): Promise<Result<Program>> {
   const script = await bundleWorker(root, 'export/bundle/compile/compile-worker.ts');
   interrupted?.throwIfAborted();
-  const worker = new Worker(script, { eval: true, workerData: work });
+  const worker = new Worker(script, { eval: true, workerData: { ...work, definitions: work.definitions.map(withoutMigrations) } });
   const end = new AbortController();
   try {
     return await new Promise((resolve, reject) => {
@@ -35,4 +36,8 @@ export async function compileApart(root: string, work: CompileWork, interrupted?
     end.abort();
     await worker.terminate();
   }
+}
+
+function withoutMigrations({ migrations: _, ...definition }: NodeDefinition): NodeDefinition {
+  return definition;
 }
