@@ -3,8 +3,10 @@ import { createFetchAssetSource } from '../../../export/runtime/assets/asset-sou
 import { createBrowserClock, createManualClock, type ManualClock } from '../../../export/runtime/clock.ts';
 import { createPlayer, type Player } from '../../../export/runtime/player.ts';
 import { createScenesWith } from '../../../export/runtime/scenes/create-scenes.ts';
+import { readRadiance } from '../../../export/runtime/scenes/environments/read-radiance.ts';
 import { createSpatial } from '../../../export/runtime/spatial/create-spatial.ts';
 import { RUNTIMES } from '../../../nodes/generated/runtimes.gen.ts';
+import { findLampsAtOnce } from '../../../nodes/kit/panorama/find-lamps.ts';
 
 /** A player at a clock of its own, with every node type and no decoder. */
 export interface MeasuredPlayer {
@@ -30,7 +32,7 @@ export async function openPlayer(
     program,
     modules: RUNTIMES,
     createSpatial,
-    createScenes: createScenesWith({ decoders: {}, files: assets.load }),
+    createScenes: createScenesWith({ decoders: {}, files: assets.load, readRadiance, findLamps: findLampsAtOnce }),
     assets,
     seed: 1,
     clock: { ...clock, delay: createBrowserClock().delay },
