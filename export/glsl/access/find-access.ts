@@ -9,7 +9,7 @@ import { varyingsOf } from '../link/link-vertex.ts';
 import { decideBranch, reachableStatements } from '../link/pass-condition.ts';
 import type { CallExpression, Expression, FunctionSymbol, Statement } from '../syntax/ast.ts';
 import { GlslError } from '../syntax/token.ts';
-import { partsOf } from '../syntax/walk.ts';
+import { partsOf } from '../syntax/walk-tree.ts';
 import { createPositions, type Position } from './here.ts';
 
 /**

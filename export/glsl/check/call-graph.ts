@@ -1,5 +1,5 @@
 import type { CallExpression, FunctionSymbol, ParsedShader } from '../syntax/ast.ts';
-import { walkStatement } from '../syntax/walk.ts';
+import { walkStatement } from '../syntax/walk-tree.ts';
 
 /** The author's functions in the order of their bodies; those without a body are at their prototype. */
 export function functionsOf(declarations: ParsedShader['declarations']): FunctionSymbol[] {

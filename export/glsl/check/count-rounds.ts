@@ -1,6 +1,6 @@
 import type { CallExpression, Expression, ForStatement, FunctionSymbol, Statement, VariableSymbol } from '../syntax/ast.ts';
 import { ASSIGNMENTS } from '../syntax/parse-expression.ts';
-import { partsOf, walkExpression, walkStatement } from '../syntax/walk.ts';
+import { partsOf, walkExpression, walkStatement } from '../syntax/walk-tree.ts';
 import { calleesFirst, functionsOf } from './call-graph.ts';
 import type { CheckedShader } from './check-shader.ts';
 

@@ -7,7 +7,7 @@ import { readIsf } from '../isf/read-isf.ts';
 import type { Expression, Statement } from '../syntax/ast.ts';
 import { lex } from '../syntax/lexer.ts';
 import type { Place } from '../syntax/token.ts';
-import { walkExpression, walkStatement } from '../syntax/walk.ts';
+import { walkExpression, walkStatement } from '../syntax/walk-tree.ts';
 import { completionsAt } from './complete.ts';
 import { formatShader } from './format-shader.ts';
 import { colorsOf, numberAt, printColor, printLiteral, stepOf } from './literals.ts';

@@ -1,6 +1,6 @@
 import type { CheckedShader } from '../check/check-shader.ts';
 import type { Block } from '../syntax/ast.ts';
-import { walkStatement } from '../syntax/walk.ts';
+import { walkStatement } from '../syntax/walk-tree.ts';
 import type { PrintContext } from './print-context.ts';
 import { needsHoisting, printFunctionHead, printGlobals, printHoisted } from './print-declaration.ts';
 import { printBlock, zeroOf } from './print-statement.ts';

@@ -3,7 +3,7 @@ import { isImageType } from '../check/glsl-type.ts';
 import { imageProperty } from '../isf/given-symbols.ts';
 import type { CallExpression, Expression, FunctionSymbol, VariableSymbol } from '../syntax/ast.ts';
 import { GlslError } from '../syntax/token.ts';
-import { type Walk, walkExpression, walkStatement } from '../syntax/walk.ts';
+import { type Walk, walkExpression, walkStatement } from '../syntax/walk-tree.ts';
 import { classifyImageCall, type ImageCall, usesOf } from './image-call.ts';
 import type { Image, ImageUse } from './images.ts';
 import type { Names } from './names.ts';

@@ -2,7 +2,7 @@ import type { NodeRuntime } from '../../../nodes/kit/runtime.ts';
 import type { CpuOperation, NodeOperation } from '../../program/program.ts';
 import type { Step } from '../program-instance/step.ts';
 import { type LiveResources, liveResource } from '../resources/resources.ts';
-import type { CpuFilter } from './cpu-filter.ts';
+import type { CpuFilter } from './run-cpu-filter.ts';
 
 export function isCpu(operation: NodeOperation): operation is CpuOperation {
   return operation.kind === 'cpu';

@@ -5,7 +5,7 @@ import type { Clock, NodeContext, NodeRuntime, SceneService, SessionService, Wor
 import { PULSE_CAPACITY } from '../../../nodes/kit/runtime.ts';
 import type { DrawOperation, NodeOperation, ProgramAsset } from '../../program/program.ts';
 import type { AssetStore } from '../assets/asset-store.ts';
-import { type CpuMeans, createCpuFilter } from '../cpu/cpu-filter.ts';
+import { type CpuMeans, createCpuFilter } from '../cpu/run-cpu-filter.ts';
 import type { StartWorker } from '../cpu/worker-source.ts';
 import type { DiagnosticsBoard } from '../diagnostics-board.ts';
 import { createRandom } from '../random.ts';

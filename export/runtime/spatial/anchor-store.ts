@@ -4,8 +4,8 @@ import { multiplyMatrices } from '../../../nodes/kit/matrices.ts';
 import type { SessionFrame, XrAccess } from '../../../nodes/kit/session.ts';
 import { setRigidInverse } from '../sessions/matrix.ts';
 import type { AnchorMemory } from './anchor-memory.ts';
-import type { FoundHit } from './hit-test.ts';
 import { forgetAnchor, keepAnchor } from './keep-anchor.ts';
+import type { FoundHit } from './open-hit-test.ts';
 import type { WebXrLedger } from './webxr-hits.ts';
 
 /** All anchors of a player. */

@@ -4,7 +4,7 @@ import { createAnchorMemory } from './anchor-memory.ts';
 import { createAnchorStore } from './anchor-store.ts';
 import { castAtRoom, HIT_SOURCES } from './cast/cast-room.ts';
 import { createDepthImages } from './depth-images.ts';
-import { createHitTest } from './hit-test.ts';
+import { createHitTest } from './open-hit-test.ts';
 import { createRay, setRay } from './ray.ts';
 import type { CreateSpatial } from './spatial.ts';
 import type { WebXrLedger } from './webxr-hits.ts';
