@@ -40,15 +40,16 @@ export function tierInWords({ id, without }: Tier): string[] {
 }
 
 /** Describes a device: a line for its kind of session, and one for each effect of a missing feature, with its nodes. */
-export function deviceInWords({ title, tier, lost, worthless, display }: DeviceRow): string[] {
+export function deviceInWords({ title, tier, lost, unseen, worthless, display }: DeviceRow): string[] {
   const head = `${title}: ${TIERS[tier]}${display === 'additive' ? ', where black is transparent' : ''}`;
-  if (lost.length === 0) return [head, 'everything works'];
+  const dark = unseen.length === 0 ? [] : [`shadows are invisible: use Negative shadow instead (${unseen.join(', ')})`];
+  if (lost.length === 0) return [head, ...(dark.length === 0 ? ['everything works'] : dark)];
   const nodesOf = new Map<string, string[]>();
   for (const { effect, fact, node } of lost) {
     const line = fact.has === 'no' ? asClause(effect) : `perhaps ${asClause(effect)}`;
     nodesOf.set(line, [...(nodesOf.get(line) ?? []), node]);
   }
-  const lines = [...nodesOf].map(([line, nodes]) => `${line} (${nodes.join(', ')})`);
+  const lines = [...dark, ...[...nodesOf].map(([line, nodes]) => `${line} (${nodes.join(', ')})`)];
   return worthless ? [head, 'a required feature is missing: the page is of no use here', ...lines] : [head, ...lines];
 }
 

@@ -71,6 +71,7 @@ export const DIAGNOSTICS = {
   SCR046: 'The license of an asset or shader forbids commercial use',
   SCR047: 'An effect that runs on the CPU failed',
   SCR048: 'Layers of different encodings are connected',
+  SCR049: 'Shadows are too faint on the display',
   // Sessions
   SCR050: 'The browser does not support WebXR',
   SCR051: 'The device or the visitor refused a request',

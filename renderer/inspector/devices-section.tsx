@@ -40,7 +40,7 @@ function Row({ row }: { readonly row: DeviceRow }) {
   const { preview } = useEditor();
   const plays = useStore(preview, ({ deviceKind }) => deviceKind === row.kind);
   const hasRoom = useStore(preview, ({ sources }) => sources.some(({ kind }) => kind === 'room'));
-  const { title, tier, lost, worthless, display } = row;
+  const { title, tier, lost, unseen, worthless, display } = row;
   return (
     <li className="device-row">
       <div className="device-head">
@@ -57,8 +57,9 @@ function Row({ row }: { readonly row: DeviceRow }) {
       <p className={worthless ? 'device-tier device-worthless' : 'device-tier'}>
         {TIERS[tier]}
         {display === 'additive' && ', additive display'}
-        {worthless ? ': a required feature is missing.' : lost.length === 0 && ': everything works.'}
+        {worthless ? ': a required feature is missing.' : lost.length === 0 && unseen.length === 0 && ': everything works.'}
       </p>
+      {unseen.length > 0 && <p className="device-tier">Shadows are invisible: use Negative shadow instead of {unseen.join(', ')}.</p>}
       {lost.length > 0 && (
         <ul className="device-losses">
           {lost.map((loss) => (

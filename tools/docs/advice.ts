@@ -58,6 +58,7 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
     'Reload the page. If the browser starts no workers, for example because the site’s policy forbids them, remove the effect. For your own effect, the message contains the error in its `worker.ts`. Until then the layer is shown without the effect.',
   SCR048:
     'Insert a Tone map into the wire of a scene layer that should become a display layer, or “To scene” into the wire of a display layer. The problem list offers both.',
+  SCR049: 'Choose a brighter base in Negative shadow, or a greater depth of shadow; use the glasses in a darker room.',
   SCR050: 'Open the page in a browser with WebXR, such as Chrome on an AR phone; other browsers show the page without AR.',
   SCR051: 'Allow the requested features in the browser’s site settings, and start again.',
   SCR052: 'Start the session again.',

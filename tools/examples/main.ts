@@ -10,6 +10,7 @@ import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts'
 import type { ToolMain } from '../lib/tool.ts';
 import { makeChime } from './chime.ts';
 import { GALLERY_FILES, makeGallery } from './gallery.ts';
+import { LAMP_AND_WINDOW, makeLampAndWindow } from './lamp-and-window.ts';
 import { makeLitRoom } from './lit-room.ts';
 import { makeHands } from './paper/hands.ts';
 import { makeProject } from './paper/recipe.ts';
@@ -29,6 +30,7 @@ const ADDRESS = 'https://film.invalid/';
 const ROBOT_PATHS = [
   'examples/first-light/assets/robot.glb',
   'examples/templates/occlusion/assets/robot.glb',
+  `examples/${LAMP_AND_WINDOW}/assets/robot.glb`,
   ...foldersWith('robot-tin1').map((folder) => `${folder}/assets/robot.glb`),
 ];
 
@@ -39,7 +41,7 @@ const SKY_PATHS = [
   'nodes/light/environment/example/assets/sky.hdr',
   `examples/gallery/assets/${GALLERY_FILES.sky}`,
 ];
-const LIT_ROOM_PATHS = ['nodes/light/from-panorama/example/assets/room.hdr'];
+const LIT_ROOM_PATHS = ['nodes/light/from-panorama/example/assets/room.hdr', `examples/${LAMP_AND_WINDOW}/assets/room.hdr`];
 const CHIME_PATHS = ['nodes/source/audio-file/example/assets/chime.wav'];
 const BALL_PATHS = ['nodes/source/video-file/example/assets/film.webm'];
 const STRIPES_PATHS = [`examples/gallery/assets/${GALLERY_FILES.film}`];
@@ -54,6 +56,7 @@ export const main: ToolMain = async ([only], { root }) => {
   await place(root, ROBOT_PATHS, await makeRobot());
   await placeProject(root, 'gallery', makeGallery(library()));
   await placePlay(root);
+  await placeProject(root, LAMP_AND_WINDOW, makeLampAndWindow(library()));
   for (const recipe of RECIPES) await placeProject(root, recipe.folder, makeProject(library(), recipe));
   await place(
     root,

@@ -15,12 +15,13 @@ const need = (capability: Capability, more: Partial<ProgramNeed> = {}): ProgramN
 const tiers = (...ids: Tier['id'][]): Tier[] => ids.map((id) => ({ id, without: [] }));
 const ALL = tiers('ar-camera', 'ar', 'camera', 'authored-vr', 'orbit');
 
-const row = (kind: string, needs: ProgramNeed[], of = ALL) => deviceTable({ needs, tiers: of }).find((each) => each.kind === kind);
+const row = (kind: string, needs: ProgramNeed[], of = ALL) =>
+  deviceTable({ needs, tiers: of, operations: [] }).find((each) => each.kind === kind);
 const effects = (kind: string, needs: ProgramNeed[]) => row(kind, needs)?.lost.map(({ effect }) => effect);
 
 describe('the table of devices', () => {
   test('has a row for every kind of device, whose page needs nothing', () => {
-    const rows = deviceTable({ needs: [], tiers: ALL });
+    const rows = deviceTable({ needs: [], tiers: ALL, operations: [] });
     expect(rows.map(({ kind, tier }) => [kind, tier])).toEqual([
       ['android-phone', 'ar-camera'],
       ['quest', 'ar'],
@@ -76,4 +77,10 @@ test('every fact has a source and a date', () => {
       expect(date).toMatch(/^\d{4}-\d{2}(-\d{2})?$/);
     }
   }
+});
+
+test('shadows that only darken are unseen on additive displays, and nowhere else', () => {
+  const operations = ['layer/shadow', 'layer/negative-shadow'].map((type, i) => ({ kind: 'draw', type, node: `shadow-${i}` })) as never;
+  const unseen = deviceTable({ needs: [], tiers: ALL, operations }).map(({ display, unseen }) => [display, unseen]);
+  expect(unseen.filter(([, nodes]) => nodes?.length !== 0)).toEqual([['additive', ['shadow-0']]]);
 });

@@ -13,6 +13,8 @@ export interface DeviceRow {
   readonly display: DeviceFacts['display'];
   /** What the page loses there, one entry per capability and node. Empty: everything works. */
   readonly lost: readonly DeviceLoss[];
+  /** On additive displays: nodes that only darken, which nobody sees there. */
+  readonly unseen: readonly string[];
   /** Whether a node requires a feature that the device lacks, so that the page shows nothing of use. */
   readonly worthless: boolean;
 }
@@ -36,14 +38,19 @@ export interface DeviceLoss {
  * @example
  * const iphone = deviceTable(program).find(({ kind }) => kind === 'iphone');
  */
-export function deviceTable({ needs, tiers }: Pick<Program, 'needs' | 'tiers'>): DeviceRow[] {
+export function deviceTable({ needs, tiers, operations }: Pick<Program, 'needs' | 'tiers' | 'operations'>): DeviceRow[] {
+  const darkening = operations.filter((operation) => 'type' in operation && DARKENING.includes(operation.type)).map(({ node }) => node);
   return DEVICE_FACTS.map((facts) => {
     const tier = facts.sessions.find((session) => tiers.some(({ id }) => id === session)) ?? 'orbit';
     const lost = needs.flatMap((need) => lossesOf(need, facts, tier));
     const { kind, title, display } = facts;
-    return { kind, title, tier, display, lost, worthless: lost.some(({ required, fact }) => required && fact.has === 'no') };
+    const unseen = display === 'additive' ? [...new Set(darkening)] : [];
+    return { kind, title, tier, display, lost, unseen, worthless: lost.some(({ required, fact }) => required && fact.has === 'no') };
   });
 }
+
+/** Node types whose layers contain nothing but black; “Negative shadow” takes their place on additive displays. */
+const DARKENING: readonly string[] = ['layer/shadow'];
 
 function lossesOf(need: ProgramNeed, facts: DeviceFacts, tier: Tier['id']): DeviceLoss[] {
   const fact = factIn(tier, need.capability, facts);

@@ -26,7 +26,7 @@ function sun(azimuthRad: number, elevationRad: number, more: Partial<Directional
   };
 }
 
-function make(items: LightList['items'], blend: string) {
+function make(items: LightList['items'], blend: string, params = {}, cameraMean: Float32Array | null = null) {
   let look: ShadowCatcherLook | null = null;
   const scenes = {
     createScene: (wanted: ShadowCatcherLook) => {
@@ -36,8 +36,8 @@ function make(items: LightList['items'], blend: string) {
   };
   const lights: LightList[] = [{ version: 1, items }];
   const inputs = { casters: [boxOnTable()], receivers: [], lights };
-  const services = { scenes: scenes as never, session: { blend } as never };
-  const { ctx, set, reports } = fakeContext(definition, { params: { margin: 0, maxStretchM: 1.5 }, inputs, services });
+  const services = { scenes: scenes as never, session: { blend, cameraMean } as never };
+  const { ctx, set, reports } = fakeContext(definition, { params: { margin: 0, maxStretchM: 1.5, ...params }, inputs, services });
   const node = create(ctx);
   node.update({} as never);
   const { glow, strength } = look as unknown as Required<ShadowCatcherLook>;
@@ -94,4 +94,12 @@ test('on displays that can darken it is an ordinary shadow with its own strength
   expect([glow.on, strength.value]).toEqual([false, 0.5]);
   expect(reports).toEqual([expect.objectContaining({ code: 'SCR015', port: 'receivers' })]);
   expect(make([sun(0, 1)], 'additive').strength.value).toBe(1);
+});
+
+test('warns where a shadow is less than two levels of 8 bits darker than its surroundings: by its base, or by the room', () => {
+  const faint = (params: object, room: number | null = null, blend = 'additive') =>
+    make([sun(0, 1)], blend, params, room === null ? null : new Float32Array(3).fill(room)).reports.some(({ code }) => code === 'SCR049');
+  expect([faint({}), faint({ base: [0.003, 0.003, 0.003, 1] }), faint({ depthOfShadow: 0.05 })]).toEqual([false, true, true]);
+  // Linear 2 × 0.0045 on a room of 0.05 are 5.4 levels of sRGB, on a room of 0.6 are 1.3.
+  expect([faint({}, 0.05), faint({}, 0.6), faint({}, 0.6, 'alpha')]).toEqual([false, true, false]);
 });

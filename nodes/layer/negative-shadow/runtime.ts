@@ -1,3 +1,4 @@
+import { linearFromSrgb, srgbFromLinear } from '../../kit/color-math.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import { MAX_GLOW_SPOTS, type ShadowGlow } from '../../kit/scene-look.ts';
 import { createBoundingCylinders } from './bounding-cylinders.ts';
@@ -11,6 +12,17 @@ const NOTHING_TO_FALL_ON = {
   message: 'Neither “Receivers” nor “Room depth” is connected, so no shadow is visible.',
   fix: 'Connect Detected planes, Room depth or a Phantom.',
 } as const;
+
+const TOO_FAINT = {
+  code: 'SCR049',
+  severity: 'warning',
+  port: 'base',
+  message: 'A shadow is less than 2 of 256 levels darker than the light around it on this display, so nobody sees it.',
+  fix: 'Choose a brighter “Base” or a greater “Depth of shadow”.',
+} as const;
+
+/** Fewer levels of 8 bits are not seen. */
+const MIN_LEVELS = 2;
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { base, depthOfShadow, margin, border, maxStretchM, color, toleranceM } = ctx.params;
@@ -55,10 +67,32 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       if (receivers.length === 0 && !depth) ctx.report(NOTHING_TO_FALL_ON);
       glow.on = ctx.session.blend === 'additive';
       strength.value = glow.on ? depthOfShadow.value : ctx.params.strength.value;
-      if (glow.on) addSpots();
+      if (glow.on) {
+        addSpots();
+        if (shadowLevels(base.value, depthOfShadow.value, ctx.session.cameraMean) < MIN_LEVELS) ctx.report(TOO_FAINT);
+      }
       scene.update(receivers, lights);
     },
     draw: scene.draw,
     dispose: scene.dispose,
   };
+}
+
+/** White of the display, relative to white of the room, as additive displays in rooms have it. */
+const DISPLAY_GAIN = 2;
+
+/**
+ * By how many levels of 8 bits a shadow is darker than the light around it, where light adds up: room + gain × display.
+ *
+ * @param base Display-referred sRGB.
+ * @param roomLinear Mean linear color of the room; null if no camera sees it, which counts as dark.
+ */
+function shadowLevels(base: ArrayLike<number>, depthOfShadow: number, roomLinear: ArrayLike<number> | null): number {
+  let most = 0;
+  for (let c = 0; c < 3; c++) {
+    const room = roomLinear?.[c] ?? 0;
+    const lit = DISPLAY_GAIN * linearFromSrgb(base[c] ?? 0);
+    most = Math.max(most, srgbFromLinear(Math.min(1, room + lit)) - srgbFromLinear(Math.min(1, room + lit * (1 - depthOfShadow))));
+  }
+  return most * 255;
 }
