@@ -6,7 +6,7 @@ import type { DeviceName } from '../../export/emulator/profiles.ts';
 import { findLampsAtOnce } from '../../nodes/kit/panorama/find-lamps.ts';
 import { useBrowser } from '../support/browser.ts';
 import { decodePanorama } from '../support/decode-panorama.ts';
-import { type Picture, pixelAt } from '../support/picture.ts';
+import { pixelAt, type RgbaImage } from '../support/image.ts';
 import { serveProject } from '../support/project-page.ts';
 import { openXrPage } from '../xr/xr-page.ts';
 
@@ -28,7 +28,7 @@ beforeAll(async () => {
 afterAll(() => served.close());
 
 /** Looks straight down at the robot. */
-async function see(device: DeviceName): Promise<{ layer: Picture; errors: readonly string[]; controls: readonly string[] }> {
+async function see(device: DeviceName): Promise<{ layer: RgbaImage; errors: readonly string[]; controls: readonly string[] }> {
   const xr = await openXrPage(chromium.browser, served.url, { room: 'studio', device, views: 1, fovYRad: EYE.fovYRad, sizePx: [320, 320] });
   try {
     const controls = await xr.page.locator('#controls-body label').allTextContents();
@@ -48,7 +48,7 @@ async function see(device: DeviceName): Promise<{ layer: Picture; errors: readon
 }
 
 /** The pixel of a point of the floor. */
-function pixelOf({ width, height }: Picture, x: number, z: number): readonly [x: number, y: number] {
+function pixelOf({ width, height }: RgbaImage, x: number, z: number): readonly [x: number, y: number] {
   const perM = height / 2 / (EYE.heightM * Math.tan(EYE.fovYRad / 2));
   return [Math.round(width / 2 + (x - ROBOT.x) * perM), Math.round(height / 2 + (z - ROBOT.z) * perM)];
 }
@@ -59,7 +59,7 @@ function shadowOf([x, y, z]: readonly [number, number, number], atM: number): re
 }
 
 /** Mean of a channel over 5 × 5 pixels around a point of the floor. */
-function meanAt(picture: Picture, [x, z]: readonly [number, number], channel: 1 | 3): number {
+function meanAt(picture: RgbaImage, [x, z]: readonly [number, number], channel: 1 | 3): number {
   const [px, py] = pixelOf(picture, x, z);
   let sum = 0;
   for (let i = 0; i < 25; i++) sum += pixelAt(picture, px - 2 + (i % 5), py - 2 + Math.floor(i / 5))[channel];

@@ -17,7 +17,7 @@ const TOO_FAINT = {
   code: 'SCR049',
   severity: 'warning',
   port: 'base',
-  message: 'A shadow is less than 2 of 256 levels darker than the light around it on this display, so nobody sees it.',
+  message: 'On this display, shadows are less than 2 of 256 levels darker than the light around them.',
   fix: 'Choose a brighter “Base” or a greater “Depth of shadow”.',
 } as const;
 
