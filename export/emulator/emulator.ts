@@ -53,12 +53,13 @@ export interface Emulator {
   /**
    * Touches the screen of a handheld device. Coordinates are normalized, with the origin at the top left.
    *
-   * @throws Error if the screen is already touched.
+   * @param finger 0 or 1. Default: 0.
+   * @throws Error if this finger touches the screen already.
    */
-  press(x: number, y: number): void;
+  press(x: number, y: number, finger?: number): void;
   /** Moves the touch; same coordinates as `press`. */
-  move(x: number, y: number): void;
-  release(): void;
+  move(x: number, y: number, finger?: number): void;
+  release(finger?: number): void;
 
   /** What the visitor uses: the device has either from the next frame on. */
   setInput(mode: 'controllers' | 'hands'): void;

@@ -187,15 +187,15 @@ function recenter({ device, session }: SessionWorld): void {
 
 function createTouch(world: SessionWorld): Pick<Emulator, 'press' | 'move' | 'release'> {
   return {
-    press: (x, y) => {
+    press: (x, y, finger = 0) => {
       const root = world.session?.[P_EMULATED].overlayRoot;
       const touched = root ? document.elementFromPoint(x * window.innerWidth, y * window.innerHeight) : null;
       // WebXR DOM Overlays §3.3: the overlay may cancel the event to keep the touch.
       const event = new Event('beforexrselect', { bubbles: true, cancelable: true, composed: true });
-      world.screenInput.press(x, y, touched !== null && (root?.contains(touched) ?? false) && !touched.dispatchEvent(event));
+      world.screenInput.press(x, y, finger, touched !== null && (root?.contains(touched) ?? false) && !touched.dispatchEvent(event));
     },
-    move: world.screenInput.move,
-    release: world.screenInput.release,
+    move: (x, y, finger = 0) => world.screenInput.move(x, y, finger),
+    release: (finger = 0) => world.screenInput.release(finger),
   };
 }
 

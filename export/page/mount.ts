@@ -80,7 +80,7 @@ export function mount(canvas: HTMLCanvasElement, options: MountOptions): Mounted
       shown?.draw(frame);
     };
     session?.start(draw, (event) => {
-      if (event.kind === 'reset') player.reset();
+      if (event.kind === 'reset') player.reset(event.cause);
       if (event.kind === 'reset' || event.kind === 'recentered') shown?.reset();
       if (event.kind === 'ended') {
         shown?.dispose();

@@ -1,7 +1,7 @@
 import type { PlayedModule } from '../../nodes/kit/cpu-filter.ts';
 import type { ParamValue } from '../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import type { SessionFrame } from '../../nodes/kit/session.ts';
+import type { ResetCause, SessionFrame } from '../../nodes/kit/session.ts';
 import type { Program } from '../program/program.ts';
 import type { AssetSource } from './assets/asset-source.ts';
 import { createBrowserClock, type FrameClock } from './clock.ts';
@@ -98,8 +98,12 @@ export interface Player {
    * @returns Whether the program plays. Never rejects because of a shader error.
    */
   replaceProgram(program: Program): Promise<PlayResult>;
-  /** Resets the state of nodes and persistent targets to the first frame. */
-  reset(): void;
+  /**
+   * Resets the state of nodes and persistent targets to the first frame.
+   *
+   * @param cause Default: `restart`. After a `repeat`, nodes keep what the visitor has made in the room.
+   */
+  reset(cause?: ResetCause): void;
   /**
    * What `readColor`, `readDepth`, `showLayer` and `probeDepth` read. Valid after `draw` until the frame ends.
    *
@@ -241,9 +245,9 @@ export function createPlayer(options: PlayerOptions): Player {
       values.clear();
       return live ? play(program) : Promise.resolve({ outcome: 'superseded', shaderErrors: [] });
     },
-    reset: () => {
+    reset: (cause = 'restart') => {
       forget();
-      instance?.reset();
+      instance?.reset(cause);
     },
     inspect: (tap) => {
       if (!live || !instance) return null;

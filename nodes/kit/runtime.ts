@@ -54,6 +54,8 @@ export interface NodeRuntime {
   draw?(view: DrawView): void;
   /** Returns to the initial state: playback was reset, or poses are no longer valid. */
   reset?(): void;
+  /** Keeps its state while a recording repeats, because the visitor has made it in the room. */
+  readonly staysOnRepeat?: true;
   /** Releases all that `create` and later calls have acquired. */
   dispose(): void;
 }

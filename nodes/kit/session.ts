@@ -22,6 +22,12 @@ export interface Session {
   end(): Promise<void>;
 }
 
+/**
+ * Why state is reset. `restart`: time jumps. `repeat`: a recording begins again and time continues, in the same room; what the visitor
+ * has made there stays.
+ */
+export type ResetCause = 'restart' | 'repeat';
+
 /** An event of a session, between two frames. */
 export type SessionEvent =
   | { readonly kind: 'ended'; readonly by: 'user' | 'system' | 'page' }
@@ -29,8 +35,8 @@ export type SessionEvent =
   | { readonly kind: 'tracking'; readonly tracked: boolean }
   /** A granted feature has returned no data for a while, or returns data again. */
   | { readonly kind: 'sensing'; readonly capability: Capability; readonly working: boolean }
-  /** The recording restarted or jumped: all state is void. */
-  | { readonly kind: 'reset' }
+  /** The recording jumped to another time, or repeats while time continues. Nodes return to their initial state. */
+  | { readonly kind: 'reset'; readonly cause: ResetCause }
   /** World space moved against the room, as when the visitor re-centers. State stays; `SessionFrame.jumps` has been raised. */
   | { readonly kind: 'recentered' }
   | { readonly kind: 'problem'; readonly message: string };

@@ -183,7 +183,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     playerHost.player.setSession(opened.session);
     status.rewind(opened.recording?.frames ?? null);
     opened.session?.start(draw, (event) => {
-      if (event.kind === 'reset') playerHost.player.reset();
+      if (event.kind === 'reset') playerHost.player.reset(event.cause);
       if (event.kind !== 'problem') return;
       sessionProblems = [...sessionProblems, { code: 'SCR054', severity: 'warning', message: event.message }];
       sendProblems();

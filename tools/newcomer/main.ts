@@ -8,9 +8,11 @@ import { findChromium } from '../../app/services/chromium.ts';
 import { installationAt } from '../../app/services/installation.ts';
 import { startBrowser } from '../../app/services/start-browser.ts';
 import type { ToolMain } from '../lib/tool.ts';
+import type { NewcomerOptions } from './editor-steps.ts';
 import type { Interaction } from './hands.ts';
 import { markInteraction, unmark } from './mark.ts';
 import { playNewcomer } from './play-newcomer.ts';
+import { playPlacing, tryPlacing } from './play-placing.ts';
 
 interface FilmFrame {
   readonly png: Uint8Array;
@@ -22,37 +24,48 @@ const WIDTH_PX = 900;
 /** Node texts stay readable; 25 frames take about 500 kB. */
 const QUALITY = 60;
 
-const FILM = 'docs/images/newcomer.webp';
+const FILMS = [
+  { file: 'docs/images/newcomer.webp', play: playNewcomer },
+  {
+    file: 'docs/images/placing.webp',
+    play: async (options: NewcomerOptions) => {
+      await playPlacing(options);
+      await tryPlacing(options.page, options.onDone ?? (async () => {}));
+    },
+  },
+] as const;
 const MODEL = 'examples/first-light/assets/robot.glb';
 const SIZE = { width: 1440, height: 900 };
 const FRAME_MS = 900;
 const LAST_MS = 4000;
 
-/** `npm run newcomer-film`: runs the newcomer's script in the built editor and writes the animated image of the README. */
+/** `npm run newcomer-film`: runs the newcomer's scripts in the built editor and writes the animated images of the documentation. */
 export const main: ToolMain = async (_args, { root }) => {
   const found = await findChromium();
   if (found === null) throw new Error('No browser was found. Install Chromium, or set SCRIM_CHROMIUM to its path.');
   const base = await mkdtemp(join(tmpdir(), 'scrim-newcomer-'));
-  const server = await startServer({ installation: installationAt(root, '0.0.0'), startPath: null, log: console.log });
   const browser = await startBrowser(found);
   try {
-    const page = await browser.newPage({ viewport: SIZE, colorScheme: 'dark' });
-    await page.goto(server.invite());
-    const frames: FilmFrame[] = [];
-    let count = 0;
-    const onDone = async (done: Interaction) => {
-      count++;
-      frames.push({ png: await film(page, done, count), ms: FRAME_MS });
-    };
-    await playNewcomer({ page, model: join(root, MODEL), project: join(base, 'my-robot'), exportTo: join(base, 'page'), onDone });
-    frames.push({ png: await page.screenshot(), ms: LAST_MS });
-    const bytes = await encodeFilm(frames);
-    await writeFile(join(root, FILM), bytes);
-    console.log(`${FILM}: ${count} interactions, ${bytes.length} bytes`);
+    for (const [i, { file, play }] of FILMS.entries()) {
+      const server = await startServer({ installation: installationAt(root, '0.0.0'), startPath: null, log: console.log });
+      const page = await browser.newPage({ viewport: SIZE, colorScheme: 'dark' });
+      await page.goto(server.invite());
+      const frames: FilmFrame[] = [];
+      const onDone = async (done: Interaction) => {
+        frames.push({ png: await film(page, done, frames.length + 1), ms: FRAME_MS });
+      };
+      const folders = { project: join(base, `my-robot-${i}`), exportTo: join(base, `page-${i}`) };
+      await play({ page, model: join(root, MODEL), ...folders, onDone });
+      frames.push({ png: await page.screenshot(), ms: LAST_MS });
+      const bytes = await encodeFilm(frames);
+      await writeFile(join(root, file), bytes);
+      console.log(`${file}: ${frames.length - 1} interactions, ${bytes.length} bytes`);
+      await page.close();
+      await server.close();
+    }
     return 0;
   } finally {
     await browser.close();
-    await server.close();
     await rm(base, { recursive: true, force: true });
   }
 };

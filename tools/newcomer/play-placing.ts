@@ -1,9 +1,11 @@
+import type { Page } from 'playwright-core';
+import { centerOf, type Point } from '../lib/center-of.ts';
 import { createEditorSteps, type NewcomerOptions } from './editor-steps.ts';
 import { Hands, type Interaction } from './hands.ts';
 
 /**
- * From no project to an exported page in which the visitor places a model by a tap, drags, turns and scales it, and measures from it by
- * further taps. By pointer and keys alone; gives what was done, in order.
+ * From no project to an exported page in which the visitor places a model by a tap, drags, turns and scales it, measures from it by
+ * further taps, and reads the length on a label. By pointer and keys alone; gives what was done, in order.
  */
 export async function playPlacing({ page, model, project, exportTo, onDone }: NewcomerOptions): Promise<readonly Interaction[]> {
   const hands = new Hands(page, onDone ?? (async () => {}));
@@ -17,6 +19,20 @@ export async function playPlacing({ page, model, project, exportTo, onDone }: Ne
   await hands.choose('A tap places it once', page.getByRole('combobox', { name: 'Taps', exact: true }), 'Place once');
   await steps.grow(await input('scene', 'objects'), at(330, 700), 'measure', 'measure');
   await hands.choose('Further taps measure', page.getByRole('combobox', { name: 'Points', exact: true }), 'Taps');
+  await steps.grow(await output('measure', 'pose'), at(560, 700), 'label', 'label');
+  await hands.drag('The label shows the length', await output('measure', 'text'), await centerOf(node('label')));
+  await hands.drag('Draw the label', await output('label', 'objects'), await input('scene', 'objects'));
   await steps.exportTo(exportTo);
   return hands.done;
+}
+
+/** Plays the made graph in the preview as a visitor would: places the model, drags it, and measures from its first place. */
+export async function tryPlacing(page: Page, onDone: (done: Interaction) => Promise<void>): Promise<void> {
+  const hands = new Hands(page, onDone);
+  const box = await page.locator('.stage-frame').boundingBox();
+  if (!box) throw new Error('There is no preview.');
+  const at = (x: number, y: number): Point => ({ x: box.x + x * box.width, y: box.y + y * box.height });
+  await hands.clickAt('Tap: the model is placed', at(0.4, 0.9));
+  await hands.drag('Drag it along the floor', at(0.4, 0.88), at(0.25, 0.85));
+  await hands.clickAt('Tap: the length is measured', at(0.8, 0.9));
 }

@@ -3,6 +3,7 @@ import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { Clock, NodeContext, NodeRuntime, SceneService, SessionService, WorkerService } from '../../../nodes/kit/runtime.ts';
 import { PULSE_CAPACITY } from '../../../nodes/kit/runtime.ts';
+import type { ResetCause } from '../../../nodes/kit/session.ts';
 import type { DrawOperation, NodeOperation, ProgramAsset } from '../../program/program.ts';
 import type { AssetStore } from '../assets/asset-store.ts';
 import { type CpuMeans, createCpuFilter } from '../cpu/run-cpu-filter.ts';
@@ -25,8 +26,8 @@ export interface NodeInstance {
   readonly usesGpu: boolean;
   /** Connects the node to a recompiled program, whose operation has the same key. */
   point(operation: NodeOperation, resources: LiveResources, slots: Slots): void;
-  /** Resets the node to the first frame. */
-  reset(): void;
+  /** Resets the node to the first frame, unless the recording only repeats and the node stays then. */
+  reset(cause: ResetCause): void;
   dispose(): void;
 }
 
@@ -116,7 +117,8 @@ export function createNodeInstance(
       ports.point(next, nextResources, nextSlots);
       occlusion?.point(next, nextSlots);
     },
-    reset: () => {
+    reset: (cause) => {
+      if (cause === 'repeat' && runtime.staysOnRepeat) return;
       random.reset();
       runtime.reset?.();
     },

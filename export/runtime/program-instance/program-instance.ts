@@ -1,5 +1,5 @@
 import type { NodeRuntime } from '../../../nodes/kit/runtime.ts';
-import type { SessionFrame } from '../../../nodes/kit/session.ts';
+import type { ResetCause, SessionFrame } from '../../../nodes/kit/session.ts';
 import type { Operation, Program } from '../../program/program.ts';
 import { createCpuStep, isCpu } from '../cpu/cpu-step.ts';
 import type { Engine } from '../engine.ts';
@@ -38,7 +38,7 @@ export interface ProgramInstance extends RetainedState {
   /** Draws that frame, all views. */
   draw(session: SessionTraits | null): void;
   /** Resets the state of nodes and persistent targets to the first frame. */
-  reset(): void;
+  reset(cause: ResetCause): void;
   /** Disposes GL programs, assets and targets that `next` did not take over. */
   release(next: ProgramInstance | null): void;
   /**
@@ -114,8 +114,8 @@ export function createProgramInstance(
         run(each);
       }
     },
-    reset: () => {
-      for (const node of instances.nodes.values()) node.reset();
+    reset: (cause) => {
+      for (const node of instances.nodes.values()) node.reset(cause);
       loops?.retry();
       for (const resource of resources.values()) {
         if (resource.kind === 'target' && resource.target.resource.lifetime === 'persistent') resource.target.clear();

@@ -285,6 +285,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       show();
     },
     prepare: show,
+    staysOnRepeat: true,
     reset: () => {
       grip.letGo();
       history.clear();

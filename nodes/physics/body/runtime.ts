@@ -215,6 +215,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       const first = entries.find((entry) => entry.isShown && !entry.isHidden);
       writePose(outputs.pose, first?.body.worldFromBody ?? null, frame.jumps);
     },
+    staysOnRepeat: true,
     reset: () => {
       next = 0;
       frames = 0;

@@ -103,6 +103,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
         updateNumbers(joint);
       }
     },
+    staysOnRepeat: true,
     reset: () => {
       release();
       watch = createVersionWatch();

@@ -167,6 +167,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       hands.update(input, ctx.clock.deltaS, isBusy);
       outputs.isHeld.value = holds.some(isBegunHold);
     },
+    staysOnRepeat: true,
     reset: forget,
     dispose: forget,
   };

@@ -39,6 +39,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       const depth = depthFrame(image, deltaS);
       if (depth) room.frames.push(depth);
     },
+    staysOnRepeat: true,
     reset: forget,
     dispose: () => {
       delete ctx.outputs.body.room;

@@ -117,6 +117,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       owedS = 0;
     },
     settle: () => driver.settle(),
+    staysOnRepeat: true,
     reset,
     dispose: () => {
       driver.dispose();

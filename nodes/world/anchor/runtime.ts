@@ -111,6 +111,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       outputs.tracked.value = anchor?.state === 'tracked';
       outputs.kept.value = anchor?.keeping === 'kept';
     },
+    staysOnRepeat: true,
     reset: () => {
       drop();
       wasValid = false;

@@ -185,6 +185,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       const hasView = writeViewerPosition(eyeM, frame);
       show(frame, hasView ? (tapped ? takeTaps(tapped, frame) : lookAtPoses()) : 0);
     },
+    staysOnRepeat: true,
     reset: forget,
     dispose: () => {
       tapped?.clear();

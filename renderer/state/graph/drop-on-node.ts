@@ -17,7 +17,7 @@ interface Candidate {
 
 /**
  * The port that a wire dropped on a node connects to: unconnected ports first, then those of the same type. A param is chosen only if
- * no input fits and no other param does.
+ * no input fits, and only if no other param does or it has the name of the output, such as `text`.
  */
 export function portOver(editor: Editor, draggedWire: DraggedWire, node: string): Candidate | null {
   const state = editor.document.getState();
@@ -32,7 +32,8 @@ export function portOver(editor: Editor, draggedWire: DraggedWire, node: string)
   const [best] = [...ports].sort((a, b) => costOf(draggedWire, a) - costOf(draggedWire, b));
   if (best) return best;
   const values = draggedWire.side === 'output' ? fitting(editor, draggedWire, node, valuesOf(nodeInterface)) : [];
-  return values.length === 1 ? (values[0] ?? null) : null;
+  const chosen = values.length === 1 ? values[0] : values.find(({ port }) => port === draggedWire.port);
+  return chosen ?? null;
 }
 
 /** Connects a wire that was dropped on a node, or shows why no port fits. */

@@ -140,7 +140,7 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
     deliveredS = null;
     opened?.replay?.reset();
     frame.jumps++;
-    onEvent?.({ kind: 'reset' });
+    onEvent?.({ kind: 'reset', cause: 'restart' });
   };
   const playback =
     mode.kind === 'clock'
@@ -149,7 +149,7 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
           show,
           onRepeat: () => {
             frame.jumps++;
-            onEvent?.({ kind: 'reset' });
+            onEvent?.({ kind: 'reset', cause: 'repeat' });
           },
           onLoop: resetTime,
           onEnd: () => options.onEnd?.(),
