@@ -314,6 +314,8 @@ export interface Need {
   readonly where?: { readonly param: string; readonly is: string | number | boolean };
   /** Only if something is connected to this input. */
   readonly wired?: string;
+  /** Of `depth` that the node reads without an input, as in `InputPort`. */
+  readonly depthType?: 'raw';
   /** The purpose, shown to the visitor before the browser asks: “to …”. */
   readonly why: string;
   /** What happens without the feature, as a sentence. */

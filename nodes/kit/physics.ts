@@ -33,6 +33,8 @@ export interface VoxelSettings {
   readonly speed: number;
   /** Depth further away is ignored. */
   readonly farM: number;
+  /** Bodies meet a smooth surface through the voxels instead of their sides. */
+  readonly isSmooth?: boolean;
 }
 
 /** A depth image with what maps its texels to space. */
@@ -111,6 +113,8 @@ export interface PhysicsBody {
   readonly velocity: Float64Array;
   readonly angularVelocity: Float64Array;
   isAsleep: boolean;
+  /** It has fallen out of the room that depth has shown. */
+  isLost: boolean;
   /** Contacts that began in the step before. */
   readonly touches: TouchList;
   /** Joints whose `a` is this body. Nodes add and remove them; the world reads them. */
@@ -210,6 +214,7 @@ export function createPhysicsBody(key: string, description: BodyDescription): Ph
     velocity: new Float64Array(3),
     angularVelocity: new Float64Array(3),
     isAsleep: false,
+    isLost: false,
     touches: { count: 0, entries: [] },
     joints: [],
     world: null,

@@ -33,7 +33,8 @@ function depthTypeOf(nodes: readonly FlatNode[]): { readonly depthType?: 'raw' }
   const readers = nodes.flatMap(({ definition, inputs }) =>
     Object.entries(definition.inputs).flatMap(([name, port]) => (port.type === 'depth' && inputs.has(name) ? [port] : [])),
   );
-  return readers.length > 0 && readers.every((port) => port.depthType === 'raw') ? { depthType: 'raw' } : {};
+  const own = nodes.flatMap((node) => needsOf(node).filter(({ depthType }) => depthType === 'raw'));
+  return readers.length + own.length > 0 && readers.every((port) => port.depthType === 'raw') ? { depthType: 'raw' } : {};
 }
 
 function needsOf(node: FlatNode): readonly Need[] {

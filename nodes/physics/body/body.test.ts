@@ -1,3 +1,5 @@
+import { readFileSync } from 'node:fs';
+import { resolve } from 'node:path';
 import { describe, expect, test } from '@jest/globals';
 import {
   BoxGeometry,
@@ -18,10 +20,17 @@ import type { BodyShape } from '../../kit/physics.ts';
 import type { ObjectItem, ObjectList } from '../../kit/scene-lists.ts';
 import { massProperties } from '../world/mass-properties.ts';
 import { shapeOf } from './body-shape.ts';
+import { hullOf, MAX_VERTICES } from './convex-hull.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 
 const ONE = new Vector3(1, 1, 1);
+const KNOWN_HULLS = JSON.parse(readFileSync(resolve(import.meta.dirname, '../../../tests/support/physics/convex-hulls.json'), 'utf8')) as {
+  name: string;
+  points: number[];
+  volume: number;
+  vertices: number;
+}[];
 const volumeOf = (shapes: readonly BodyShape[]) => massProperties(shapes, 0, 1).massKg;
 
 /** How far a vertex lies outside a face at most. */
@@ -56,6 +65,18 @@ describe('shapes', () => {
     expect(bulge(hull)).toBeLessThan(0.01);
     const box = shapeOf('hull', new Mesh(new BoxGeometry(1, 1, 1, 4, 4, 4)), ONE).shapes[0];
     expect(box?.kind === 'hull' && [box.verticesM.length, box.faces.length]).toEqual([8, 6]);
+  });
+
+  // The values are those of tests/support/physics/convex-hulls.py.
+  test.each(KNOWN_HULLS)('the hull of $name has the volume that another implementation gives', ({ points, volume, vertices }) => {
+    const hull = hullOf(Float64Array.from(points));
+    if (!hull) throw new Error('There is no hull.');
+    const isWhole = vertices <= MAX_VERTICES;
+    expect(volumeOf([hull]) / volume).toBeGreaterThan(isWhole ? 0.99 : 0.85);
+    expect(volumeOf([hull]) / volume).toBeLessThan(1.01);
+    expect(hull.verticesM.length).toBeLessThanOrEqual(Math.min(vertices, MAX_VERTICES));
+    const sizeM = Math.max(...points) - Math.min(...points);
+    expect(bulge(hull)).toBeLessThan(0.03 * sizeM);
   });
 
   test('parts keep what is between them free', () => {
@@ -191,6 +212,30 @@ describe('physics/body', () => {
       return fake.ctx.outputs.body.bodies.find((body) => !before.has(body))?.key;
     });
     expect(thrown).toEqual(['body-test/0/red#0', 'body-test/0/blue#0', 'body-test/0/red#1', 'body-test/0/blue#1']);
+  });
+
+  test('a body that fell out of the room or too low begins anew, once, and is counted', () => {
+    const { item, update, body, ctx } = start();
+    const lost = { value: 0 };
+    Object.assign(ctx.outputs, { lost });
+    item.worldFromObject.makeTranslation(0, 1, 0);
+    update();
+    const [made] = body();
+    if (!made) throw new Error('There is no body.');
+    made.world = { applyPoses: () => {} };
+    // A world that is late tells it twice.
+    for (let i = 0; i < 2; i++) {
+      made.isLost = true;
+      made.worldFromBody[13] = -3;
+      update();
+    }
+    expect([made.jumps, lost.value]).toEqual([1, 1]);
+    made.isLost = false;
+    made.worldFromBody[13] = 1;
+    update();
+    made.worldFromBody[13] = -20;
+    update();
+    expect([made.jumps, lost.value, made.worldFromTarget[13]]).toEqual([2, 2, 1]);
   });
 
   test('says that a body without a world does not move', () => {

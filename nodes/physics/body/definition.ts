@@ -27,6 +27,12 @@ export const definition = defineNode({
     objects: { type: 'objects', label: 'Objects', doc: 'The objects where the world has moved them.' },
     body: { type: 'body', label: 'Body', doc: 'The bodies, for a physics world and nodes that act on bodies.' },
     pose: { type: 'pose', label: 'Pose', doc: 'The pose of the first body that is shown.' },
+    lost: {
+      type: 'number',
+      label: 'Lost',
+      doc: 'How many bodies were recycled because they fell too low or out of the room that depth has shown.',
+      whenRead: true,
+    },
   },
   params: {
     mode: {
@@ -171,7 +177,7 @@ export const definition = defineNode({
       type: 'number',
       stage: 'uniform',
       label: 'Lowest height',
-      doc: 'A body that falls below is recycled.',
+      doc: 'A body that falls below is recycled, as is one that falls out of a measured room.',
       default: -10,
       min: -1000,
       max: 0,

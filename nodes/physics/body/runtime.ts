@@ -20,6 +20,8 @@ interface Entry {
   isShown: boolean;
   /** Its source was hidden in the last frame: it is no obstacle either. */
   isHidden: boolean;
+  /** It was recycled, and the world has not moved it yet. */
+  isReturning: boolean;
 }
 
 /** A change of the scale by more makes another shape. */
@@ -42,6 +44,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   /** The copy that is thrown next. */
   let next = 0;
   let hasListChanged = false;
+  let lostCount = 0;
   const spawnPose = new Matrix4();
   let frames = 0;
 
@@ -69,7 +72,17 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     const item: ObjectItem = { ...source, key, worldFromObject: source.worldFromObject.clone() };
     const isCopy = config.copies > 0;
     const body = createPhysicsBody(`${ctx.node}/${key}`, describe([]));
-    return { source, item, body, isCopy, scale: new Vector3(), rootScale: new Vector3(), isShown: !isCopy, isHidden: false };
+    return {
+      source,
+      item,
+      body,
+      isCopy,
+      scale: new Vector3(),
+      rootScale: new Vector3(),
+      isShown: !isCopy,
+      isHidden: false,
+      isReturning: false,
+    };
   }
   function describe(shapes: BodyDescription['shapes']): BodyDescription {
     const isDynamic = config.mode === 'dynamic';
@@ -134,6 +147,8 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     aim(entry, from);
     entry.body.jumps++;
     entry.body.worldFromBody.set(entry.body.worldFromTarget);
+    entry.body.isLost = false;
+    entry.isReturning = false;
   }
   function show(entry: Entry, isShown: boolean): void {
     hasListChanged ||= entry.isShown !== isShown;
@@ -142,6 +157,16 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   function recycle(entry: Entry): void {
     if (entry.isCopy) show(entry, false);
     else restart(entry, entry.source.worldFromObject);
+  }
+  function returnLost(entry: Entry): void {
+    const { worldFromBody, isLost } = entry.body;
+    const isGone = isLost || (worldFromBody[13] ?? 0) < params.lowestM.value;
+    // A late world may tell twice that a body is gone.
+    if (isGone && !entry.isReturning) {
+      lostCount++;
+      recycle(entry);
+    }
+    entry.isReturning = isGone;
   }
   function spawn(worldFromPose: Readonly<Float32Array> | null): void {
     const entry = entries[next % entries.length];
@@ -194,7 +219,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
         entry.isHidden = isHidden;
         updateShape(entry);
         if (config.mode !== 'dynamic' || (entry.body.world === null && !entry.isCopy)) aim(entry, entry.source.worldFromObject);
-        if (entry.isShown && (entry.body.worldFromBody[13] ?? 0) < params.lowestM.value && config.mode === 'dynamic') recycle(entry);
+        if (entry.isShown && config.mode === 'dynamic') returnLost(entry);
       }
       const { spawn: spawns, recycle: recycles } = ctx.inputs;
       if (recycles.count > 0) for (const entry of entries) recycle(entry);
@@ -212,12 +237,14 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
         item.receivesShadow = source.receivesShadow;
         item.worldFromObject.fromArray(body.worldFromBody).scale(scale);
       }
+      if (outputs.lost) outputs.lost.value = lostCount;
       const first = entries.find((entry) => entry.isShown && !entry.isHidden);
       writePose(outputs.pose, first?.body.worldFromBody ?? null, frame.jumps);
     },
     staysOnRepeat: true,
     reset: () => {
       next = 0;
+      lostCount = 0;
       frames = 0;
       entries = [];
       passed = [];

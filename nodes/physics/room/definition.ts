@@ -55,6 +55,17 @@ export const definition = defineNode({
       step: 0.1,
       unit: 'm',
     },
+    surface: {
+      type: 'choice',
+      stage: 'structure',
+      label: 'Surface',
+      doc: 'What bodies meet. “Voxels”: the boxes themselves, up to a voxel above what was measured. “Smooth”: a surface through the measured points, on which balls roll; it takes several times as long.',
+      default: 'voxels',
+      options: [
+        { value: 'voxels', label: 'Voxels' },
+        { value: 'smooth', label: 'Smooth' },
+      ],
+    },
     friction: {
       type: 'number',
       stage: 'structure',
@@ -83,6 +94,7 @@ export const definition = defineNode({
   needs: [
     {
       capability: 'depth',
+      depthType: 'raw',
       required: false,
       when: 'always',
       why: 'to let things rest on real furniture',

@@ -1,8 +1,12 @@
 import { describe, expect, test } from '@jest/globals';
 import { Matrix4, Vector3 } from 'three';
+import { fakeContext } from '../../../tests/support/node-context.ts';
 import { ball, createLab, cube } from '../../../tests/support/physics/lab.ts';
+import { createStage, placeOf } from '../../../tests/support/physics/stage.ts';
 import type { DepthFrame, VoxelSettings } from '../../kit/physics.ts';
 import { createVoxelGrid, type VoxelGrid } from '../world/voxel-grid.ts';
+import { definition } from './definition.ts';
+import { create } from './runtime.ts';
 
 const SETTINGS: VoxelSettings = { edgeM: 0.05, threshold: 0.5, speed: 0.2, farM: 5 };
 const WIDTH = 80;
@@ -151,5 +155,173 @@ describe('bodies in a room', () => {
     });
     expect(highest).toBeLessThan(0.103);
     expect(lab.body(id).velocity[0]).toBeGreaterThan(0.5);
+  });
+});
+
+/** A plane that rises towards -x. */
+const slope = (angleRad: number) => (ray: Ray) => {
+  const [nx, ny] = [Math.sin(angleRad), Math.cos(angleRad)];
+  const speed = nx * ray.to.x + ny * ray.to.y;
+  return speed < 0 ? (0.3 * ny - nx * ray.from.x - ny * ray.from.y) / speed : Number.POSITIVE_INFINITY;
+};
+
+describe('a smooth surface', () => {
+  const G = 9.81;
+  const RADIUS_M = 0.05;
+  /** Rolls a ball for 80 cm over a plane that depth has shown. */
+  function roll(isSmooth: boolean, angleRad: number, startMps: number) {
+    const lab = createLab({ sleep: true });
+    lab.engine.apply({ kind: 'room', room: { ...SETTINGS, isSmooth }, friction: 1, restitution: 0 });
+    for (let i = 0; i < 30; i++)
+      lab.engine.apply({ kind: 'depth', frame: look(new Vector3(0.1, 1.4, 1), new Vector3(0, 0.3, 0), slope(angleRad)) });
+    const [nx, ny] = [Math.sin(angleRad), Math.cos(angleRad)];
+    const heightM = ([x, y]: readonly number[]) => nx * (x ?? 0) + ny * ((y ?? 0) - 0.3) - RADIUS_M;
+    const start = new Vector3(-0.4, 0.3 + (RADIUS_M + 0.4 * nx) / ny, 0.02);
+    const velocity = [startMps * ny, -startMps * nx, 0] as const;
+    const id = lab.add(
+      { shapes: ball(RADIUS_M), friction: 1 },
+      { positionM: [start.x, start.y, start.z], velocity, spin: [0, 0, -startMps / RADIUS_M] },
+    );
+    let [mostM, leastM, rolledM] = [-1, 1, 0];
+    for (let frame = 0; frame < 600 && rolledM < 0.8; frame++) {
+      lab.run(1 / 60);
+      const { positionM } = lab.body(id);
+      rolledM = ny * (positionM[0] - start.x) - nx * (positionM[1] - start.y);
+      if (rolledM > 0.1) {
+        mostM = Math.max(mostM, heightM(positionM));
+        leastM = Math.min(leastM, heightM(positionM));
+      }
+    }
+    const exactMps = Math.sqrt(startMps ** 2 + (10 / 7) * G * nx * rolledM);
+    return { mostM, leastM, speed: Math.hypot(...lab.body(id).velocity) / exactMps, rolledM };
+  }
+
+  test.each([0, 5, 15])('a ball rolls down %p° as on a plane, where voxels are steps', (degrees) => {
+    const angleRad = (degrees * Math.PI) / 180;
+    const smooth = roll(true, angleRad, 0.7);
+    expect(smooth.rolledM).toBeGreaterThanOrEqual(0.8);
+    expect(smooth.mostM).toBeLessThan(0.001);
+    expect(smooth.leastM).toBeGreaterThan(-0.001);
+    expect(smooth.speed).toBeGreaterThan(0.99);
+    expect(smooth.speed).toBeLessThan(1.01);
+    const boxes = roll(false, angleRad, 0.7);
+    expect(smooth.mostM).toBeLessThan(boxes.mostM - 0.01);
+    expect(smooth.speed).toBeGreaterThan(boxes.speed + 0.05);
+    if (degrees > 0) expect(boxes.mostM - boxes.leastM).toBeGreaterThan(0.02);
+  });
+
+  test('boxes rest on it flat, and fast balls do not pass', () => {
+    const lab = createLab({ sleep: true });
+    lab.engine.apply({ kind: 'room', room: { ...SETTINGS, isSmooth: true }, friction: 0.6, restitution: 0.1 });
+    for (let i = 0; i < 30; i++) lab.engine.apply({ kind: 'depth', frame: look(EYE, CENTER, room(BOX)) });
+    const box = lab.add({ shapes: cube(0.12) }, { positionM: [-0.06, 0.6, -0.06] });
+    const shot = lab.add({ shapes: ball(0.03) }, { positionM: [0.12, 1.63, 0.12], velocity: [0, -30, 0] });
+    lab.run(0.1);
+    expect(lab.body(shot).positionM[1]).toBeGreaterThan(BOX.top);
+    lab.run(3);
+    expect(lab.body(box).positionM[1] - 0.06).toBeCloseTo(BOX.top, 2);
+    expect(lab.body(box).isAsleep).toBe(true);
+  });
+});
+
+describe('the memory of the grid', () => {
+  test('follows the surface, not the space', () => {
+    const chunksOf = (sideM: number) => {
+      const grid = createVoxelGrid({ ...SETTINGS, farM: 20 });
+      // A wall that is as far away as it is wide.
+      for (let i = 0; i < 3; i++) grid.update(look(new Vector3(), new Vector3(0, 0, -1), () => sideM));
+      return grid.chunkCount;
+    };
+    expect(chunksOf(4) / chunksOf(2)).toBeLessThan(5);
+    // A dense grid of the same space has (2 / 0.4)³ = 125 chunks.
+    expect(chunksOf(2)).toBeLessThan(50);
+  });
+
+  test('depth of any numbers leaves only finite bodies', () => {
+    const lab = createLab();
+    lab.engine.apply({ kind: 'room', room: { ...SETTINGS, isSmooth: true }, friction: 0.6, restitution: 0.1 });
+    const ids = [0, 1, 2].map((i) => lab.add({ shapes: i === 1 ? cube(0.1) : ball(0.05) }, { positionM: [0.1 * i, 0.6, 0] }));
+    const strange = [Number.NaN, Number.POSITIVE_INFINITY, -1, 0, 1e-9, 1e30];
+    for (let i = 0; i < 60; i++) {
+      const frame = look(EYE, CENTER, room(BOX));
+      const meters = Float32Array.from(frame.meters, (d, k) => ((k * 7919 + i) % 5 === 0 ? (strange[(k + i) % 6] ?? 0) : d));
+      const worldFromDepth = i % 7 === 0 ? new Array<number>(16).fill(Number.NaN) : frame.worldFromDepth;
+      lab.engine.apply({ kind: 'depth', frame: { ...frame, meters, worldFromDepth } });
+      lab.run(1 / 30);
+      for (const id of ids) expect([...lab.body(id).positionM, ...lab.body(id).velocity].every(Number.isFinite)).toBe(true);
+    }
+  });
+});
+
+test('600 steps in a room give the same bytes twice', () => {
+  const play = () => {
+    const lab = createLab({ sleep: true });
+    lab.engine.apply({ kind: 'room', room: { ...SETTINGS, isSmooth: true }, friction: 0.6, restitution: 0.1 });
+    const frame = look(EYE, CENTER, room(BOX));
+    for (let i = 0; i < 20; i++) lab.engine.apply({ kind: 'depth', frame });
+    for (let i = 0; i < 6; i++)
+      lab.add({ shapes: i % 2 ? ball(0.05) : cube(0.1) }, { positionM: [0.05 * Math.sin(i), 0.6 + 0.2 * i, 0.05 * Math.cos(i)] });
+    lab.run(10, (n) => n % 20 === 0 && lab.engine.apply({ kind: 'depth', frame }));
+    return [...lab.all().values()];
+  };
+  expect(play()).toEqual(play());
+});
+
+describe('physics/room', () => {
+  function start() {
+    const image = {
+      meters: new Float32Array(320 * 240).fill(1.5),
+      widthPx: 320,
+      heightPx: 240,
+      uvFromViewUv: Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1),
+      clipFromView: Float32Array.from(new Matrix4().makePerspective(-0.1, 0.1, 0.075, -0.075, 0.1, 100).elements),
+      worldFromView: Float32Array.from(new Matrix4().makeTranslation(0, 1, 0).elements),
+      frame: 0,
+    };
+    const fake = fakeContext(definition, { services: { session: { sessions: 0, depthImage: () => image } as never } });
+    const node = create(fake.ctx);
+    const frame = () => {
+      image.frame++;
+      fake.tick(1 / 30);
+      node.update({ jumps: 0 } as never);
+    };
+    return { ...fake, node, frame, room: fake.ctx.outputs.body.room };
+  }
+
+  test('gives thinned depth in buffers that are used again', () => {
+    const { frame, room: shared } = start();
+    const buffers = new Set<unknown>();
+    for (let i = 0; i < 50; i++) {
+      frame();
+      const [depth] = shared?.frames.splice(0) ?? [];
+      expect([depth?.widthPx, depth?.heightPx, depth?.meters[0]]).toEqual([160, 120, 1.5]);
+      // The middle of the first texel: tan 45° at the border of the view.
+      expect(depth?.rayFromTexel[2]).toBeCloseTo(-1 + 1 / 320, 6);
+      buffers.add(depth?.meters);
+    }
+    expect(buffers.size).toBeLessThanOrEqual(3);
+  });
+
+  test('two frames that wait are not overwritten by the next ones', () => {
+    const { frame, room: shared } = start();
+    for (let i = 0; i < 5; i++) frame();
+    expect(shared?.frames).toHaveLength(2);
+    expect(shared?.frames[0]?.meters).not.toBe(shared?.frames[1]?.meters);
+  });
+
+  test('a room that is disconnected no longer holds bodies, and one that fell out of a room is lost', () => {
+    const stage = createStage({ floor: false });
+    const frames = Array.from({ length: 20 }, () => look(EYE, CENTER, room(null)));
+    stage.list.room = { settings: SETTINGS, friction: 0.6, restitution: 0, version: 0, frames };
+    const body = stage.add([0, 0.2, 0], ball(0.05));
+    const away = stage.add([0, -0.8, 0], ball(0.05));
+    const idle = { update: () => {} } as never;
+    stage.play(60, idle, fakeContext(definition));
+    expect(placeOf(body)[1]).toBeGreaterThan(0.05);
+    expect([body.isLost, away.isLost]).toEqual([false, true]);
+    delete stage.list.room;
+    stage.list.version++;
+    stage.play(60, idle, fakeContext(definition));
+    expect(placeOf(body)[1]).toBeLessThan(-2);
   });
 });

@@ -9,9 +9,10 @@ import { push } from './impulse-math.ts';
 import { aimAtTarget, integratePose, integrateVelocity } from './integrate.ts';
 import { updateSleep, wakeTouched } from './islands.ts';
 import { createJoint, type Joint } from './joint.ts';
-import { FIXED_BODY, type PhysicsEngine, POSE_STRIDE, TOUCH_STRIDE, type WorldSettings } from './protocol.ts';
+import { ASLEEP, FIXED_BODY, LOST, type PhysicsEngine, POSE_STRIDE, TOUCH_STRIDE, type WorldSettings } from './protocol.ts';
 import { readPose } from './read-pose.ts';
 import { RigidBody } from './rigid-body.ts';
+import { castOnSurface, collideSurface } from './surface-contacts.ts';
 import { type CastRoom, sweep } from './sweep.ts';
 import { castOnVoxels, collideVoxels } from './voxel-contacts.ts';
 import { createVoxelGrid, type VoxelGrid } from './voxel-grid.ts';
@@ -26,6 +27,8 @@ const STEP_TOLERANCE = 0.01;
 /** Further away or faster (meters, radians per second), numbers lose their precision. */
 const FAR_M = 1e6;
 const FAST = 1e4;
+/** A body that is so far below everything that was seen of the room has left it, meters. */
+const LOST_M = 0.5;
 /** Bodies that meet more slowly are not reported, meters per second. */
 const TOUCH_MPS = 0.02;
 
@@ -82,7 +85,7 @@ export function createCannonEngine(): PhysicsEngine {
     const { x, y, z } = leverOf(body);
     const w = body.angularVelocity;
     body.velocity.set(at(state, 8) + w.y * z - w.z * y, at(state, 9) + w.z * x - w.x * z, at(state, 10) + w.x * y - w.y * x);
-    if (at(state, 14) > 0 && body.isDynamic) body.rest();
+    if (at(state, 14) === ASLEEP && body.isDynamic) body.rest();
   }
   /** Moves a body so that the origin of its description is at the position. */
   function place(body: RigidBody, position: Vec3, rotation: Quaternion): void {
@@ -136,8 +139,16 @@ export function createCannonEngine(): PhysicsEngine {
       if (grid.hasChanged(l.x, l.y, l.z, u.x, u.y, u.z)) wakeIsland(body);
     }
   }
-  const castRoom: CastRoom = (from, direction, lengthM, normal) =>
-    grid ? castOnVoxels(grid, from, direction, lengthM, normal) : Number.POSITIVE_INFINITY;
+  const castRoom: CastRoom = (from, direction, lengthM, normal) => {
+    if (!grid) return Number.POSITIVE_INFINITY;
+    if (grid.surface) return castOnSurface(grid.surface, grid.settings.edgeM, from, direction, lengthM, normal);
+    return castOnVoxels(grid, from, direction, lengthM, normal);
+  };
+  function collideRoom(body: RigidBody, stepS: number): void {
+    if (!grid || !body.isDynamic || body.sleeps) return;
+    if (grid.surface) collideSurface(room, grid.surface, grid.settings.edgeM, body, stepS, contacts);
+    else collideVoxels(room, grid, body, stepS, contacts);
+  }
 
   function apply(command: Parameters<PhysicsEngine['apply']>[0]): void {
     if (!isFiniteCommand(command)) return;
@@ -223,8 +234,8 @@ export function createCannonEngine(): PhysicsEngine {
     broadphase.collisionPairs(world, as, bs);
     contacts.clear();
     findContacts(as, bs, stepS, linked, contacts);
-    if (grid) for (const body of bodies) if (body.isDynamic && !body.sleeps) collideVoxels(room, grid, body, stepS, contacts);
-    wakeTouched(contacts);
+    for (const body of bodies) collideRoom(body, stepS);
+    wakeTouched(contacts, stepS);
     prepareContacts(contacts);
     memory.recall(contacts, stepS / stepBeforeS);
     stepBeforeS = stepS;
@@ -265,7 +276,11 @@ export function createCannonEngine(): PhysicsEngine {
     velocitiesBefore.get(body)?.copy(body.velocity);
   }
   function end(body: RigidBody): void {
-    if (body.sleeps) return;
+    if (body.sleeps) {
+      // What passes close by has pressed on it in the solver.
+      if (body.isDynamic) body.rest();
+      return;
+    }
     if (!isFiniteState(body)) restore(body);
     const before = velocitiesBefore.get(body);
     if (body.isDynamic && before) sweep(body, before, bodies, castRoom);
@@ -319,7 +334,7 @@ export function createCannonEngine(): PhysicsEngine {
         out[o + 11] = w.x;
         out[o + 12] = w.y;
         out[o + 13] = w.z;
-        out[o + 14] = body.sleeps ? 1 : 0;
+        out[o + 14] = body.isDynamic && grid && p.y < grid.lowestM - LOST_M ? LOST : body.sleeps ? ASLEEP : 0;
       });
     },
     writeTouches: (out) => {

@@ -4,6 +4,8 @@ import type { RigidBody } from './rigid-body.ts';
 /** Bodies slower than this rest, meters and radians per second. */
 const REST_MPS = 0.02;
 const REST_RADPS = 0.06;
+/** Bodies that are nearer touch, meters. */
+const TOUCHING_M = 0.002;
 /** An island sleeps after so long at rest. */
 const REST_S = 0.5;
 
@@ -45,12 +47,16 @@ export function updateSleep(
   }
 }
 
-/** Wakes sleeping bodies that an awake or moving body touches. Before the contacts are solved. */
-export function wakeTouched(contacts: ContactList): boolean {
+/** Wakes sleeping bodies that an awake or moving body touches, or will touch in this step. Before the contacts are solved. */
+export function wakeTouched(contacts: ContactList, stepS: number): boolean {
   let hasWoken = false;
   for (let i = 0; i < contacts.count; i++) {
-    const { a, b, gapM } = contacts.at(i);
-    if (a.sleeps === b.sleeps || gapM > 0.002) continue;
+    const { a, b, gapM, nx, ny, nz } = contacts.at(i);
+    if (a.sleeps === b.sleeps) continue;
+    const { velocity: v } = a;
+    const { velocity: u } = b;
+    const closingMps = (v.x - u.x) * nx + (v.y - u.y) * ny + (v.z - u.z) * nz;
+    if (gapM > Math.max(TOUCHING_M, closingMps * stepS)) continue;
     const awake = a.sleeps ? b : a;
     const asleep = a.sleeps ? a : b;
     const moves = awake.isDynamic || awake.velocity.lengthSquared() > 1e-8 || awake.angularVelocity.lengthSquared() > 1e-8;

@@ -67,8 +67,11 @@ export interface StepAnswer {
   readonly failure: string | null;
 }
 
-/** Id; position of the origin of the body; quaternion x, y, z, w; velocity of the origin; angular velocity; 1 while it sleeps. */
+/** Id; position of the origin of the body; quaternion x, y, z, w; velocity of the origin; angular velocity; 0, `ASLEEP` or `LOST`. */
 export const POSE_STRIDE = 15;
+export const ASLEEP = 1;
+/** The body has fallen out of the room that was seen. */
+export const LOST = 2;
 /** Ids of both bodies (0: the room); point; normal towards the first; impulse. */
 export const TOUCH_STRIDE = 9;
 

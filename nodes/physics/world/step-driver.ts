@@ -70,8 +70,9 @@ export function createStepDriver({ workers, createStepper, restore, onRestart }:
     inWork = null;
     poses = new Float32Array(0);
     touches = new Float32Array(TOUCH_STRIDE * TOUCHES);
-    // What is in the kept state already has no effect a second time.
-    send([...restore(), ...lost.commands.filter(({ kind }) => kind !== 'clear')], lost.deltaS, lost.bodyCount);
+    // What is in the kept state already has no effect a second time. The buffers of depth may have other content by now.
+    const again = lost.commands.filter(({ kind }) => kind !== 'clear' && kind !== 'depth');
+    send([...restore(), ...again], lost.deltaS, lost.bodyCount);
   }
   function start(): void {
     if (worker || onMain) return;

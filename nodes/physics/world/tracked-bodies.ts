@@ -1,7 +1,7 @@
 import type { BodyList, BodyWorld, PhysicsBody, PhysicsJoint, PhysicsRoom, Touch } from '../../kit/physics.ts';
 import { MAX_TOUCHES } from '../../kit/physics.ts';
 import { createVersionWatch } from '../../kit/version-watch.ts';
-import { type PhysicsCommand, POSE_STRIDE, type StepAnswer, TOUCH_STRIDE } from './protocol.ts';
+import { ASLEEP, LOST, type PhysicsCommand, POSE_STRIDE, type StepAnswer, TOUCH_STRIDE } from './protocol.ts';
 
 /** The bodies of a world, and how they differ from those of the engine. */
 export interface TrackedBodies {
@@ -127,12 +127,18 @@ export function createTrackedBodies(world: BodyWorld): TrackedBodies {
       out.push({ kind: 'unjoin', id });
     }
   }
-  function writeRoom(room: PhysicsRoom, out: PhysicsCommand[]): void {
+  function writeRoom(room: PhysicsRoom | null, out: PhysicsCommand[]): void {
+    if (!room) {
+      if (sentRoom) out.push({ kind: 'room', room: null, friction: 0, restitution: 0 });
+      sentRoom = null;
+      return;
+    }
     const { settings, friction, restitution, version, frames } = room;
     if (sentRoom !== room || roomVersion !== version) out.push({ kind: 'room', room: { ...settings }, friction, restitution });
     sentRoom = room;
     roomVersion = version;
-    for (const frame of frames.splice(0)) out.push({ kind: 'depth', frame });
+    for (const frame of frames) out.push({ kind: 'depth', frame });
+    frames.length = 0;
   }
   function writeJoint({ id, joint, target }: TrackedJoint, out: PhysicsCommand[]): void {
     const a = byBody.get(joint.a);
@@ -178,8 +184,7 @@ export function createTrackedBodies(world: BodyWorld): TrackedBodies {
       for (const tracked of byBody.values()) writeChanges(tracked, out);
       writeJoints(out);
       // A world has one room: the first that is connected.
-      const room = lists.find((list) => list.room)?.room;
-      if (room) writeRoom(room, out);
+      writeRoom(lists.find((list) => list.room)?.room ?? null, out);
     },
     take: ({ poses, touches, bodyCount, touchCount }) => {
       for (let i = 0; i < bodyCount; i++) {
@@ -283,7 +288,8 @@ function writeBody(body: PhysicsBody, state: Float64Array, aheadS: number): void
     body.velocity[i] = at(8 + i);
     body.angularVelocity[i] = at(11 + i);
   }
-  body.isAsleep = at(14) === 1;
+  body.isAsleep = at(14) === ASLEEP;
+  body.isLost = at(14) === LOST;
 }
 
 function isEqual(a: Float64Array, b: Float64Array): boolean {

@@ -1,7 +1,7 @@
 import type { BodyDescription, BodyShape, JointDescription, PhysicsJoint, Triple } from '../../../nodes/kit/physics.ts';
 import { boxShape, sphereShape } from '../../../nodes/physics/body/solids.ts';
 import { createCannonEngine } from '../../../nodes/physics/world/cannon-engine.ts';
-import { type PhysicsEngine, POSE_STRIDE, TOUCH_STRIDE, type WorldSettings } from '../../../nodes/physics/world/protocol.ts';
+import { ASLEEP, LOST, type PhysicsEngine, POSE_STRIDE, TOUCH_STRIDE, type WorldSettings } from '../../../nodes/physics/world/protocol.ts';
 
 export const STEEL: Omit<BodyDescription, 'shapes'> = {
   mode: 'dynamic',
@@ -21,6 +21,7 @@ export interface LabBody {
   readonly velocity: Triple;
   readonly spin: Triple;
   readonly isAsleep: boolean;
+  readonly isLost: boolean;
 }
 
 /** An engine with bodies by id, for tests that compare motion with formulas. */
@@ -32,6 +33,7 @@ export interface Lab {
   /** Runs seconds at 60 frames per second. */
   run(seconds: number, each?: (frame: number) => void): void;
   body(id: number): LabBody;
+  all(): Map<number, LabBody>;
   touches(): { readonly a: number; readonly b: number; readonly impulse: number }[];
 }
 
@@ -68,15 +70,14 @@ export function createLab(settings: Partial<WorldSettings> = {}, engine: Physics
     },
     body: (id) => {
       const poses = buffer();
-      const o = poses.findIndex((value, i) => i % POSE_STRIDE === 0 && value === id);
-      const n = (i: number) => poses[o + i] ?? Number.NaN;
-      return {
-        positionM: [n(1), n(2), n(3)],
-        rotation: [n(4), n(5), n(6), n(7)],
-        velocity: [n(8), n(9), n(10)],
-        spin: [n(11), n(12), n(13)],
-        isAsleep: n(14) === 1,
-      };
+      return bodyAt(
+        poses,
+        poses.findIndex((value, i) => i % POSE_STRIDE === 0 && value === id),
+      );
+    },
+    all: () => {
+      const poses = buffer();
+      return new Map(Array.from({ length: engine.bodyCount }, (_, i) => [poses[i * POSE_STRIDE] ?? 0, bodyAt(poses, i * POSE_STRIDE)]));
     },
     touches: () => {
       const out = new Float32Array(TOUCH_STRIDE * 64);
@@ -86,6 +87,18 @@ export function createLab(settings: Partial<WorldSettings> = {}, engine: Physics
         return { a: n(0), b: n(1), impulse: n(8) };
       });
     },
+  };
+}
+
+function bodyAt(poses: Float32Array, o: number): LabBody {
+  const n = (i: number) => poses[o + i] ?? Number.NaN;
+  return {
+    positionM: [n(1), n(2), n(3)],
+    rotation: [n(4), n(5), n(6), n(7)],
+    velocity: [n(8), n(9), n(10)],
+    spin: [n(11), n(12), n(13)],
+    isAsleep: n(14) === ASLEEP,
+    isLost: n(14) === LOST,
   };
 }
 
