@@ -37,6 +37,8 @@ export type ToPreview =
    * to the right of it. Null, or a layer that is not viewed in the program, shows the screen output.
    */
   | { readonly kind: 'viewer'; readonly left: string | null; readonly right: string | null; readonly split: number }
+  /** Takes the panorama of `source/panorama-capture` in an emulated room, this many pixels wide. */
+  | { readonly kind: 'take-panorama'; readonly widthPx: number }
   /** Requests a PNG of the next frame with all views. */
   | { readonly kind: 'screenshot' }
   /**
@@ -200,6 +202,8 @@ export type FromPreview =
   | { readonly kind: 'key'; readonly keybinding: string }
   /** A screenshot or a video. Null if nothing is shown or the browser cannot record. */
   | { readonly kind: 'captured'; readonly what: 'screenshot' | 'video'; readonly file: Blob | null }
+  /** The answer to `take-panorama`. `text` is a sentence for the user. */
+  | { readonly kind: 'panorama'; readonly state: 'taken' | 'failed'; readonly text: string }
   /** Sent twice a second while measuring is on. */
   | { readonly kind: 'costs'; readonly costs: readonly OperationCost[] }
   /** Null if nothing is shown. */

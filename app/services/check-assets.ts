@@ -126,7 +126,7 @@ function wrongSound(head: Buffer, size: number): string | null {
 
 function wrongPanorama(head: Buffer, size: number): string | null {
   if (isRadiance(head) || isExr(head) || wrongImage(head, size) === null) return null;
-  return size === 0 ? 'is empty.' : 'is not a panorama. Use Radiance HDR, OpenEXR, JPEG, PNG or WebP.';
+  return size === 0 ? 'is empty.' : 'is not a panorama. Use Radiance HDR, OpenEXR, JPEG, PNG, WebP or AVIF.';
 }
 
 function isRadiance(head: Buffer): boolean {

@@ -60,7 +60,7 @@ const OPENERS: Readonly<Record<DecoderName, string>> = { draco: 'openDraco', mes
 const WORKERS_FOLDER = 'nodes/generated/workers/';
 
 function entryText(
-  { nodeTypes, scenes, spatial, input, panoramas, controls, labels, workerTypes }: ProgramUse,
+  { nodeTypes, scenes, spatial, input, panoramas, controls, labels, workerTypes, takesPanorama }: ProgramUse,
   decoders: readonly DecoderName[],
 ): string {
   const played = nodeTypes.filter((type) => Object.hasOwn(RUNTIME_FILES, type));
@@ -76,12 +76,13 @@ function entryText(
     ...(panoramas ? [`import { readRadiance } from './export/runtime/scenes/environments/read-radiance.ts';`] : []),
     ...(controls ? [`import { createRoomPanel } from './export/page/room-panel/room-panel.ts';`] : []),
     ...(labels ? [`import { createLabelLayer } from './export/page/label-layer.ts';`] : []),
+    ...(takesPanorama ? [`import { createPagePanorama as createPanorama } from './export/page/panorama-step/page-panorama.ts';`] : []),
     ...decoders.map((name) => `import { ${OPENERS[name]} } from './export/runtime/scenes/models/decoders/${name}.ts';`),
     ...played.map((type, i) => `import * as node${i} from ${JSON.stringify(`./${fileOf(type)}`)};`),
     `const modules = { ${played.map((type, i) => `${JSON.stringify(type)}: node${i}`).join(', ')} };`,
     `const decoders = { ${decoders.map((name) => `${name}: ${OPENERS[name]}`).join(', ')} };`,
     `const createScenes = ${scenes ? `(files) => createScenesWith({ decoders, files${panoramas ? ', readRadiance' : ''} })` : 'null'};`,
-    `startPage(window, { modules, createScenes, createSpatial${spatial ? '' : ': null'}, inputs: ${input ? 'SESSION_INPUTS' : 'null'}, createRoomPanel${controls ? '' : ': null'}, createLabelLayer${labels ? '' : ': null'}, createLens${scenes ? '' : ': null'} });`,
+    `startPage(window, { modules, createScenes, createSpatial${spatial ? '' : ': null'}, inputs: ${input ? 'SESSION_INPUTS' : 'null'}, createRoomPanel${controls ? '' : ': null'}, createLabelLayer${labels ? '' : ': null'}, createLens${scenes ? '' : ': null'}, createPanorama${takesPanorama ? '' : ': null'} });`,
   ];
   return lines.join('\n');
 }

@@ -16,6 +16,8 @@ export interface ProgramUse {
   readonly controls: boolean;
   /** Whether it has labels, which are elements of the page. */
   readonly labels: boolean;
+  /** Whether it takes panoramas of the room, which is a step of the page. */
+  readonly takesPanorama: boolean;
   /** Whether it starts workers: those of filters or of other nodes. */
   readonly workers: boolean;
   /** Node types that have a worker and start it. */
@@ -46,6 +48,7 @@ export function programUse(program: Program): ProgramUse {
     workers: working.length > 0,
     workerTypes: new Set(working.flatMap((operation) => ('type' in operation ? [operation.type] : []))),
     controls,
+    takesPanorama: nodes.some(({ type }) => type === 'source/panorama-capture'),
     labels: nodes.some(({ type }) => type === 'objects/label'),
     assets,
   };

@@ -19,12 +19,22 @@ export interface MountOptions {
   readonly assets: AssetSource;
   /** Creates the panel for sessions that hide the page; null without controls. */
   readonly createPanel: ((gl: WebGL2RenderingContext) => RoomPanel) | null;
+  /** Draws instead of the program while it covers it, as the step that takes a panorama; null for none. */
+  readonly interlude: Interlude | null;
   /** Creates the first session for the context of the canvas. */
   readonly session: (gl: WebGL2RenderingContext) => Session;
   readonly onDiagnostics: (diagnostics: readonly Diagnostic[]) => void;
   readonly onSessionEvent: (event: SessionEvent, session: Session) => void;
   /** Called if the WebGL context is lost or restored. */
   readonly onContext: (state: 'lost' | 'restored') => void;
+}
+
+/** Gets each frame before the program. */
+export interface Interlude {
+  readonly covers: boolean;
+  frame(frame: SessionFrame): void;
+  /** Forgets its GPU objects. */
+  contextLost(): void;
 }
 
 export interface Mounted {
@@ -58,6 +68,7 @@ export function mount(canvas: HTMLCanvasElement, options: MountOptions): Mounted
     event.preventDefault();
     player.contextLost();
     panel?.contextLost();
+    options.interlude?.contextLost();
     options.onContext('lost');
   };
   const restored = () => {
@@ -76,7 +87,9 @@ export function mount(canvas: HTMLCanvasElement, options: MountOptions): Mounted
     const shown = session?.hidesPage === true ? (options.createPanel?.(gl) ?? null) : null;
     panel = shown;
     const draw = (frame: SessionFrame) => {
-      player.draw(shown?.take(frame) ?? frame);
+      const passed = shown?.take(frame) ?? frame;
+      options.interlude?.frame(passed);
+      if (options.interlude?.covers !== true) player.draw(passed);
       shown?.draw(frame);
     };
     session?.start(draw, (event) => {

@@ -15,6 +15,8 @@ import type { CreateSpatial } from '../runtime/spatial/spatial.ts';
 import { type Mounted, type MountOptions, mount } from './mount.ts';
 import { showDiagnostics } from './notices.ts';
 import type { PageRoot } from './page-root.ts';
+import type { CreatePagePanorama } from './panorama-step/page-panorama.ts';
+import type { PanoramaStep } from './panorama-step/panorama-step.ts';
 import type { SessionMode, SessionModes } from './session-modes.ts';
 
 export interface PageControllerOptions {
@@ -25,6 +27,8 @@ export interface PageControllerOptions {
   readonly createLens: CreateLens | null;
   readonly createPanel: MountOptions['createPanel'];
   readonly overlay: MountOptions['overlay'];
+  /** Null if the program takes no panorama. */
+  readonly createPanorama: CreatePagePanorama | null;
   readonly page: Window;
   readonly root: PageRoot;
   readonly program: Program;
@@ -45,7 +49,7 @@ export interface PageController {
 }
 
 /** @throws Error if the browser has no WebGL 2. */
-export function createPageController({ page, root, program, modes, ...parts }: PageControllerOptions): PageController {
+export function createPageController({ page, root, program, modes, createPanorama, ...parts }: PageControllerOptions): PageController {
   const { canvas, notices, panel } = root;
   const clock = createBrowserClock();
   let isReady = false;
@@ -56,8 +60,17 @@ export function createPageController({ page, root, program, modes, ...parts }: P
   const { around } = program.presentation;
   const orbit = (gl: WebGL2RenderingContext) =>
     createOrbitSession({ gl, canvas, clock, inputs: parts.inputs, ...(around && { start: around }) });
+  let step: PanoramaStep | null = null;
+  const interlude: MountOptions['interlude'] = createPanorama && {
+    get covers() {
+      return step?.covers ?? false;
+    },
+    frame: (frame) => step?.frame(frame),
+    contextLost: () => step?.contextLost(),
+  };
   const mounted: Mounted = mount(canvas, {
     ...parts,
+    interlude,
     program,
     session: orbit,
     onDiagnostics: (diagnostics) => showDiagnostics(notices, 'player', diagnostics),
@@ -80,12 +93,14 @@ export function createPageController({ page, root, program, modes, ...parts }: P
       else notices.show('context', { text: CONTEXT_LOST, tone: 'problem' });
     },
   });
+  step = createPanorama?.({ page, root, program, modules: parts.modules, gl: mounted.gl, setPanorama: mounted.player.setPanorama }) ?? null;
   const lookAround = () => mounted.play(orbit(mounted.gl));
 
   const onEvent = (mode: SessionMode, event: SessionEvent) => {
     switch (event.kind) {
       case 'ended':
         for (const topic of ['tracking', 'missing', 'hint', ...Object.keys(SILENT)]) notices.clear(topic);
+        step?.end();
         offer();
         root.setMode(null);
         if (event.by === 'page') return;
@@ -93,6 +108,7 @@ export function createPageController({ page, root, program, modes, ...parts }: P
         void lookAround();
         return;
       case 'tracking':
+        step?.setTracked(event.tracked);
         if (event.tracked) notices.clear('tracking');
         else notices.show('tracking', { text: UNTRACKED[mode], tone: 'hint' });
         // The hint says to turn the device.
@@ -155,6 +171,7 @@ export function createPageController({ page, root, program, modes, ...parts }: P
       if (mode !== 'camera') immersive = mode;
       root.setMode(mode);
       if (mode === 'camera') notices.show('hint', { text: CAMERA_HINT, tone: 'hint' });
+      if (mode !== 'vr') await step?.begin(output);
       await mounted.play(output);
     },
     lookAround,

@@ -14,6 +14,7 @@ import { browserFetch } from './network.ts';
 import { createPageController, type PageController } from './page-controller.ts';
 import { CONFIG_ID, type PageConfig } from './page-html.ts';
 import { createPageRoot } from './page-root.ts';
+import type { CreatePagePanorama } from './panorama-step/page-panorama.ts';
 import type { CreateRoomPanel } from './room-panel/room-panel.ts';
 import { findSessionModes, lacksOf } from './session-modes.ts';
 
@@ -30,6 +31,8 @@ export interface PageParts {
   readonly createLabelLayer: CreateLabelLayer | null;
   /** Null without objects, which alone have to keep their place in the camera image. */
   readonly createLens: CreateLens | null;
+  /** Null if the program takes no panorama. */
+  readonly createPanorama: CreatePagePanorama | null;
 }
 
 /** Runs an exported page: loads the program, starts the orbit view and offers the available session modes. */
@@ -58,7 +61,7 @@ export async function startPage(page: Window, parts: PageParts): Promise<void> {
     const program = await loadProgram(files, config.program);
     const modes = await found;
     const createScenes = parts.createScenes?.((file) => files.load(config.decoders[file] ?? file)) ?? null;
-    const { modules, createSpatial, inputs, createRoomPanel, createLens } = parts;
+    const { modules, createSpatial, inputs, createRoomPanel, createLens, createPanorama } = parts;
     const createPanel = createRoomPanel && ((gl: WebGL2RenderingContext) => createRoomPanel({ gl, document, title: config.title, values }));
     controller = createPageController({
       page,
@@ -72,6 +75,7 @@ export async function startPage(page: Window, parts: PageParts): Promise<void> {
       inputs,
       createLens,
       createPanel,
+      createPanorama,
       overlay: parts.createLabelLayer?.(root) ?? null,
     });
     await controller.ready;

@@ -140,6 +140,9 @@ export function createEngine(options: EngineOptions): Engine {
         get blend() {
           return state.blend;
         },
+        get panorama() {
+          return state.panorama;
+        },
         get cameraMean() {
           cameraMean ??= createCameraMean({ objects, drawer, tool }, options.held ?? false);
           return cameraMean.read(state.frame);

@@ -1,4 +1,5 @@
 import type { Session, SessionFrame, ViewFrame } from '../../nodes/kit/session.ts';
+import type { TakenPanorama } from '../../nodes/kit/taken-panorama.ts';
 import { createSessionInput } from './sessions/input/session-input.ts';
 
 /** Current position of the player within a frame; one object that is changed in place. */
@@ -10,6 +11,8 @@ export interface PlayState {
   hidesPage: boolean;
   /** How the display of the session mixes the image with the world. */
   blend: Session['blend'];
+  /** What the visitor has taken; null for none. */
+  panorama: TakenPanorama | null;
   /** During operations that run once: the first view. */
   viewIndex: number;
   view: ViewFrame | null;
@@ -33,7 +36,17 @@ export const EMPTY_FRAME: SessionFrame = {
 };
 
 export function createPlayState(): PlayState {
-  return { frame: EMPTY_FRAME, sessions: 0, hidesPage: false, blend: 'opaque', viewIndex: 0, view: null, widthPx: 0, heightPx: 0 };
+  return {
+    frame: EMPTY_FRAME,
+    sessions: 0,
+    hidesPage: false,
+    blend: 'opaque',
+    panorama: null,
+    viewIndex: 0,
+    view: null,
+    widthPx: 0,
+    heightPx: 0,
+  };
 }
 
 export function enterView(state: PlayState, viewIndex: number): void {

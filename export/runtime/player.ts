@@ -2,6 +2,7 @@ import type { PlayedModule } from '../../nodes/kit/cpu-filter.ts';
 import type { ParamValue } from '../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { ResetCause, SessionFrame } from '../../nodes/kit/session.ts';
+import type { TakenPanorama } from '../../nodes/kit/taken-panorama.ts';
 import type { Program } from '../program/program.ts';
 import type { AssetSource } from './assets/asset-source.ts';
 import { createBrowserClock, type FrameClock } from './clock.ts';
@@ -73,6 +74,8 @@ export interface Player {
   readonly ready: Promise<PlayResult>;
   /** Sets the session that the next frames are drawn for; null without a session. */
   setSession(session: SessionTraits | null): void;
+  /** Sets the panorama that the visitor has taken, from the next frame on; null for none. Its pixels are kept. */
+  setPanorama(panorama: TakenPanorama | null): void;
   /** Draws all views of a frame into its framebuffer. */
   draw(frame: SessionFrame): void;
   /**
@@ -213,6 +216,9 @@ export function createPlayer(options: PlayerOptions): Player {
       session = next;
       state.hidesPage = next?.hidesPage === true;
       state.blend = next?.blend ?? 'opaque';
+    },
+    setPanorama: (panorama) => {
+      state.panorama = panorama;
     },
     draw: (frame) => {
       if (!live || !instance || preparing) return;

@@ -1,5 +1,6 @@
 import type { EnvironmentAsset, ModelAsset } from '../../nodes/kit/assets.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import type { PanoramaPixels } from '../../nodes/kit/panorama/pixels.ts';
 import type { SceneService } from '../../nodes/kit/runtime.ts';
 import type { LightList, ObjectList, RoomDepthOutput } from '../../nodes/kit/scene-lists.ts';
 import type { NumberView } from '../../nodes/kit/value-views.ts';
@@ -35,6 +36,8 @@ export interface SceneBackend {
    * @param lamps Lamps that were found in it before.
    */
   loadEnvironment(bytes: ArrayBuffer, lamps?: EnvironmentAsset['lamps']): Promise<LoadedEnvironment>;
+  /** `AssetService.createEnvironment`. */
+  createEnvironment(pixels: PanoramaPixels): LoadedEnvironment;
   /** Here, because only scenes draw multisampled depth, and other pages leave it out. */
   readonly createNearestDepth: CreateNearestDepth;
   /** Runs draws that only compile their shaders. Resolves when the driver has finished, without blocking. */
@@ -56,6 +59,8 @@ export interface LoadedModel extends ModelAsset {
 export type ModelFinding = Pick<Diagnostic, 'code' | 'severity' | 'message' | 'fix'>;
 
 export interface LoadedEnvironment extends EnvironmentAsset {
+  /** What is unusual about the file, reported at the nodes that use it; absent for nothing. */
+  readonly findings?: readonly ModelFinding[];
   dispose(): void;
 }
 

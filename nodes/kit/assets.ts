@@ -19,6 +19,13 @@ export interface AssetService {
   environment(id: string): AssetHandle<EnvironmentAsset>;
   video(id: string): AssetHandle<VideoAsset>;
   audio(id: string): AssetHandle<AudioAsset>;
+  /**
+   * Creates a panorama that is not a file, filtered for lighting.
+   *
+   * @param pixels Bytes with four channels, rows from the top. They are not copied.
+   * @returns The caller disposes it.
+   */
+  createEnvironment(pixels: PanoramaPixels): DerivedEnvironment;
 }
 
 /** One node's claim on an asset. Every handle must be released, in the node's `dispose`. */

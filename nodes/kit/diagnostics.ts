@@ -61,6 +61,7 @@ export const DIAGNOSTICS = {
   SCR036: 'The asset could not be compressed',
   SCR037: 'A body has the shape of a box instead of its object',
   SCR038: 'A body belongs to no physics world',
+  SCR039: 'The panorama has an unusual shape',
   // Shaders
   SCR040: 'The shader header is invalid',
   SCR041: 'The shader has a syntax error',

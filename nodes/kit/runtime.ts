@@ -9,6 +9,7 @@ import type { EnvironmentOutput, LightList, ObjectList, RoomDepthOutput } from '
 import type { SceneLook } from './scene-look.ts';
 import type { DepthImage, LightEstimate, Session, SessionFrame, ViewFrame } from './session.ts';
 import type { SoundOutput } from './sound.ts';
+import type { TakenPanorama } from './taken-panorama.ts';
 import type { TechniqueView } from './technique-view.ts';
 import type { NumberView, ValueViews, Writable } from './value-views.ts';
 import type { WireType } from './wire-types.ts';
@@ -266,6 +267,8 @@ export interface SessionService {
   readonly overlay?: HTMLElement | null;
   /** Raised when another session begins, whose world space and room are others. Compare it to forget what belongs to the room. */
   readonly sessions: number;
+  /** What the visitor has taken for `source/panorama-capture`; null until then. Another object is another panorama. */
+  readonly panorama: TakenPanorama | null;
   /** How the display mixes the image with the world: `additive` displays cannot darken, and black is transparent on them. */
   readonly blend: Session['blend'];
   /**

@@ -43,6 +43,7 @@ export function NodeInspector({ id }: { readonly id: string }) {
     <>
       <Head id={id} definition={definition} muted={node.muted ?? false} />
       <Problems id={id} />
+      {node.type === 'source/panorama-capture' && <TakePanorama params={node.params} />}
       {subgraph !== null && <SubgraphSection name={subgraph} />}
       <InputsSection node={id} definition={definition} wires={wires} />
       {node.type === LAMPS_TYPE && <LampsSection id={id} />}
@@ -102,6 +103,22 @@ function Problems({ id }: { readonly id: string }) {
         </li>
       ))}
     </ul>
+  );
+}
+
+/** Takes the panorama in the emulated room of the preview. */
+function TakePanorama({ params }: { readonly params: Readonly<Record<string, Binding>> }) {
+  const { transport } = useEditor();
+  const { size } = params;
+  // The default of the param.
+  const widthPx = size !== undefined && 'value' in size ? Number(size.value) : 1024;
+  return (
+    <section className="inspector-section" aria-label="Panorama">
+      <Button icon="room" onPress={() => transport.post({ kind: 'take-panorama', widthPx })}>
+        Take panorama in the preview
+      </Button>
+      <p className="inspector-note">In an emulated room, the preview turns to all targets by itself. On a page, visitors do it.</p>
+    </section>
   );
 }
 

@@ -32,6 +32,8 @@ export interface OpenSession {
   resize(sizePx: readonly [width: number, height: number] | null): void;
   /** Applies the `room-light` message to an emulated room. No effect on other sessions. */
   moveLight(directionWorld: readonly [number, number, number] | null): void;
+  /** Turns the head of an emulated device, column-major 4×4; null gives it back to the visitor. Null for other sessions. */
+  readonly setHead: ((worldFromHead: Float32Array | null) => void) | null;
   end(): Promise<void>;
 }
 
@@ -110,6 +112,7 @@ function opened({ output, diagnostics }: Result<Session>): OpenSession {
     rewind: () => {},
     resize: () => {},
     moveLight: () => {},
+    setHead: null,
     end: async () => output?.end(),
   };
 }
@@ -138,6 +141,7 @@ async function openRecording(url: string, { gl, clock, onEnd, onArrival }: Sessi
     rewind: () => session.seek(0),
     resize: () => {},
     moveLight: () => {},
+    setHead: null,
     end: () => session.end(),
   };
 }
@@ -155,6 +159,7 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
       rewind: () => {},
       resize: () => {},
       moveLight: () => {},
+      setHead: null,
       end: async () => {},
     };
   }
@@ -181,6 +186,7 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
     rewind: walk.rewind,
     resize: (asked) => emulator.setSize(asked ?? sizePx),
     moveLight: emulator.moveLight,
+    setHead: (worldFromHead) => (worldFromHead ? emulator.setPose({ matrix: worldFromHead }) : walk.restore()),
     end: async () => {
       walk.dispose();
       hands?.dispose();

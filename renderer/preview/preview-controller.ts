@@ -15,6 +15,7 @@ import { createPlayerHost, type PlayerHost } from './player-host.ts';
 import { type CaptureSource, createPosters, type PosterRequest } from './posters.ts';
 import { createProbes } from './probes.ts';
 import { isHandKey } from './room-hands.ts';
+import { createRoomPanorama } from './room-panorama.ts';
 import { createSimulatedSensors } from './simulated-sensors.ts';
 import { createStatus } from './status.ts';
 import { createThumbnails } from './thumbnails.ts';
@@ -72,6 +73,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
 
   const posters = createPosters(send, () => clock.wake());
   const captures = createCaptures(send, () => clock.wake());
+  const panorama = createRoomPanorama(send, () => clock.wake());
   const probes = createProbes(send, () => clock.wake());
   let lightWorld: Extract<ToPreview, { kind: 'room-light' }>['directionWorld'] = null;
   const gizmo = createGizmo(parent, send, () => clock.wake());
@@ -139,6 +141,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     await ending?.end();
   };
   const build = async ({ revision, program }: Wanted, { assetBaseUrl }: PreviewSource) => {
+    panorama.stop();
     await endSession();
     host?.dispose();
     host = null;
@@ -179,6 +182,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     if (lightWorld) opened.moveLight(lightWorld);
     sessionProblems = opened.diagnostics;
     sendProblems();
+    playerHost.player.setPanorama(panorama.enter(from));
     playerHost.player.reset();
     playerHost.player.setSession(opened.session);
     status.rewind(opened.recording?.frames ?? null);
@@ -193,6 +197,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
   const draw = (frame: SessionFrame) => {
     if (!host || lost) return;
     status.begin();
+    panorama.beforeDraw(frame);
     sensors.beforeFrame(frame);
     host.player.draw(frame);
     status.end(frame, open?.recording?.isLate ?? false);
@@ -293,6 +298,9 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
           metering = message.on;
           host?.meter.setOn(metering);
           clock.wake();
+          return;
+        case 'take-panorama':
+          panorama.take(lost ? null : host, open?.setHead ?? null, message.widthPx);
           return;
         case 'screenshot':
           captures.screenshot(captureSource());

@@ -5,6 +5,8 @@ import type { FrameClock } from '../../export/runtime/clock.ts';
 export interface Walk {
   /** Returns to the start pose. */
   rewind(): void;
+  /** Sets the pose again, after something else has. */
+  restore(): void;
   dispose(): void;
 }
 
@@ -110,6 +112,7 @@ export function createWalk(emulator: Pick<Emulator, 'setPose'>, screen: HTMLElem
       Object.assign(head, START);
       place();
     },
+    restore: place,
     dispose: () => {
       clock.cancelFrame(frame);
       screen.removeEventListener('pointerdown', onDown);

@@ -227,6 +227,7 @@ function giveAt(
     light: null as unknown,
     cameraMean: null as unknown,
     sessions: 1,
+    panorama: null,
     frame: sessionFrame(0, 0, 0),
     anchors: {
       create: (at: Hit | ArrayLike<number>) => {

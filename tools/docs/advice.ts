@@ -44,6 +44,8 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
   SCR037:
     'Choose “Box” as the shape if a box is right. Otherwise use a model that is solid and has fewer vertices: flat models, models without volume and models of more than 200,000 vertices have no useful hull.',
   SCR038: 'Connect the output “Body” to the input “Bodies” of a Physics world, or delete the Body node.',
+  SCR039:
+    'Panoramas are equirectangular (2 : 1), the photo of a mirror ball (1 : 1), or six faces of a cube as a cross (4 : 3, 3 : 4) or a strip (6 : 1, 1 : 6). Crop or extend the picture to one of these shapes. A square picture that is no mirror ball is to be exported again, twice as wide as high.',
   SCR040: 'Fix the JSON in the shader’s first comment at the line that the message names.',
   SCR041: 'Fix the line that the message names. Until then the last working version plays.',
   SCR042: 'Fix the line that the message names; the graphics driver rejected it. Until then the last working version plays.',

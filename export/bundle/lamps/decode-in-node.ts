@@ -1,4 +1,5 @@
 import { decode } from 'fast-png';
+import { layoutOf } from '../../../nodes/kit/panorama/layouts.ts';
 import type { PanoramaPixels } from '../../../nodes/kit/panorama/pixels.ts';
 import { readRadianceHeader } from '../../runtime/scenes/environments/radiance-header.ts';
 import { readRadiance } from '../../runtime/scenes/environments/read-radiance.ts';
@@ -16,10 +17,16 @@ const PNG_SIGNATURE = [0x89, 0x50, 0x4e, 0x47] as const;
 export function decodeInNode(file: Uint8Array): PanoramaPixels | null {
   const bytes = file.buffer.slice(file.byteOffset, file.byteOffset + file.byteLength) as ArrayBuffer;
   const header = readRadianceHeader(bytes);
-  if (header) return readRadiance.floats(bytes, header);
+  if (header) return isConverted(header.widthPx, header.heightPx) ? null : readRadiance.floats(bytes, header);
   if (!PNG_SIGNATURE.every((byte, i) => file[i] === byte)) return null;
   const { width, height, channels, depth, data, palette } = decode(file);
   const plain = depth === 8 && palette === undefined && (channels === 1 || channels === 3) && data instanceof Uint8Array;
-  if (!plain || Math.max(width, height) > MAX_PICTURE_PX) return null;
+  if (!plain || Math.max(width, height) > MAX_PICTURE_PX || isConverted(width, height)) return null;
   return { widthPx: width, heightPx: height, channels, data };
+}
+
+/** A page converts mirror balls and cubes, and then needs the lamps of the result. */
+function isConverted(widthPx: number, heightPx: number): boolean {
+  const layout = layoutOf(widthPx, heightPx);
+  return layout !== null && layout !== 'equirectangular';
 }

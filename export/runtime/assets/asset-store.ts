@@ -117,6 +117,7 @@ export function createAssetStore(means: AssetMeans): AssetStore {
         video: (id) => find<VideoAsset>('video', id),
         audio: (id) => find<AudioAsset>('audio', id),
         environment: (id) => find<EnvironmentAsset>('environment', id),
+        createEnvironment: (pixels) => means.scenes().createEnvironment(pixels),
       };
     },
     dispose: () => {

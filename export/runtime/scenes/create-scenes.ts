@@ -66,6 +66,7 @@ function create(host: SceneHost, tools: SceneTools): SceneBackend {
     createShadowMaps: (casters, lights) => createShadowMaps(renderer, casters, lights),
     loadModel: createModelLoader(tools, renderer.three),
     loadEnvironment: panoramas.load,
+    createEnvironment: panoramas.create,
     createNearestDepth,
     prepare: renderer.prepare,
     invalidateState: renderer.invalidateState,

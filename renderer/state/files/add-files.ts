@@ -17,6 +17,7 @@ import { placeFreely } from '../graph/free-places.ts';
 import { showObjects } from '../graph/show-objects.ts';
 import { addShader, type ForeignShader } from '../shaders/add-shader.ts';
 import { addShadertoy } from '../shaders/import-shadertoy.ts';
+import { type Faces, joinFaces, splitFaces } from './cube-faces.ts';
 import { showRefusal } from './files.ts';
 import { addCube } from './import-cube.ts';
 import { isGltf, type ModelFile, wholeModel } from './whole-models.ts';
@@ -30,7 +31,7 @@ const KINDS: Readonly<Record<AssetKind, { readonly endings: readonly string[]; r
   image: { endings: ['.png', '.jpg', '.jpeg', '.webp'] },
   video: { endings: ['.mp4', '.webm', '.m4v'] },
   audio: { endings: ['.mp3', '.m4a', '.wav', '.ogg', '.flac'] },
-  environment: { endings: ['.hdr', '.exr'], also: ['.jpg', '.jpeg', '.png', '.webp'] },
+  environment: { endings: ['.hdr', '.exr'], also: ['.jpg', '.jpeg', '.png', '.webp', '.avif'] },
 };
 const SHADERS = /\.(fs|isf|glsl)$/i;
 const TABLES = /\.cube$/i;
@@ -68,7 +69,11 @@ export function addFiles(editor: Editor, files: readonly DroppedFile[], place: P
 
 async function addEach(editor: Editor, files: readonly DroppedFile[], place: Place): Promise<void> {
   const added: string[] = [];
-  const { others, vertexOf, imagesOf } = await pairShaders(await packModels(editor, files));
+  const { faces, rest } = splitFaces(files);
+  const sky = faces && (await joinedFaces(editor, faces));
+  const skyNode = sky && (await addAssetNode(editor, sky, 'environment', place));
+  if (skyNode) added.push(skyNode);
+  const { others, vertexOf, imagesOf } = await pairShaders(await packModels(editor, rest));
   for (const [index, file] of others.entries()) {
     const at = { x: place.x + index * STEP_PX, y: place.y + index * STEP_PX };
     const shadertoy = await readShadertoy(file);
@@ -85,7 +90,7 @@ async function addEach(editor: Editor, files: readonly DroppedFile[], place: Pla
     if (kind === null) {
       const text = VERTEX_SHADER.test(file.name)
         ? `${file.name} is a vertex shader without its ISF file. Drop both files together.`
-        : `${file.name} has an unsupported format. Supported are models (.glb, .gltf), images (.png, .jpg, .webp), videos (.mp4, .webm), sounds (.mp3, .m4a, .wav, .ogg, .flac), panoramas (.hdr, .exr), LUTs (.cube) and ISF shaders (.fs).`;
+        : `${file.name} has an unsupported format. Supported are models (.glb, .gltf), images (.png, .jpg, .webp), videos (.mp4, .webm), sounds (.mp3, .m4a, .wav, .ogg, .flac), panoramas (.hdr, .exr, or six faces of a cube), LUTs (.cube) and ISF shaders (.fs).`;
       addToast(editor.ui, { tone: 'error', text });
       continue;
     }
@@ -96,6 +101,16 @@ async function addEach(editor: Editor, files: readonly DroppedFile[], place: Pla
     if (node !== null) added.push(node);
   }
   if (added.length > 0) selectOnly(editor.selection, added);
+}
+
+/** Shows a message and returns null if the faces do not make a panorama. */
+async function joinedFaces(editor: Editor, faces: Faces): Promise<DroppedFile | null> {
+  try {
+    return await joinFaces(faces);
+  } catch (error) {
+    addToast(editor.ui, { tone: 'error', text: error instanceof Error ? error.message : String(error) });
+    return null;
+  }
 }
 
 const MISSING_FIX = 'Import the model together with all of its files, or as one .glb file.';
@@ -191,7 +206,10 @@ async function textOf(file: DroppedFile): Promise<string> {
 /** Imports a file, or all files of a model, and adds an asset. Returns its id, or null if that failed. */
 export function importAsset(editor: Editor, files: readonly DroppedFile[], kind: AssetKind): Promise<string | null> {
   return editor.fileWork(async () => {
-    const [first, ...others] = await packModels(editor, files);
+    const { faces } = kind === 'environment' ? splitFaces(files) : { faces: null };
+    const sky = faces && (await joinedFaces(editor, faces));
+    if (faces && !sky) return null;
+    const [first, ...others] = sky ? [sky] : await packModels(editor, files);
     const file = [first, ...others].find((candidate) => candidate && kindOfFile(candidate.name) === kind) ?? first;
     if (!file) return null;
     const imported = await importFile(editor, file, kind);

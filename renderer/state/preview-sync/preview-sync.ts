@@ -177,6 +177,9 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
       case 'captured':
         saveCapture(editor, message);
         return;
+      case 'panorama':
+        addToast(editor.ui, { tone: message.state === 'taken' ? 'success' : 'error', text: message.text });
+        return;
       case 'costs':
         editor.costs.setState({ measured: message.costs });
         return;

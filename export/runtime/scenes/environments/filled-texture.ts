@@ -46,6 +46,21 @@ export function filledTexture(texture: Texture, runs: readonly number[], size: S
   return filled;
 }
 
+/**
+ * Creates a texture of display-referred bytes with four channels.
+ *
+ * @throws Error for other pixels.
+ */
+export function bytesTexture({ data, widthPx, heightPx, channels, fromBottom = false }: PanoramaPixels): DataTexture {
+  if (data.BYTES_PER_ELEMENT !== 1 || channels !== 4) throw new Error('Panoramas are created from bytes with four channels.');
+  // Texture data of three.js has no clamped arrays.
+  const texture = new DataTexture(new Uint8Array(data.buffer as ArrayBuffer, data.byteOffset, data.byteLength), widthPx, heightPx);
+  texture.format = RGBAFormat;
+  texture.colorSpace = SRGBColorSpace;
+  texture.flipY = !fromBottom;
+  return texture;
+}
+
 function halvesTarget(pixels: PanoramaPixels): FillTarget {
   const { widthPx, heightPx, channels, data } = pixels;
   const indexOf = (x: number, y: number, channel: number): number => startOfRow(pixels, y) + x * channels + (channels === 1 ? 0 : channel);

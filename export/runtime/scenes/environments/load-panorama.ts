@@ -1,23 +1,37 @@
 import {
   ClampToEdgeWrapping,
+  DataTexture,
+  DataUtils,
   EquirectangularReflectionMapping,
+  HalfFloatType,
   LinearFilter,
   LinearMipmapLinearFilter,
+  LinearSRGBColorSpace,
   RepeatWrapping,
+  RGBAFormat,
   SRGBColorSpace,
   Texture,
 } from 'three';
-import type { LoadedEnvironment } from '../../scene-backend.ts';
-import { ownPixels } from './filled-texture.ts';
+import { layoutOf, type PanoramaLayout, wrongShape } from '../../../../nodes/kit/panorama/layouts.ts';
+import type { PanoramaPixels } from '../../../../nodes/kit/panorama/pixels.ts';
+import { type PlainPixels, toEquirectangular } from '../../../../nodes/kit/panorama/to-equirectangular.ts';
+import type { LoadedEnvironment, ModelFinding } from '../../scene-backend.ts';
+import { bytesTexture, ownPixels } from './filled-texture.ts';
 import { PanoramaError, type RadianceHeader, readRadianceHeader } from './radiance-header.ts';
 import type { ReadRadiance } from './read-radiance.ts';
 
 /** At 4096 rows, 16-bit floats with mipmaps take 350 MB. */
 const MAX_WIDTH_PX = 8192;
 
+/** Width up to which balls and cubes are converted, which takes half a second. */
+const MOST_CONVERTED_PX = 2048;
+/** Fewer pixels show no directions. */
+const LEAST_PX = 2;
+
 /**
  * Decodes an equirectangular image: Radiance HDR and OpenEXR as linear 16-bit floats, other formats as display-referred sRGB with white at
- * 1. An image above the size limit is reduced.
+ * 1. An image above the size limit is reduced. Photos of a mirror ball and the faces of a cube, which are told by their shape, are
+ * converted.
  *
  * @throws PanoramaError, as a rejection, if the file is invalid.
  */
@@ -25,9 +39,68 @@ export async function loadPanorama(bytes: ArrayBuffer, maxTexturePx: number, rea
   const maxPx = Math.min(MAX_WIDTH_PX, maxTexturePx);
   const header = readRadianceHeader(bytes);
   if (header) checkSize(header, maxPx);
-  const texture = header ? readRadiance.halves(bytes, header) : await readPicture(bytes, maxPx);
+  const picture = header ? null : await readPicture(bytes, maxPx);
+  const [widthPx, heightPx] = header ? [header.widthPx, header.heightPx] : sizeOf(picture);
+  if (widthPx < LEAST_PX || heightPx < LEAST_PX) {
+    picture?.close();
+    throw new PanoramaError(`it has only ${widthPx} × ${heightPx} pixels. Export it again with at least 64 × 32`);
+  }
+  const layout = layoutOf(widthPx, heightPx);
+  const findings = findingsOf(layout, widthPx, heightPx);
+  if (layout !== null && layout !== 'equirectangular') {
+    return { ...(header ? convertRadiance(bytes, header, layout, readRadiance) : convertPicture(picture, layout)), findings };
+  }
+  const texture = header ? readRadiance.halves(bytes, header) : pictureTexture(picture);
   const readPixels = () => (header ? readRadiance.floats(bytes, header) : ownPixels(texture));
-  return panoramaOf(texture, readPixels);
+  return { ...panoramaOf(texture, readPixels), findings };
+}
+
+function findingsOf(layout: PanoramaLayout | null, widthPx: number, heightPx: number): ModelFinding[] {
+  if (layout === null) {
+    const message = `The panorama is stretched. ${wrongShape(widthPx, heightPx)}`;
+    return [{ code: 'SCR039', severity: 'warning', message, fix: 'Change the picture, or choose another one.' }];
+  }
+  if (layout !== 'ball') return [];
+  const message = 'The panorama is square, so it is read as the photo of a mirror ball, cut to the ball.';
+  return [{ code: 'SCR039', severity: 'info', message, fix: 'Export it twice as wide as high if it is none.' }];
+}
+
+function convertRadiance(bytes: ArrayBuffer, header: RadianceHeader, layout: PanoramaLayout, read: ReadRadiance): LoadedPanorama {
+  // It finds out whether the file is whole.
+  const halves = read.halves(bytes, header);
+  halves.dispose();
+  const converted = toEquirectangular(read.floats(bytes, header) as PlainPixels, layout, MOST_CONVERTED_PX);
+  return panoramaOf(halvesTexture(converted), () => ({ ...converted, data: converted.data.slice() }));
+}
+
+function convertPicture(picture: ImageBitmap | null, layout: PanoramaLayout): LoadedPanorama {
+  const source = pictureTexture(picture);
+  const pixels: PanoramaPixels = ownPixels(source);
+  disposeTexture(source);
+  const converted = toEquirectangular(pixels as PlainPixels, layout, MOST_CONVERTED_PX);
+  return panoramaOf(bytesTexture(converted), () => ({ ...converted, data: converted.data.slice() }));
+}
+
+function halvesTexture({ data, widthPx, heightPx, channels }: PlainPixels): DataTexture {
+  const halves = new Uint16Array(widthPx * heightPx * 4);
+  for (let i = 0; i < widthPx * heightPx; i++) {
+    for (let c = 0; c < 3; c++) {
+      const value = data[i * channels + (channels === 1 ? 0 : c)] ?? 0;
+      halves[i * 4 + c] = DataUtils.toHalfFloat(Math.min(Math.max(value, 0), MAX_HALF));
+    }
+    halves[i * 4 + 3] = ONE_HALF;
+  }
+  const texture = new DataTexture(halves, widthPx, heightPx, RGBAFormat, HalfFloatType);
+  texture.colorSpace = LinearSRGBColorSpace;
+  texture.flipY = true;
+  return texture;
+}
+
+const MAX_HALF = 65504;
+const ONE_HALF = 0x3c00;
+
+function sizeOf(picture: ImageBitmap | null): readonly [widthPx: number, heightPx: number] {
+  return [picture?.width ?? 0, picture?.height ?? 0];
 }
 
 /** A panorama that is not filtered for lighting yet. */
@@ -55,13 +128,17 @@ function checkSize({ widthPx, heightPx }: RadianceHeader, maxPx: number): void {
   }
 }
 
-async function readPicture(bytes: ArrayBuffer, maxPx: number): Promise<Texture> {
+async function readPicture(bytes: ArrayBuffer, maxPx: number): Promise<ImageBitmap> {
   const options: ImageBitmapOptions = { premultiplyAlpha: 'none', colorSpaceConversion: 'none', imageOrientation: 'flipY' };
   const full = await createImageBitmap(new Blob([bytes]), options).catch(() => {
-    throw new PanoramaError('it is no picture. Use a Radiance HDR (.hdr), OpenEXR (.exr), JPEG, PNG or WebP file');
+    throw new PanoramaError('it is no picture. Use a Radiance HDR (.hdr), OpenEXR (.exr), JPEG, PNG, WebP or AVIF file');
   });
   const scale = maxPx / Math.max(full.width, full.height);
-  const texture = new Texture(scale >= 1 ? full : await shrink(full, scale));
+  return scale >= 1 ? full : shrink(full, scale);
+}
+
+function pictureTexture(picture: ImageBitmap | null): Texture {
+  const texture = new Texture(picture);
   texture.colorSpace = SRGBColorSpace;
   texture.flipY = false;
   return texture;

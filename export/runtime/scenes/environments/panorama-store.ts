@@ -5,7 +5,7 @@ import type { LampOptions } from '../../../../nodes/kit/panorama/lamp-options.ts
 import type { PanoramaPixels } from '../../../../nodes/kit/panorama/pixels.ts';
 import type { LoadedEnvironment } from '../../scene-backend.ts';
 import type { SceneRenderer } from '../scene-renderer.ts';
-import { filledTexture, ownPixels } from './filled-texture.ts';
+import { bytesTexture, filledTexture, ownPixels } from './filled-texture.ts';
 import { type LoadedPanorama, loadPanorama, panoramaOf } from './load-panorama.ts';
 import { type Prefiltered, prefilter } from './prefilter.ts';
 import type { ReadRadiance } from './read-radiance.ts';
@@ -14,6 +14,8 @@ import type { ReadRadiance } from './read-radiance.ts';
 export interface PanoramaStore {
   /** Rejects with an `Error` whose message is text for the user. */
   load(bytes: ArrayBuffer, lamps?: EnvironmentAsset['lamps']): Promise<LoadedEnvironment>;
+  /** Creates a panorama from bytes with four channels, rows from the top. The caller disposes it. */
+  create(pixels: PanoramaPixels): LoadedEnvironment;
   prefiltered(environment: EnvironmentAsset): Texture;
   dispose(): void;
 }
@@ -52,6 +54,10 @@ export function createPanoramaStore(renderer: SceneRenderer, { readRadiance, fin
     load: async (bytes, lamps) => {
       if (!readRadiance) throw new Error('The program has a panorama, but the page was made without.');
       return complete(await loadPanorama(bytes, renderer.three.capabilities.maxTextureSize, readRadiance), lamps);
+    },
+    create: (pixels) => {
+      const texture = bytesTexture(pixels);
+      return complete(panoramaOf(texture, () => ({ ...pixels, data: pixels.data.slice() })));
     },
     prefiltered: (environment) => {
       const known = filtered.get(environment);

@@ -1,0 +1,235 @@
+import {
+  AIM_RAD,
+  captureTargets,
+  coverageOf,
+  type Direction,
+  MOST_TARGETS,
+  targetsForHoles,
+} from '../../../nodes/kit/panorama/capture-targets.ts';
+import type { PanoramaShot } from '../../../nodes/kit/panorama/shot.ts';
+import type { SessionFrame, ViewFrame } from '../../../nodes/kit/session.ts';
+
+/** A direction to photograph. */
+export interface CaptureTarget {
+  readonly direction: Direction;
+  taken: boolean;
+}
+
+/**
+ * Takes photos by itself while the camera points at a target and holds still.
+ *
+ * `waiting`: there was no camera image yet. `blind`: the session gives none. `complete`: all targets are taken and leave no holes.
+ */
+export interface PanoramaCapture {
+  readonly state: 'waiting' | 'blind' | 'taking' | 'complete';
+  /** In the order in which they appeared. */
+  readonly targets: readonly CaptureTarget[];
+  readonly shots: readonly PanoramaShot[];
+  /** The nearest target that is not taken; null if all are. */
+  readonly next: CaptureTarget | null;
+  /** How long the camera holds still on the target, as a part of the time that it has to. */
+  readonly held: number;
+  /** The visitor has left the place of the first photo, from which near things look shifted. */
+  readonly isAway: boolean;
+  /** Once per frame. */
+  update(frame: SessionFrame): void;
+  /** Photos for stitching: with the lens as it is known now, and the first pose of the camera. */
+  result(): { readonly shots: readonly PanoramaShot[]; readonly at: readonly [number, number, number] };
+  /**
+   * Takes photos of an earlier session over.
+   *
+   * @param shots In the world space of this session.
+   * @param headingRad The angle by which they were turned, counterclockwise seen from above. The targets are turned as well.
+   */
+  adopt(shots: readonly PanoramaShot[], headingRad: number): void;
+  /** Forgets all photos. */
+  restart(): void;
+}
+
+export interface CaptureOptions {
+  /** Takes a photo of the view, in this size or a smaller one. */
+  readonly read: (view: ViewFrame, widthPx: number, heightPx: number) => PanoramaShot;
+  /** Width of the panorama, which determines the size of the photos. */
+  readonly widthPx: number;
+  /** How long the camera has to hold still, seconds. */
+  readonly holdS: number;
+}
+
+/** Slower than this, a photo of 1/30 s is blurred by less than a pixel of the panorama. */
+const STILL_RAD_PER_S = 0.12;
+const STILL_M_PER_S = 0.25;
+/** Time without a camera image after which the session is taken to give none. */
+const BLIND_S = 2.5;
+/** Farther from the first photo, things at 2 m look shifted by more than 10°. */
+const AWAY_M = 0.4;
+/** Photos have more pixels than the panorama, which are averaged. */
+const PIXELS_PER_PIXEL = 1.5;
+const MOST_SIDE_PX = 1024;
+/** Targets are added for holes this many times; what is left is filled. */
+const EXTRA_TURNS = 2;
+
+export function createPanoramaCapture({ read, widthPx, holdS }: CaptureOptions): PanoramaCapture {
+  let state: PanoramaCapture['state'] = 'waiting';
+  let targets: CaptureTarget[] = [];
+  let shots: PanoramaShot[] = [];
+  let next: CaptureTarget | null = null;
+  let stillSinceS = 0;
+  let held = 0;
+  let isAway = false;
+  let blindSinceS = -1;
+  let extraTurns = 0;
+  /** Of the targets. */
+  let headingRad = 0;
+  const last = { timeS: -1, worldFromView: new Float32Array(16) };
+  const first = new Float32Array(3);
+  /** Lens of the newest frame. */
+  const lens = new Float32Array(16);
+
+  function restart(): void {
+    state = 'waiting';
+    targets = [];
+    shots = [];
+    next = null;
+    held = 0;
+    isAway = false;
+    blindSinceS = -1;
+    extraTurns = 0;
+    headingRad = 0;
+    last.timeS = -1;
+  }
+
+  function begin(view: ViewFrame): void {
+    const [cos, sin] = [Math.cos(headingRad), Math.sin(headingRad)];
+    targets = captureTargets(view.clipFromView).map(([x, y, z]) => ({
+      direction: [x * cos + z * sin, y, z * cos - x * sin],
+      taken: false,
+    }));
+    state = 'taking';
+    for (const shot of shots) mark(shot.worldFromView);
+  }
+
+  /** Marks the targets near the center of a photo. */
+  function mark(worldFromView: Float32Array): void {
+    for (const target of targets) if (angleTo(worldFromView, target.direction) <= AIM_RAD * 1.5) target.taken = true;
+  }
+
+  function watchStillness({ worldFromView }: ViewFrame, timeS: number): void {
+    const deltaS = timeS - last.timeS;
+    const moves =
+      last.timeS < 0 ||
+      turnBetween(last.worldFromView, worldFromView) > STILL_RAD_PER_S * deltaS ||
+      distanceBetween(last.worldFromView, worldFromView) > STILL_M_PER_S * deltaS;
+    if (moves) stillSinceS = timeS;
+    last.timeS = timeS;
+    last.worldFromView.set(worldFromView);
+  }
+
+  function nearest(worldFromView: Float32Array): CaptureTarget | null {
+    let best: CaptureTarget | null = null;
+    let least = Number.POSITIVE_INFINITY;
+    for (const target of targets) {
+      const angle = target.taken ? Number.POSITIVE_INFINITY : angleTo(worldFromView, target.direction);
+      if (angle >= least) continue;
+      least = angle;
+      best = target;
+    }
+    return best;
+  }
+
+  function takePhoto(view: ViewFrame, target: CaptureTarget): void {
+    const { worldFromView } = view;
+    if (shots.length === 0) for (let i = 0; i < 3; i++) first[i] = worldFromView[12 + i] ?? 0;
+    const perRad = (widthPx / (2 * Math.PI)) * PIXELS_PER_PIXEL;
+    const side = (i: number): number =>
+      Math.max(16, Math.min(MOST_SIDE_PX, Math.round(2 * Math.atan(1 / (view.clipFromView[i] ?? 1)) * perRad)));
+    shots.push(read(view, side(0), side(5)));
+    target.taken = true;
+    if (nearest(worldFromView) === null) finishRound(view);
+  }
+
+  /** Adds targets for what the photos do not show, or is complete. */
+  function finishRound({ clipFromView }: ViewFrame): void {
+    const extra = extraTurns < EXTRA_TURNS ? targetsForHoles(sharedLens(), clipFromView, MOST_TARGETS - targets.length) : [];
+    extraTurns++;
+    for (const direction of extra) targets.push({ direction, taken: false });
+    if (extra.length === 0) state = 'complete';
+  }
+
+  /** A lens that is estimated gets better with time, so that the newest one counts for all photos of its shape. */
+  function sharedLens(): PanoramaShot[] {
+    const shape = (lens[0] ?? 1) / (lens[5] ?? 1);
+    return shots.map((shot) => {
+      const own = (shot.clipFromView[0] ?? 1) / (shot.clipFromView[5] ?? 1);
+      return Math.abs(own / shape - 1) < 0.01 ? { ...shot, clipFromView: lens.slice() } : shot;
+    });
+  }
+
+  return {
+    get state() {
+      return state;
+    },
+    get targets() {
+      return targets;
+    },
+    get shots() {
+      return shots;
+    },
+    get next() {
+      return next;
+    },
+    get held() {
+      return held;
+    },
+    get isAway() {
+      return isAway;
+    },
+    update: (frame) => {
+      const view = frame.views[0];
+      if (!view || frame.viewCount === 0 || state === 'complete') return;
+      if (!view.cameraImage) {
+        if (blindSinceS < 0) blindSinceS = frame.timeS;
+        if (state !== 'taking' && frame.timeS - blindSinceS >= BLIND_S) state = 'blind';
+        return;
+      }
+      if (state !== 'taking') begin(view);
+      lens.set(view.clipFromView);
+      watchStillness(view, frame.timeS);
+      next = nearest(view.worldFromView);
+      isAway = shots.length > 0 && Math.hypot(...[0, 1, 2].map((i) => (view.worldFromView[12 + i] ?? 0) - (first[i] ?? 0))) > AWAY_M;
+      const aims = next !== null && angleTo(view.worldFromView, next.direction) <= AIM_RAD;
+      if (!aims) stillSinceS = frame.timeS;
+      held = aims ? Math.min(1, holdS === 0 ? 1 : (frame.timeS - stillSinceS) / holdS) : 0;
+      if (next !== null && held >= 1 && !isAway) {
+        takePhoto(view, next);
+        stillSinceS = frame.timeS;
+        next = nearest(view.worldFromView);
+      }
+    },
+    result: () => ({ shots: sharedLens(), at: [first[0] ?? 0, first[1] ?? 0, first[2] ?? 0] }),
+    adopt: (others, turnedRad) => {
+      restart();
+      shots = [...others];
+      headingRad = turnedRad;
+      const [newest] = others;
+      for (let i = 0; newest && i < 3; i++) first[i] = newest.worldFromView[12 + i] ?? 0;
+    },
+    restart,
+  };
+}
+
+/** Angle between the axis of a camera and a direction. */
+function angleTo(m: Float32Array, [x, y, z]: Direction): number {
+  return Math.acos(Math.min(1, Math.max(-1, -((m[8] ?? 0) * x + (m[9] ?? 0) * y + (m[10] ?? 0) * z))));
+}
+
+function turnBetween(a: Float32Array, b: Float32Array): number {
+  let trace = 0;
+  for (let column = 0; column < 3; column++) {
+    for (let row = 0; row < 3; row++) trace += (a[4 * column + row] ?? 0) * (b[4 * column + row] ?? 0);
+  }
+  return Math.acos(Math.min(1, Math.max(-1, (trace - 1) / 2)));
+}
+
+function distanceBetween(a: Float32Array, b: Float32Array): number {
+  return Math.hypot((a[12] ?? 0) - (b[12] ?? 0), (a[13] ?? 0) - (b[13] ?? 0), (a[14] ?? 0) - (b[14] ?? 0));
+}

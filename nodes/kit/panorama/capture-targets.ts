@@ -1,0 +1,124 @@
+import { projectDirection, type ShotPoint, type ShotPose } from './shot.ts';
+
+/** Unit vector in world space. */
+export type Direction = readonly [x: number, y: number, z: number];
+
+/** Rows of targets: elevation in degrees and how many there are around. Together 34, as in the ARPAS paper. */
+const ROWS: readonly (readonly [elevationDeg: number, count: number])[] = [
+  [0, 10],
+  [36, 8],
+  [-36, 8],
+  [68, 3],
+  [-68, 3],
+  [90, 1],
+  [-90, 1],
+];
+/** Visitors stop within this angle of a target, so that the edges of a photo cannot be counted on. */
+export const AIM_RAD = (4 * Math.PI) / 180;
+/** Directions that are tested for holes: about 3° apart. */
+const SAMPLES = 4096;
+/** Holes up to this share of the sphere are filled from their surroundings. */
+const HOLES_LEFT = 0.002;
+/** A narrow lens would need hundreds of photos, which no one takes. */
+export const MOST_TARGETS = 96;
+
+/**
+ * The directions of the photos: 34, and more where a lens leaves holes between them.
+ *
+ * @param clipFromView Projection of the camera, column-major 4×4.
+ *
+ * @example
+ * for (const target of captureTargets(view.clipFromView)) addMarker(target);
+ */
+export function captureTargets(clipFromView: Float32Array): Direction[] {
+  const lens = narrowed(clipFromView);
+  const targets = ROWS.flatMap(([elevationDeg, count]) =>
+    Array.from({ length: count }, (_, i) => directionOf((i / count) * 2 * Math.PI, (elevationDeg / 180) * Math.PI)),
+  );
+  const planned = targets.map((target) => ({ clipFromView: lens, worldFromView: uprightPose(target) }));
+  return [...targets, ...targetsForHoles(planned, lens, MOST_TARGETS - targets.length)];
+}
+
+/** Further directions for what photos do not show. They are as few as possible, the one with the most to show first. */
+export function targetsForHoles(shots: readonly ShotPose[], clipFromView: Float32Array, most: number): Direction[] {
+  const samples = sphereSamples(SAMPLES);
+  let open = samples.filter((sample) => !shots.some((shot) => shows(shot, sample)));
+  const added: Direction[] = [];
+  while (open.length > SAMPLES * HOLES_LEFT && added.length < most) {
+    let best: { readonly target: Direction; readonly left: Direction[] } | null = null;
+    // Every direction of a hole may be the center of a photo; 60 of them are enough to choose from.
+    for (let i = 0; i < open.length; i += Math.ceil(open.length / 60)) {
+      const target = open[i] as Direction;
+      const shot = { clipFromView, worldFromView: uprightPose(target) };
+      const left = open.filter((sample) => !shows(shot, sample));
+      if (best === null || left.length < best.left.length) best = { target, left };
+    }
+    if (best === null || best.left.length === open.length) break;
+    added.push(best.target);
+    open = best.left;
+  }
+  return added;
+}
+
+/** The parts of the sphere that photos show, by solid angle. */
+export interface Coverage {
+  /** Shown by one photo or more. */
+  readonly seenPart: number;
+  /** Shown by two photos or more. */
+  readonly overlapPart: number;
+}
+
+/** Measures which directions photos show. */
+export function coverageOf(shots: readonly ShotPose[]): Coverage {
+  let seen = 0;
+  let twice = 0;
+  for (const sample of sphereSamples(SAMPLES)) {
+    let count = 0;
+    for (const shot of shots) if (shows(shot, sample)) count++;
+    if (count > 0) seen++;
+    if (count > 1) twice++;
+  }
+  return { seenPart: seen / SAMPLES, overlapPart: twice / SAMPLES };
+}
+
+/** Directions of equal solid angle: a Fibonacci spiral (González 2010, “Measurement of areas on a sphere”). */
+export function sphereSamples(count: number): Direction[] {
+  const golden = Math.PI * (3 - Math.sqrt(5));
+  return Array.from({ length: count }, (_, i) => {
+    const y = 1 - (2 * (i + 0.5)) / count;
+    const radius = Math.sqrt(1 - y * y);
+    return [radius * Math.cos(golden * i), y, radius * Math.sin(golden * i)];
+  });
+}
+
+/** The pose of a camera that looks in a direction and is held upright. Column-major 4×4. */
+export function uprightPose([x, y, z]: Direction): Float32Array {
+  const level = Math.hypot(x, z);
+  // Straight up or down there is no upright: the upper edge is that of a camera that turned there from −z.
+  const [rightX, rightZ] = level < 1e-4 ? [1, 0] : [-z / level, x / level];
+  // up = back × right, with back = −forward.
+  const up = [-y * rightZ, x * rightZ - z * rightX, y * rightX];
+  return new Float32Array([rightX, 0, rightZ, 0, ...up, 0, -x, -y, -z, 0, 0, 0, 0, 1]);
+}
+
+/** @param headingRad To the right of −z. */
+function directionOf(headingRad: number, elevationRad: number): Direction {
+  const level = Math.cos(elevationRad);
+  return [Math.sin(headingRad) * level, Math.sin(elevationRad), -Math.cos(headingRad) * level];
+}
+
+const scratchPoint: ShotPoint = { x: 0, y: 0 };
+
+function shows(shot: ShotPose, [x, y, z]: Direction): boolean {
+  return projectDirection(scratchPoint, shot, x, y, z);
+}
+
+/** A lens that shows less by the aim at each edge. */
+function narrowed(clipFromView: Float32Array): Float32Array {
+  const lens = clipFromView.slice();
+  for (const i of [0, 5]) {
+    const half = Math.atan(1 / (lens[i] ?? 1));
+    lens[i] = 1 / Math.tan(Math.max(half - AIM_RAD, half / 2));
+  }
+  return lens;
+}
