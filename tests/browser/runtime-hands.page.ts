@@ -174,3 +174,13 @@ export function haptics() {
     return { ...found, played: [played?.value, played?.duration] };
   });
 }
+
+/** What the session on a device says is missing, where a node needs hands. */
+export async function missingOn(device: 'phone' | 'headset') {
+  const emulator = installEmulator({ device, clock: 'manual', display: false, sizePx: [64, 64], refuse: ['hand-tracking'] });
+  const gl = document.createElement('canvas').getContext('webgl2') as WebGL2RenderingContext;
+  const { output, diagnostics } = await requestWebXrSession({ xr: navigator.xr, gl, needs: [HANDS], antialias: false });
+  await output?.end();
+  await emulator.uninstall();
+  return diagnostics.length;
+}

@@ -24,6 +24,10 @@ describe('hands and controllers in a headset', () => {
     expect(await page.call('unasked')).toEqual([false, false]);
   });
 
+  test('missing hands are told on a headset, not on a phone, which is touched', async () => {
+    expect([await page.call('missingOn', 'headset'), await page.call('missingOn', 'phone')]).toEqual([1, 0]);
+  });
+
   test('a controller has its grip, and vibrates', async () => {
     const { grip, own, bare, played } = await page.call<{ grip: number[]; own: number[]; bare: boolean; played: number[] }>('haptics');
     expect(grip).toHaveLength(16);

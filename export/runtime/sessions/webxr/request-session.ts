@@ -67,7 +67,10 @@ export async function requestWebXrSession(request: WebXrRequest): Promise<Result
       capabilities,
       inputs: request.inputs ?? null,
     });
-    return { output, diagnostics: needs.filter((need) => !capabilities.has(need.capability)).map(missing) };
+    // A phone is touched: nobody misses hand tracking on it.
+    const isTouched = session.interactionMode === 'screen-space';
+    const lacking = needs.filter(({ capability }) => !capabilities.has(capability) && !(capability === 'hands' && isTouched));
+    return { output, diagnostics: lacking.map(missing) };
   } catch (error) {
     await session.end().catch(() => {});
     return refused(refusal(`${name} could not be shown: ${reason(error)}.`, 'Close other tabs and try again.'));
