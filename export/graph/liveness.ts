@@ -17,7 +17,7 @@ export function nodesBehind(graph: Graph, roots: Iterable<string>): ReadonlySet<
   return live;
 }
 
-/** @returns The ids of the output nodes of a graph, sorted. */
+/** @returns The ids of the Output nodes of a graph (`output/screen`), sorted. */
 export function screensOf(
   graph: Pick<Graph, 'nodes'>,
   library: { definition(type: string): { lowering: { kind: string } } | undefined },

@@ -77,7 +77,7 @@ export function paramFacts(param: ParamDefinition): readonly string[] {
 }
 
 /**
- * Whether a feature is required, and under which conditions.
+ * Facts about a need, for its reader: whether it is required or optional, and under which conditions.
  *
  * @param definition The definition that contains the need.
  *

@@ -224,10 +224,10 @@ export function createPhysicsBody(key: string, description: BodyDescription): Ph
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] as const;
 
 /**
- * Adds an impulse to a body, for the next step. Further ones than `MAX_IMPULSES` in a frame are dropped.
+ * Adds an impulse to a body, for the next step. A body takes at most `MAX_IMPULSES` in a frame; later ones are dropped.
  *
- * @param impulse Newton seconds, world space.
- * @param angular Newton meter seconds, world space.
+ * @param impulse Newton-seconds, world space.
+ * @param angular Newton-meter-seconds, world space.
  * @param pointWorld Where the impulse acts; null: the origin of the body.
  *
  * @example

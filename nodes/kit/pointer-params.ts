@@ -5,7 +5,7 @@ export const POINTERS_BY = {
   type: 'choice',
   stage: 'structure',
   label: 'By',
-  doc: 'Which pointers count.',
+  doc: 'Which pointers the node reacts to.',
   default: 'any',
 } as const;
 

@@ -74,7 +74,7 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
         {frames && to !== null && to > lastFrame({ frames }) && 'The recording repeats after its end. '}
         {what === 'video'
           ? 'The video is saved to your downloads, without sound.'
-          : 'The folder must be new or empty, or contain previously rendered frames.'}
+          : 'Choose a new or empty folder, or one with previously rendered frames.'}
       </p>
     </FormDialog>
   );

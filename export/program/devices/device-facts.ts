@@ -147,7 +147,7 @@ export const DEVICE_FACTS: readonly DeviceFacts[] = [
     kind: 'iphone',
     title: 'iPhone (Safari)',
     sessions: ['camera', 'orbit'],
-    sessionFact: mdn('no', 'XRSystem, Safari on iOS up to 27.1'),
+    sessionFact: mdn('no', 'XRSystem is missing in Safari on iOS up to 27.1'),
     display: 'screen',
     features: {
       'camera-image': GET_USER_MEDIA,

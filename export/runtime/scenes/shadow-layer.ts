@@ -22,7 +22,7 @@ export interface ShadowLayerOptions {
   readonly report: DrawBinding['report'];
 }
 
-/** The scene of a shadow layer for the method of its look. Nothing else depends on the method. */
+/** Creates the scene of a shadow layer: with shadow maps or shadow volumes, as its look says. Only this function depends on that choice. */
 export function createShadowLayer({ renderer, look, maps, occlusion, limits, report }: ShadowLayerOptions): DrawnScene {
   const { strength, color, volumesOf, room, glow = null } = look;
   const catches = (item: ObjectItem): boolean => look.on === 'everything' || item.role === 'phantom';

@@ -11,8 +11,8 @@ export interface Kept {
 }
 
 /**
- * Asks the device to keep an anchor after the session (WebXR Anchors, “persistent anchors”, as of Quest Browser 31). Where the device
- * keeps no more, the oldest anchor of the origin is deleted for it.
+ * Asks the device to keep an anchor after the session (WebXR Anchors, “persistent anchors”, as of Quest Browser 31). If the device
+ * can keep no more anchors, the oldest one of this origin is deleted to make room.
  *
  * @param name An earlier anchor of that name is replaced.
  * @returns Never rejects.

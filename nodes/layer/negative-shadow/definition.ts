@@ -18,7 +18,7 @@ export const definition = defineNode({
     depth: {
       type: 'depth',
       label: 'Room depth',
-      doc: 'Distance to real surfaces. They receive the light and the shadows where there is no receiver.',
+      doc: 'Distance to real surfaces. Without a receiver, the light and the shadows fall on these.',
       required: false,
     },
     lights: { type: 'lights', label: 'Lights', doc: 'The lights that cause the shadows.', required: true, multiple: true },
@@ -99,7 +99,7 @@ export const definition = defineNode({
       type: 'color',
       stage: 'uniform',
       label: 'Color',
-      doc: 'On displays that can darken: color of the shadow.',
+      doc: 'Color of the shadow. Used only on displays that can darken what is behind them.',
       default: [0, 0, 0, 1],
     },
     toleranceM: {

@@ -129,7 +129,7 @@ export const SCENES: readonly Recipe[] = [
     figure: '6',
     title: 'Shadows of real and virtual objects',
     description:
-      'A robot hovers over a real rug, beside a real stool. A virtual light casts the shadows of both onto both. The stool also has its real shadow. Set “Method” of the Shadow node to compare shadow maps and shadow volumes.',
+      'A robot hovers over a real rug, beside a real stool. A virtual light makes the robot and the stool cast shadows on the rug and on each other. The stool also has its real shadow. Set “Method” of the Shadow node to compare shadow maps and shadow volumes.',
     nodes: {
       ...robotOnRug(0, { x: 0.5, y: 0.05, z: -0.3 }),
       ...phantoms(1),

@@ -101,7 +101,7 @@ export function createDepthReprojector(gl: WebGL2RenderingContext): DepthReproje
   };
 }
 
-/** Whether two matrices are equal up to rounding of the browser, about a tenth of a millimeter. */
+/** Whether two rigid matrices are equal within the browser’s rounding, which moves a point by about a tenth of a millimeter. */
 export function isSameMatrix(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
   for (let i = 0; i < 16; i++) if (Math.abs((a[i] ?? 0) - (b[i] ?? 0)) > 1e-4) return false;
   return true;

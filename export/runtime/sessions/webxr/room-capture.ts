@@ -11,8 +11,8 @@ export interface RoomCapture {
 }
 
 /**
- * Creates the capture, or null if the session has none (WebXR Plane Detection §4). The device asks the visitor; a page can start a capture
- * once per session, so a refusal is final.
+ * Creates the control that starts a capture of the room, or null if the session has none (WebXR Plane Detection §4). A start makes the
+ * device ask the visitor. A page can start only once per session, so a refusal is final.
  */
 export function createRoomCapture(session: XRSession, capabilities: ReadonlySet<Capability>): RoomCapture | null {
   if (!capabilities.has('planes') || typeof session.initiateRoomCapture !== 'function') return null;
