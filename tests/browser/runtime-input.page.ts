@@ -131,6 +131,27 @@ export async function gamepad() {
   return { unheard, plugged, unplugged: right };
 }
 
+/** The left stick of a gamepad pushed to the right, then A. */
+export async function gamepadPointer() {
+  const buttons = Array.from({ length: 16 }, () => ({ pressed: false, touched: false, value: 0 }));
+  const pad = { connected: true, mapping: 'standard', axes: [1, 0, 0, 0], buttons };
+  Object.defineProperty(navigator, 'getGamepads', { configurable: true, value: () => [pad] });
+  window.dispatchEvent(new Event('gamepadconnected'));
+  for (let i = 0; i < 20; i++) await seen();
+  pad.axes = [0, 0, 0, 0];
+  await seen();
+  phases = [];
+  Object.assign(buttons[0] ?? {}, { pressed: true });
+  await seen();
+  Object.assign(buttons[0] ?? {}, { pressed: false });
+  const [tap] = [...(await seen()), ...(await seen())];
+  const ring = document.querySelector<HTMLElement>('canvas + div');
+  const told = phases.map((word) => word.replace(/ [0-9]+ /, ' '));
+  pad.connected = false;
+  await seen();
+  return { tap, phases: told, left: ring?.style.left };
+}
+
 export async function end(): Promise<number> {
   await session.end();
   document.querySelector('canvas')?.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter' }));

@@ -156,6 +156,16 @@ describe('a canvas on a page', () => {
     });
   });
 
+  test('is pointed at by the left stick of a gamepad and pressed by A', async () => {
+    const { tap, phases, left } = await page.call<{ tap: TapSeen; phases: string[]; left: string }>('gamepadPointer');
+    expect(phases.filter((phase) => phase !== 'mouse hover')).toEqual(['mouse start', 'mouse hold', 'mouse end tapped']);
+    // Right of the middle, as high as it, as the ring is.
+    const [x = 0, y = 0, z = 0] = tap.direction;
+    expect(y).toBeCloseTo(0, 4);
+    expect(x / -z).toBeGreaterThan(0.02);
+    expect(Number.parseFloat(left)).toBeGreaterThan(204);
+  });
+
   test('hears nothing any more after the end', async () => {
     expect(await page.call('end')).toBe(0);
   });

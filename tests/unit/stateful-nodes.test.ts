@@ -155,6 +155,7 @@ function sessionFrame(frame: number, first: number, last: number): SessionFrame 
         viewFromWorld: pointer(frame, 1).worldFromRay,
         clipFromView: Float32Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -0.2, 0),
         nearM: 0.1,
+        viewport: { x: 0, y: 0, widthPx: 320, heightPx: 240 },
         cameraImage: picture,
         depth: { ...picture, texture: `depth ${frame}` },
       },

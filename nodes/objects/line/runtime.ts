@@ -1,8 +1,10 @@
-import { CylinderGeometry, Mesh, MeshBasicMaterial, Quaternion, Vector3 } from 'three';
+import { CylinderGeometry, DoubleSide, Mesh, MeshBasicMaterial, Quaternion, Vector3 } from 'three';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { SessionFrame } from '../../kit/session.ts';
 import { setMaterialColor } from '../../kit/three/material-color.ts';
 import { createMeshItem } from '../../kit/three/mesh-item.ts';
 import type { definition } from './definition.ts';
+import { createRibbon } from './ribbon.ts';
 
 /** Shorter lines have no direction. */
 const LEAST_M = 1e-6;
@@ -16,10 +18,11 @@ const rotation = new Quaternion();
 const UP = new Vector3(0, 1, 0);
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
-  const { widthM, color, castShadow } = ctx.params;
+  const { widthM, widthPx, color, castShadow } = ctx.params;
+  const ribbon = ctx.config.widthIn === 'pixels' ? createRibbon() : null;
   const { objects } = ctx.outputs;
-  const geometry = new CylinderGeometry(0.5, 0.5, 1, 12);
-  const material = new MeshBasicMaterial();
+  const geometry = ribbon?.geometry ?? new CylinderGeometry(0.5, 0.5, 1, 12);
+  const material = new MeshBasicMaterial(ribbon ? { side: DoubleSide } : {});
   const mesh = new Mesh(geometry, material);
   const item = createMeshItem('line', mesh);
 
@@ -30,24 +33,26 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     objects.version++;
   }
 
-  /** Lays the rod from pose to pose; false where there is no line. */
-  function lay(): boolean {
+  /** Lays the line from pose to pose; false where there is none. */
+  function lay(frame: SessionFrame): boolean {
     const { from, to } = ctx.inputs;
     if (!from?.valid || !to?.valid) return false;
     start.fromArray(from.worldFromPose, 12);
     end.fromArray(to.worldFromPose, 12);
     const lengthM = along.subVectors(end, start).length();
-    if (lengthM < LEAST_M || widthM.value <= 0) return false;
+    if (lengthM < LEAST_M) return false;
+    if (ribbon) return widthPx.value > 0 && ribbon.lay(from.worldFromPose, to.worldFromPose, widthPx.value, frame);
+    if (widthM.value <= 0) return false;
     rotation.setFromUnitVectors(UP, along.divideScalar(lengthM));
     item.worldFromObject.compose(start.add(end).multiplyScalar(0.5), rotation, scale.set(widthM.value, lengthM, widthM.value));
     return true;
   }
 
   return {
-    update: () => {
+    update: (frame) => {
       setMaterialColor(material, color.value);
-      item.castsShadow = castShadow.value;
-      show(lay());
+      item.castsShadow = castShadow.value && !ribbon;
+      show(lay(frame));
     },
     dispose: () => {
       geometry.dispose();

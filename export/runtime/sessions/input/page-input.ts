@@ -1,4 +1,5 @@
 import type { MutableFrame } from '../session-frame.ts';
+import { createCursor, createGamepadPointer } from './gamepad-pointer.ts';
 import { createGamepadReader } from './page-gamepad.ts';
 import { createPageKeys } from './page-keys.ts';
 import { createPagePointers, type PressClaim } from './page-pointers.ts';
@@ -20,6 +21,8 @@ export function createPageInput(canvas: HTMLCanvasElement): PageInput {
   const keys = createPageKeys(canvas);
   const window = canvas.ownerDocument.defaultView;
   const readGamepad = createGamepadReader();
+  const cursor = createCursor(canvas);
+  const gamepadPointer = createGamepadPointer(cursor.show);
   let hasGamepads = false;
   const gamepadCame = (): void => {
     hasGamepads = true;
@@ -32,14 +35,18 @@ export function createPageInput(canvas: HTMLCanvasElement): PageInput {
       frame.input.pointerCount = 0;
       if (view) pointers.fill(frame.input, view);
       keys.fill(frame.input);
+      if (hasGamepads && window) {
+        readGamepad(frame.input, window.navigator.getGamepads());
+        if (view) gamepadPointer.fill(frame.input, view, frame.deltaS);
+      }
       deriveTaps(frame.input);
-      if (hasGamepads && window) readGamepad(frame.input, window.navigator.getGamepads());
     },
     claimOf: pointers.claimOf,
     ownsKeys: keys.areOwned,
     dispose: () => {
       pointers.dispose();
       keys.dispose();
+      cursor.remove();
       window?.removeEventListener('gamepadconnected', gamepadCame);
     },
   };

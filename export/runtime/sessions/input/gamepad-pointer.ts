@@ -1,0 +1,110 @@
+import type { Controller, ViewFrame } from '../../../../nodes/kit/session.ts';
+import { beginPress, createPress, endPress, showPhase } from './press.ts';
+import { addPointer, type MutableInput } from './session-input.ts';
+import { writeViewRay } from './view-ray.ts';
+
+/** Unlike those of fingers and the mouse, and of recordings. */
+const POINTER_ID = 1 << 19;
+/** Sticks rest a little off the center. */
+const DEAD = 0.2;
+/** Heights of the view per second at full deflection. */
+const SPEED_PER_S = 0.7;
+/** A press that moves the cursor farther, in heights of the view, is a drag. */
+const STILL = 0.02;
+/** The cursor vanishes after a rest. */
+const REST_S = 4;
+/** A frame that was held up does not throw the cursor across the view. */
+const MAX_STEP_S = 0.1;
+
+/** A gamepad as a pointer on a canvas with one view: the left stick moves a cursor, A presses. */
+export interface GamepadPointer {
+  /** Once a frame, when the controllers of the input and the view are set. */
+  fill(input: MutableInput, view: ViewFrame, deltaS: number): void;
+}
+
+/** @param showCursor Called with each place in view UV, origin at the bottom left; null hides it. */
+export function createGamepadPointer(showCursor: (u: number | null, v: number) => void): GamepadPointer {
+  const press = createPress();
+  const { pointer } = press;
+  pointer.id = POINTER_ID;
+  pointer.by = 'mouse';
+  let [u, v] = [0.5, 0.5];
+  let moved = 0;
+  let restS = Number.POSITIVE_INFINITY;
+  let wasDown = false;
+
+  function move({ stick }: Controller, { viewport }: ViewFrame, deltaS: number): boolean {
+    const [x, y] = [stick[0] ?? 0, stick[1] ?? 0];
+    const pushed = Math.hypot(x, y);
+    if (!(pushed > DEAD)) return false;
+    // Squared, for small movements.
+    const share = Math.min(1, (pushed - DEAD) / (1 - DEAD)) ** 2 / pushed;
+    const by = SPEED_PER_S * share * Math.min(deltaS, MAX_STEP_S);
+    const aspect = viewport.widthPx / Math.max(1, viewport.heightPx);
+    u = Math.min(1, Math.max(0, u + (x * by) / aspect));
+    v = Math.min(1, Math.max(0, v + y * by));
+    moved += Math.hypot(x, y) * by;
+    return true;
+  }
+  function hide(): void {
+    if (!press.used) return;
+    press.used = false;
+    pointer.owner = null;
+    showCursor(null, 0);
+  }
+
+  return {
+    fill: (input, view, deltaS) => {
+      const { left, right } = input;
+      const isDown = right.connected && right.primary;
+      const isUsed = move(left, view, deltaS) || isDown || wasDown;
+      restS = isUsed ? 0 : restS + deltaS;
+      if (isDown && !wasDown) {
+        beginPress(press);
+        moved = 0;
+      }
+      // A gamepad that is unplugged in a press does not finish it.
+      if (!isDown && wasDown) endPress(press, right.connected ? 'end' : 'cancel', moved <= STILL);
+      wasDown = isDown;
+      if (restS > REST_S && !press.began) {
+        hide();
+        return;
+      }
+      press.used = true;
+      showPhase(press);
+      showCursor(u, v);
+      writeViewRay(pointer.worldFromRay, view, u, v);
+      pointer.pinch = pointer.phase === 'start' || pointer.phase === 'hold' ? 1 : 0;
+      addPointer(input, pointer);
+    },
+  };
+}
+
+/** A ring over the canvas, which shows where the gamepad points. */
+export function createCursor(canvas: HTMLCanvasElement): { show(u: number | null, v: number): void; remove(): void } {
+  const ring = canvas.ownerDocument.createElement('div');
+  // By properties, because the page's policy forbids style attributes.
+  Object.assign(ring.style, {
+    position: 'absolute',
+    width: '18px',
+    height: '18px',
+    margin: '-11px 0 0 -11px',
+    border: '2px solid #fff',
+    borderRadius: '50%',
+    boxShadow: '0 0 0 2px #000',
+    pointerEvents: 'none',
+  });
+  ring.setAttribute('aria-hidden', 'true');
+  return {
+    show: (u, v) => {
+      if (u === null) {
+        ring.remove();
+        return;
+      }
+      if (!ring.isConnected) canvas.after(ring);
+      ring.style.left = `${canvas.offsetLeft + u * canvas.clientWidth}px`;
+      ring.style.top = `${canvas.offsetTop + (1 - v) * canvas.clientHeight}px`;
+    },
+    remove: () => ring.remove(),
+  };
+}
