@@ -6,7 +6,7 @@ import { MARGIN_M, type RigidBody } from './rigid-body.ts';
 import type { SurfaceField } from './surface-field.ts';
 
 /** A contact whose point rises by less above the plane of a nearer one is no obstacle: a ball would catch on the flat surface ahead. */
-const FLAT_M = 0.001;
+const FLAT_M = 0.004;
 /** Contacts of points of a polyhedron with about the same normal are one, if they are so near. */
 const SAME_POINT_NORMAL = 0.97;
 
