@@ -121,7 +121,7 @@ test.each<[Asset['kind'], string | null, string]>([
   ['video', PNG, 'error SCR032 assets/a is not a video that browsers can play. Use MP4 or WebM.'],
   ['video', '\0\0\0\x20ftypavif\0\0\0\0', 'error SCR032 assets/a is an image, not a video.'],
   ['environment', '', 'error SCR032 assets/a is empty.'],
-  ['environment', MP4, 'error SCR032 assets/a is not a panorama. Use Radiance HDR, OpenEXR, JPEG, PNG or WebP.'],
+  ['environment', MP4, 'error SCR032 assets/a is not a panorama. Use Radiance HDR, OpenEXR, JPEG, PNG, WebP or AVIF.'],
   ['image', HDR, 'error SCR032 assets/a is not an image that browsers can show. Use PNG, JPEG, WebP, AVIF or GIF.'],
 ])('refuses as %s what is none: %j', async (kind, content, message) => {
   expect(await said(kind, content)).toEqual([message]);

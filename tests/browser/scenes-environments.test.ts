@@ -78,8 +78,8 @@ test('a file that is no panorama is refused with what to do', async () => {
     cutExr: expect.stringMatching(/^the file is damaged .*Export it again$/),
     hugeHdr: 'it has 100000 × 50000 pixels, and at most 8192 a side can be shown. 4096 × 2048 is sharp enough for a sky',
     turned: 'its rows are not stored from the top left. Open it in another program and save it again',
-    noise: 'it is no picture. Use a Radiance HDR (.hdr), OpenEXR (.exr), JPEG, PNG or WebP file',
-    empty: 'it is no picture. Use a Radiance HDR (.hdr), OpenEXR (.exr), JPEG, PNG or WebP file',
+    noise: 'it is no picture. Use a Radiance HDR (.hdr), OpenEXR (.exr), JPEG, PNG, WebP or AVIF file',
+    empty: 'it is no picture. Use a Radiance HDR (.hdr), OpenEXR (.exr), JPEG, PNG, WebP or AVIF file',
   });
 });
 

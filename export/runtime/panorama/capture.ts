@@ -1,11 +1,4 @@
-import {
-  AIM_RAD,
-  captureTargets,
-  coverageOf,
-  type Direction,
-  MOST_TARGETS,
-  targetsForHoles,
-} from '../../../nodes/kit/panorama/capture-targets.ts';
+import { AIM_RAD, captureTargets, type Direction, MOST_TARGETS, targetsForHoles } from '../../../nodes/kit/panorama/capture-targets.ts';
 import type { PanoramaShot } from '../../../nodes/kit/panorama/shot.ts';
 import type { SessionFrame, ViewFrame } from '../../../nodes/kit/session.ts';
 
