@@ -33,7 +33,7 @@ const CASES: Readonly<Record<string, Readonly<Record<string, Params>>>> = {
   'skin-mask': { soft: {}, cut: { softness: 20, widen: 3, show: 1 } },
   'hdr-exposure': { long: {}, kept: { stops: 2.5, highlights: 1 }, short: { stops: -2 } },
   'film-grain': { gray: {}, color: { amount: 0.15, size: 3, color: 0.7, midtones: 1 } },
-  halftone: { ink: {}, color: { size: 13.5, angle: 0.3, imageColors: 1 } },
+  halftone: { ink: {}, color: { size: 13.5, angle: 0.3, pictureColors: 1 } },
   pixelate: { 8: { size: 8 }, 13: { size: 13 } },
   swirl: { left: { angle: 1.5, radius: 60 }, right: { angle: -2, radius: 200 } },
   tile: { plain: { columns: 4, rows: 2 }, mirrored: { columns: 2, rows: 8, mirror: 1 } },

@@ -150,8 +150,8 @@ test('it shows every node type of values, pulses and controls, and what else eve
   expect([...types, ...STAPLES].filter((type) => !shown.has(type))).toEqual([]);
 });
 
-/** Gestures need fingers, and a text needs a label to show it; both have examples of their own. */
-const ELSEWHERE = ['input/gestures', 'value/format-text'];
+/** Gestures need fingers, device motion a device that moves, and a text needs a label to show it; each has an example of its own. */
+const ELSEWHERE = ['input/device-motion', 'input/gestures', 'value/format-text'];
 
 /** Nodes of poses need a room; each has an example of its own. */
 function hasPose(type: string): boolean {
