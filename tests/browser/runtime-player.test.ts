@@ -20,7 +20,7 @@ describe('passes', () => {
   });
 
   test('get the properties of an image without sampling it', async () => {
-    expect(await page.call('asideFromPicture')).toEqual({ size: [20, 10, 0, 255], placement: [51, 102, 0, 255], decode: [0, 255, 0, 255] });
+    expect(await page.call('asideFromImage')).toEqual({ size: [20, 10, 0, 255], placement: [51, 102, 0, 255], decode: [0, 255, 0, 255] });
   });
 
   test('a persistent buffer counts frames per view, keeps its picture over a resize and forgets it on reset', async () => {
