@@ -10,6 +10,13 @@ export interface Script {
   readonly parts: Readonly<Record<string, number>>;
 }
 
+/** What the models of a page need. */
+export interface ModelUse {
+  readonly decoders: readonly DecoderName[];
+  /** Whether any has glass. */
+  readonly glass: boolean;
+}
+
 /** Browsers with WebXR or with ES modules of 2022; no polyfills. */
 const TARGET = 'es2022';
 
@@ -17,9 +24,9 @@ const TARGET = 'es2022';
  * Bundles the page's only script: player, page and the runtimes of the used nodes. It is a classic script, because browsers load no modules
  * from `file:` URLs. esbuild returns the same bytes for the same sources.
  */
-export async function bundleScript(root: string, use: ProgramUse, decoders: readonly DecoderName[]): Promise<Script> {
+export async function bundleScript(root: string, use: ProgramUse, models: ModelUse): Promise<Script> {
   const { outputFiles, metafile } = await build({
-    stdin: { contents: entryText(use, decoders), resolveDir: root, sourcefile: 'page.ts', loader: 'ts' },
+    stdin: { contents: entryText(use, models), resolveDir: root, sourcefile: 'page.ts', loader: 'ts' },
     absWorkingDir: root,
     bundle: true,
     write: false,
@@ -60,9 +67,11 @@ const OPENERS: Readonly<Record<DecoderName, string>> = { draco: 'openDraco', mes
 const WORKERS_FOLDER = 'nodes/generated/workers/';
 
 function entryText(
-  { nodeTypes, scenes, spatial, input, panoramas, controls, labels, workerTypes, takesPanorama }: ProgramUse,
-  decoders: readonly DecoderName[],
+  { nodeTypes, scenes, spatial, input, panoramas, controls, labels, workerTypes, takesPanorama, glass: ownGlass }: ProgramUse,
+  { decoders, glass: modelGlass }: ModelUse,
 ): string {
+  const glass = scenes && (ownGlass || modelGlass);
+  const tools = ['decoders', 'files', ...(panoramas ? ['readRadiance'] : []), ...(glass ? ['createGlass'] : [])];
   const played = nodeTypes.filter((type) => Object.hasOwn(RUNTIME_FILES, type));
   // A node that starts no worker is played without its text.
   const fileOf = (type: string): string | undefined =>
@@ -74,6 +83,7 @@ function entryText(
     ...(input ? [`import { SESSION_INPUTS } from './export/runtime/sessions/input/session-inputs.ts';`] : []),
     ...(scenes ? [`import { createLens } from './export/runtime/sessions/camera/lens.ts';`] : []),
     ...(panoramas ? [`import { readRadiance } from './export/runtime/scenes/environments/read-radiance.ts';`] : []),
+    ...(glass ? [`import { createGlass } from './export/runtime/scenes/glass/glass-scene.ts';`] : []),
     ...(controls ? [`import { createRoomPanel } from './export/page/room-panel/room-panel.ts';`] : []),
     ...(labels ? [`import { createLabelLayer } from './export/page/label-layer.ts';`] : []),
     ...(takesPanorama ? [`import { createPagePanorama as createPanorama } from './export/page/panorama-step/page-panorama.ts';`] : []),
@@ -81,7 +91,7 @@ function entryText(
     ...played.map((type, i) => `import * as node${i} from ${JSON.stringify(`./${fileOf(type)}`)};`),
     `const modules = { ${played.map((type, i) => `${JSON.stringify(type)}: node${i}`).join(', ')} };`,
     `const decoders = { ${decoders.map((name) => `${name}: ${OPENERS[name]}`).join(', ')} };`,
-    `const createScenes = ${scenes ? `(files) => createScenesWith({ decoders, files${panoramas ? ', readRadiance' : ''} })` : 'null'};`,
+    `const createScenes = ${scenes ? `(files) => createScenesWith({ ${tools.join(', ')} })` : 'null'};`,
     `startPage(window, { modules, createScenes, createSpatial${spatial ? '' : ': null'}, inputs: ${input ? 'SESSION_INPUTS' : 'null'}, createRoomPanel${controls ? '' : ': null'}, createLabelLayer${labels ? '' : ': null'}, createLens${scenes ? '' : ': null'}, createPanorama${takesPanorama ? '' : ': null'} });`,
   ];
   return lines.join('\n');

@@ -57,12 +57,11 @@ export async function bundlePage(input: BundleInput): Promise<Result<ExportRepor
   const used = input.program.assets.filter(({ id }) => usedIds.has(id));
   const prepared = await prepareAssets(used, { root, readAsset, compress, cache, say });
   if (prepared.output === null) return { output: null, diagnostics: prepared.diagnostics };
-  const { decoders } = prepared.output;
   const { program, assets } = await storeLamps(input.program, prepared.output.assets, { root, say });
   const use = programUse(program);
   let code: Code;
   try {
-    code = { script: await bundleScript(input.root, use, decoders), style: await bundleStyle(input.root) };
+    code = { script: await bundleScript(input.root, use, prepared.output), style: await bundleStyle(input.root) };
   } catch (error) {
     const message = `The page could not be bundled: ${error instanceof Error ? error.message : String(error)}`;
     return { output: null, diagnostics: [{ code: 'SCR064', severity: 'error', message }] };

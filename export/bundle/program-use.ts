@@ -12,6 +12,8 @@ export interface ProgramUse {
   readonly input: boolean;
   /** Whether it reads panoramas. */
   readonly panoramas: boolean;
+  /** Whether materials of its own show what is behind them; models may too. */
+  readonly glass: boolean;
   /** Whether it has controls. */
   readonly controls: boolean;
   /** Whether it has labels, which are elements of the page. */
@@ -45,6 +47,7 @@ export function programUse(program: Program): ProgramUse {
     spatial,
     input: spatial || controls || program.readsInput === true,
     panoramas: uses('environment'),
+    glass: program.operations.some((operation) => 'glass' in operation && operation.glass === true),
     workers: working.length > 0,
     workerTypes: new Set(working.flatMap((operation) => ('type' in operation ? [operation.type] : []))),
     controls,

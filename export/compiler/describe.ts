@@ -1,7 +1,7 @@
 import { deviceTable } from '../program/devices/device-table.ts';
 import type { CpuOperation, DrawOperation, Operation, PassOperation, Program } from '../program/program.ts';
 import { bindingInWords, deviceInWords, needInWords, tierInWords } from './describe-terms.ts';
-import { REFERENCE_SIZE, type ReferenceSize, type Target, targetBytes, targetSize, targetsOf } from './target-bytes.ts';
+import { behindGlassBytes, REFERENCE_SIZE, type ReferenceSize, type Target, targetBytes, targetSize, targetsOf } from './target-bytes.ts';
 
 /**
  * Describes a program as text, for `scrim plan`: its presentation, the operations in order, the render targets with their sizes, the
@@ -58,7 +58,7 @@ function describeOperation(operation: Operation, program: Program): string {
     case 'shadow-maps':
       return `${operation.id}: shadow maps of ${operation.casters.join(', ')} for ${operation.lights.join(', ')}`;
     case 'draw':
-      return describeDraw(operation as DrawOperation);
+      return describeDraw(operation as DrawOperation, program);
     case 'cpu':
       return describeCpu(operation as CpuOperation);
     case 'value':
@@ -78,11 +78,13 @@ function describePass({ id, reads, target, blend, access, shader }: PassOperatio
   return `${id}: ${access ?? 'full-screen'} pass${from}${onto}${file === undefined ? '' : ` (${file})`}`;
 }
 
-function describeDraw({ id, type, target, shadowMaps, occlusion }: DrawOperation): string {
+function describeDraw({ id, type, target, shadowMaps, occlusion, under, glass }: DrawOperation, { assets }: Program): string {
+  const mayHaveGlass = glass ? 'glass' : assets.some(({ kind }) => kind === 'model') ? 'glass, if a model has any,' : null;
   const parts = [
     `${id}: draws objects ${target === 'screen' ? 'onto the screen' : `into ${target}`}`,
     ...(shadowMaps === null ? [] : [`with ${shadowMaps}`]),
     ...(occlusion === null ? [] : [`hidden where ${occlusion.roomDepth} is nearer (${occlusion.node})`]),
+    ...(under && mayHaveGlass ? [`${mayHaveGlass} before ${under.resource}`] : []),
   ];
   return `${parts.join(', ')} (${type})`;
 }
@@ -96,7 +98,20 @@ function pictures(program: Program, reference: ReferenceSize): string[] {
   const total = targets.reduce((sum, target) => sum + (targetBytes(target, program, reference) ?? 0), 0);
   const heading = `Render targets, at ${reference.widthPx}×${reference.heightPx} per view`;
   const lines = targets.map((target) => describeTarget(target, program, reference));
-  return [total === 0 ? heading : `${heading}: ${inMebibytes(total)}`, ...list(lines)];
+  return [total === 0 ? heading : `${heading}: ${inMebibytes(total)}`, ...list(lines), ...behindGlass(program, reference)];
+}
+
+/** The images of what is behind glass, which only the runtime knows to need: one for each encoding. */
+function behindGlass({ operations, resources, assets }: Program, reference: ReferenceSize): string[] {
+  const draws = operations.filter((operation): operation is DrawOperation => operation.kind === 'draw');
+  const isSure = draws.some(({ glass }) => glass);
+  if (draws.length === 0 || !(isSure || assets.some(({ kind }) => kind === 'model'))) return [];
+  const formats = new Set(
+    draws.map(({ target }) => resources.find((r) => r.kind === 'target' && r.id === target && r.format === 'scene16f')),
+  );
+  const bytes = [...formats].reduce((sum, scene) => sum + behindGlassBytes(scene !== undefined, reference), 0);
+  const when = isSure ? 'While glass is in view' : 'If a model has glass, while it is in view';
+  return [`  ${when}: its objects are drawn once more, into an image of what is behind it, ${inMebibytes(bytes)}.`];
 }
 
 function describeTarget(target: Target, program: Program, reference: ReferenceSize): string {

@@ -65,3 +65,9 @@ function isDepthRead(id: ResourceId, { operations, resources }: Program): boolea
 function putStart({ slot }: { readonly slot: number }, { numbers, slots }: Program['slots'], stack: Float64Array, at: number): void {
   stack[at] = numbers[slots[slot]?.offset ?? -1] ?? 0;
 }
+
+/** Texture memory of the image of what is behind glass (ADR 41): four samples with depth, and a copy with mip levels. */
+export function behindGlassBytes(isScene: boolean, { widthPx, heightPx }: ReferenceSize): number {
+  const color = BYTES_PER_PIXEL[isScene ? 'scene16f' : 'rgba8'];
+  return Math.round(widthPx * heightPx * ((color + DEPTH_BYTES_PER_PIXEL) * 4 + (color * 4) / 3));
+}

@@ -1,5 +1,5 @@
 import type { ArithmeticOperation } from '../../nodes/kit/arithmetic.ts';
-import type { AssetKind, ParamValue } from '../../nodes/kit/definition.ts';
+import type { AssetKind, LayerEncoding, ParamValue } from '../../nodes/kit/definition.ts';
 import type { FoundLamps } from '../../nodes/kit/panorama/found-lamps.ts';
 import type { ValueType } from '../../nodes/kit/wire-types.ts';
 import type { ProgramNeed, Tier } from './needs.ts';
@@ -248,7 +248,12 @@ export interface DrawOperation extends NodeOperation {
   readonly shadowMaps: ResourceId | null;
   /** Occlusion that discards fragments behind the room while drawing; the params are those of the occlusion node. */
   readonly occlusion: DrawOcclusion | null;
+  /** What glass shows where there are no objects; null: nothing. Absent: the background, if it is the first draw to the screen. */
+  readonly under?: DrawUnder | null;
+  /** Whether techniques of its objects read what is behind them. Models may contain glass without it. */
+  readonly glass?: true;
 }
+export type DrawUnder = { readonly resource: ResourceId; readonly fit: PassSampler['fit']; readonly encoding: LayerEncoding };
 
 /**
  * Sends a texture to a worker and draws the result of an earlier frame, or the texture itself if there is no result. Both are targets of

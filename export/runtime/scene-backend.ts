@@ -1,9 +1,12 @@
 import type { EnvironmentAsset, ModelAsset } from '../../nodes/kit/assets.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { PanoramaPixels } from '../../nodes/kit/panorama/pixels.ts';
-import type { SceneService } from '../../nodes/kit/runtime.ts';
+import type { SceneService, UnderLayer } from '../../nodes/kit/runtime.ts';
 import type { LightList, ObjectList, RoomDepthOutput } from '../../nodes/kit/scene-lists.ts';
+import type { ViewFrame } from '../../nodes/kit/session.ts';
 import type { NumberView } from '../../nodes/kit/value-views.ts';
+import type { DrawOperation, Program } from '../program/program.ts';
+import type { LiveResources } from './resources/resources.ts';
 import type { CreateNearestDepth } from './targets/nearest-depth.ts';
 
 /**
@@ -40,6 +43,8 @@ export interface SceneBackend {
   createEnvironment(pixels: PanoramaPixels): LoadedEnvironment;
   /** Here, because only scenes draw multisampled depth, and other pages leave it out. */
   readonly createNearestDepth: CreateNearestDepth;
+  /** Null where the page has no glass. */
+  readonly createUnder: CreateUnder | null;
   /** Runs draws that only compile their shaders. Resolves when the driver has finished, without blocking. */
   prepare(draws: () => void): Promise<void>;
   /** Resets the state cache of three.js, after passes have drawn. */
@@ -48,6 +53,11 @@ export interface SceneBackend {
   counts(): { readonly geometries: number; readonly textures: number; readonly programs: number };
   dispose(): void;
 }
+
+/** Returns what is under the layer of a draw, for glass in it; called before every draw. */
+export type ReadUnder = (view: ViewFrame, viewIndex: number, widthPx: number, heightPx: number) => UnderLayer;
+
+export type CreateUnder = (program: Program, operation: DrawOperation, resources: LiveResources) => ReadUnder;
 
 /** A loaded model, disposed when its last handle is released. */
 export interface LoadedModel extends ModelAsset {

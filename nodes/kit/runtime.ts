@@ -1,6 +1,6 @@
 import type { AnchorService } from './anchors.ts';
 import type { AssetService } from './assets.ts';
-import type { InputPort, NodeDefinition, OutputPort, ParamDefinition } from './definition.ts';
+import type { InputPort, LayerEncoding, NodeDefinition, OutputPort, ParamDefinition } from './definition.ts';
 import type { Diagnostic } from './diagnostics.ts';
 import type { HitRecord, HitSource, HitTest, HitTestOptions } from './hit-test.ts';
 import type { BodyList } from './physics.ts';
@@ -312,11 +312,26 @@ export interface SessionService {
   readonly anchors: AnchorService;
 }
 
+/** What is under a layer while it is drawn, for glass in it. */
+export interface UnderLayer {
+  /** What glass shows where the layer has no objects; null: nothing, or `color`. */
+  readonly texture: WebGLTexture | null;
+  /** Column-major 3×3: texture UV from view UV. */
+  readonly uvFromViewUv: Readonly<Float32Array>;
+  readonly encoding: LayerEncoding;
+  /** Instead of a texture: display-referred sRGB, premultiplied. */
+  readonly color: Readonly<Float32Array> | null;
+  /** Whether the target already contains what is visible through the layer, so that glass must not replace it. */
+  readonly isInTarget: boolean;
+}
+
 /** The view and the target of a `draw` call. */
 export interface DrawView {
   readonly view: ViewFrame;
   readonly viewIndex: number;
   readonly framebuffer: WebGLFramebuffer | null;
+  /** Absent or null: nothing is under the layer. */
+  readonly under?: UnderLayer | null;
   readonly viewport: { readonly x: number; readonly y: number; readonly widthPx: number; readonly heightPx: number };
 }
 

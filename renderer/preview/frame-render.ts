@@ -4,6 +4,7 @@ import { createPlayer } from '../../export/runtime/player.ts';
 import { createLoopGuard } from '../../export/runtime/program-instance/loop-watch.ts';
 import { createScenesWith } from '../../export/runtime/scenes/create-scenes.ts';
 import { readRadiance } from '../../export/runtime/scenes/environments/read-radiance.ts';
+import { createGlass } from '../../export/runtime/scenes/glass/glass-scene.ts';
 import { ALL_DECODERS } from '../../export/runtime/scenes/models/decoders/all-decoders.ts';
 import { createSpatial } from '../../export/runtime/spatial/create-spatial.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
@@ -53,7 +54,13 @@ export function createFrameRender(send: (message: FromPreview, transfer?: Transf
     if (!gl || gl.drawingBufferWidth !== widthPx || gl.drawingBufferHeight !== heightPx) {
       throw new Error(`this computer cannot draw frames of ${widthPx} × ${heightPx}.`);
     }
-    const createScenes = createScenesWith({ decoders: ALL_DECODERS, files: previewDecoderFile, readRadiance, findLamps: findLampsAtOnce });
+    const createScenes = createScenesWith({
+      decoders: ALL_DECODERS,
+      files: previewDecoderFile,
+      readRadiance,
+      findLamps: findLampsAtOnce,
+      createGlass,
+    });
     const player = createPlayer({
       gl,
       canvas,

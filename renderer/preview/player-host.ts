@@ -7,6 +7,7 @@ import { createPlayer, type Player } from '../../export/runtime/player.ts';
 import { createLoopGuard } from '../../export/runtime/program-instance/loop-watch.ts';
 import { createScenesWith } from '../../export/runtime/scenes/create-scenes.ts';
 import { readRadiance } from '../../export/runtime/scenes/environments/read-radiance.ts';
+import { createGlass } from '../../export/runtime/scenes/glass/glass-scene.ts';
 import { ALL_DECODERS } from '../../export/runtime/scenes/models/decoders/all-decoders.ts';
 import { type CanvasFitter, createCanvasFitter } from '../../export/runtime/sessions/fit-canvas.ts';
 import { createSpatial } from '../../export/runtime/spatial/create-spatial.ts';
@@ -66,6 +67,7 @@ export function createPlayerHost({ parent, program, assetBaseUrl, clock, onDiagn
     inspect,
     readRadiance,
     findLamps: findLampsAtOnce,
+    createGlass,
   });
   const meter = createCostMeter(gl, clock, send);
   const player = createPlayer({

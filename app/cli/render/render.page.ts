@@ -6,6 +6,7 @@ import { createPlayer, type Player } from '../../../export/runtime/player.ts';
 import { readColor, readDepth, readScreen } from '../../../export/runtime/readback.ts';
 import { createScenesWith } from '../../../export/runtime/scenes/create-scenes.ts';
 import { readRadiance } from '../../../export/runtime/scenes/environments/read-radiance.ts';
+import { createGlass } from '../../../export/runtime/scenes/glass/glass-scene.ts';
 import { ALL_DECODERS } from '../../../export/runtime/scenes/models/decoders/all-decoders.ts';
 import { createSpatial } from '../../../export/runtime/spatial/create-spatial.ts';
 import { RUNTIMES } from '../../../nodes/generated/runtimes.gen.ts';
@@ -89,6 +90,7 @@ export async function open(job: RenderJob): Promise<OpenedJob> {
       files: createFetchAssetSource(decodersUrl, fetchFile).load,
       readRadiance,
       findLamps: findLampsAtOnce,
+      createGlass,
     }),
     assets: createFetchAssetSource(new URL(job.assetBaseUrl, document.baseURI).href, fetchFile),
     seed: SEED,

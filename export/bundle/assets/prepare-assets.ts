@@ -56,6 +56,8 @@ export interface PreparedAssets {
   readonly assets: readonly PreparedAsset[];
   /** Decoders that the models need. */
   readonly decoders: readonly DecoderName[];
+  /** Whether a model has glass. */
+  readonly glass: boolean;
   /** Files of the decoders with their paths in the page. */
   readonly decoderFiles: readonly { readonly file: DecoderFile; readonly path: string; readonly bytes: Uint8Array }[];
 }
@@ -89,9 +91,11 @@ export async function prepareAssets(assets: readonly ProgramAsset[], options: As
   const forms = await formsOf(read, options, diagnostics);
   const prepared = read.map((one) => prepare(one, forms.get(one) ?? { form: 'original', bytes: one.bytes }));
   const models = prepared.filter(({ asset }) => asset.kind === 'model');
-  const needed = new Set(models.flatMap(({ bytes }) => neededDecoders(readGltf(bytes).document)));
+  const documents = models.map(({ bytes }) => readGltf(bytes).document);
+  const needed = new Set(documents.flatMap(neededDecoders));
   const decoders = DECODERS.filter((name) => needed.has(name));
-  return { output: { assets: prepared, decoders, decoderFiles: await readDecoders(options.root, decoders) }, diagnostics };
+  const glass = documents.some(({ extensionsUsed = [] }) => extensionsUsed.includes('KHR_materials_transmission'));
+  return { output: { assets: prepared, decoders, glass, decoderFiles: await readDecoders(options.root, decoders) }, diagnostics };
 }
 
 async function readAsset(asset: ProgramAsset, { readAsset: readFileOf }: AssetOptions): Promise<ReadAsset> {

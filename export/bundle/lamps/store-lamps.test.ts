@@ -43,7 +43,7 @@ test('an HDR file of the project: the page has its lamps, equal to those that it
   expect(lamps).toEqual({ [lampKey(OPTIONS)]: expected });
   expect(said).toEqual(['Finding the lamps of assets/room.hdr…']);
   expect([programUse(program).workers, use.workers]).toEqual([true, false]);
-  const { parts } = await bundleScript(ROOT, use, []);
+  const { parts } = await bundleScript(ROOT, use, { decoders: [], glass: false });
   const names = Object.keys(parts).filter((name) => /from-panorama|kit\/panorama/.test(name));
   expect(names).toContain('nodes/light/from-panorama/runtime.ts');
   expect(names.filter((name) => /method|workers|contours/.test(name))).toEqual([]);

@@ -43,8 +43,9 @@ function needsOf(node: FlatNode): readonly Need[] {
   );
 }
 
-/** Whether the node outputs a layer that is not made from other layers. */
+/** Whether the node outputs a layer that is not made from other layers. What glass of a scene shows is only a part of its layer. */
 function isOriginalLayer({ definition, inputs }: FlatNode): boolean {
+  if (definition.lowering.kind === 'geometry') return Object.values(definition.outputs).some(({ type }) => type === 'layer');
   const makesLayer = Object.values(definition.outputs).some(({ type }) => type === 'layer');
   return makesLayer && !Object.entries(definition.inputs).some(([name, { type }]) => type === 'layer' && inputs.has(name));
 }

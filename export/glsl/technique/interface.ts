@@ -4,7 +4,8 @@
  *
  * Positions are in meters, directions have unit length, both in world space; colors are linear-sRGB with straight alpha. `rest` is the
  * position in local space, in meters, before skinning. `outward` is the hull normal, for outlines: moving each vertex by it moves all
- * adjacent faces by one, so that no gaps open at hard edges. `AMBIENT` is `IRRADIANCE` of the surface's own normal, divided by π.
+ * adjacent faces by one, so that no gaps open at hard edges. `AMBIENT` is `IRRADIANCE` of the surface's own normal, divided by π. `BEHIND`
+ * is what is behind the object at a view UV, as seen through glass of the roughness: premultiplied, with the coverage as alpha.
  */
 export const TECHNIQUE_INTERFACE = `struct Vertex { vec3 position; vec3 normal; vec2 uv; vec4 color; vec3 rest; vec3 outward; };
 struct Surface { vec3 position; vec3 normal; vec3 towardsEye; vec2 uv; vec4 color; bool front; vec3 rest; vec3 restNormal; };
@@ -22,6 +23,7 @@ Light ENVIRONMENT();
 vec2 VIEW_UV(const in vec3 position);
 float VIEW_DEPTH(const in vec3 position);
 float PIXEL_M(const in vec3 position);
+vec4 BEHIND(const in vec2 uv, const in float roughness);
 `;
 
 /**
@@ -40,7 +42,10 @@ float a_VIEW_DEPTH(const in vec3 position);
 float a_PIXEL_M(const in vec3 position);
 bool scrim_discarded = false;`;
 
+/** Only for texts that call it, because materials that declare it are drawn after all others. */
+export const PRINTED_BEHIND = 'vec4 a_BEHIND(const in vec2 uv, const in float roughness);';
+
 export const INTERFACE_LINES = TECHNIQUE_INTERFACE.split('\n').length - 1;
 
 /** Functions that only the surface has. */
-export const LIGHT_FUNCTIONS: ReadonlySet<string> = new Set(['LIGHT', 'IRRADIANCE', 'REFLECTION', 'ENVIRONMENT']);
+export const LIGHT_FUNCTIONS: ReadonlySet<string> = new Set(['LIGHT', 'IRRADIANCE', 'REFLECTION', 'ENVIRONMENT', 'BEHIND']);

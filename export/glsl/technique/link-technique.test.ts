@@ -102,7 +102,7 @@ describe('what is wrong with a technique is said on its line', () => {
     [
       'void vertex(inout Vertex v) { v.position += LIGHT(0).towards; }\nvec4 surface(Surface s) { return s.color; }',
       2,
-      'Lights are available in "surface" only, not in "vertex".',
+      'Lights and what is behind are available in "surface" only, not in "vertex".',
     ],
   ])('%s', (body, line, message) => {
     const { output, diagnostics } = link(`${HEADER}\n${body}`);

@@ -21,7 +21,7 @@ import { parseShader } from '../syntax/parse.ts';
 import { textAbove } from '../syntax/text-above.ts';
 import { GlslError, type Place } from '../syntax/token.ts';
 import { type ExpandedText, expandIncludes } from './expand-includes.ts';
-import { INTERFACE_LINES, LIGHT_FUNCTIONS, PRINTED_STRUCTS, TECHNIQUE_INTERFACE } from './interface.ts';
+import { INTERFACE_LINES, LIGHT_FUNCTIONS, PRINTED_BEHIND, PRINTED_STRUCTS, TECHNIQUE_INTERFACE } from './interface.ts';
 import { techniqueImages, techniqueImageText } from './technique-images.ts';
 import type { TechniqueShader } from './technique-shader.ts';
 
@@ -39,6 +39,8 @@ export interface LinkedTechnique {
   readonly uniforms: readonly { readonly name: string; readonly type: PassUniform['type']; readonly param: string }[];
   /** Uniform name and input of the layers that it reads, with `NAME_uvFromViewUv` (mat3) and `NAME_size` (vec2, pixels). */
   readonly samplers: readonly { readonly name: string; readonly input: string }[];
+  /** Whether it reads what is behind its objects. */
+  readonly readsBehind: boolean;
   /** Uniform name and path of the library images that it reads. */
   readonly pictures: readonly { readonly name: string; readonly path: string }[];
 }
@@ -163,6 +165,7 @@ function linkExpanded(
     fragment: `${inFragment.text}\n`,
     trial: trialShader(unit, trial),
     uniforms: uniformsOf(unit, uses.reach, names).map(({ name, type, param }) => ({ name, type: type as PassUniform['type'], param })),
+    readsBehind: callsBehind(uses.reach),
     samplers: [...uses.reach.images.keys()].flatMap(({ kind, name: input, sampler: name }) => (kind === 'input' ? [{ name, input }] : [])),
     pictures: [...uses.reach.images.keys()].flatMap(({ kind, buffer: path, sampler: name }) => (kind === 'buffer' ? [{ name, path }] : [])),
   };
@@ -237,10 +240,14 @@ function usesOf(unit: Unit, root: FunctionDeclaration, names = namesFor(unit)): 
   return { reach: findReach({ ...unit.checked, main: root }, { passIndex: 0, images, names, also }), images };
 }
 
+function callsBehind({ instances }: Reach): boolean {
+  return [...instances.keys()].some(({ name }) => name === 'BEHIND');
+}
+
 function refuseLights(unit: Unit, vertex: FunctionDeclaration): void {
   for (const symbol of usesOf(unit, vertex).reach.instances.keys()) {
     if (LIGHT_FUNCTIONS.has(symbol.name))
-      throw new GlslError(vertex.name, 'Lights are available in "surface" only, not in "vertex".', 'SCR043');
+      throw new GlslError(vertex.name, 'Lights and what is behind are available in "surface" only, not in "vertex".', 'SCR043');
   }
 }
 
@@ -294,6 +301,7 @@ function printStage(unit: Unit, root: FunctionDeclaration): Stage {
   }
   const head = [
     PRINTED_STRUCTS,
+    ...(callsBehind(reach) ? [PRINTED_BEHIND] : []),
     ...chosenStructs(unit, names).map(choiceText),
     ...(context.loopBudget ? [LOOPS_END] : []),
     ...uniformsOf(unit, reach, names).map(({ name, type }) => `uniform ${type} ${name};`),
@@ -341,6 +349,7 @@ a_Light a_ENVIRONMENT() { return a_Light(a_EYE, a_AMBIENT, 1.0); }
 vec2 a_VIEW_UV(const in vec3 position) { return position.xy; }
 float a_VIEW_DEPTH(const in vec3 position) { return position.z; }
 float a_PIXEL_M(const in vec3 position) { return position.z; }
+vec4 a_BEHIND(const in vec2 uv, const in float roughness) { return vec4(uv, roughness, 1.0); }
 void main() {
   a_main();
   scrim_output = vec4(0.0);

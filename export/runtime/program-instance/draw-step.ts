@@ -1,7 +1,7 @@
 import { setPassState } from '../../../nodes/kit/pass-state.ts';
 import type { DrawView } from '../../../nodes/kit/runtime.ts';
 import type { ViewFrame } from '../../../nodes/kit/session.ts';
-import type { DrawOperation } from '../../program/program.ts';
+import type { DrawOperation, Program } from '../../program/program.ts';
 import type { Engine } from '../engine.ts';
 import { clearAll, clearRectangle } from '../gl/clear.ts';
 import type { NodeInstance } from '../operations/node-instance.ts';
@@ -9,7 +9,13 @@ import { type LiveResources, liveResource } from '../resources/resources.ts';
 import type { Step } from './step.ts';
 
 /** A step in which a node draws one view, to its target or over the screen. */
-export function createDrawStep(engine: Engine, operation: DrawOperation, instance: NodeInstance, resources: LiveResources): Step {
+export function createDrawStep(
+  engine: Engine,
+  program: Program,
+  operation: DrawOperation,
+  instance: NodeInstance,
+  resources: LiveResources,
+): Step {
   const { gl } = engine.objects;
   const { runtime } = instance;
   const sampled = operation.reads.flatMap((id) => {
@@ -19,6 +25,7 @@ export function createDrawStep(engine: Engine, operation: DrawOperation, instanc
   const destination = operation.target === 'screen' ? null : liveResource(resources, operation.target, 'target');
   if (!runtime.draw) throw new Error(`The node type ${operation.type} has a drawing operation and no draw().`);
   const viewport = { x: 0, y: 0, widthPx: 0, heightPx: 0 };
+  const under = engine.scenesIfMade()?.createUnder?.(program, operation, resources);
   const drawView: { -readonly [K in keyof DrawView]: DrawView[K] | null } & { viewport: typeof viewport } = {
     view: null,
     viewIndex: 0,
@@ -32,6 +39,7 @@ export function createDrawStep(engine: Engine, operation: DrawOperation, instanc
     drawView.view = view;
     drawView.viewIndex = viewIndex;
     drawView.framebuffer = framebuffer;
+    drawView.under = under?.(view, viewIndex, viewport.widthPx, viewport.heightPx) ?? null;
     runtime.draw?.(drawView as DrawView);
   };
   return {

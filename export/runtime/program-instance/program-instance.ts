@@ -226,7 +226,7 @@ function createSteps(
       add(operation, { run: render, prepare: render });
     } else if (isDraw(operation)) {
       const instance = instances.nodes.get(operation.id);
-      if (instance) add(operation, createDrawStep(engine, operation, instance, resources));
+      if (instance) add(operation, createDrawStep(engine, loaded.program, operation, instance, resources));
     } else if (isCpu(operation)) {
       const instance = instances.nodes.get(operation.id);
       if (instance) add(operation, createCpuStep(operation, instance.runtime, resources));

@@ -52,7 +52,7 @@ export function createLiveTechnique(id: string): LiveTechnique {
       };
       view.uniforms = [...uniforms.map((uniform) => uniformView(uniform, slots)), { name: 'a_TIME', kind: 'number', view: time }];
       view.images = [
-        ...samplers.map((sampler) => layerView(sampler, layer)),
+        ...samplers.map((sampler) => ({ name: sampler.name, at: layerView(layerOf(sampler, layer), sampler.fit) })),
         ...carried.map(({ name, data }) => ({ name, at: () => techniqueImageOf(images.texture(data)) })),
       ];
     },
@@ -86,30 +86,32 @@ function techniqueImageOf(texture: WebGLTexture | null): TechniqueImage {
   return Object.assign(scratchImage, { texture, uvFromViewUv: IDENTITY });
 }
 
-function layerView({ name, source, fit }: PassSampler, layer: TechniqueParts['layer']): TechniqueImageView {
+function layerOf({ name, source }: PassSampler, layer: TechniqueParts['layer']): LiveLayer {
   const resource = source.kind === 'color' ? layer(source.resource) : undefined;
   if (resource === undefined) throw new Error(`A technique reads ${name}, which is not a layer.`);
-  return {
-    name,
-    at: (viewIndex, viewWidthPx, viewHeightPx) => {
-      const index = resource.domain === 'view' ? viewIndex : 0;
-      if (resource.kind === 'external') {
-        const layer = resource.layer.views[index];
-        scratchImage.texture = layer?.texture ?? null;
-        scratchImage.widthPx = resource.domain === 'view' ? viewWidthPx : (layer?.widthPx ?? 0);
-        scratchImage.heightPx = resource.domain === 'view' ? viewHeightPx : (layer?.heightPx ?? 0);
-        scratchImage.uvFromViewUv = layer?.uvFromViewUv ?? IDENTITY;
-      } else {
-        // Targets have no size while a program is only compiled.
-        const buffer = resource.target.peek(index) && resource.target.front(index);
-        scratchImage.texture = buffer?.color ?? null;
-        scratchImage.widthPx = buffer?.widthPx ?? 0;
-        scratchImage.heightPx = buffer?.heightPx ?? 0;
-        scratchImage.uvFromViewUv = IDENTITY;
-      }
-      const { uvFromViewUv, widthPx, heightPx } = scratchImage;
-      scratchImage.uvFromViewUv = fitted(uvFromViewUv as Float32Array, fit, widthPx, heightPx, viewWidthPx, viewHeightPx);
-      return scratchImage;
-    },
+  return resource;
+}
+
+/** Reads the image of a layer for a view, which is valid until the next call. */
+export function layerView(resource: LiveLayer, fit: PassSampler['fit']): TechniqueImageView['at'] {
+  return (viewIndex, viewWidthPx, viewHeightPx) => {
+    const index = resource.domain === 'view' ? viewIndex : 0;
+    if (resource.kind === 'external') {
+      const layer = resource.layer.views[index];
+      scratchImage.texture = layer?.texture ?? null;
+      scratchImage.widthPx = resource.domain === 'view' ? viewWidthPx : (layer?.widthPx ?? 0);
+      scratchImage.heightPx = resource.domain === 'view' ? viewHeightPx : (layer?.heightPx ?? 0);
+      scratchImage.uvFromViewUv = layer?.uvFromViewUv ?? IDENTITY;
+    } else {
+      // Targets have no size while a program is only compiled.
+      const buffer = resource.target.peek(index) && resource.target.front(index);
+      scratchImage.texture = buffer?.color ?? null;
+      scratchImage.widthPx = buffer?.widthPx ?? 0;
+      scratchImage.heightPx = buffer?.heightPx ?? 0;
+      scratchImage.uvFromViewUv = IDENTITY;
+    }
+    const { uvFromViewUv, widthPx, heightPx } = scratchImage;
+    scratchImage.uvFromViewUv = fitted(uvFromViewUv as Float32Array, fit, widthPx, heightPx, viewWidthPx, viewHeightPx);
+    return scratchImage;
   };
 }

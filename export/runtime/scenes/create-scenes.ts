@@ -5,6 +5,7 @@ import { createNearestDepth } from '../targets/nearest-depth.ts';
 import { createNeutralEnvironment } from './environments/neutral.ts';
 import { createPanoramaStore, type FindLamps } from './environments/panorama-store.ts';
 import { type ReadRadiance, readRadiance } from './environments/read-radiance.ts';
+import { type CreateGlass, createGlass } from './glass/glass-scene.ts';
 import { createLightLimits, createTextureLimits, mapLimitsOf } from './lights/light-limits.ts';
 import { createShadowMaps, type RenderedShadowMaps } from './lights/shadow-maps.ts';
 import { createMaskScene } from './mask-scene.ts';
@@ -17,6 +18,8 @@ import { createShadowLayer } from './shadow-layer.ts';
 export interface SceneTools extends ModelTools {
   readonly readRadiance?: ReadRadiance;
   readonly findLamps?: FindLamps;
+  /** Draws what is behind glass; pages without glass leave it out. */
+  readonly createGlass?: CreateGlass;
 }
 
 const FULL_AMBIENT: NumberView = { value: 1 };
@@ -24,7 +27,8 @@ const FULL_AMBIENT: NumberView = { value: 1 };
 /**
  * The scene backend of the player by three.js: scenes of flat proxies, shadow maps and models, on the player's context and framebuffers.
  */
-export const createScenes: CreateSceneBackend = (host) => create(host, { ...NO_TOOLS, readRadiance, findLamps: findLampsAtOnce });
+export const createScenes: CreateSceneBackend = (host) =>
+  create(host, { ...NO_TOOLS, readRadiance, findLamps: findLampsAtOnce, createGlass });
 
 /** The same with decoders for compressed models and optionally for panoramas. */
 export function createScenesWith(tools: SceneTools): CreateSceneBackend {
@@ -35,6 +39,7 @@ function create(host: SceneHost, tools: SceneTools): SceneBackend {
   const renderer = createSceneRenderer(host);
   const neutral = createNeutralEnvironment(renderer);
   const panoramas = createPanoramaStore(renderer, { readRadiance: tools.readRadiance ?? null, findLamps: tools.findLamps ?? null });
+  const glass = tools.createGlass?.(renderer, host.gl) ?? null;
   const limits = mapLimitsOf(renderer.three);
   return {
     serviceFor: (binding) => {
@@ -52,6 +57,7 @@ function create(host: SceneHost, tools: SceneTools): SceneBackend {
                 encoding: look.encoding ?? 'display',
                 shadowMaps,
                 occlusion,
+                glass,
                 watchLimits: createLightLimits(binding.report, 'all', limits),
                 textureLimits: createTextureLimits(binding.report),
               });
@@ -68,6 +74,7 @@ function create(host: SceneHost, tools: SceneTools): SceneBackend {
     loadEnvironment: panoramas.load,
     createEnvironment: panoramas.create,
     createNearestDepth,
+    createUnder: glass?.createUnder ?? null,
     prepare: renderer.prepare,
     invalidateState: renderer.invalidateState,
     counts: () => {
@@ -77,6 +84,7 @@ function create(host: SceneHost, tools: SceneTools): SceneBackend {
     dispose: () => {
       neutral.dispose();
       panoramas.dispose();
+      glass?.dispose();
       renderer.dispose();
     },
   };

@@ -32,6 +32,8 @@ export interface SceneRenderer {
   drawCorner(target: WebGLRenderTarget, widthPx: number, heightPx: number, scene: Scene, camera: Camera): void;
   /** Runs other GPU work of three.js between draws; leaves no framebuffer bound. */
   work(task: (three: ThreeRenderer) => void): void;
+  /** Whether draws only compile their shaders. */
+  isPreparing(): boolean;
   /** Runs draws that only compile their shaders. Resolves when the driver has finished, without blocking. */
   prepare(draws: () => void): Promise<void>;
   /** Resets the state cache, because others have drawn. */
@@ -157,6 +159,7 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
       task(three);
       three.setRenderTarget(null);
     },
+    isPreparing: () => compiling !== null,
     prepare: async (draws) => {
       const all: Promise<unknown>[] = [];
       compiling = all;

@@ -1,4 +1,4 @@
-import { BackSide, DoubleSide, FrontSide, type Material, Scene } from 'three';
+import { BackSide, DoubleSide, FrontSide, Material, Scene } from 'three';
 import type { LayerEncoding } from '../../../nodes/kit/definition.ts';
 import type { DrawnScene } from '../../../nodes/kit/runtime.ts';
 import type { ObjectItem } from '../../../nodes/kit/scene-lists.ts';
@@ -6,11 +6,12 @@ import type { NumberView } from '../../../nodes/kit/value-views.ts';
 import type { NeutralEnvironment } from './environments/neutral.ts';
 import type { PanoramaStore } from './environments/panorama-store.ts';
 import { createSceneEnvironment } from './environments/scene-environment.ts';
+import type { Glass } from './glass/glass-scene.ts';
 import type { LightLimits, TextureLimits } from './lights/light-limits.ts';
 import { createLightRig } from './lights/light-rig.ts';
 import type { RenderedShadowMaps } from './lights/shadow-maps.ts';
 import { blendsWithoutDepth, createDepthTwin } from './materials/depth-twin.ts';
-import { isOpaque } from './materials/layer-blending.ts';
+import { isOpaque, isTransmissive } from './materials/layer-blending.ts';
 import { createLayerTwin, type LayerTwinOptions } from './materials/layer-twin.ts';
 import type { OcclusionPatch } from './materials/occlusion-patch.ts';
 import { createTechniquePlans } from './materials/technique-plans.ts';
@@ -32,6 +33,8 @@ export interface ShadedSceneOptions {
   readonly encoding: LayerEncoding;
   readonly shadowMaps: RenderedShadowMaps | null;
   readonly occlusion: OcclusionPatch | null;
+  /** Null where the page has no glass. */
+  readonly glass: Glass | null;
   readonly watchLimits: LightLimits;
   readonly textureLimits: TextureLimits;
 }
@@ -63,25 +66,34 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
   const onChange = (): void => {
     outdated = true;
   };
-  const layerOptions = { encoding, occlusion, translucentShadows, onChange };
-  const techniques = createTechniquePlans({ twins, translucentShadows, occlusion, onChange });
+  const glass = options.glass?.forScene(scene, encoding) ?? null;
+  const layerOptions = { encoding, occlusion, translucentShadows, onChange, patchGlass: glass?.patch ?? null };
+  const techniques = createTechniquePlans({ twins, translucentShadows, occlusion, onChange, behind: glass?.forTechniques ?? null });
 
   function plan(master: Drawable, item: ObjectItem): readonly ProxyPlan[] {
     const features = programFeatures(master);
     const depth = (): Material | Material[] =>
       mapMaterials(master, (part) => twins.get(part, `${features}|depth`, () => createDepthTwin(part, 'surface')));
     if (item.role === 'phantom') return [{ material: depth(), renderOrder: PHANTOMS_FIRST }];
-    const draw = (side: Side): ProxyPlan => ({
-      material: mapMaterials(master, (part) =>
-        twins.get(part, `${features}|${side ?? ''}`, () => createLayerTwin(part, { side, ...layerOptions })),
-      ),
-      renderOrder: master.renderOrder,
-    });
-    const byTechnique = techniques.plan(master, item, DEPTH_FIRST, (part) =>
-      twins.get(part, `${features}|`, () => createLayerTwin(part, { side: null, ...layerOptions })),
-    );
+    const twin = (part: Material, side: Side): Material =>
+      twins.get(part, `${features}|${side ?? ''}${isTransmissive(part) ? '|glass' : ''}`, () =>
+        createLayerTwin(part, { side, ...layerOptions }),
+      );
+    const byTechnique = techniques.plan(master, item, DEPTH_FIRST, (part) => twin(part, null));
     if (byTechnique) return byTechnique;
-    const colors = isTwoPass(master.material) ? [draw(BackSide), draw(FrontSide)] : [draw(null)];
+    const isGlass = glass !== null && materialsOf(master).some(isTransmissive);
+    const draw = (side: Side, shown: (part: Material) => boolean = () => true): ProxyPlan => ({
+      material: mapMaterials(master, (part) => (shown(part) ? twin(part, side) : NOTHING)),
+      renderOrder: master.renderOrder,
+      isGlass: isGlass && materialsOf(master).some((part) => isTransmissive(part) && shown(part)),
+    });
+    const solid = (part: Material): boolean => !isTransmissive(part);
+    // The back of glass is drawn first, so that the front shows it.
+    const colors = isTwoPass(master.material, isGlass)
+      ? [draw(BackSide), draw(FrontSide)]
+      : isGlass && materialsOf(master).some(solid)
+        ? [draw(null, solid), draw(null, isTransmissive)]
+        : [draw(null)];
     if (materialsOf(master).some(blendsWithoutDepth)) return [...colors, blendedDepth(master, features)];
     if (!occlusion || !materialsOf(master).every(isOpaque)) return colors;
     // A fading surface shows what is already drawn; drawing its depth first prevents that this is a surface behind it.
@@ -103,6 +115,7 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
         outdated = false;
         twins.sweep();
         techniques.sweep();
+        glass?.collect(proxies.proxies, BLENDED_DEPTH_LAST);
         lit = techniques.isUsed() || proxies.proxies.some(({ object }) => materialsOf(object).some(isLit));
       }
       watchLimits(lightLists);
@@ -115,9 +128,11 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
       textureLimits.tell(0, lights.bindShadows(shadowMaps, translucentShadows, maxTextures));
       occlusion?.bind(drawView);
       techniques.bind(drawView);
-      renderer.draw(drawView, scene, view.camera, encoding);
+      if (glass?.hasGlass()) glass.draw(drawView, view.camera);
+      else renderer.draw(drawView, scene, view.camera, encoding);
     },
     dispose: () => {
+      glass?.dispose();
       proxies.dispose();
       twins.dispose();
       lights.dispose();
@@ -127,9 +142,14 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
 }
 
 /** three.js draws these in two passes, back faces first, and recompiles in between; two proxies avoid that. */
-function isTwoPass(material: Material | Material[]): boolean {
-  return !Array.isArray(material) && material.transparent && material.side === DoubleSide && !material.forceSinglePass;
+function isTwoPass(material: Material | Material[], isGlass: boolean): boolean {
+  if (Array.isArray(material) || material.side !== DoubleSide) return false;
+  return isGlass || (material.transparent && !material.forceSinglePass);
 }
+
+/** For parts that another proxy draws; three.js skips invisible materials. */
+const NOTHING = new Material();
+NOTHING.visible = false;
 
 const LIT = ['isMeshStandardMaterial', 'isMeshLambertMaterial', 'isMeshPhongMaterial'] as const;
 

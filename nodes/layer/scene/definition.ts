@@ -4,8 +4,8 @@ export const definition = defineNode({
   type: 'layer/scene',
   version: 1,
   title: 'Scene',
-  doc: 'Draws objects as a layer with depth. The objects are lit by the lights and by a soft neutral environment, or by an Environment light instead of it. Phantoms hide what is behind them and are not visible themselves.',
-  keywords: ['render', '3d', 'draw', 'camera', 'virtual'],
+  doc: 'Draws objects as a layer with depth. The objects are lit by the lights and by a soft neutral environment, or by an Environment light instead of it. Phantoms hide what is behind them and are not visible themselves. Glass of models (transmission) shows the objects behind it, refracted.',
+  keywords: ['render', '3d', 'draw', 'camera', 'virtual', 'glass', 'transmission', 'refraction'],
   inputs: {
     objects: { type: 'objects', label: 'Objects', doc: 'The objects to draw.', required: true, multiple: true },
     lights: {
@@ -14,6 +14,13 @@ export const definition = defineNode({
       doc: 'Lights of the scene. Not connected: only the neutral environment lights it.',
       required: false,
       multiple: true,
+    },
+    behind: {
+      type: 'layer',
+      label: 'Behind glass',
+      doc: 'The layer that glass shows where no object is behind it: usually the one that this layer is put over. Not connected: the layer at the glass material; else the camera image if the scene is drawn right over the room; else the glass is transparent and does not refract what is under the layer.',
+      required: false,
+      encoding: 'either',
     },
   },
   outputs: {

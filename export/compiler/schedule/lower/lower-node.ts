@@ -1,15 +1,15 @@
-import type { ParamDefinition, ParamValue, Stateful } from '../../../../nodes/kit/definition.ts';
+import type { InputPort, ParamDefinition, ParamValue, Stateful } from '../../../../nodes/kit/definition.ts';
 import { subsetGlyphs } from '../../../../nodes/kit/glyphs.ts';
 import { isValueType, type ValueType, type WireType } from '../../../../nodes/kit/wire-types.ts';
 import { parseValue } from '../../../graph/expression/param-expression.ts';
-import type { DrawOperation, InputRef, NodeOperation, OutputRef, Resource, ResourceId } from '../../../program/program.ts';
+import type { DrawOperation, DrawUnder, InputRef, NodeOperation, OutputRef, Resource, ResourceId } from '../../../program/program.ts';
 import { type FlatNode, portKey, type Source, sourcesAt } from '../../flat-graph.ts';
-import { isDraw, layerOutput } from '../layers.ts';
+import { isDraw, layerInputs, layerOutput } from '../layers.ts';
 import { movingBinding, startValue } from '../slot-allocator.ts';
 import { depthAt } from './lower-depth.ts';
 import { shadowMapsOf } from './lower-shadow-maps.ts';
-import { layersOfTechniques } from './lower-technique.ts';
-import { addResource, addStep, type Lowering, layerAt, resourceAt, valueSteps } from './lowering.ts';
+import { readsOfTechniques, underAt } from './lower-technique.ts';
+import { addResource, addStep, type Lowering, layerAt, resourceAt, type TechniqueReads, valueSteps } from './lowering.ts';
 
 type NodeKind = 'value' | 'source' | 'behavior' | 'geometry';
 
@@ -55,9 +55,10 @@ export function lowerDraw(lowering: Lowering, { node, occlusion, target, id }: D
   const shadowMaps = shadowMapsOf(lowering, node);
   const base = nodeOperation(lowering, node, id, 'draw');
   const hiding = occlusion && drawOcclusion(lowering, occlusion);
-  const styled = layersOfTechniques(lowering, node);
+  const styled = readsOfTechniques(lowering, node);
+  const under = underLayer(lowering, node, styled);
   const own = [...base.reads, ...(shadowMaps === null ? [] : [shadowMaps]), ...(hiding ? [hiding.roomDepth] : [])];
-  const reads = [...new Set([...own, ...styled])];
+  const reads = [...new Set([...own, ...styled.flatMap(({ layers }) => layers), ...(under ? [under.resource] : [])])];
   const operation: DrawOperation = {
     ...base,
     kind: 'draw',
@@ -69,9 +70,23 @@ export function lowerDraw(lowering: Lowering, { node, occlusion, target, id }: D
     target: image ?? 'screen',
     shadowMaps,
     occlusion: hiding,
+    ...(under === undefined ? {} : { under }),
+    ...(styled.some(({ readsBehind }) => readsBehind) ? { glass: true } : {}),
   };
   addStep(lowering, operation, [...valueSteps(lowering, node), ...(occlusion ? valueSteps(lowering, occlusion) : [])]);
   return operation;
+}
+
+/**
+ * The layer that glass shows: the one at the node's own input, or that of its techniques. Techniques with several show them by themselves,
+ * so there is none for all. Undefined: no one says.
+ */
+function underLayer(lowering: Lowering, node: FlatNode, styled: readonly TechniqueReads[]): DrawUnder | null | undefined {
+  const [own] = layerInputs(node);
+  if (own) return underAt(lowering, own);
+  const layers = new Map(styled.flatMap(({ under }) => (under ? [[under.resource, under] as const] : [])));
+  const [first, ...others] = layers.values();
+  return others.length > 0 ? null : first;
 }
 
 function addColorTarget(lowering: Lowering, shown: Source, operation: string): ResourceId {
@@ -109,8 +124,8 @@ export function nodeOperation<K extends NodeKind | 'draw' | 'cpu'>(
   kind: K,
 ): NodeOperation & { readonly kind: K; readonly view: 'once' } {
   const { type, params, delay, stateful, worker } = node.definition;
-  // The layer of a CPU filter is its field `image`, not an input.
-  const ports = kind === 'cpu' ? {} : node.definition.inputs;
+  // The layer of a CPU filter is its field `image`, that of a draw its field `under`; they are no inputs.
+  const ports = kind === 'cpu' ? {} : kind === 'draw' ? withoutLayers(node.definition.inputs) : node.definition.inputs;
   const pulses = Object.keys(ports).filter((port) => ports[port]?.type === 'pulse');
   const poses = Object.keys(ports).filter((port) => ports[port]?.type === 'pose');
   const inputs = Object.fromEntries(
@@ -149,6 +164,10 @@ export function nodeOperation<K extends NodeKind | 'draw' | 'cpu'>(
       ),
     ),
   };
+}
+
+function withoutLayers(ports: Readonly<Record<string, InputPort>>): Readonly<Record<string, InputPort>> {
+  return Object.fromEntries(Object.entries(ports).filter(([, { type }]) => type !== 'layer'));
 }
 
 /** The value of a param with an expression or track may exceed any limit. */

@@ -1,8 +1,8 @@
 import type { Diagnostic } from '../../../../nodes/kit/diagnostics.ts';
 import type { TechniqueShader } from '../../../glsl/technique/technique-shader.ts';
-import type { ResourceId } from '../../../program/program.ts';
-import { type FlatNode, portKey, sourcesAt } from '../../flat-graph.ts';
-import { addResource, type Lowering, resourceAt, takeLink } from './lowering.ts';
+import type { DrawUnder } from '../../../program/program.ts';
+import { type FlatNode, portKey, type Source, sourcesAt } from '../../flat-graph.ts';
+import { addResource, type Lowering, resourceAt, type TechniqueReads, takeLink } from './lowering.ts';
 
 /**
  * Adds the technique of `node` as a resource, shared by all its users. It needs no operation: the resource contains its text and the slots
@@ -33,10 +33,11 @@ export function lowerTechnique(lowering: Lowering, node: FlatNode): void {
     if (data === undefined) lowering.diagnostics.push(missingImage(node, technique, path));
     return data === undefined ? [] : [{ name, data }];
   });
-  lowering.techniqueReads.set(
-    node.id,
-    samplers.map(({ source }) => source.resource),
-  );
+  lowering.techniqueReads.set(node.id, {
+    layers: samplers.map(({ source }) => source.resource),
+    readsBehind: linked.readsBehind,
+    under: linked.readsBehind ? underOf(lowering, node) : null,
+  });
   addResource(lowering, {
     id,
     kind: 'technique',
@@ -76,14 +77,29 @@ function sampler(lowering: Lowering, node: FlatNode, name: string, input: string
   } as const;
 }
 
-/** Layers that the techniques of a draw's objects read, found through all nodes that lead to the draw except other layers. */
-export function layersOfTechniques({ graph, techniqueReads }: Lowering, draw: FlatNode): ResourceId[] {
-  const reads = new Set<ResourceId>();
+/** The input of a technique for the layer behind its objects, which the library's glass has. */
+const BEHIND_INPUT = 'behind';
+
+/** The layer at that input. */
+function underOf(lowering: Lowering, node: FlatNode): DrawUnder | null {
+  const [source] = sourcesAt(node, BEHIND_INPUT);
+  return source ? underAt(lowering, source) : null;
+}
+
+/** A layer as what glass shows. */
+export function underAt(lowering: Lowering, source: Source): DrawUnder {
+  const { domain, encoding = 'display' } = lowering.layers.get(portKey(source)) ?? {};
+  return { resource: resourceAt(lowering, source), fit: domain === 'image' ? 'cover' : 'none', encoding };
+}
+
+/** What the techniques of a draw's objects read, found through all nodes that lead to the draw except other layers. */
+export function readsOfTechniques({ graph, techniqueReads }: Lowering, draw: FlatNode): TechniqueReads[] {
+  const reads: TechniqueReads[] = [];
   const behind = new Set([draw]);
   // The set grows during the iteration.
   for (const node of behind) {
     const own = techniqueReads.get(node.id);
-    for (const resource of own ?? []) reads.add(resource);
+    if (own) reads.push(own);
     if (own) continue;
     for (const [port, sources] of node.inputs) {
       if (node.definition.inputs[port]?.type === 'layer') continue;
@@ -93,7 +109,7 @@ export function layersOfTechniques({ graph, techniqueReads }: Lowering, draw: Fl
       }
     }
   }
-  return [...reads];
+  return reads;
 }
 
 export function isTechnique({ definition }: FlatNode): boolean {

@@ -1,6 +1,6 @@
 import type { NodeLibrary } from '../../../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../../../nodes/kit/diagnostics.ts';
-import type { LayerDepthRef, LayerRef, Resource, ResourceId } from '../../../program/program.ts';
+import type { DrawUnder, LayerDepthRef, LayerRef, Resource, ResourceId } from '../../../program/program.ts';
 import { type FlatGraph, type FlatNode, portKey, type Source } from '../../flat-graph.ts';
 import type { ShaderLink } from '../../shaders/shader-link.ts';
 import type { ShaderStore } from '../../shaders/shader-store.ts';
@@ -38,13 +38,20 @@ export interface Lowering {
   readonly computedBy: Map<string, string>;
   /** Delayed image nodes whose textures exist but are not drawn yet. */
   readonly delayed: FlatNode[];
-  /** Technique → layers that draws with it read. */
-  readonly techniqueReads: Map<string, readonly ResourceId[]>;
+  /** What draws with a technique read, by its node. */
+  readonly techniqueReads: Map<string, TechniqueReads>;
   /** Node → operations that set its params from expressions or tracks. */
   readonly movedBy: Map<string, string[]>;
   /** The text above mistakes in shaders that cannot be linked, by node. */
   readonly above: ScheduledAbove[];
   readonly diagnostics: Diagnostic[];
+}
+
+export interface TechniqueReads {
+  readonly layers: readonly ResourceId[];
+  /** Whether it shows what is behind its objects, and the layer for where there are none. */
+  readonly readsBehind: boolean;
+  readonly under: DrawUnder | null;
 }
 
 export function createLowering(

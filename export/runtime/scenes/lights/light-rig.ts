@@ -56,6 +56,8 @@ export function createLightRig(scene: Scene): LightRig {
     const made = createLight(item);
     if (made === null) return;
     setUp(made.light);
+    // Draws of a part of the scene have the same lights.
+    made.light.layers.enableAll();
     scene.add(made.light);
     rig.push(made);
   }

@@ -1,35 +1,91 @@
-import { ShaderChunk, type Texture } from 'three';
+import { type IUniform, Matrix3, type MeshPhysicalMaterial, ShaderChunk, type Texture } from 'three';
+import { BEHIND_CHUNK } from '../glass/behind-chunk.ts';
 import type { ShaderPatch } from './shader-patch.ts';
 
+/** Makes a twin transmissive without three.js' own pass. */
+export interface GlassPatch extends ShaderPatch {
+  /** Defines of the twin, from the master's maps. */
+  defines(): Record<string, string>;
+  /** Copies the master's values. */
+  sync(): void;
+}
+
+const SAMPLE = 'return textureBicubic( transmissionSamplerMap, fragCoord.xy, lod );';
+const LOGARITHM = '-log( attenuationColor )';
+
 /**
- * Makes the layer's background visible through transmissive materials.
+ * three.js draws what is behind glass by itself if `transmission` of a material is above 0: opaque objects only, without the layer under the
+ * scene. So twins have 0 there, and this patch adds the same shading (`transmission_fragment`, which follows KHR_materials_transmission,
+ * volume, ior and dispersion) with an image that `glass-scene.ts` draws. Its alpha is the coverage, so glass over nothing is as transparent
+ * as its transmittance.
  *
- * three.js renders what is behind glass to a buffer that it clears to half-covered white (`renderTransmissionPass`), so that glass over
- * nothing becomes a white haze. The content of the buffer is opaque, so the alpha of a sample tells how much of it is clear color: with
- * coverage k, alpha = k + (1 - k) / 2 and color = k · content + (1 - k) · white. Subtracting the white gives premultiplied content with
- * coverage k; glass over nothing is then as transparent as its transmittance.
+ * @param behind The image; all glass shares the uniform.
  */
-export function createGlassPatch(): ShaderPatch & { dispose(): void } {
-  const chunk = ShaderChunk.transmission_pars_fragment;
-  const sample = 'return textureBicubic( transmissionSamplerMap, fragCoord.xy, lod );';
-  const uniforms: { value?: Texture | null }[] = [];
+export function createGlassPatch(master: MeshPhysicalMaterial, behind: IUniform): GlassPatch {
+  const uniforms = {
+    transmission: { value: 0 },
+    thickness: { value: 0 },
+    attenuationDistance: { value: Number.POSITIVE_INFINITY },
+    attenuationColor: { value: master.attenuationColor },
+    transmissionMap: { value: null as Texture | null },
+    transmissionMapTransform: { value: new Matrix3() },
+    thicknessMap: { value: null as Texture | null },
+    thicknessMapTransform: { value: new Matrix3() },
+  };
   return {
     key: 'glass',
     apply: (shader) => {
-      if (!chunk.includes(sample)) throw new Error('three.js samples transmission in another way than expected.');
-      const patched = chunk.replace(
-        sample,
-        `vec4 behind = textureBicubic( transmissionSamplerMap, fragCoord.xy, lod );
-		float coverage = clamp( 2.0 * behind.a - 1.0, 0.0, 1.0 );
-		return vec4( max( behind.rgb - ( 1.0 - coverage ), 0.0 ), coverage );`,
-      );
-      shader.fragmentShader = shader.fragmentShader.replace('#include <transmission_pars_fragment>', patched);
-      if (shader.uniforms.transmissionSamplerMap) uniforms.push(shader.uniforms.transmissionSamplerMap);
+      const chunk = ShaderChunk.transmission_pars_fragment;
+      if (!chunk.includes(SAMPLE) || !chunk.includes(LOGARITHM))
+        throw new Error('three.js shades transmission in another way than expected.');
+      const patched = chunk
+        .replace(SAMPLE, 'return scrimBehindAt( fragCoord, lod );')
+        .replace('float lod = log2( transmissionSamplerSize.x )', 'float lod = log2( float( textureSize( scrimBehind, 0 ).x ) )')
+        // The logarithm of 0 times a thickness of 0 is no number.
+        .replace(LOGARITHM, '-log( max( attenuationColor, vec3( 1e-6 ) ) )');
+      shader.fragmentShader = shader.fragmentShader
+        .replace('#include <transmission_pars_fragment>', `#ifdef USE_TRANSMISSION\n${BEHIND_CHUNK}\n#endif\n${patched}`)
+        .replace('#include <opaque_fragment>', OPAQUE_FRAGMENT)
+        .replace('#include <colorspace_fragment>', '#include <colorspace_fragment>\n\tgl_FragColor.rgb *= scrimOpacity;');
+      Object.assign(shader.uniforms, uniforms, { scrimBehind: behind });
     },
-    // three.js creates the buffer per scene and never disposes it; it is reachable only by the uniform.
-    dispose: () => {
-      for (const uniform of uniforms) uniform.value?.renderTarget?.dispose();
-      uniforms.length = 0;
+    defines: () => ({
+      USE_TRANSMISSION: '',
+      ...mapDefines('TRANSMISSION', master.transmissionMap),
+      ...mapDefines('THICKNESS', master.thicknessMap),
+    }),
+    sync: () => {
+      uniforms.transmission.value = master.transmission;
+      uniforms.thickness.value = master.thickness;
+      uniforms.attenuationDistance.value = master.attenuationDistance;
+      uniforms.transmissionMap.value = setTransform(uniforms.transmissionMapTransform.value, master.transmissionMap);
+      uniforms.thicknessMap.value = setTransform(uniforms.thicknessMapTransform.value, master.thicknessMap);
     },
   };
+}
+
+/** As `opaque_fragment` of three.js, but premultiplied: what is seen through glass is not faded by the alpha of what is behind it. */
+const OPAQUE_FRAGMENT = /* glsl */ `
+	#ifdef OPAQUE
+		diffuseColor.a = 1.0;
+	#endif
+	float scrimOpacity = diffuseColor.a;
+	#ifdef USE_TRANSMISSION
+		diffuseColor.a *= material.transmissionAlpha;
+	#endif
+	gl_FragColor = vec4( outgoingLight, diffuseColor.a );
+`;
+
+function mapDefines(name: string, map: Texture | null): Record<string, string> {
+  if (map === null) return {};
+  const uv = map.channel === 0 ? 'uv' : `uv${map.channel}`;
+  // Empty as in three.js, which may define it too.
+  const attribute: Record<string, string> = map.channel === 0 ? {} : { [`USE_UV${map.channel}`]: '' };
+  return { [`USE_${name}MAP`]: '', [`${name}MAP_UV`]: uv, ...attribute };
+}
+
+function setTransform(into: Matrix3, map: Texture | null): Texture | null {
+  if (map?.matrixAutoUpdate) map.updateMatrix();
+  if (map) into.copy(map.matrix);
+  return map;
 }

@@ -11,7 +11,7 @@ import {
   ZeroFactor,
 } from 'three';
 
-export function isTransmissive(material: Material): boolean {
+export function isTransmissive(material: Material): material is MeshPhysicalMaterial {
   return ((material as Partial<MeshPhysicalMaterial>).transmission ?? 0) > 0;
 }
 
@@ -25,13 +25,14 @@ export function isOpaque(material: Material): boolean {
  *
  * - Opaque and normal blending: as in three.js, whose factors give color × alpha and the right alpha.
  * - Additive: three.js also adds the alpha, which would cover the background; added light covers nothing.
- * - Glass, and opaque surfaces that `occlusion-patch.ts` fades: their shaders write premultiplied color.
+ * - Glass, and opaque surfaces that `occlusion-patch.ts` fades: their shaders write premultiplied color. Glass contains what is visible
+ *   through it, so it often replaces what is drawn (`glass-scene.ts`).
  */
 export function applyLayerBlending(twin: Material, master: Material, fades: boolean): void {
   twin.defines = { ...master.defines };
-  if (!master.transparent && (isTransmissive(master) || (isOpaque(master) && fades))) {
+  if (isTransmissive(master) || (isOpaque(master) && fades)) {
     // With another blending than normal, three.js does not ignore the alpha of textures by itself.
-    twin.defines.OPAQUE = '';
+    if (!master.transparent) twin.defines.OPAQUE = '';
     twin.defines.PREMULTIPLIED_OUTPUT = '';
     setBlending(twin, OneFactor, OneMinusSrcAlphaFactor, OneFactor, OneMinusSrcAlphaFactor);
   } else if (master.blending === AdditiveBlending) {

@@ -1,8 +1,8 @@
-import type { BackSide, FrontSide, Material } from 'three';
+import type { BackSide, FrontSide, Material, MeshPhysicalMaterial } from 'three';
 import type { LayerEncoding } from '../../../../nodes/kit/definition.ts';
 import { follow } from './follow.ts';
-import { createGlassPatch } from './glass-patch.ts';
-import { applyLayerBlending } from './layer-blending.ts';
+import type { GlassPatch } from './glass-patch.ts';
+import { applyLayerBlending, isTransmissive } from './layer-blending.ts';
 import { patchMaterial, type ShaderPatch, wrapMain } from './shader-patch.ts';
 import { createShadowOffsetPatch } from './shadow-offset-patch.ts';
 import type { TranslucentShadowPatch } from './translucent-shadow-patch.ts';
@@ -36,6 +36,8 @@ export interface LayerTwinOptions {
   /** Fades fragments behind the room; null without occlusion. */
   readonly occlusion: ShaderPatch | null;
   readonly translucentShadows: TranslucentShadowPatch;
+  /** Creates the patch of a transmissive material; null where the page has no glass. */
+  readonly patchGlass: ((master: MeshPhysicalMaterial) => GlassPatch) | null;
   /** Called when the master needs to be drawn differently, such as after it became transparent. */
   readonly onChange: () => void;
 }
@@ -43,8 +45,9 @@ export interface LayerTwinOptions {
 /** The material that draws the master into a layer: its own shading with premultiplied output (see `layer-blending.ts`). */
 export function createLayerTwin(master: Material, options: LayerTwinOptions): Twin {
   const material = master.clone();
-  const glass = 'isMeshPhysicalMaterial' in master ? createGlassPatch() : null;
+  const glass = isTransmissive(master) ? (options.patchGlass?.(master) ?? null) : null;
   const fades = options.occlusion !== null;
+  const isPhysical = 'isMeshPhysicalMaterial' in master;
   patchMaterial(
     material,
     master,
@@ -57,19 +60,28 @@ export function createLayerTwin(master: Material, options: LayerTwinOptions): Tw
     ].filter((patch) => patch !== null),
   );
   options.translucentShadows.attach(material);
-  const sync = follow(material, master, options.side === null ? [] : ['side']);
+  // Above 0, three.js would draw what is behind glass by itself.
+  if (isPhysical) (material as MeshPhysicalMaterial).transmission = 0;
+  const fixed = [...(options.side === null ? [] : ['side']), ...(isPhysical ? ['_transmission'] : [])];
+  const sync = follow(material, master, fixed);
   if (options.side !== null) material.side = options.side;
-  applyLayerBlending(material, master, fades);
+
+  function blend(): void {
+    applyLayerBlending(material, master, fades);
+    if (glass) Object.assign(material.defines ?? {}, glass.defines());
+  }
+  blend();
+  glass?.sync();
   return {
     material,
     sync: () => {
+      glass?.sync();
       if (!sync()) return;
-      applyLayerBlending(material, master, fades);
+      blend();
       options.onChange();
     },
     dispose: () => {
       options.translucentShadows.detach(material);
-      glass?.dispose();
       material.dispose();
     },
   };

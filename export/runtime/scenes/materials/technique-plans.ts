@@ -5,10 +5,12 @@ import type { TechniqueView } from '../../../../nodes/kit/technique-view.ts';
 import { type Drawable, mapMaterials, materialsOf, programFeatures } from '../proxies/drawable.ts';
 import type { ProxyPlan } from '../proxies/proxy.ts';
 import { ensureHullNormals } from './hull-normals.ts';
+import { isTransmissive } from './layer-blending.ts';
 import type { OcclusionPatch } from './occlusion-patch.ts';
 import { createEnvironmentUniforms } from './technique-environment.ts';
 import { createTechniqueTwin } from './technique-twin.ts';
 import { createTechniqueUniforms, type TechniqueUniforms } from './technique-uniforms.ts';
+import { showsBehind } from './technique-wrapper.ts';
 import type { TranslucentShadowPatch } from './translucent-shadow-patch.ts';
 import type { TwinCache } from './twins.ts';
 
@@ -33,6 +35,8 @@ export interface TechniquePlansOptions {
   readonly occlusion: OcclusionPatch | null;
   readonly translucentShadows: TranslucentShadowPatch;
   readonly onChange: () => void;
+  /** GLSL and uniforms for techniques that read what is behind their objects; null where the page has none. */
+  readonly behind: { readonly text: string; readonly uniforms: Readonly<Record<string, IUniform>> } | null;
 }
 
 /** Text of a technique that reads hull normals, which most do not. */
@@ -48,10 +52,10 @@ const PASS_AFTER_PASS = 1e-3;
 const NOTHING = new Material();
 NOTHING.visible = false;
 
-export function createTechniquePlans({ twins, occlusion, translucentShadows, onChange }: TechniquePlansOptions): TechniquePlans {
+export function createTechniquePlans({ twins, occlusion, translucentShadows, onChange, behind }: TechniquePlansOptions): TechniquePlans {
   const environment = createEnvironmentUniforms();
   const renderSize: IUniform<Vector2> = { value: new Vector2(1, 1) };
-  const ofScene = { ...environment.uniforms, a_RENDERSIZE: renderSize };
+  const ofScene = { ...environment.uniforms, ...behind?.uniforms, a_RENDERSIZE: renderSize };
   const ofTechniques = new Map<TechniqueView, { readonly key: string } & TechniqueUniforms>();
 
   const used = new Set<TechniqueView>();
@@ -71,7 +75,16 @@ export function createTechniquePlans({ twins, occlusion, translucentShadows, onC
     const variant = `${features}|${technique.key}|${passIndex}${depthOnly ? '|depth' : ''}`;
     const shared = { ...ofScene, ...uniformsOf(technique).uniforms };
     return twins.get(part, variant, () =>
-      createTechniqueTwin(part, { technique, passIndex, depthOnly, shared, occlusion, translucentShadows, onChange }),
+      createTechniqueTwin(part, {
+        technique,
+        passIndex,
+        depthOnly,
+        shared,
+        behind: behind?.text ?? '',
+        occlusion,
+        translucentShadows,
+        onChange,
+      }),
     );
   }
 
@@ -90,8 +103,12 @@ export function createTechniquePlans({ twins, occlusion, translucentShadows, onC
           return passIndex < technique.passes.length ? twinOf(part, features, technique, passIndex, depthOnly) : NOTHING;
         });
       const plans: ProxyPlan[] = [];
+      const isGlass =
+        behind !== null && materialsOf(master).some((part, i) => (found[i] ? showsBehind(found[i].fragment) : isTransmissive(part)));
       for (let i = 0; i < passes; i++) {
-        plans.push({ material: draw(i, false), renderOrder: master.renderOrder + i * PASS_AFTER_PASS });
+        plans.push({ material: draw(i, false), renderOrder: master.renderOrder + i * PASS_AFTER_PASS, isGlass });
+        // Glass shows what is behind it.
+        if (isGlass) continue;
         // A fading surface shows what is already drawn; drawing its depth first prevents that this is a surface behind it.
         if (occlusion && !materialsOf(master).some((part) => part.transparent))
           plans.push({ material: draw(i, true), renderOrder: depthFirst, shows: occlusion.isSoft });

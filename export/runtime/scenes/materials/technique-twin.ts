@@ -31,6 +31,8 @@ export interface TechniqueTwinOptions {
   readonly depthOnly: boolean;
   /** Uniforms that materials share: of the technique and of the view. */
   readonly shared: Readonly<Record<string, IUniform>>;
+  /** GLSL of `BEHIND`. */
+  readonly behind: string;
   readonly occlusion: ShaderPatch | null;
   readonly translucentShadows: TranslucentShadowPatch;
   /** Called when the master needs to be drawn differently, such as after it became transparent. */
@@ -44,14 +46,14 @@ type Master = Material & Partial<Pick<MeshStandardMaterial, 'color' | 'map' | 'f
 
 /** Draws one pass of a technique instead of the master. Output is premultiplied and encoded as that of other twins. */
 export function createTechniqueTwin(master: Master, options: TechniqueTwinOptions): Twin {
-  const { technique, passIndex, depthOnly, shared, occlusion, translucentShadows, onChange } = options;
+  const { technique, passIndex, depthOnly, shared, behind, occlusion, translucentShadows, onChange } = options;
   const color = new Vector4();
   const map: IUniform<Texture | null> = { value: null };
   const mapTransform = new Matrix3();
   const material = new ShaderMaterial({
     name: `technique ${technique.key}`,
     vertexShader: techniqueVertex(technique.vertex, technique.fragment, passIndex),
-    fragmentShader: techniqueFragment(technique.fragment, passIndex),
+    fragmentShader: techniqueFragment(technique.fragment, passIndex, behind),
     lights: true,
     uniforms: {
       ...UniformsUtils.clone(UniformsLib.lights),

@@ -119,7 +119,13 @@ float a_PIXEL_M( const in vec3 position ) {
 const WITHOUT_LIGHTS = `#define a_AMBIENT vec3( 0.0 )
 #define a_LIGHT_COUNT 0`;
 
-export function techniqueFragment(text: string, passIndex: number): string {
+/** Whether the text of a technique reads what is behind its object. */
+export function showsBehind(text: string): boolean {
+  return text.includes('a_BEHIND(');
+}
+
+/** `behind`: GLSL of `BEHIND`, for texts that call it. */
+export function techniqueFragment(text: string, passIndex: number, behind: string): string {
   return /* glsl */ `
 vec3 scrimAmbient();
 #define a_EYE cameraPosition
@@ -146,6 +152,7 @@ varying vec3 vTechniqueRestNormal;
 // Linear, with the opacity as alpha.
 uniform vec4 scrimColor;
 ${environmentFragment(text)}
+${showsBehind(text) ? behind : ''}
 a_Light scrimLights[ NUM_POINT_LIGHTS + NUM_SPOT_LIGHTS + NUM_DIR_LIGHTS + 1 ];
 
 a_Light a_LIGHT( const in int index ) {

@@ -9,6 +9,8 @@ export interface ProxyPlan {
   readonly renderOrder: number;
   /** Evaluated every frame; absent means always visible. */
   readonly shows?: (item: ObjectItem) => boolean;
+  /** Whether it shows what is behind it. */
+  readonly isGlass?: boolean;
 }
 
 /**
@@ -19,6 +21,7 @@ export interface FlatProxy {
   readonly object: Drawable;
   readonly master: Drawable;
   readonly item: ObjectItem;
+  readonly isGlass: boolean;
   /** Applies this frame's matrix and flags. */
   update(): void;
   dispose(): void;
@@ -49,6 +52,7 @@ export function createProxy(master: Drawable, item: ObjectItem, plan: ProxyPlan)
     object,
     master,
     item,
+    isGlass: plan.isGlass ?? false,
     update: () => {
       object.visible = !item.hidden && (shows?.(item) ?? true) && isShown(master, item.root);
       object.receiveShadow = item.receivesShadow;
