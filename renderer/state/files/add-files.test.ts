@@ -15,6 +15,6 @@ test.each([
 });
 
 test('a panorama may be chosen among ordinary pictures, a video may not', () => {
-  expect(acceptedNames('environment').split(',')).toEqual(['.hdr', '.exr', '.jpg', '.jpeg', '.png', '.webp']);
+  expect(acceptedNames('environment').split(',')).toEqual(['.hdr', '.exr', '.jpg', '.jpeg', '.png', '.webp', '.avif']);
   expect(acceptedNames('video')).not.toContain('.jpg');
 });
