@@ -36,7 +36,7 @@ export async function runJest({ root, projects, paths, countsFile }: JestRun): P
     // Something left open (a server, a browser) keeps Jest alive forever after its last test.
     {
       cwd: root,
-      timeoutS: 45 * 60,
+      timeoutS: 50 * 60,
       env: { NODE_OPTIONS: '--experimental-vm-modules --disable-warning=ExperimentalWarning', SCRIM_ENDS_WITH: String(process.pid) },
     },
   );
