@@ -41,14 +41,20 @@ export function wireTypes(editor: Editor, stretch: string): WireTypes | null {
   return from === undefined || to.length === 0 || to.length < (at?.wires.length ?? 0) ? null : { from, to };
 }
 
-/** The input and output that connect a node type into a wire; null if none fit. */
+/**
+ * The input and output that connect a node type into a wire; null if none fit. An optional input of a node that requires others does not
+ * fit: a Scene shows a layer behind its glass, but does not draw it.
+ */
 export function portsThrough(
   definition: NodeDefinition,
   { from, to }: WireTypes,
 ): { readonly input: string; readonly output: string } | null {
   const input = fittingPort(definition, { type: from, side: 'output' });
   const output = Object.entries(definition.outputs).find(([, { type }]) => to.every((target) => conversion(type, target) !== 'none'))?.[0];
-  return input === null || output === undefined ? null : { input, output };
+  if (input === null || output === undefined) return null;
+  const { required } = definition.inputs[input] ?? {};
+  if (required === false && Object.values(definition.inputs).some((other) => other.required)) return null;
+  return { input, output };
 }
 
 /** Whether a node dropped on a wire is inserted into it: it has no wires yet, and its ports fit. */

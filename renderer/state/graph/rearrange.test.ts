@@ -82,6 +82,7 @@ describe('a node goes into a wire', () => {
   test('but not when it is wired already, or of another kind', async () => {
     const { editor, blend, low, wire } = await over();
     expect(canInsert(editor, add(editor, 'value/math'), wire)).toBe(false);
+    expect(canInsert(editor, add(editor, 'layer/scene'), wire)).toBe(false);
     expect(canInsert(editor, low, wire)).toBe(false);
     expect(canInsert(editor, blend, wire)).toBe(false);
   });
