@@ -3,6 +3,7 @@ import { createFetchAssetSource } from '../../export/runtime/assets/asset-source
 import { createBrowserClock, createManualClock } from '../../export/runtime/clock.ts';
 import { createScenesWith } from '../../export/runtime/scenes/create-scenes.ts';
 import { readRadiance } from '../../export/runtime/scenes/environments/read-radiance.ts';
+import { createGlass } from '../../export/runtime/scenes/glass/glass-scene.ts';
 import { createRecordedSession } from '../../export/runtime/sessions/recorded/recorded-session.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import { findLampsAtOnce } from '../../nodes/kit/panorama/find-lamps.ts';
@@ -34,6 +35,7 @@ export async function hold(program: Program, assetsUrl: string, sessionUrl: stri
   const createScenes = createScenesWith({
     decoders: {},
     files: () => Promise.reject(new Error('no decoders')),
+    createGlass,
     readRadiance,
     findLamps: findLampsAtOnce,
   });

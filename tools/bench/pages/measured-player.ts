@@ -4,6 +4,7 @@ import { createBrowserClock, createManualClock, type ManualClock } from '../../.
 import { createPlayer, type Player } from '../../../export/runtime/player.ts';
 import { createScenesWith } from '../../../export/runtime/scenes/create-scenes.ts';
 import { readRadiance } from '../../../export/runtime/scenes/environments/read-radiance.ts';
+import { createGlass } from '../../../export/runtime/scenes/glass/glass-scene.ts';
 import { createSpatial } from '../../../export/runtime/spatial/create-spatial.ts';
 import { RUNTIMES } from '../../../nodes/generated/runtimes.gen.ts';
 import { findLampsAtOnce } from '../../../nodes/kit/panorama/find-lamps.ts';
@@ -32,7 +33,7 @@ export async function openPlayer(
     program,
     modules: RUNTIMES,
     createSpatial,
-    createScenes: createScenesWith({ decoders: {}, files: assets.load, readRadiance, findLamps: findLampsAtOnce }),
+    createScenes: createScenesWith({ decoders: {}, files: assets.load, createGlass, readRadiance, findLamps: findLampsAtOnce }),
     assets,
     seed: 1,
     clock: { ...clock, delay: createBrowserClock().delay },
