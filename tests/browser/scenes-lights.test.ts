@@ -103,7 +103,7 @@ describe('several lights at once', () => {
 
   test('beyond six shadows the others cast none, and the layer says so', async () => {
     const { reports, seven, one, error } = await page.call<{ reports: string[]; seven: number; one: number; error: number }>('tooMany');
-    expect([...new Set(reports)]).toEqual(['7 lights cast shadows here, and 6 can: the first 6 do, the others cast no shadows.']);
+    expect([...new Set(reports)]).toEqual(['7 lights cast shadows, but a scene supports 6. The first 6 cast shadows, the others do not.']);
     expect([seven, error]).toEqual([one, 0]);
   });
 

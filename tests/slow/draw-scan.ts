@@ -3,18 +3,7 @@ import { join } from 'node:path';
 import { encode } from 'fast-png';
 import { Matrix4, Raycaster, Vector3 } from 'three';
 import { createRoom } from '../../export/emulator/rooms/room-source.ts';
-
-// Scanned rooms are read with the classes of browsers, of which this one is missing in Node.
-Object.assign(globalThis, {
-  DOMPointReadOnly: class {
-    constructor(
-      readonly x = 0,
-      readonly y = 0,
-      readonly z = 0,
-      readonly w = 1,
-    ) {}
-  },
-});
+import '../support/dom-point.ts';
 
 const WIDTH = 640;
 const HEIGHT = 480;

@@ -9,19 +9,8 @@ import { createRandom } from '../../export/runtime/random.ts';
 import { setFrustum } from '../../export/runtime/sessions/matrix.ts';
 import { castAtDepth, type DepthImage } from '../../export/runtime/spatial/cast/cast-depth.ts';
 import { createMeeting, createRay, setRay } from '../../export/runtime/spatial/ray.ts';
+import '../support/dom-point.ts';
 import { describeWithData } from '../support/shared-data.ts';
-
-// Scanned rooms are read with the classes of browsers, of which this one is missing in Node.
-Object.assign(globalThis, {
-  DOMPointReadOnly: class {
-    constructor(
-      readonly x = 0,
-      readonly y = 0,
-      readonly z = 0,
-      readonly w = 1,
-    ) {}
-  },
-});
 
 // Hit tests on room depth alone, against the geometry that the depth is of.
 

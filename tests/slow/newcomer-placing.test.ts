@@ -26,16 +26,6 @@ afterAll(() => rm(base, { recursive: true, force: true }));
 
 const browser = useBrowser();
 
-/** Touches the screen at the first points, moves the fingers to the last, and lifts them. */
-async function touch(xr: XrPage, ...points: readonly (readonly [x: number, y: number])[]): Promise<void> {
-  for (const [i, point] of points.entries()) {
-    await xr.page.evaluate(([first, [x, y]]) => scrimEmulator?.current?.[first ? 'press' : 'move'](x, y), [i === 0, point] as const);
-    await xr.step(2);
-  }
-  await xr.page.evaluate(() => scrimEmulator?.current?.release());
-  await xr.step(3);
-}
-
 /** Turns two fingers around the middle between them, by a quarter turn. */
 async function twist(xr: XrPage, [x, y]: readonly [number, number], radius: number): Promise<void> {
   const put = (act: 'press' | 'move', turn: number) =>
@@ -78,17 +68,17 @@ test('a newcomer makes a page in which a model is placed, dragged, turned, measu
   await xr.enter();
   await xr.step(3);
   const empty = await xr.readComposite();
-  await touch(xr, [0.5, 0.6]);
+  await xr.touch([0.5, 0.6]);
   const placed = await xr.readComposite();
   expect(countDifferent(placed, empty, 24).pixels).toBeGreaterThan(300);
-  await touch(xr, [0.5, 0.6], [0.4, 0.65], [0.3, 0.7]);
+  await xr.touch([0.5, 0.6], [0.4, 0.65], [0.3, 0.7]);
   const dragged = await xr.readComposite();
   expect(countDifferent(dragged, placed, 24).pixels).toBeGreaterThan(300);
   await twist(xr, [0.3, 0.65], 0.06);
   const turned = await xr.readComposite();
   expect(countDifferent(turned, dragged, 24).pixels).toBeGreaterThan(150);
   await expect(xr.page.getByText(LENGTH).count()).resolves.toBe(0);
-  await touch(xr, [0.8, 0.7]);
+  await xr.touch([0.8, 0.7]);
   const measured = await xr.readComposite();
   // A line of a few pixels' width from the first tap to this one.
   expect(countDifferent(measured, turned, 24).pixels).toBeGreaterThan(60);

@@ -2,22 +2,17 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from '@jest/globals';
 import { decode } from 'fast-png';
 import { compile } from '../../export/compiler/compile.ts';
-import { saveProject } from '../../export/graph/save.ts';
 import { makeProject } from '../../tools/examples/paper/recipe.ts';
 import { RECIPES } from '../../tools/examples/paper/recipes.ts';
 import { makeStrokes } from '../../tools/examples/paper/strokes.ts';
+import { expectMadeByScript } from '../support/example-files.ts';
 import { LIBRARY } from '../support/library.ts';
 
 /** What they look like is proved in `tests/slow/paper-examples.test.ts`, and to be seen in `docs/gallery.jpg`. */
 describe.each(RECIPES.map((recipe) => [recipe.folder, recipe] as const))('the example %s', (folder, recipe) => {
   const project = makeProject(LIBRARY, recipe);
 
-  test('is what the script makes of its recipe, with all its files', () => {
-    const saved = saveProject(project);
-    expect(readFileSync(`examples/${folder}/project.scrim.json`, 'utf8')).toBe(saved.project);
-    expect(readFileSync(`examples/${folder}/project.layout.json`, 'utf8')).toBe(saved.layout);
-    for (const { path } of Object.values(project.assets)) expect(readFileSync(`examples/${folder}/${path}`).length).toBeGreaterThan(1000);
-  });
+  test('is what the script makes of its recipe, with all its files', () => expectMadeByScript(folder, project));
 
   test('compiles without a word', () => {
     const { output, diagnostics } = compile({ project, library: LIBRARY });

@@ -1,27 +1,21 @@
-import { readFileSync } from 'node:fs';
 import { NodeIO } from '@gltf-transform/core';
 import { describe, expect, test } from '@jest/globals';
 import { BufferAttribute, BufferGeometry, Group, Mesh, Vector3 } from 'three';
 import { compile } from '../../export/compiler/compile.ts';
-import { saveProject } from '../../export/graph/save.ts';
 import type { BodyShape, Triple } from '../../nodes/kit/physics.ts';
 import { type ShapeKind, shapeOf } from '../../nodes/physics/body/body-shape.ts';
 import { makeProject } from '../../tools/examples/paper/recipe.ts';
 import { BALL_RADIUS_M, CAN, CRATE_M } from '../../tools/examples/play/cans.ts';
 import { FUNNEL_M, MARBLE_RADIUS_M } from '../../tools/examples/play/marble-run.ts';
 import { PLAY } from '../../tools/examples/play/recipes.ts';
+import { expectMadeByScript } from '../support/example-files.ts';
 import { LIBRARY } from '../support/library.ts';
 import { ball, createLab } from '../support/physics/lab.ts';
 
 describe.each(PLAY.map((recipe) => [recipe.folder, recipe] as const))('the example %s', (folder, recipe) => {
   const project = makeProject(LIBRARY, recipe);
 
-  test('is what the script makes of its recipe, with all its files', () => {
-    const saved = saveProject(project);
-    expect(readFileSync(`examples/${folder}/project.scrim.json`, 'utf8')).toBe(saved.project);
-    expect(readFileSync(`examples/${folder}/project.layout.json`, 'utf8')).toBe(saved.layout);
-    for (const { path } of Object.values(project.assets)) expect(readFileSync(`examples/${folder}/${path}`).length).toBeGreaterThan(1000);
-  });
+  test('is what the script makes of its recipe, with all its files', () => expectMadeByScript(folder, project));
 
   test('compiles without a word, tells visitors what to do, and simulates 50 bodies', () => {
     const { output, diagnostics } = compile({ project, library: LIBRARY });

@@ -106,14 +106,6 @@ describe('a box that a visitor of a phone has placed', () => {
     // The materials of hidden objects are compiled by a draw before the first frame.
     await forgetDrawn(xr);
     await xr.step(2);
-    const touch = async (...points: readonly (readonly [x: number, y: number])[]) => {
-      for (const [i, point] of points.entries()) {
-        await xr.page.evaluate(([first, [x, y]]) => scrimEmulator?.current?.[first ? 'press' : 'move'](x, y), [i === 0, point] as const);
-        await xr.step(2);
-      }
-      await xr.page.evaluate(() => scrimEmulator?.current?.release());
-      await xr.step(4);
-    };
     /** Scale, and where the center of the box is on the screen, from the left and the top. */
     const seen = async () => {
       const drawn = await boxOf(xr);
@@ -125,15 +117,15 @@ describe('a box that a visitor of a phone has placed', () => {
     const at = (x: number, y: number, scale: number) => ({ scale, x: expect.closeTo(x, 2), y: expect.closeTo(y, 2) });
     expect(await seen()).toBe(null);
     // The tap that places the box is none on it.
-    await touch([0.5, 0.55]);
+    await xr.touch([0.5, 0.55]);
     expect(await seen()).toEqual(at(0.5, 0.55, 1));
-    await touch([0.5, 0.54]);
+    await xr.touch([0.5, 0.54]);
     expect(await seen()).toEqual(at(0.5, 0.55, 1.5));
-    await touch([0.5, 0.55], [0.4, 0.6], [0.3, 0.7]);
+    await xr.touch([0.5, 0.55], [0.4, 0.6], [0.3, 0.7]);
     expect(await seen()).toEqual(at(0.3, 0.7, 1.5));
-    await touch([0.8, 0.4]);
+    await xr.touch([0.8, 0.4]);
     expect(await seen()).toEqual(at(0.8, 0.4, 1.5));
-    await touch([0.8, 0.4]);
+    await xr.touch([0.8, 0.4]);
     expect(await seen()).toEqual(at(0.8, 0.4, 2));
     expect(xr.errors).toEqual([]);
     await xr.close();

@@ -75,16 +75,6 @@ async function visit(options: EmulatorOptions = {}): Promise<Visit> {
   };
 }
 
-/** Touches the screen at the first point and lifts the finger at the last. */
-async function touch(xr: XrPage, ...points: readonly (readonly [x: number, y: number])[]): Promise<void> {
-  for (const [i, point] of points.entries()) {
-    await xr.page.evaluate(([first, [x, y]]) => scrimEmulator?.current?.[first ? 'press' : 'move'](x, y), [i === 0, point] as const);
-    await xr.step(2);
-  }
-  await xr.page.evaluate(() => scrimEmulator?.current?.release());
-  await xr.step(3);
-}
-
 /** Counts the programs that the page links. */
 const COUNT = `
   const { linkProgram } = WebGL2RenderingContext.prototype;
@@ -101,9 +91,9 @@ describe('objects that a visitor of a phone places', () => {
   test('stand where the tap meets the floor, follow a drag, and stay there while the visitor re-centers', async () => {
     const { xr, boxInRoom, floorAt } = await visit();
     expect(await boxInRoom()).toBe(null);
-    await touch(xr, [0.6, 0.55]);
+    await xr.touch([0.6, 0.55]);
     expect(await boxInRoom()).toEqual(near(floorAt(0.6, 0.55)));
-    await touch(xr, [0.6, 0.55], [0.5, 0.6], [0.35, 0.7]);
+    await xr.touch([0.6, 0.55], [0.5, 0.6], [0.35, 0.7]);
     expect(await boxInRoom()).toEqual(near(floorAt(0.35, 0.7)));
     await xr.page.evaluate(() => scrimEmulator?.current?.recenter());
     await xr.step(3);
@@ -114,7 +104,7 @@ describe('objects that a visitor of a phone places', () => {
 
   test('move with the visitor’s origin where the device has no anchors', async () => {
     const { xr, boxInRoom, floorAt } = await visit({ refuse: ['anchors'] });
-    await touch(xr, [0.6, 0.55]);
+    await xr.touch([0.6, 0.55]);
     const [x = 0, , z = 0] = floorAt(0.6, 0.55);
     expect(await boxInRoom()).toEqual(near([x, 0, z]));
     await xr.page.evaluate(() => scrimEmulator?.current?.recenter());
@@ -266,7 +256,7 @@ test.each([
   const linked = () => xr.page.evaluate(() => (globalThis as { linked?: number }).linked ?? 0);
   const before = await linked();
   expect(before).toBeGreaterThan(2);
-  if (device === 'phone') await touch(xr, [0.6, 0.55]);
+  if (device === 'phone') await xr.touch([0.6, 0.55]);
   else {
     for (const trigger of [0, 1, 0]) {
       await xr.page.evaluate((trigger) => {

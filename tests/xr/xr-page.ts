@@ -18,6 +18,8 @@ export interface XrPage {
   /** Presses the page's own button and waits until it draws. */
   enter(): Promise<void>;
   setPose(pose: HeadPose): Promise<void>;
+  /** Touches the screen at the first point, moves the finger along the others and lifts it. Points: 0 to 1 from the left and the top. */
+  touch(...points: readonly (readonly [x: number, y: number])[]): Promise<void>;
   step(count?: number): Promise<void>;
   /** What the page drew in the last frame, premultiplied. */
   readLayer(): Promise<RgbaImage>;
@@ -65,6 +67,14 @@ export async function openXrPage(
     },
     setPose: (pose) => page.evaluate((p) => scrimEmulator?.current?.setPose(p), pose),
     step: (count = 1) => page.evaluate((n) => scrimEmulator?.current?.stepFrame(n), count),
+    touch: async (...points) => {
+      for (const [i, point] of points.entries()) {
+        await page.evaluate(([first, [x, y]]) => scrimEmulator?.current?.[first ? 'press' : 'move'](x, y), [i === 0, point] as const);
+        await page.evaluate(() => scrimEmulator?.current?.stepFrame(2));
+      }
+      await page.evaluate(() => scrimEmulator?.current?.release());
+      await page.evaluate(() => scrimEmulator?.current?.stepFrame(4));
+    },
     readLayer: () => readPicture(page, 'readLayer'),
     readComposite: () => readPicture(page, 'readComposite'),
     readRoom: () => readPicture(page, 'readRoom'),

@@ -74,7 +74,7 @@ export const TECHNIQUE_DOCS: ReadonlyMap<string, string> = new Map([
   ['normal', 'Direction away from the surface, length 1.'],
   ['towardsEye', 'Direction to the eye, of length 1.'],
   ['towards', 'Direction to the light, of length 1.'],
-  ['radiance', 'What the light brings, linear-sRGB, without shadow.'],
+  ['radiance', 'Light that would reach the surface without shadows, linear-sRGB.'],
   ['lit', 'Fraction of the light that is not in shadow, 0 to 1.'],
   ['uv', 'Texture coordinates.'],
   ['color', 'Color of its own, linear-sRGB with straight alpha.'],

@@ -9,17 +9,7 @@ import type { LinkedShader } from '../../program/program.ts';
 export const COPY_SHADER: LinkedShader = {
   id: 'scrim:copy',
   vertex: vertexShader('', 'vec4(viewUv * 2.0 - 1.0, 0.0, 1.0)'),
-  fragment: `#version 300 es
-precision highp float;
-uniform highp sampler2D picture;
-uniform mat3 picture_uvFromViewUv;
-in vec2 viewUv;
-out vec4 color;
-void main() {
-  vec3 uv = picture_uvFromViewUv * vec3(viewUv, 1.0);
-  color = texture(picture, uv.xy / uv.z);
-}
-`,
+  fragment: fragmentShader('  color = texture(picture, uv.xy / uv.z);'),
 };
 
 /** The same with a gate, for passes whose loops exceed the budget. */
@@ -33,20 +23,10 @@ export const GATED_COPY_SHADER: LinkedShader = {
 export const COPY_SCENE_SHADER: LinkedShader = {
   id: 'scrim:copy-scene',
   vertex: COPY_SHADER.vertex,
-  fragment: `#version 300 es
-precision highp float;
-uniform highp sampler2D picture;
-uniform mat3 picture_uvFromViewUv;
-in vec2 viewUv;
-out vec4 color;
-void main() {
-  vec3 uv = picture_uvFromViewUv * vec3(viewUv, 1.0);
-  vec4 light = texture(picture, uv.xy / uv.z);
+  fragment: fragmentShader(`  vec4 light = texture(picture, uv.xy / uv.z);
   vec3 straight = clamp(light.rgb / max(light.a, 0.0001), 0.0, 1.0);
   vec3 display = mix(1.055 * pow(straight, vec3(1.0 / 2.4)) - 0.055, straight * 12.92, vec3(lessThanEqual(straight, vec3(0.0031308))));
-  color = vec4(display * light.a, light.a);
-}
-`,
+  color = vec4(display * light.a, light.a);`),
 };
 
 /** The shader that copies a layer of a target for display. */
@@ -63,6 +43,20 @@ out vec2 viewUv;
 ${declarations}void main() {
   viewUv = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
   gl_Position = ${position};
+}
+`;
+}
+
+function fragmentShader(statements: string): string {
+  return `#version 300 es
+precision highp float;
+uniform highp sampler2D picture;
+uniform mat3 picture_uvFromViewUv;
+in vec2 viewUv;
+out vec4 color;
+void main() {
+  vec3 uv = picture_uvFromViewUv * vec3(viewUv, 1.0);
+${statements}
 }
 `;
 }

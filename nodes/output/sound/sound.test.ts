@@ -1,8 +1,9 @@
-import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
+import { describe, expect, test } from '@jest/globals';
 import { Matrix4 } from 'three';
 import { createSessionFrame } from '../../../export/runtime/sessions/session-frame.ts';
 import { createPulseQueue } from '../../../export/runtime/values/pulses.ts';
 import { fakeContext } from '../../../tests/support/node-context.ts';
+import { useGlobals } from '../../../tests/support/page-globals.ts';
 import type { ParamValue } from '../../kit/definition.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
@@ -83,21 +84,11 @@ function fakePage(refusal: string | null) {
   };
 }
 
-const NAMES = ['document', 'navigator', 'AudioContext'] as const;
-let before: (readonly [string, PropertyDescriptor | undefined])[] = [];
-beforeEach(() => {
-  before = NAMES.map((name) => [name, Object.getOwnPropertyDescriptor(globalThis, name)] as const);
-});
-afterEach(() => {
-  for (const [name, descriptor] of before) {
-    if (descriptor) Object.defineProperty(globalThis, name, descriptor);
-    else Reflect.deleteProperty(globalThis, name);
-  }
-});
+const setGlobals = useGlobals('document', 'navigator', 'AudioContext');
 
 function make(params: Record<string, ParamValue> = {}, refusal: string | null = null) {
   const page = fakePage(refusal);
-  for (const [name, value] of Object.entries(page.globals)) Object.defineProperty(globalThis, name, { value, configurable: true });
+  setGlobals(page.globals);
   const play = createPulseQueue();
   const fake = fakeContext(definition, { params: { sound: 'wood', ...params }, inputs: { play } });
   const node = create(fake.ctx);

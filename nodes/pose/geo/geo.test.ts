@@ -129,7 +129,7 @@ describe('pose/geo', () => {
   test.each([
     ['denied', 'denied', 'The location was not allowed. Things at places on Earth are not shown.'],
     ['unavailable', 'unavailable', 'This device does not know its location. Things at places on Earth are not shown.'],
-    ['timeout', 'searching', 'The location has not been found yet. It is searched on.'],
+    ['timeout', 'searching', 'The location is not known yet. The search continues.'],
   ] as const)('says so once where the location is refused, and is invalid: %s', async (state, told, message) => {
     const { look, step, touch, sensors, outputs, reports } = start();
     sensors.setLocation(state);

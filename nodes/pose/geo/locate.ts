@@ -9,7 +9,7 @@ export interface GeoFix extends Readonly<GeoPlace> {
   readonly altitudeAccuracyM: number | null;
 }
 
-/** Why there is no position. `timeout`: it is searched on. */
+/** Why there is no position. `timeout`: the search continues. */
 export type GeoRefusal = 'denied' | 'unavailable' | 'timeout' | 'absent';
 
 /** What a search waits for a position, milliseconds: satellites take half a minute after a long rest. */

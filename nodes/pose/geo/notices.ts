@@ -11,7 +11,7 @@ const NOT_SHOWN = 'Things at places on Earth are not shown.';
 export const REFUSALS: Readonly<Record<GeoRefusal, Words>> = {
   denied: { message: `The location was not allowed. ${NOT_SHOWN}`, fix: 'Allow it beside the address bar, then reload the page.' },
   unavailable: { message: `This device does not know its location. ${NOT_SHOWN}`, fix: 'Turn on location in the settings of the device.' },
-  timeout: { message: 'The location has not been found yet. It is searched on.', fix: 'Go outdoors, or wait.' },
+  timeout: { message: 'The location is not known yet. The search continues.', fix: 'Go outdoors, or wait.' },
   absent: { message: `The location cannot be used here. ${NOT_SHOWN}`, fix: 'Open the page over HTTPS.' },
 };
 
@@ -27,9 +27,9 @@ export const NORTH_DENIED: Words = {
 
 /** @param errorM What is known, meters. */
 export function inaccurate(errorM: number, largestM: number): Words {
-  const known = Number.isFinite(errorM) ? `to ${Math.round(errorM)} m only` : 'too roughly';
+  const known = Number.isFinite(errorM) ? `accurate to ${Math.round(errorM)} m only` : 'too inaccurate';
   return {
-    message: `Where you are is known ${known}. Things at places on Earth are shown from ${Math.round(largestM)} m on.`,
+    message: `The location is ${known}. Things at places on Earth appear from ${Math.round(largestM)} m on.`,
     fix: 'Go outdoors, away from high walls and from metal.',
   };
 }

@@ -1,5 +1,6 @@
-import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
+import { describe, expect, test } from '@jest/globals';
 import { fakeContext } from '../../../tests/support/node-context.ts';
+import { useGlobals } from '../../../tests/support/page-globals.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 
@@ -46,23 +47,11 @@ function fakePage(answer: () => Promise<unknown>) {
   };
 }
 
-const NAMES = ['document', 'navigator', 'AudioContext', 'AnalyserNode'] as const;
-let before: (readonly [string, PropertyDescriptor | undefined])[] = [];
-
-beforeEach(() => {
-  before = NAMES.map((name) => [name, Object.getOwnPropertyDescriptor(globalThis, name)] as const);
-});
-
-afterEach(() => {
-  for (const [name, descriptor] of before) {
-    if (descriptor) Object.defineProperty(globalThis, name, descriptor);
-    else Reflect.deleteProperty(globalThis, name);
-  }
-});
+const setGlobals = useGlobals('document', 'navigator', 'AudioContext', 'AnalyserNode');
 
 function make(answer: () => Promise<unknown>) {
   const page = fakePage(answer);
-  for (const [name, value] of Object.entries(page.globals)) Object.defineProperty(globalThis, name, { value, configurable: true });
+  setGlobals(page.globals);
   const fake = fakeContext(definition);
   const node = create(fake.ctx);
   const hear = () => {
@@ -126,7 +115,7 @@ describe('source/microphone', () => {
 
   test('does not ask during a render', async () => {
     const page = fakePage(() => Promise.resolve(stream()));
-    for (const [name, value] of Object.entries(page.globals)) Object.defineProperty(globalThis, name, { value, configurable: true });
+    setGlobals(page.globals);
     const fake = fakeContext(definition);
     Object.assign(fake.ctx.clock, { held: true });
     create(fake.ctx);

@@ -62,7 +62,7 @@ function findingsOf(layout: PanoramaLayout | null, widthPx: number, heightPx: nu
   }
   if (layout !== 'ball') return [];
   const message = 'The panorama is square, so it is read as the photo of a mirror ball, cut to the ball.';
-  return [{ code: 'SCR039', severity: 'info', message, fix: 'Export it twice as wide as high if it is none.' }];
+  return [{ code: 'SCR039', severity: 'info', message, fix: 'Export it twice as wide as high if it is a panorama.' }];
 }
 
 function convertRadiance(bytes: ArrayBuffer, header: RadianceHeader, layout: PanoramaLayout, read: ReadRadiance): LoadedPanorama {

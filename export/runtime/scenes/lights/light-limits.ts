@@ -26,7 +26,7 @@ export function createLightLimits(report: DrawBinding['report'], shown: 'all' | 
         code: 'SCR023',
         severity: 'warning',
         port: 'lights',
-        message: `${shadows} lights cast shadows here, and ${MAX_SHADOWS} can: the first ${MAX_SHADOWS} do, the others cast no shadows.`,
+        message: `${shadows} lights cast shadows, but a scene supports ${MAX_SHADOWS}. The first ${MAX_SHADOWS} cast shadows, the others do not.`,
         fix: 'Turn “Cast shadows” off at the lights where it matters least.',
       });
     }
