@@ -12,7 +12,7 @@ export interface ProgramUse {
   readonly input: boolean;
   /** Whether it reads panoramas. */
   readonly panoramas: boolean;
-  /** Whether materials of its own show what is behind them; models may too. */
+  /** Whether techniques of the program show what is behind their objects. Models may contain glass without this. */
   readonly glass: boolean;
   /** Whether it has controls. */
   readonly controls: boolean;

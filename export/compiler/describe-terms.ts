@@ -3,8 +3,7 @@ import type { DeviceRow } from '../program/devices/device-table.ts';
 import type { ProgramNeed, Tier } from '../program/needs.ts';
 import type { NodeOperation } from '../program/program.ts';
 
-/** Texts of `scrim plan`, for designers. */
-
+/** Names of capabilities in the texts of `scrim plan`, for designers. */
 const CAPABILITIES: Readonly<Record<Capability, string>> = {
   'camera-image': 'the camera image',
   depth: 'room depth',
@@ -63,7 +62,7 @@ export function bindingInWords({ id, type, node, config }: NodeOperation): strin
   return `${param} of ${node} follows ${count === 1 ? 'one keyframe' : `${count} keyframes`}${again}`;
 }
 
-/** `Nothing is hidden.` → `nothing is hidden`. */
+/** Turns a sentence into a clause: `Nothing is hidden.` becomes `nothing is hidden`. */
 function asClause(sentence: string): string {
   const bare = sentence.trim().replace(/[.\s]+$/, '');
   return bare.charAt(0).toLowerCase() + bare.slice(1);

@@ -101,7 +101,10 @@ function pictures(program: Program, reference: ReferenceSize): string[] {
   return [total === 0 ? heading : `${heading}: ${inMebibytes(total)}`, ...list(lines), ...behindGlass(program, reference)];
 }
 
-/** The images of what is behind glass, which only the runtime knows to need: one for each encoding. */
+/**
+ * Describes the images of what is behind glass, one for each encoding of the targets that objects are drawn into. They are no resources of
+ * the program, because only the runtime finds out whether a model has glass.
+ */
 function behindGlass({ operations, resources, assets }: Program, reference: ReferenceSize): string[] {
   const draws = operations.filter((operation): operation is DrawOperation => operation.kind === 'draw');
   const isSure = draws.some(({ glass }) => glass);

@@ -22,7 +22,7 @@ export interface FlatNode {
   readonly inputs: ReadonlyMap<string, readonly Source[]>;
   /** Bindings of the node, overridden by those of the subgraph's instance. */
   readonly bindings: ReadonlyMap<string, Binding>;
-  /** Inputs whose wires come from a muted node that passes nothing through → that node. */
+  /** Inputs that receive nothing, because their wire comes from a muted node that passes nothing through → id of that node. */
   readonly muteBlocked: ReadonlyMap<string, string>;
 }
 
@@ -42,7 +42,10 @@ export function portKey({ node, port }: Source): string {
   return `${node}.${port}`;
 }
 
-/** Ids of the nodes that act on each node, by its id: these must run too, though nothing reads them. */
+/**
+ * Node → the nodes that act on it (`actsOn` of their definition), by ids. A node that acts on another one must run too, though nothing
+ * reads its outputs.
+ */
 export function actorsOf(nodes: Iterable<FlatNode>): ReadonlyMap<string, readonly string[]> {
   const actors = new Map<string, string[]>();
   for (const { id, definition, inputs } of nodes) {

@@ -30,7 +30,10 @@ export function targetSize(target: Target, { slots }: Program, { widthPx, height
 const BYTES_PER_PIXEL: Readonly<Record<Target['format'], number>> = { rgba8: 4, scene16f: 8, rgba16f: 8, rgba32f: 16, r32f: 4 };
 const DEPTH_BYTES_PER_PIXEL = 4;
 
-/** Beside the depth of each sample, a multisampled target whose depth is read has two resolved depths and one byte per sample and pixel. */
+/**
+ * Number of resolved depth textures of a multisampled target whose depth is read. They exist beside the depth of each sample and one byte
+ * per sample and pixel.
+ */
 const RESOLVED_DEPTHS = 2;
 
 /**

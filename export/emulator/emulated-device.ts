@@ -2,7 +2,7 @@ import { metaQuest3, P_DEVICE, XRDevice, type XRDeviceConfig, type XRInputSource
 import { createScreenInput, type ScreenInput } from './input/screen-input.ts';
 import { DEVICE_PROFILES, type DeviceName } from './profiles.ts';
 
-/** The device of iwer with a touch screen. */
+/** A device of iwer (an `XRDevice`) with the profile of a kind of device, and with a touch screen. */
 export class EmulatedDevice extends XRDevice {
   readonly screenInput: ScreenInput;
 

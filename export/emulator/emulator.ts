@@ -6,7 +6,7 @@ import type { Drift } from './world.ts';
 
 /** Controls of an installed device. Poses are in world space: meters, y up, the floor at y = 0. */
 export interface Emulator {
-  /** The device of iwer, which controls controllers, hands and recordings. */
+  /** The underlying device of iwer, whose interface controls controllers, hands and recordings. */
   readonly device: XRDevice;
   /** Sets the pose of the head from the next frame on. */
   setPose(pose: HeadPose): void;
@@ -16,33 +16,37 @@ export interface Emulator {
   setSize(sizePx: readonly [width: number, height: number]): void;
   /** While false, frames come without a viewer pose. */
   setTracked(tracked: boolean): void;
-  /** From the next frame on: correct depth, no depth, or the last depth in every frame. */
-  setDepth(state: DepthState): void;
   /** Sets what depth sensing returns from the next frame on: correct depth, no depth, or the last depth in every frame. */
+  setDepth(state: DepthState): void;
+  /**
+   * Sets what light estimation returns from the next frame on: the room's light, no estimate, the last estimate in every frame, or changes
+   * to the room's light.
+   */
   setLight(state: LightState): void;
   /**
    * Moves the room's strongest light, in the images and in the light estimate: a unit vector from the scene towards the light. Null
    * restores it.
    */
   moveLight(directionWorld: readonly [number, number, number] | null): void;
-  /** From the next frame on: anchors have poses, or none. */
+  /** Sets whether anchors have poses from the next frame on. */
   setAnchors(state: 'tracked' | 'lost'): void;
-  /** The system deletes all anchors, as when it forgets the room. */
+  /** Deletes all anchors of the session, as the system of a device does when it forgets the room. */
   deleteAnchors(): void;
   /**
-   * Tracking drifts: reference spaces move against the room, without an event; anchors stay at their point of it. Drifts add up.
+   * Makes tracking drift at once: moves reference spaces relative to the room, without an event; anchors stay at their points of the room.
+   * Drifts add up.
    *
    * @param offsetM In the room's axes, meters.
    * @param yawRad About the vertical through the room's origin.
    */
   drift(offsetM: readonly [number, number, number], yawRad: number): void;
   /**
-   * From now on tracking drifts steadily, as by 2 cm and 1° a minute; null ends it.
+   * Makes tracking drift steadily from now on, for example by 2 cm and 1° per minute; null ends the drift.
    *
-   * @param drift Per minute of the session's time; as `drift` otherwise.
+   * @param drift Offset and angle per minute of the session's time, with the axes of `drift`.
    */
   setDrift(drift: Drift | null): void;
-  /** The device forgets the anchors that it keeps after sessions, as when the visitor clears its data. */
+  /** Deletes the anchors that the device keeps after sessions, as when the visitor clears the device's data. */
   forgetPersistentAnchors(): void;
   setVisibility(state: 'visible' | 'visible-blurred' | 'hidden'): void;
   /** Re-centers: `local` and `local-floor` spaces move to the viewer and dispatch `reset`. */
@@ -61,20 +65,20 @@ export interface Emulator {
   move(x: number, y: number, finger?: number): void;
   release(finger?: number): void;
 
-  /** What the visitor uses: the device has either from the next frame on. */
+  /** Sets what the visitor uses from the next frame on: controllers or bare hands. */
   setInput(mode: 'controllers' | 'hands'): void;
   /**
    * Shapes a bare hand from the next frame on. A pinch selects, as on a device.
    *
    * @param gesture A gesture of `HandGesture`, or the name of a capture.
-   * @throws Error for one that there is not.
+   * @throws Error if there is no such gesture.
    */
   setGesture(side: 'left' | 'right', gesture: string): void;
   /**
    * Adds a gesture from a captured left hand; the right one is its mirror image.
    *
    * @param capture In iwer's public form (`hand-capture.ts`).
-   * @throws Error that names what is wrong in it.
+   * @throws Error that names what is wrong in the capture.
    */
   addGesture(name: string, capture: unknown): void;
   /** While false, the device does not see that bare hand. */
@@ -118,7 +122,7 @@ export interface Emulator {
    * @returns Meters to the first surface, or null if the ray hits nothing.
    */
   measure(originWorld: readonly number[], directionWorld: readonly number[]): number | null;
-  /** GPU objects of the device's own context, for leak tests. */
+  /** Numbers of GPU objects in the device's own context, for leak tests. */
   counts(): { readonly geometries: number; readonly textures: number; readonly programs: number };
   /** Ends all sessions, removes the device from the page and disposes everything. */
   uninstall(): Promise<void>;

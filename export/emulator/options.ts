@@ -37,7 +37,10 @@ export interface EmulatorOptions {
   readonly requireGesture?: boolean;
   /** Whether to show the image on the page. If false, frames are drawn for readback only. */
   readonly display?: boolean;
-  /** Of an additive display: its white ÷ white of the room. A shadow of light is lost where the room is bright. Default: 2. */
+  /**
+   * Brightness of an additive display: luminance of its white divided by that of the room's white. Where the room is bright, differences of
+   * the display's light, such as negative shadows, are lost. Default: 2.
+   */
   readonly displayGain?: number;
   /**
    * Whether edges of the room are antialiased. Default: only with a free clock, because it doubles the frame time on a software renderer.

@@ -51,7 +51,7 @@ export interface WorldSettings {
   readonly depth: Required<DepthOptions>;
   readonly light: Required<LightOptions>;
   readonly display: boolean;
-  /** White of an additive display ÷ white of the room. */
+  /** Brightness of an additive display: luminance of its white divided by that of the room's white. */
   readonly displayGain: number;
   readonly requireGesture: boolean;
 }

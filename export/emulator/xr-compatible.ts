@@ -17,8 +17,8 @@ export async function makeXrCompatible(this: Gl): Promise<void> {
 }
 
 /**
- * Records whether new contexts request `xrCompatible`, because a browser without a device reports false regardless. Returns a function that
- * stops recording.
+ * Records whether new contexts request `xrCompatible`, and reports that in `getContextAttributes`, because a browser without a device
+ * always reports false. Returns a function that stops recording.
  */
 export function watchContexts(): () => void {
   const undos = [...watchMaking(), ...answerAttributes()];

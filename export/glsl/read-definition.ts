@@ -21,7 +21,7 @@ export function readDefinition(source: string, file: string): Result<NodeDefinit
   return { output: output && isfDefinition(output, shaderName(file)), diagnostics };
 }
 
-/** Reads ports and params from the header alone. The GLSL is not parsed, so it counts as reading neighbors of each pixel. */
+/** Reads ports and params from the header alone. The GLSL is not parsed, so the shader counts as one that reads neighbors of each pixel. */
 export function readNodeInterface(source: string, file: string): Result<NodeDefinition> {
   if (isTechnique(source, file)) return readDefinition(source, file);
   const { output, diagnostics } = readImageShader(source, file);

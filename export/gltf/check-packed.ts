@@ -9,7 +9,7 @@ const MESHOPT_HEADS: Readonly<Record<string, number>> = { ATTRIBUTES: 0xa0, TRIA
 /** Rejects compressed data that the decoder would fail on. The content is not decoded. */
 export function checkPacked({ document, binary }: Gltf): void {
   const { bufferViews = [], buffers = [], meshes = [] } = document;
-  /** Null if the range is outside of the buffer. */
+  /** The bytes of a buffer view; null if they are not in the file's own buffer. */
   const contentOf = ({ buffer, byteOffset = 0, byteLength }: Pick<GltfBufferView, 'buffer' | 'byteOffset' | 'byteLength'>) =>
     binary !== null && buffer === 0 && buffers[0]?.uri === undefined ? binary.subarray(byteOffset, byteOffset + byteLength) : null;
 

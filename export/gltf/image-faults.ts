@@ -20,7 +20,7 @@ export function imageFault(bytes: Uint8Array): string | null {
 
 type Size = readonly [widthPx: number, heightPx: number];
 
-/** Null if the size is supported. */
+/** What is wrong with the size of an image, as a clause; null if the size is supported. */
 export function sizeFault([widthPx, heightPx]: Size): string | null {
   if (widthPx < 1 || heightPx < 1) return `has no pixels: it is ${widthPx} × ${heightPx}.`;
   if (Math.max(widthPx, heightPx) <= MAX_IMAGE_SIDE_PX) return null;
@@ -40,7 +40,10 @@ function sizeOf(bytes: Uint8Array, view: DataView): Size | null {
   return tag(bytes, 4) === 'ftyp' ? avifSize(bytes, view) : null;
 }
 
-/** ISO/IEC 23008-12 §6.5.3: `ispe` boxes; the largest is the image, others are tiles and thumbnails. */
+/**
+ * Size of an AVIF image from its `ispe` boxes (ISO/IEC 23008-12 §6.5.3): the largest is that of the image, others are those of tiles and
+ * thumbnails.
+ */
 function avifSize(bytes: Uint8Array, view: DataView): Size | null {
   let largest: Size | null = null;
   for (let at = bytes.indexOf(0x69); at >= 0 && at + 16 <= bytes.length; at = bytes.indexOf(0x69, at + 1)) {
@@ -58,13 +61,16 @@ function isCutOff(bytes: Uint8Array, view: DataView): boolean {
   return false;
 }
 
-/** PNG specification, §11.2.5: the last chunk is IEND. */
+/** Whether a PNG file is complete: its last chunk is IEND (PNG specification, §11.2.5). */
 function hasPngEnd(bytes: Uint8Array, view: DataView): boolean {
   for (let at = 8; at + 12 <= bytes.length; at += 12 + view.getUint32(at)) if (tag(bytes, at + 4) === 'IEND') return true;
   return false;
 }
 
-/** ITU T.81, §B.2.1: EOI. Cameras append data, and may embed a preview with its own EOI before the frame. */
+/**
+ * Whether a JPEG file is complete: it has an EOI marker (ITU T.81, §B.2.1). Cameras append data, and may embed a preview with its own EOI
+ * before the frame.
+ */
 function hasJpegEnd(bytes: Uint8Array): boolean {
   for (let at = bytes.lastIndexOf(0xd9); at > 0; at = bytes.lastIndexOf(0xd9, at - 1)) {
     if (bytes[at - 1] === 0xff) return at > startOfScan(bytes);

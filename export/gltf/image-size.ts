@@ -1,7 +1,7 @@
 export interface ImageSize {
   readonly widthPx: number;
   readonly heightPx: number;
-  /** Compressed for the GPU, with its number of mip levels. */
+  /** For an image that is compressed for the GPU (KTX2): its number of mip levels. Null for other formats. */
   readonly ktx2: { readonly levels: number } | null;
 }
 
@@ -20,12 +20,15 @@ export function imageSize(bytes: Uint8Array): ImageSize | null {
 
 type Size = readonly [widthPx: number, heightPx: number];
 
-/** PNG specification, §11.2.2: IHDR is the first chunk. */
+/** Size from the header of a PNG file: IHDR is the first chunk (PNG specification, §11.2.2). */
 function pngSize(view: DataView): Size | null {
   return view.getUint32(0) === 0x89504e47 ? [view.getUint32(16), view.getUint32(20)] : null;
 }
 
-/** ITU T.81, §B.2.2: the frame header is the first segment SOF0 to SOF15 that is not DHT, JPG or DAC. */
+/**
+ * Size from the frame header of a JPEG file (ITU T.81, §B.2.2). The frame header is the first segment SOF0 to SOF15 that is not DHT, JPG or
+ * DAC.
+ */
 function jpegSize(view: DataView): Size | null {
   if (view.getUint16(0) !== 0xffd8) return null;
   for (let at = 2; ; at += 2 + view.getUint16(at + 2)) {
@@ -37,7 +40,7 @@ function jpegSize(view: DataView): Size | null {
   }
 }
 
-/** RFC 9649, §2: lossy, lossless and extended files. */
+/** Size from the header of a WebP file: lossy, lossless or extended (RFC 9649, §2). */
 function webpSize(view: DataView): Size | null {
   if (view.getUint32(0) !== 0x52494646 || view.getUint32(8) !== 0x57454250) return null;
   const uint24 = (at: number) => view.getUint16(at, true) + (view.getUint8(at + 2) << 16);
@@ -55,7 +58,7 @@ function webpSize(view: DataView): Size | null {
   }
 }
 
-/** KTX 2.0, §3. */
+/** Size and mip levels from the header of a KTX2 file (KTX 2.0, §3). */
 function ktx2Size(view: DataView): ImageSize | null {
   if (view.getUint32(0) !== 0xab4b5458 || view.getUint32(4) !== 0x203230bb) return null;
   return { widthPx: view.getUint32(20, true), heightPx: view.getUint32(24, true), ktx2: { levels: view.getUint32(40, true) } };

@@ -8,7 +8,7 @@ export interface EdgeFaults {
   readonly branching: number;
 }
 
-/** About 0.2 s of work. Larger models are not checked. */
+/** Maximum number of triangles to check, which takes about 0.2 s. Larger models are not checked. */
 const MAX_TRIANGLES = 300_000;
 
 /**
@@ -38,10 +38,13 @@ export function findEdgeFaults(gltf: Gltf): EdgeFaults | null {
   return { open, branching };
 }
 
-/** Distinct coordinates from the origin to the farthest vertex. Vertices at seams differ by rounding errors. */
+/**
+ * Number of steps between 0 and the largest coordinate, to which coordinates are rounded, because vertices at seams differ by rounding
+ * errors.
+ */
 const PLACES = 2 ** 20;
 
-/** Larger than any number of vertices that is checked. */
+/** Factor that combines the two vertices of an edge to one key; larger than any number of vertices that is checked. */
 const STRIDE = 2 ** 24;
 
 function countEdges(corners: Uint32Array, edges: Map<number, number>): void {
@@ -91,7 +94,7 @@ const READERS = {
   5126: { bytes: 4, read: (view: DataView, at: number) => view.getFloat32(at, true) },
 } as const;
 
-/** The values of an uncompressed accessor. Normalized integers are not converted. */
+/** The values of an uncompressed accessor, or null if they cannot be read. Normalized integers are not converted. */
 function readNumbers({ document, binary }: Gltf, index: number | undefined): Float64Array | null {
   const accessor = index === undefined ? undefined : document.accessors?.[index];
   const view = accessor?.bufferView === undefined ? undefined : document.bufferViews?.[accessor.bufferView];

@@ -91,7 +91,7 @@ export function packGlb({ document, binary }: Gltf, files: ReadonlyMap<string, U
   return writeGlb(packed, parts, length);
 }
 
-/** Buffer views of meshopt refer to a second buffer with the compressed data. */
+/** Applies `moved` to a buffer view and to its meshopt extension, which refers to a second buffer with the compressed data. */
 function movedView(view: GltfBufferView, moved: <T extends { buffer: number; byteOffset?: number }>(part: T) => T): GltfBufferView {
   const extensions = Object.entries(view.extensions ?? {}).map(([name, value]) => [
     name,
@@ -130,7 +130,7 @@ function writeGlb(document: GltfDocument, parts: readonly Uint8Array[], length: 
   return out;
 }
 
-/** `data:TYPE;base64,…` or percent-encoded text (RFC 2397). */
+/** Decodes a `data:` URL: `data:TYPE;base64,…` or percent-encoded text (RFC 2397). */
 function decodeDataUrl(url: string): { bytes: Uint8Array<ArrayBuffer>; type: string } {
   const comma = url.indexOf(',');
   const [type = '', ...options] = url.slice('data:'.length, comma).split(';');

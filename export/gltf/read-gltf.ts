@@ -94,7 +94,7 @@ function checkExtensions({ extensionsRequired = [] }: GltfDocument): void {
   throw new ModelError(`it needs ${missing.join(', ')}, which Scrim cannot decode. Export it without them.`);
 }
 
-/** Every buffer must have content, and every buffer view must be inside its buffer. `ownBytes` is the length of the binary chunk. */
+/** Rejects buffers without content and buffer views that exceed their buffer. `ownBytes` is the length of the binary chunk. */
 function checkBuffers({ buffers = [], bufferViews = [] }: GltfDocument, ownBytes: number | null): void {
   buffers.forEach(({ uri, extensions }, i) => {
     // Fallback buffers of meshopt have no content (EXT_meshopt_compression, “Fallback buffers”).

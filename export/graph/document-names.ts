@@ -5,11 +5,13 @@ import { getOwn } from './record.ts';
 const WORDS = /^[a-z][a-z0-9]*(?:-[a-z0-9]+)*$/;
 const STEM_AND_SUFFIX = /^[a-z][a-z0-9]*(?:-[a-z0-9]+)+$/;
 const IDENTIFIER = /^[A-Za-z_][A-Za-z0-9_]*$/;
-/** Names of published ISF files include `3d Rotate.fs` and `CMYK Halftone (v2).fs`. */
+/**
+ * Pattern of the name of a shader file without its ending. Names of published ISF files include `3d Rotate.fs` and `CMYK Halftone (v2).fs`.
+ */
 const FILE_STEM = String.raw`[\p{L}\p{N}_](?:[\p{L}\p{N} ._+()-]*[\p{L}\p{N}_)+-])?`;
 const NODE_TYPE = new RegExp(`^[a-z][a-z0-9-]*/${FILE_STEM}$`, 'u');
 const SHADER_FILE = new RegExp(`^${FILE_STEM}\\.(?:fs|vs|glsl)$`, 'u');
-/** Names that `#include` can refer to. */
+/** Pattern of the file of a chunk; `#include` can refer to all such names. */
 const CHUNK_FILE = /^chunks\/(?:[A-Za-z0-9_-]+\/)*[A-Za-z0-9_-]+\.glsl$/;
 
 const MAX_LENGTH = 128;

@@ -12,7 +12,7 @@ import { printAddress, sameAddress } from './wires.ts';
 export interface EncodingLookup {
   /** Encoding of an output; null if it is no layer. */
   outputOf(from: PortAddress): LayerEncoding | null;
-  /** The encoding that the layer of a wire must be converted to; null if it fits. `among` is that of `neededEncoding`. */
+  /** The encoding that the layer of a wire must be converted to; null if it fits. `among` is passed to `neededEncoding`. */
   conversionOf(wire: Wire, among: 'earlier' | 'others'): LayerEncoding | null;
 }
 

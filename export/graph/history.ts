@@ -2,7 +2,7 @@ import type { Patch } from 'immer';
 import { applyPatches, type Change } from './commands/change.ts';
 import type { Project } from './project.ts';
 
-/** Undo and redo, as data. */
+/** The steps that can be undone and redone, as plain data. */
 export interface History {
   readonly past: readonly HistoryStep[];
   readonly future: readonly HistoryStep[];

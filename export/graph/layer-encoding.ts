@@ -22,14 +22,15 @@ export function outputEncoding(node: EncodedNode, port: string): LayerEncoding {
  * The encoding that a layer input needs, or null if it takes either.
  *
  * @param port A layer input of the node.
- * @param among The inputs that decide for inputs with `either`: the ones before `port`, so that of two one is wrong, or all others.
+ * @param among The connected inputs that decide the encoding if `port` has the encoding `either`. `earlier`: those before `port`, so that
+ * only one of two different layers is wrong. `others`: all but `port`.
  */
 export function neededEncoding(node: EncodedNode, port: string, among: 'earlier' | 'others' = 'earlier'): LayerEncoding | null {
   const encoding = getOwn(node.definition.inputs, port)?.encoding ?? 'display';
   return encoding === 'either' ? sharedEncoding(node, { port, among }) : encoding;
 }
 
-/** Encoding of the first connected input with `either`. */
+/** Encoding of the layer at the first connected input that accepts either encoding; null if there is none. */
 function sharedEncoding(
   { definition, encodingAt }: EncodedNode,
   asked: { readonly port: string; readonly among: 'earlier' | 'others' } | null,

@@ -21,7 +21,7 @@ export interface ProjectTexts {
   readonly sources: Readonly<Record<string, string>>;
 }
 
-/** The limit of the host's contract. */
+/** Maximum length of a shader, the same as in the host's contract. */
 const MAX_SHADER_CHARACTERS = 4 * 2 ** 20;
 
 /**

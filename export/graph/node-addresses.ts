@@ -1,12 +1,15 @@
 import { type GraphNode, MAIN_GRAPH, type Project } from './project.ts';
 import { getOwn } from './record.ts';
 
-/** `sepia-k7q2`, inside subgraphs `look-a2b3/sepia-k7q2`, with or without `.port`; not the file `shaders/sepia-k7q2.fs`. */
+/**
+ * Matches the address of a node in a text: `sepia-k7q2`, inside subgraphs `look-a2b3/sepia-k7q2`, with or without `.port`; not the file
+ * `shaders/sepia-k7q2.fs`.
+ */
 const ADDRESS = /(?<![\w/])([a-z][a-z0-9]*(?:-[a-z0-9]+)+(?:\/[a-z][a-z0-9]*(?:-[a-z0-9]+)+)*)(?:\.([A-Za-z_][A-Za-z0-9_]*))?/g;
 
 export interface NodeAddress {
   readonly node: GraphNode;
-  /** The id, after those of the subgraphs around it: `look-a2b3/sepia-k7q2`. */
+  /** The id of the node after the ids of the subgraphs' instances around it: `look-a2b3/sepia-k7q2`. */
   readonly path: string;
   readonly port: string | undefined;
 }

@@ -57,7 +57,7 @@ export function findCycles<T>(vertices: Iterable<T>, successors: (vertex: T) => 
   return cycles;
 }
 
-/** Removes the vertices that only depend on cycles. */
+/** Removes the vertices that depend on a cycle but lead to none. */
 function withoutTails<T>(left: ReadonlySet<T>, successors: (vertex: T) => Iterable<T>): Set<T> {
   const predecessors = new Map<T, T[]>();
   for (const vertex of left) predecessors.set(vertex, []);

@@ -5,8 +5,8 @@ import type { ValueType } from '../../nodes/kit/wire-types.ts';
 import type { ProgramNeed, Tier } from './needs.ts';
 
 /**
- * The program: output of the compiler and only input of the runtime. Versioned JSON without data of the editor. This folder imports only
- * types of the kit, so the format can be understood on its own.
+ * Version of the program format. A program is the output of the compiler and the only input of the runtime: versioned JSON without data of
+ * the editor. This folder imports only types of the kit, so the format can be understood on its own.
  *
  * A frame runs the operations in list order. Those with `view: 'once'` come first (values, sources, objects, shadow maps, image-domain
  * passes); those with `view: 'each'` then run as a block once per view, so views share their targets.
@@ -102,7 +102,9 @@ export type Resource =
       readonly samples: 1 | 4;
       /** `persistent` targets keep the previous frame: an operation that reads and writes one reads the previous content. */
       readonly lifetime: 'frame' | 'persistent';
-      /** An equal target that no later operation reads when this one is drawn: both use one texture. */
+      /**
+       * An equal target whose texture this target uses too, because no operation needs the other target any more when this one is drawn.
+       */
       readonly shares?: ResourceId;
     }
   /** A texture of a source: image, video or camera. */
@@ -248,7 +250,7 @@ export interface DrawOperation extends NodeOperation {
   readonly shadowMaps: ResourceId | null;
   /** Occlusion that discards fragments behind the room while drawing; the params are those of the occlusion node. */
   readonly occlusion: DrawOcclusion | null;
-  /** What glass shows where there are no objects; null: nothing. Absent: the background, if it is the first draw to the screen. */
+  /** What glass shows where there are no objects. Null: nothing. Absent: the background, if the draw is the first one to the screen. */
   readonly under?: DrawUnder | null;
   /** Whether techniques of its objects read what is behind them. Models may contain glass without it. */
   readonly glass?: true;
@@ -337,11 +339,11 @@ export interface LinkedShader {
   readonly vertex: string;
   readonly fragment: string;
   /**
-   * Its vertex shader is written by an author: draw 6 vertices as TRIANGLES (a quad) instead of one triangle. A `moved-quad` may not cover
-   * all pixels: clear the target first.
+   * Present if the vertex shader is written by an author: draw 6 vertices as TRIANGLES (a quad) instead of one triangle. A `moved-quad` may
+   * not cover all pixels: clear the target first.
    */
   readonly geometry?: 'quad' | 'moved-quad';
-  /** Its loops are probed but never ended early (`loop-budget.ts`). */
+  /** Present if the shader's loops are probed but never ended early (`loop-budget.ts`). */
   readonly loops?: 'counted';
   /** As `sourceMap`, for the lines of an author's vertex shader. */
   readonly vertexMap?: SourceMap;

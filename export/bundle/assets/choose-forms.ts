@@ -44,7 +44,7 @@ function price({ original, compressed }: ModelForms): readonly PricedForm[] {
 
 const ORDER: readonly Form[] = ['original', 'meshopt', 'ktx2'];
 
-/** The cheapest form that needs no decoder beyond `best`. */
+/** The cheapest form of a model among those that need no more decoders than `best` does. */
 function cheapest(forms: readonly PricedForm[], best: Form): PricedForm {
   const allowed = forms.filter(({ form }) => ORDER.indexOf(form) <= ORDER.indexOf(best));
   return allowed.reduce((a, b) => (b.cost < a.cost ? b : a));

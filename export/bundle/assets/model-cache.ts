@@ -8,7 +8,7 @@ export interface AssetCache {
   write(name: string, bytes: Uint8Array): Promise<void>;
 }
 
-/** Increase it if the compressor or its packages return different bytes for the same model. */
+/** Part of the names of cache entries. Increase this number if the compressor or its packages return different bytes for the same model. */
 const COMPRESSOR_VERSION = 1;
 
 /** Returns the compressed forms of a model from the cache, or creates them by `make`. */
@@ -29,7 +29,10 @@ export async function remembered(
 
 const HEAD_BYTES = 44;
 
-/** Hash of the content, length of the first form, both forms. A truncated or changed file is rejected. */
+/**
+ * Packs a cache entry: a hash of the forms, the length of the first form, then both forms. `unpack` rejects a truncated or changed entry by
+ * the hash.
+ */
 function pack({ meshopt, ktx2 }: CompressedModel): Uint8Array {
   const forms = Buffer.concat([meshopt ?? new Uint8Array(), ktx2 ?? new Uint8Array()]);
   const head = Buffer.alloc(HEAD_BYTES);

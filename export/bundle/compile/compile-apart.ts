@@ -7,7 +7,10 @@ import { bundleWorker } from '../bundle-worker.ts';
 
 /** Input of the compiler as data that can be sent to a thread. */
 export interface CompileWork {
-  /** Its params have been migrated (`migrateNodes`): threads cannot be sent functions. */
+  /**
+   * The project after `migrateNodes`. It cannot be migrated in the thread, because migrations are functions, which cannot be sent to
+   * threads.
+   */
   readonly project: CompileInput['project'];
   readonly definitions: readonly NodeDefinition[];
   readonly shaders: Readonly<Record<string, string>>;

@@ -43,7 +43,7 @@ export async function compressModel(bytes: Uint8Array): Promise<CompressedModel>
   return { meshopt: owned(packed), ktx2: encoded ? owned(await io.writeBinary(doc)) : null };
 }
 
-/** glTF-Transform drops extensions that it does not support. */
+/** The extensions that glTF-Transform supports; it would drop others. */
 const KNOWN = new Set(ALL_EXTENSIONS.map(({ EXTENSION_NAME }) => EXTENSION_NAME));
 
 /** Encodes the textures that become smaller. Returns false if there are none. */

@@ -15,7 +15,7 @@ export const DECODER_BYTES = { meshopt: 7_300, ktx2: 287_000 } as const;
 export interface CompressedModel {
   /** Packed geometry and animation with the original images. */
   readonly meshopt: Uint8Array<ArrayBuffer> | null;
-  /** The same with images as KTX2. */
+  /** Packed geometry and animation with the images as KTX2. */
   readonly ktx2: Uint8Array<ArrayBuffer> | null;
 }
 

@@ -4,14 +4,15 @@ import type { PanoramaPixels } from '../../../nodes/kit/panorama/pixels.ts';
 import { readRadianceHeader } from '../../runtime/scenes/environments/radiance-header.ts';
 import { readRadiance } from '../../runtime/scenes/environments/read-radiance.ts';
 
-/** Wider images may be reduced by the page, which then needs the lamps of the reduced image. */
+/** Maximum side of a PNG. Larger images may be reduced by the page, which then needs the lamps of the reduced image. */
 const MAX_PICTURE_PX = 4096;
 const PNG_SIGNATURE = [0x89, 0x50, 0x4e, 0x47] as const;
 
 /**
  * Decodes a panorama as a page does: HDR and EXR to floats, PNG to bytes without color conversion.
  *
- * @returns Null for other formats, which only a browser decodes, and for forms of PNG that it converts.
+ * @returns Null if the page must find the lamps: for other formats, for forms of PNG that a browser converts, and for images that the page
+ * reduces or converts.
  * @throws Error if the file is damaged.
  */
 export function decodeInNode(file: Uint8Array): PanoramaPixels | null {
@@ -25,7 +26,9 @@ export function decodeInNode(file: Uint8Array): PanoramaPixels | null {
   return { widthPx: width, heightPx: height, channels, data };
 }
 
-/** A page converts mirror balls and cubes, and then needs the lamps of the result. */
+/**
+ * Whether the page converts a panorama of this size, because it is a mirror ball or a cube. The page then needs the lamps of the result.
+ */
 function isConverted(widthPx: number, heightPx: number): boolean {
   const layout = layoutOf(widthPx, heightPx);
   return layout !== null && layout !== 'equirectangular';

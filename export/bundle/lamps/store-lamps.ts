@@ -7,7 +7,7 @@ import { bundleWorker } from '../bundle-worker.ts';
 import type { LampWork } from './lamp-thread.ts';
 
 export interface StoredLamps {
-  /** Nodes whose lamps are stored start no worker. */
+  /** The program, in which the nodes with stored lamps start no worker. */
   readonly program: Program;
   readonly assets: readonly PreparedAsset[];
 }
@@ -52,7 +52,10 @@ export async function storeLamps(
   };
 }
 
-/** A node that finds lamps in a file: the only output of a Panorama node is the file itself. */
+/**
+ * The operation as a node that finds lamps in a panorama file; empty for all other operations. An environment from a Panorama node is the
+ * file itself, because that is the node's only output.
+ */
 function lampNode({ operations }: Program, operation: Operation): LampNode[] {
   if (!('type' in operation) || operation.type !== 'light/from-panorama') return [];
   const [input] = operation.inputs.environment ?? [];
@@ -67,7 +70,7 @@ function withoutWorker(operation: Operation): Operation {
   return rest as Operation;
 }
 
-/** Null if the file cannot be decoded here; the page then says what is wrong with it. */
+/** Finds the lamps of a file in a thread. Null if the file cannot be decoded here; the page then says what is wrong with it. */
 async function findApart(script: string, work: LampWork): Promise<readonly FoundLamps[] | null> {
   const worker = new Worker(script, { eval: true, workerData: work });
   try {

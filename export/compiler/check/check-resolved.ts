@@ -88,7 +88,7 @@ function isReadable({ definition, bindings }: FlatNode): boolean {
   });
 }
 
-/** Checks that need the flat graph. */
+/** Finds the mistakes of a node that only the flat graph shows: muted sources and layer encodings. */
 function checkNode(node: FlatNode, encodings: Encodings): Diagnostic[] {
   const { id: nodeId, definition } = node;
   const diagnostics: Diagnostic[] = [];
@@ -100,7 +100,7 @@ function checkNode(node: FlatNode, encodings: Encodings): Diagnostic[] {
   return [...diagnostics, ...checkEncodings(node, encodings)];
 }
 
-/** Types of which a graph may have one node have one. */
+/** Reports further nodes of a type of which a graph may have only one node. */
 function checkSingle(live: readonly FlatNode[]): Diagnostic[] {
   const first = new Map<string, FlatNode>();
   return live.flatMap((node): Diagnostic[] => {
@@ -119,7 +119,7 @@ function checkSingle(live: readonly FlatNode[]): Diagnostic[] {
 /** Encoding of each layer output, by `portKey`. */
 type Encodings = ReadonlyMap<string, LayerEncoding>;
 
-/** Of all outputs; a delay outputs display layers, so its inputs need not be known. */
+/** Finds the encodings of all layer outputs. A delay outputs display layers, so the encodings of its inputs need not be known before. */
 function encodingsOf(order: readonly FlatNode[]): Encodings {
   const encodings = new Map<string, LayerEncoding>();
   for (const node of order) {
@@ -156,13 +156,16 @@ function completeTaps({ replacements }: FlatGraph, order: readonly FlatNode[], t
   });
 }
 
-/** Nodes that play sound. One that lacks something is left out, as a viewed layer is. */
+/** Nodes that play sound. An incomplete one is left out without a diagnostic, as an incomplete viewed layer is. */
 function heardNodes(order: readonly FlatNode[], encodings: Encodings): readonly string[] {
   if (!order.some(({ definition }) => definition.heard)) return [];
   return [...completeNodes(order, encodings).values()].filter(({ definition }) => definition.heard).map(({ id }) => id);
 }
 
-/** Nodes whose required inputs are connected, and those of all nodes that they depend on. */
+/**
+ * Finds the nodes that can be played: they have no mistakes, their required inputs are connected, and the same is true of all nodes that
+ * they depend on.
+ */
 function completeNodes(order: readonly FlatNode[], encodings: Encodings): ReadonlyMap<string, FlatNode> {
   const isComplete = (node: FlatNode) =>
     Object.entries(node.definition.inputs).every(([port, { required }]) => !required || node.inputs.has(port));

@@ -35,7 +35,7 @@ export function link({ operations, resources, trials }: Linkable, options: { rea
   return { operations: linked, resources: placed, shaders };
 }
 
-/** With the node's name in its source map. */
+/** Returns a shader with the node's id in its source map. */
 export function named(shader: LinkedShader, node: string): LinkedShader {
   const { sourceMap, vertexMap } = shader;
   const naming = (map: SourceMap): SourceMap => ({ ...map, nodes: map.sources.map(() => node) });

@@ -23,7 +23,7 @@ function controlNodes({ nodes, working, slots }: Pick<Schedule, 'nodes' | 'worki
     .map((node) => controlOf(node, slots.numbers[slots.slots[slots.params[paramKey(node)] ?? -1]?.offset ?? -1] ?? 0));
 }
 
-/** A param without a slot is connected or has no effect. */
+/** Controls for the params that nodes show to visitors. A param without a slot is left out, because it is connected or has no effect. */
 function visitorParams({ nodes, working, slots }: Pick<Schedule, 'nodes' | 'working' | 'slots'>): Control[] {
   const shown = nodes.filter((node) => {
     const by = node.definition.visitorParams?.by;

@@ -28,7 +28,7 @@ export function collectNeeds(nodes: readonly FlatNode[], working: ReadonlySet<st
   return [...needs.values()].sort((a, b) => (a.capability < b.capability ? -1 : 1));
 }
 
-/** Raw only where some node reads depth, and none of those wants it smooth. */
+/** The kind of depth to request: `raw` if some nodes read room depth and none of them wants it smooth. */
 function depthTypeOf(nodes: readonly FlatNode[]): { readonly depthType?: 'raw' } {
   const readers = nodes.flatMap(({ definition, inputs }) =>
     Object.entries(definition.inputs).flatMap(([name, port]) => (port.type === 'depth' && inputs.has(name) ? [port] : [])),
@@ -43,7 +43,10 @@ function needsOf(node: FlatNode): readonly Need[] {
   );
 }
 
-/** Whether the node outputs a layer that is not made from other layers. What glass of a scene shows is only a part of its layer. */
+/**
+ * Whether the node outputs a layer that is not made from other layers. A scene always counts, even with an input for the layer that its
+ * glass shows, because that is only a part of its output.
+ */
 function isOriginalLayer({ definition, inputs }: FlatNode): boolean {
   if (definition.lowering.kind === 'geometry') return Object.values(definition.outputs).some(({ type }) => type === 'layer');
   const makesLayer = Object.values(definition.outputs).some(({ type }) => type === 'layer');

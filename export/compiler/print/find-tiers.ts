@@ -2,7 +2,7 @@ import type { Capability } from '../../../nodes/kit/definition.ts';
 import type { ProgramNeed, Tier } from '../../program/needs.ts';
 import type { Presentation } from '../../program/program.ts';
 
-/** What pages ask for themselves, in any kind of session. */
+/** Capabilities that the page itself requests, so that they are available in any kind of session. */
 const OF_THE_PAGE: readonly Capability[] = ['microphone', 'motion', 'location'];
 
 /** Capabilities of each kind of session, best first (docs/ARCHITECTURE.md, “Sessions”; devices: WebXR implementations of 2026). */

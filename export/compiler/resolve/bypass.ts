@@ -31,7 +31,10 @@ export function bypassMuted({ nodes, shown }: Draft): Pick<FlatGraph, 'nodes' | 
 
 type Passed = ReadonlyMap<string, readonly Source[]>;
 
-/** The replacement of each output of a muted node. In topological order, so that chains of muted nodes need no recursion. */
+/**
+ * Finds the replacement of each output of a muted node. Muted nodes are visited in topological order, so that chains of muted nodes need no
+ * recursion.
+ */
 function passedSources(nodes: ReadonlyMap<string, DraftNode>): Passed {
   const muted = [...nodes.values()].filter((node) => node.muted);
   const passed = new Map<string, readonly Source[]>();
@@ -57,7 +60,10 @@ function sourcesLike({ definition, inputs }: DraftNode, output: string): readonl
   return input === undefined ? [] : (inputs.get(input) ?? []);
 }
 
-/** Each source once, because two muted nodes may pass the same one through. */
+/**
+ * Replaces sources at muted nodes by what those pass through. Each result is listed once, because two muted nodes may pass the same source
+ * through.
+ */
 function passThrough(sources: readonly Source[], passed: Passed): readonly Source[] {
   const through = new Map<string, Source>();
   for (const source of sources) {

@@ -100,7 +100,7 @@ function withHeard(start: DemandStart, live: readonly FlatNode[]): DemandStart {
   return heard.length === 0 ? start : { ...start, nodes: [...start.nodes, ...heard] };
 }
 
-/** Keys of the outputs that are connected to a node. */
+/** Outputs that are connected to inputs of these nodes, as `node.port`. */
 function readOutputs(nodes: readonly FlatNode[]): readonly string[] {
   return nodes.flatMap(({ inputs }) => [...inputs.values()].flat().map(portKey));
 }
@@ -122,7 +122,7 @@ function presentationOf({ background }: ScreenPlan, { steps, samples }: Lowering
   return { mode: composed ? 'composed' : 'forward', antialias, background, blend: 'alpha' };
 }
 
-/** Layers that show the previous frame. */
+/** Textures of delayed nodes, which contain the previous frame until the end of the frame, by `node.port`. */
 function delayedTargets(order: readonly FlatNode[]): ReadonlySet<string> {
   return new Set(
     order

@@ -32,11 +32,11 @@ export interface ShaderStore {
   /** Reads the node type of an ISF shader or a technique. */
   readDefinition(file: string, source: string): Result<NodeDefinition>;
   read(file: string, source: string): Result<IsfShader>;
-  /** `vertex` is the text of its vertex shader, or null. */
+  /** Links the passes of a shader. `vertex` is the text of its vertex shader, or null. */
   link(file: string, source: string, vertex: string | null, variant: LinkVariant): ShaderLink<readonly LinkedPass[]>;
-  /** Also linked again if an included chunk changed. */
+  /** Links a technique. A technique is linked again if its text or an included chunk has changed. */
   linkTechnique(file: string, source: string, options: TechniqueOptions): ShaderLink<TechniqueText>;
-  /** For shaders whose header has `depth` “over” only. */
+  /** Links the pass that computes the depth of a shader with `"SCRIM_DEPTH": "over"`. Other shaders are not allowed. */
   linkDepth(file: string, source: string, variant: LinkVariant): LinkedPass;
 }
 
@@ -62,7 +62,7 @@ export function createShaderStore(): ShaderStore {
     return made;
   }
 
-  /** Any cached entry of the file, because the header does not depend on the vertex shader. */
+  /** The cached entry of a file with any vertex shader, because the header does not depend on that; a new entry if there is none. */
   function headerOf(file: string, source: string): Entry {
     const known = entries.get(file);
     return known?.source === source ? known : entryOf(file, source, null);

@@ -17,7 +17,10 @@ export interface DepthCameraPose {
   readonly clipFromDepth: Float32Array;
 }
 
-/** `aspect` is width over height of the sensor's upright image. A null sensor uses the pose and lens of the view. */
+/**
+ * Pose and projection of a depth measurement for an eye. `aspect` is width over height of the sensor's upright image. A null sensor uses
+ * the pose and lens of the view.
+ */
 export function aimSensor(sensor: DepthSensor | null, eye: Eye, aspect: number, nearM: number, farM: number): DepthCameraPose {
   if (!sensor) return { worldFromDepth: eye.worldFromView, clipFromDepth: eye.clipFromView };
   const viewFromDepth = new Matrix4().compose(

@@ -4,7 +4,7 @@ import type { EncodedDepth } from './depth-encoding.ts';
 /** Depth as a texture in the page's context: a plain texture for one view, a texture array with a layer per eye for two. */
 export interface DepthTexture {
   readonly texture: WebGLTexture;
-  /** Row 0 of the texture is the buffer's top row. */
+  /** Uploads a depth buffer to a layer. Row 0 of the texture is the buffer's top row. */
   upload(depth: EncodedDepth, layer: number): void;
   dispose(): void;
 }

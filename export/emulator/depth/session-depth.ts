@@ -7,7 +7,7 @@ import { addDepthNoise } from './depth-noise.ts';
 import { aimSensor, type DepthCameraPose } from './depth-sensor.ts';
 import { affineToMatrix, depthUvFromViewUv } from './depth-transform.ts';
 
-/** `stopped`: no depth. `frozen`: every frame has the last depth. */
+/** What depth sensing returns. `stopped`: no depth. `frozen`: every frame has the last depth. */
 export type DepthState = 'working' | 'stopped' | 'frozen';
 
 /** One depth image and the pose it was taken from. */

@@ -9,14 +9,14 @@ export interface Pixels {
   readonly rgba: Uint8Array;
 }
 
-/** White of an additive display ÷ white of the room. */
+/** Default brightness of an additive display: luminance of its white divided by that of the room's white. */
 export const DISPLAY_GAIN = 2;
 
 /**
  * Composites the page's premultiplied layer with the room, as the user of the device sees it: `alpha-blend` draws the layer over the room,
  * `additive` adds its light (WebXR Augmented Reality Module §3.2): seen = room + gain × display, in linear light.
  *
- * @param gain Of additive displays: white of the display ÷ white of the room.
+ * @param gain For `additive`: luminance of the display's white divided by that of the room's white.
  */
 export function compositePixels(layer: Pixels, room: Pixels, blend: BlendMode, gain = DISPLAY_GAIN): Pixels {
   const rgba = new Uint8Array(layer.rgba.length);
@@ -32,7 +32,9 @@ export function compositePixels(layer: Pixels, room: Pixels, blend: BlendMode, g
   return { widthPx: layer.widthPx, heightPx: layer.heightPx, rgba };
 }
 
-/** A pixel that the display leaves black shows the room unchanged. */
+/**
+ * Adds a channel of the display (`above`) to that of the room (`below`) in linear light. Where the display is black, the room is unchanged.
+ */
 function added(below: number, above: number, gain: number): number {
   return above === 0 ? below : encoded(linearFromSrgb(below / 255) + gain * linearFromSrgb(above / 255));
 }
@@ -41,7 +43,7 @@ function encoded(light: number): number {
   return Math.round(255 * Math.min(1, srgbFromLinear(light)));
 }
 
-/** Flips rows read from WebGL, which come from the bottom. */
+/** Reverses the order of rows: WebGL reads them from the bottom, the result has them from the top. */
 export function turnRows(rgba: Uint8Array, widthPx: number, heightPx: number): Pixels {
   const out = new Uint8Array(rgba.length);
   const rowBytes = widthPx * 4;

@@ -3,9 +3,9 @@ import type { LayerTargetOptions } from './layer-target.ts';
 /** A framebuffer of the device with its attachments. Its functions change bindings of the context. */
 export interface LayerStorage {
   readonly framebuffer: WebGLFramebuffer;
-  /** Allocates the attachments at this size, in pixels, and frees those of before. */
+  /** Allocates the attachments at this size, in pixels, and frees the previous ones. */
   allocate(widthPx: number, heightPx: number): void;
-  /** Binds a framebuffer without multisampling, with the same image, for `readPixels`. */
+  /** Binds a framebuffer with the image for `readPixels`; if the image is multisampled, it is first resolved into that framebuffer. */
   bindForReading(widthPx: number, heightPx: number): void;
   dispose(): void;
 }

@@ -13,7 +13,7 @@ export interface LayerTarget {
   resize(widthPx: number, heightPx: number): void;
   /** Clears to transparent black and far depth, as at the start of every frame (WebXR Device API §11.2). */
   clear(): void;
-  /** Premultiplied RGBA, rows from the bottom. */
+  /** Reads the image into `out`: premultiplied RGBA, rows from the bottom. */
   read(out: Uint8Array): void;
   dispose(): void;
 }
@@ -25,7 +25,10 @@ export interface LayerTargetOptions {
   readonly alpha: boolean;
 }
 
-/** A target for pages that draw to their own canvas: it clears, scales and presents nothing. */
+/**
+ * Creates the target of an inline session, whose page draws to its own canvas: `resize` and `clear` do nothing, and `read` returns
+ * transparent black.
+ */
 export function canvasTarget(gl: Gl): LayerTarget {
   return {
     framebuffer: null,

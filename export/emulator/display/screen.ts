@@ -6,7 +6,10 @@ export interface Screen {
   hide(): void;
 }
 
-/** Sets styles property by property: a strict `style-src` blocks style attributes and style sheets but not the object model. */
+/**
+ * Creates the screen in `container`, or over the whole window if that is null. Styles are set property by property: a strict `style-src`
+ * blocks style attributes and style sheets but not the object model.
+ */
 export function createScreen(container: HTMLElement | null): Screen {
   let shown: { readonly element: HTMLElement; restoreOverlay(): void } | null = null;
   const hide = (): void => {
@@ -40,7 +43,7 @@ const MAX_DENSITY = 2;
 
 const FILL = { inset: '0', background: '#000', overflow: 'hidden' } as const;
 
-/** User agent style sheet of WebXR DOM Overlays §4.2. */
+/** Styles of the DOM overlay, from the user agent style sheet of WebXR DOM Overlays §4.2. */
 const OVERLAY = {
   position: 'fixed',
   inset: '0',
@@ -53,7 +56,7 @@ const OVERLAY = {
   background: 'transparent',
 } as const;
 
-/** Returns a function that restores the previous values. */
+/** Sets styles of an element. Returns a function that restores the previous values. */
 function setStyles(element: HTMLElement, styles: Partial<Record<keyof CSSStyleDeclaration & string, string>>): () => void {
   const style = element.style as unknown as Record<string, string>;
   const former = Object.keys(styles).map((name) => [name, style[name] ?? ''] as const);

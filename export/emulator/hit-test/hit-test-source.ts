@@ -13,7 +13,9 @@ export interface HitTestWishes {
   readonly offsetRay?: EmulatedRay;
 }
 
-/** A subscription: `XRHitTestSource` or `XRTransientInputHitTestSource` of WebXR Hit Test §3. */
+/**
+ * A subscription of a page to hit tests, which `cancel` ends: `XRHitTestSource` or `XRTransientInputHitTestSource` of WebXR Hit Test §3.
+ */
 export class EmulatedHitTestSource {
   readonly #active: Set<EmulatedHitTestSource>;
 
@@ -29,7 +31,7 @@ export class EmulatedHitTestSource {
 
 export class EmulatedTransientHitTestSource extends EmulatedHitTestSource {}
 
-/** The data of a frame that its hit test results need. */
+/** The part of an `XRFrame` that the hit test results of the frame use. */
 interface HitFrame {
   getPose(space: XRSpace, baseSpace: XRSpace): XRPose;
   readonly session: { anchorAt(space: XRSpace): Promise<XRAnchor> };
@@ -48,7 +50,10 @@ export class EmulatedHitTestResult {
     return this.#frame.getPose(this.#space, baseSpace);
   }
 
-  /** Also works after the frame: pages keep the last result and create the anchor when the user taps, which browsers allow. */
+  /**
+   * Creates an anchor at the hit. This also works after the frame has ended: pages keep the last result and create the anchor when the user
+   * taps, which browsers allow.
+   */
   createAnchor(): Promise<XRAnchor> {
     return this.#frame.session.anchorAt(this.#space);
   }

@@ -31,7 +31,7 @@ function isMatrix(value: unknown): value is number[] {
   return Array.isArray(value) && value.length === 16 && value.every(Number.isFinite);
 }
 
-/** A fist, from a captured hand that points: the index finger bends as the middle finger does. */
+/** Makes a fist from a captured hand that points: the index finger is bent like the middle finger. */
 export function closeIndexFinger(pointing: HandCapture): HandCapture {
   const matrixOf = (joint: HandJoint): Matrix4 => new Matrix4().fromArray(Array.from(pointing.jointTransforms[joint].offsetMatrix));
   const jointTransforms = { ...pointing.jointTransforms };
@@ -50,7 +50,7 @@ export function closeIndexFinger(pointing: HandCapture): HandCapture {
   return { ...pointing, jointTransforms };
 }
 
-/** Moves from the knuckle of the middle finger to that of the index finger, both in the space of their metacarpal. */
+/** Translation from the knuckle of the middle finger to that of the index finger, each in the space of its finger's metacarpal. */
 function knuckleShift(indexFromRay: Matrix4, middleFromRay: Matrix4, matrixOf: (joint: HandJoint) => Matrix4): Matrix4 {
   const index = indexFromRay.clone().multiply(matrixOf('index-finger-phalanx-proximal')).elements;
   const middle = middleFromRay.clone().multiply(matrixOf('middle-finger-phalanx-proximal')).elements;

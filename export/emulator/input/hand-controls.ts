@@ -7,7 +7,10 @@ type Side = 'left' | 'right';
 /** Gestures that the device has without a capture. */
 export type HandGesture = 'relaxed' | 'pinch' | 'poke' | 'grab';
 
-/** iwer's names of the poses; a pinch is a relaxed hand whose pinch is closed, which also makes the device select. */
+/**
+ * iwer's name for the pose of each gesture. A pinch has the pose of a relaxed hand; `setGesture` also sets iwer's pinch value, which makes
+ * the device select.
+ */
 const POSES: Readonly<Record<HandGesture, string>> = { relaxed: 'default', pinch: 'default', poke: 'point', grab: 'grab' };
 
 /** Controls of the hands and controllers of an emulated device. */

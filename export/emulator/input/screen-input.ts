@@ -9,14 +9,19 @@ import { writeMatrix } from '../session/rigid-transform.ts';
  */
 export interface ScreenInput {
   /**
-   * Normalized, origin at the top left of the view. A silent press dispatches no select events, because an overlay canceled it.
+   * Begins a touch. Coordinates are normalized, with the origin at the top left of the view. A silent press dispatches no select events,
+   * because an overlay canceled it.
    *
    * @param finger Index, from 0 to {@link FINGERS} − 1.
    * @throws Error if this finger touches the screen already.
    */
   press(x: number, y: number, finger: number, silent?: boolean): void;
   move(x: number, y: number, finger: number): void;
-  /** @throws Error if this finger does not touch the screen. */
+  /**
+   * Ends a touch.
+   *
+   * @throws Error if this finger does not touch the screen.
+   */
   release(finger: number): void;
   sources(): readonly XRInputSource[];
   /** Dispatches the events since the last frame. `refresh` makes the session update its input sources. */

@@ -13,12 +13,12 @@ export interface LightOptions {
 export const LIGHT_DEFAULTS: Required<LightOptions> = { lagFrames: 0, flicker: 0, seed: 0 };
 
 /**
- * `room`: the light of the room. `stopped`: no estimate. `frozen`: the last estimate in every frame. An object overrides parts of the
- * room's light.
+ * What light estimation returns. `room`: the light of the room. `stopped`: no estimate. `frozen`: the last estimate in every frame. An
+ * object overrides parts of the room's light.
  */
 export type LightState = 'room' | 'stopped' | 'frozen' | LightChanges;
 
-/** Missing values are those of the room. */
+/** Parts of the light estimate that differ from the room's light. Missing values are those of the room. */
 export interface LightChanges {
   /** 27 numbers, linear-sRGB radiance, world space. */
   readonly sphericalHarmonics?: readonly number[];

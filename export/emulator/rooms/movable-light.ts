@@ -7,7 +7,7 @@ export interface MovableLight {
   readonly light: PrimaryLight;
   /** Unit vector towards the light. The object stays the same, so materials can hold it. */
   readonly towardsWorld: Vector3;
-  /** `Room.moveLight`. */
+  /** Moves the light to this direction, or back to the original direction if it is null (`Room.moveLight`). */
   move(directionWorld: PrimaryLight['directionWorld'] | null): void;
 }
 

@@ -1,34 +1,39 @@
 import type { GeoPlace } from '../../../nodes/kit/wgs84.ts';
 
-/** What the visitor answers, or what the device can: `asking` waits for the answer. */
+/** State of the motion and orientation sensors: the visitor allows them, the visitor denies them, or the device has none. */
 export type SensorState = 'granted' | 'denied' | 'absent';
 export type LocationState = 'granted' | 'denied' | 'unavailable' | 'timeout';
 
 /** Controls of the emulated sensors of a phone: motion, orientation with compass, location. */
 export interface EmulatedSensors {
   /**
-   * Gives a reading of the motion, along the axes of the device: x right, y to the top, z out of the screen.
+   * Dispatches a `devicemotion` event with values along the axes of the device: x right, y to the top, z out of the screen.
    *
    * @param acceleration Without gravity, m/s².
    * @param rotationRate Radians per second.
    * @param up Away from the ground, a unit vector.
    */
   move(acceleration: readonly number[], rotationRate: readonly number[], up: readonly number[]): void;
-  /** Gives a reading of the orientation, in degrees as in `deviceorientation`, against magnetic north. */
+  /** Dispatches `deviceorientation` events with these angles, in degrees relative to magnetic north. */
   orient(alphaDeg: number, betaDeg: number, gammaDeg: number): void;
-  /** Moves the device to a place. 95 % of positions are within `accuracyM`. */
+  /**
+   * Moves the device to a place and reports it to the page. `accuracyM` is the reported accuracy: 95 % of positions are closer than that.
+   */
   setPlace(place: Readonly<GeoPlace>, accuracyM: number): void;
-  /** What becomes of the location from now on. */
+  /** Sets how requests for the location are answered from now on. */
   setLocation(state: LocationState): void;
-  /** What the visitor answers when the page asks for motion sensors. */
+  /** Sets whether sensor events are dispatched, which is also the answer to a page that requests motion sensors. */
   setSensors(state: SensorState): void;
-  /** How many watches of the location are open, for leak tests. */
+  /** Number of active `watchPosition` calls, for leak tests. */
   readonly watches: number;
   uninstall(): void;
 }
 
 export interface SensorOptions {
-  /** As in Safari on iOS: pages ask at a touch, accelerations have the opposite sign, and the compass tells a heading. */
+  /**
+   * Whether to behave like Safari on iOS: pages must request permission, accelerations have the opposite sign, and orientation events have
+   * a compass heading.
+   */
   readonly safari?: boolean;
 }
 
@@ -55,7 +60,7 @@ export function installSensors({ safari = false }: SensorOptions = {}): Emulated
   let sensors: SensorState = 'granted';
   let place: Readonly<GeoPlace> | null = null;
   let accuracyM = 5;
-  /** Given so far, as if one a second. */
+  /** Number of positions given to the page so far; their timestamps are one second apart. */
   let fixes = 0;
 
   const tell = ({ onFix, onError }: Watch): void => {
@@ -117,7 +122,7 @@ export function installSensors({ safari = false }: SensorOptions = {}): Emulated
         dispatch('deviceorientationabsolute', { alpha, beta, gamma, absolute: true });
         return;
       }
-      // Its orientation begins anywhere, here at 123°.
+      // In Safari, alpha is relative to an arbitrary direction, here at 123°.
       const compass = { webkitCompassHeading: (((360 - alpha) % 360) + 360) % 360, webkitCompassAccuracy: 10 };
       dispatch('deviceorientation', { alpha: alpha + 123, beta, gamma, absolute: false, ...compass });
     },
@@ -145,7 +150,7 @@ export function installSensors({ safari = false }: SensorOptions = {}): Emulated
   };
 }
 
-/** Gives the events of sensors `requestPermission`. Returns a function that removes it. */
+/** Replaces the classes of sensor events by objects with Safari's `requestPermission`. Returns a function that restores them. */
 function askAsSafari(answer: () => SensorState): () => void {
   const page = window as unknown as Record<string, unknown>;
   const names = ['DeviceMotionEvent', 'DeviceOrientationEvent'] as const;

@@ -6,7 +6,7 @@ import type { Room } from '../rooms/room.ts';
 export interface Surfaces {
   addPlanes(frame: XRFrame): void;
   addMeshes(frame: XRFrame): void;
-  /** From now on the room is known. */
+  /** Makes the room known: later frames contain its planes and meshes. */
   scan(): void;
 }
 
@@ -33,7 +33,10 @@ export function createSurfaces(room: () => Room | null, world: GlobalSpace, isSc
 
 type Label = ConstructorParameters<typeof NativePlane>[2];
 
-/** iwer derives the orientation from the label and reports a change in every frame. */
+/**
+ * A plane with the room's own orientation, unchanged since its first frame. iwer would derive the orientation from the label and report a
+ * change in every frame.
+ */
 class EmulatedPlane extends XRPlane {
   readonly #orientation: 'horizontal' | 'vertical';
   readonly #seenMs: number;

@@ -8,7 +8,8 @@ const scratchDrift = new Matrix4();
 const scratchSpace = new Matrix4();
 
 /**
- * Tracking drifts: all reference spaces but the viewer's move against the room, without an event. Anchors stay at the same point of the room.
+ * Makes tracking drift: moves all reference spaces but the viewer's relative to the room, without an event. Anchors stay at the same point
+ * of the room.
  *
  * @param offsetM In the room's axes, meters.
  * @param yawRad About the vertical through the room's origin.
@@ -24,14 +25,14 @@ export function driftSpaces(session: XRSession, offsetM: readonly [number, numbe
   }
 }
 
-/** Drifts by what belongs to the time since the last frame. */
+/** Applies the share of a steady drift (given per minute) for the time since the last frame. */
 export function driftSteadily(session: XRSession, { offsetM: [x, y, z], yawRad }: Drift, deltaS: number): void {
   if (deltaS <= 0 || (x === 0 && y === 0 && z === 0 && yawRad === 0)) return;
   const share = deltaS / 60;
   driftSpaces(session, [x * share, y * share, z * share], yawRad * share);
 }
 
-/** The system deletes all anchors of the session, as when it forgets the room. */
+/** Deletes all anchors of the session, as the system of a device does when it forgets the room. */
 export function deleteAnchors(session: XRSession): void {
   for (const anchor of [...session[P_SESSION].trackedAnchors]) if (!anchor[P_ANCHOR].deleted) anchor.delete();
 }

@@ -105,7 +105,7 @@ export class EmulatedBinding {
     if (!layers.includes(layer)) throw new TypeError('The layer is not in the session’s layers. Add it with updateRenderState first.');
   }
 
-  /** WebXR Depth Sensing §3.3. */
+  /** `getDepthInformation` of WebXR Depth Sensing §3.3: depth of a view as a texture. */
   getDepthInformation(view: EmulatedView): EmulatedWebGlDepthInformation | null {
     const depth = this.#session.requireDepth();
     this.#checkView(view);
@@ -171,7 +171,7 @@ export class EmulatedBinding {
   }
 }
 
-/** WebGL 1 has no formats for depth textures and float cube maps. */
+/** Throws for WebGL 1, which has no formats for depth textures and float cube maps. */
 function requireWebGl2(gl: Gl): WebGL2RenderingContext {
   if (isWebGl2(gl)) return gl;
   throw new DOMException('Depth textures and reflection cube maps of the emulated device require WebGL 2.', 'NotSupportedError');

@@ -26,7 +26,7 @@ export class EmulatedLayer extends XRLayer {
   readonly [P_WEBGL_LAYER]: { session: EmulatedSession; context: Gl; antialias: boolean };
   readonly target: LayerTarget;
   readonly #scale: number;
-  /** The same viewport object for each call of `getViewport`. */
+  /** The viewport object of each view, which every call of `getViewport` returns. */
   readonly #viewports = new WeakMap<EmulatedView, XRViewport>();
 
   constructor(session: EmulatedSession, context: Gl, init: LayerInit = {}) {

@@ -31,7 +31,7 @@ export interface EmulatedSessionState {
   readonly surfaces: Surfaces;
   readonly hitTests: { readonly active: Set<EmulatedHitTestSource>; readonly wishes: WeakMap<EmulatedHitTestSource, HitTestWishes> };
   readonly probes: EmulatedLightProbe[];
-  /** Release resources in the page's contexts. */
+  /** Functions that release resources in the page's contexts when the session ends. */
   readonly disposers: (() => void)[];
   /** Eyes of the current or last frame. */
   eyes: readonly Eye[];
@@ -144,7 +144,10 @@ export class EmulatedSession extends XRSession {
     this.dispatchEvent(new XRSessionEvent('frameratechange', { session: this }));
   }
 
-  /** iwer dispatches `select` with `selectstart`; it belongs before `selectend` (WebXR Device API §10.2). */
+  /**
+   * Dispatches an event. iwer dispatches `select` and `squeeze` when the action starts; here they are dispatched when it ends, just before
+   * its end event (WebXR Device API §10.2).
+   */
   override dispatchEvent(event: Event): boolean {
     const action = /^(select|squeeze)(end)?$/.exec(event.type);
     if (!action || !this[P_EMULATED].world.profile.controllers) return super.dispatchEvent(event);
@@ -183,7 +186,7 @@ export class EmulatedSession extends XRSession {
     return this.confirmed(new XRAnchor(space, this));
   }
 
-  /** Resolves when the device tracks the anchor: in the next frame. */
+  /** Registers an anchor with the session. Resolves when the device tracks the anchor: in the next frame. */
   async confirmed(anchor: XRAnchor): Promise<XRAnchor> {
     const { persistentAnchors } = this[P_EMULATED].world;
     anchor.requestPersistentHandle = async () => persistentAnchors.keep(anchor);

@@ -3,21 +3,24 @@ import { P_ANCHOR, P_DEVICE, P_SESSION, P_SPACE, XRAnchor, XRSpace } from 'iwer'
 
 /**
  * Anchors that the device keeps after a session, by handle: their places in the room. They outlive the page where it has storage, as on a
- * Quest. iwer's own keep no limit, are tracked in each session without being restored, and fail in pages without storage.
+ * Quest. They replace iwer's persistent anchors, which have no limit, are tracked in each session without being restored, and fail in pages
+ * without storage.
  */
 export interface PersistentAnchors {
   readonly handles: readonly string[];
   /**
+   * Stores an anchor.
+   *
    * @returns The handle, which is the same each time for the same anchor.
-   * @throws DOMException InvalidStateError if the anchor is deleted, UnknownError if the device keeps no more, NotSupportedError if it
-   * keeps none.
+   * @throws DOMException InvalidStateError if the anchor is deleted, UnknownError if the limit is reached, NotSupportedError if the device
+   * keeps no anchors.
    */
   keep(anchor: XRAnchor): string;
-  /** @throws DOMException InvalidStateError for a handle that there is not. */
+  /** @throws DOMException InvalidStateError if there is no anchor with this handle. */
   restore(handle: string, session: XRSession): XRAnchor;
-  /** @throws DOMException InvalidStateError for a handle that there is not. */
+  /** @throws DOMException InvalidStateError if there is no anchor with this handle. */
   delete(handle: string): void;
-  /** Forgets all, as when the visitor clears the data of the device. */
+  /** Deletes all anchors, as when the visitor clears the data of the device. */
   clear(): void;
 }
 
@@ -77,7 +80,7 @@ function load(): [string, readonly number[]][] {
   }
 }
 
-/** Null in pages without storage, such as sandboxed frames. */
+/** `localStorage`; null in pages without storage, such as sandboxed frames. */
 function storage(): Storage | null {
   try {
     return globalThis.localStorage;

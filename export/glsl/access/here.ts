@@ -1,6 +1,6 @@
 import type { CallExpression, Expression, FunctionSymbol, VariableSymbol } from '../syntax/ast.ts';
 
-/** A known position: the current pixel, normalized or in pixels, or anything else. */
+/** A position at which a shader reads an image: the current pixel, in normalized coordinates or in pixels, or any other position. */
 export type Position = 'here-norm' | 'here-pixel' | 'elsewhere';
 
 const NORM_NAMES: ReadonlySet<string> = new Set(['isf_FragNormCoord', 'vv_FragNormCoord']);
@@ -13,8 +13,8 @@ const MAX_DEPTH = 50;
 const MAX_FOLLOWED = 100;
 
 /**
- * Finds out which positions are the current pixel. It follows variables that are set once and parameters with the same argument in all
- * calls; any other position is `elsewhere`, which is always safe.
+ * Returns a function that finds out whether an expression is the position of the current pixel. The function follows variables that are set
+ * once and parameters with the same argument in all calls; any other position is `elsewhere`, which is always safe.
  */
 export function createPositions(calls: ReadonlyMap<FunctionSymbol, readonly CallExpression[]>): (expression: Expression) => Position {
   const known = new Map<VariableSymbol, Position>();

@@ -96,7 +96,10 @@ function matchSignature(signature: Signature, args: readonly GlslType[], exact: 
   return { returns: instantiate(signature.returns, rows), parameters, exact };
 }
 
-/** Empty if the size is unknown, or for a vector letter with one component. */
+/**
+ * The type that a type or letter of a signature stands for in a call with `rows` components. Empty, which matches any type, if `rows` is 0;
+ * `none`, which matches no known type, for a vector or matrix letter with one component.
+ */
 function instantiate(type: string, rows: number): GlslType {
   if (type.length > 1) return canonicalType(type);
   if (rows === 0) return '';

@@ -1,7 +1,7 @@
 import type { CallExpression, FunctionSymbol, ParsedShader } from '../syntax/ast.ts';
 import { walkStatement } from '../syntax/walk-tree.ts';
 
-/** The author's functions in the order of their bodies; those without a body are at their prototype. */
+/** Lists the author's functions in the order of their bodies; a function without a body comes at the place of its prototype. */
 export function functionsOf(declarations: ParsedShader['declarations']): FunctionSymbol[] {
   return declarations.flatMap((declaration) =>
     declaration.kind === 'function' && declaration.symbol?.declaration === declaration ? [declaration.symbol] : [],
@@ -23,8 +23,9 @@ export function callsIn({ declaration: { body } }: FunctionSymbol): readonly Cal
 }
 
 /**
- * The functions and all that they call, each once and after those that it calls. Iterative, because call chains may be longer than the
- * stack. `onReturn` is called for a recursive call in `caller`.
+ * Lists the functions `roots` and all functions that they call directly or indirectly. Each is listed once, after the functions that it
+ * calls. The traversal is iterative, because call chains may be longer than the stack. `onReturn` is called for a recursive call in
+ * `caller`.
  */
 export function calleesFirst(
   roots: Iterable<FunctionSymbol>,

@@ -55,8 +55,9 @@ export function checkCall(call: CallExpression, context: CheckContext): GlslType
 }
 
 /**
- * Precedence: an exact match, the author's before the built-in; then the author's with conversions, then the built-in. So an author can add
- * `round(float, float)` beside the built-in `round(float)`, or replace it, as older GLSL allows.
+ * Chooses the author's function that a call refers to; null for a built-in function or for none. Precedence: an exact match, the author's
+ * before the built-in; then the author's with conversions, then the built-in. So an author can add `round(float, float)` beside the
+ * built-in `round(float)`, or replace it, as older GLSL allows.
  */
 function choose(
   candidates: readonly FunctionSymbol[],

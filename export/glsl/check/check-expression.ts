@@ -120,7 +120,7 @@ function printedType(expression: Expression): GlslType {
   return expression.convertTo || expression.type;
 }
 
-/** GLSL ES 3.00 §5.9. */
+/** Type of an arithmetic operation (GLSL ES 3.00 §5.9). */
 function arithmeticType(operator: string, left: GlslType, right: GlslType): GlslType {
   const a = numericOf(left);
   const b = numericOf(right);

@@ -73,7 +73,7 @@ function checkFunction(declaration: FunctionDeclaration, context: CheckContext):
   context.returnType = '';
 }
 
-/** A prototype and its body, or two bodies of the same function, are one symbol. */
+/** Declares a function and returns its symbol. A prototype and its body, or two bodies of the same function, share one symbol. */
 function declareFunction(
   declaration: FunctionDeclaration,
   returnType: GlslType,
@@ -164,7 +164,7 @@ function declareStrayImage(declarator: Declarator, type: GlslType, context: Chec
   if (!context.strayImages.some(({ name }) => name === symbol.name)) context.strayImages.push(symbol);
 }
 
-/** `out vec4 color;` of ES 3.00 is `gl_FragColor` of older versions. */
+/** Makes a declared output, such as `out vec4 color;` of ES 3.00, another name of `gl_FragColor`. */
 function outputVariable(
   declarator: Declarator,
   type: GlslType,

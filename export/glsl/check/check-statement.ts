@@ -79,7 +79,7 @@ function checkHead(head: Expression | VariableDeclaration | null, context: Check
   else checkExpression(head, context);
 }
 
-/** In ES 3.00 the body of a loop shares the scope of its head. */
+/** Checks the body of a loop, which in ES 3.00 shares the scope of the loop's head. */
 function checkLoopBody(body: Statement, context: CheckContext): void {
   inScope(context, true, () => {
     if (body.kind === 'block') checkStatements(body.statements, context);

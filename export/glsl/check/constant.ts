@@ -3,7 +3,7 @@ import { ASSIGNMENTS } from '../syntax/parse-expression.ts';
 import { isBuiltinFunction, TEXTURE_FUNCTIONS } from './builtin-functions.ts';
 import { numericOf } from './glsl-type.ts';
 
-/** Whether it is a constant expression by GLSL ES 3.00 §4.3.3. */
+/** Whether an expression is a constant expression by GLSL ES 3.00 §4.3.3. */
 export function isConstant(expression: Expression): boolean {
   switch (expression.kind) {
     case 'literal':

@@ -5,9 +5,9 @@ import { calleesFirst, functionsOf } from './call-graph.ts';
 import type { CheckedShader } from './check-shader.ts';
 
 /**
- * Maximum number of iterations of all loops of a shader together, for one pixel; infinite if the text does not limit it. Counted are loops
- * of the form `for (int i = 0; i < 8; i++)` with constant bounds and step whose body does not set `i`. Most shaders have no other loops, so
- * they need no probe on the GPU.
+ * Computes an upper bound of the number of iterations of all loops of a shader together, for one pixel; infinite if the text does not limit
+ * it. Counted are loops of the form `for (int i = 0; i < 8; i++)` with constant bounds and step whose body does not set `i`. Most shaders
+ * have no other loops, so they need no probe on the GPU.
  */
 export function countRounds({ main, declarations }: CheckedShader): number {
   const known = new Map<FunctionSymbol, number>();
@@ -50,7 +50,10 @@ function roundsOf(loop: ForStatement): number {
   return Math.min(unknown, ...rounds);
 }
 
-/** Upper or lower limits of the counter, from either side of each `&&`. */
+/**
+ * Constant limits that the condition of a loop sets to its counter, from both operands of each `&&`: upper limits if the counter increases
+ * (`upwards`), else lower limits.
+ */
 function limitsOf(condition: Expression, symbol: VariableSymbol, upwards: boolean): number[] {
   if (condition.kind === 'group') return limitsOf(condition.inner, symbol, upwards);
   if (condition.kind !== 'binary') return [];
@@ -105,7 +108,7 @@ function numberIn(expression: Expression, left = MAX_FOLLOWED): number | null {
   }
 }
 
-/** Null for octal numbers. */
+/** The value of a number in the text; null for octal numbers. */
 function literalValue(text: string): number | null {
   if (/^0[0-9]/.test(text)) return null;
   const number = Number(/^0x/i.test(text) ? text.replace(/u$/i, '') : text.replace(/(?:lf|[fu])$/i, ''));

@@ -6,8 +6,8 @@ export interface Scope {
   readonly variables: Map<string, VariableSymbol>;
   readonly structs: Map<string, StructSymbol>;
   /**
-   * Whether the block shares its names with the parameters or loop variables around it in ES 3.00 (§4.2.2). Older GLSL allows to redeclare
-   * them; the printer then renames them.
+   * Whether the block shares its names with the parameters or loop variables around it in ES 3.00 (§4.2.2). Older GLSL allows the block to
+   * redeclare those names; the printer then renames them.
    */
   readonly sharesWithParent: boolean;
 }

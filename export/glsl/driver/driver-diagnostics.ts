@@ -73,8 +73,8 @@ function diagnose(map: SourceMap | undefined, line: LogLine, tokens: TokensOf): 
 }
 
 /**
- * Finds the quoted token on the author's line, from the start of the printed line on; no printed line has it twice. Members follow a dot;
- * undeclared names do not.
+ * Finds the quoted token on the author's line, searching from where the text of the printed line starts; no printed line has the token
+ * twice. If the message is about a member, the token must follow a dot; if it is about an undeclared name, it must not.
  */
 function findQuoted(tokens: readonly Token[], place: Place, { quoted, message }: LogLine): Token | null {
   const word = quoted ?? '';
@@ -100,8 +100,8 @@ function wantedFor(quoted: string): (token: Token, next: Token | undefined) => b
 }
 
 /**
- * Removes consequential errors: drivers continue with a number in place of an unknown value. An undeclared name is reported at its first
- * use, and of each statement only the innermost first mistake.
+ * Removes errors that only follow from earlier ones: after an error, drivers go on with a number in place of the unknown value. An
+ * undeclared name is reported at its first use, and of each statement only the innermost first mistake.
  */
 function firstMistakes(told: readonly Told[], tokens: TokensOf): readonly Told[] {
   const undeclared = new Set<string>();
@@ -132,14 +132,17 @@ function firstMistakes(told: readonly Told[], tokens: TokensOf): readonly Told[]
 }
 
 /**
- * Whether an operator is only in the printed text, as the division by the size in IMG_PIXEL. The next diagnostic is at the author's call.
+ * Whether an operator is only in the printed text, such as the division by the size that the linker prints for `IMG_PIXEL`. The driver's
+ * next diagnostic is then at the author's call.
  */
 function isPrintersOwn({ line, found, diagnostic }: Told, next: Told | undefined): boolean {
   const isOperator = line.quoted !== null && /^[^\w\s]+$/.test(line.quoted);
   return isOperator && found === null && next !== undefined && next.found !== null && next.diagnostic.line === diagnostic.line;
 }
 
-/** For a `return;` without value, drivers also report that the function returns nothing. */
+/**
+ * Whether a diagnostic only repeats the one before: for a `return;` without value, drivers also report that the function returns nothing.
+ */
 function isToldByReturn({ line }: Told, before: Told | undefined): boolean {
   return /does not return a value/i.test(line.message) && before !== undefined && /must return a value/i.test(before.line.message);
 }

@@ -12,7 +12,7 @@ const ANGLE = /^(ERROR|WARNING):\s*(?:\d+:(\d+):\s*)?(?:'([^']*)'\s*:\s*)?(.*)$/
 /** Format of Mesa and similar drivers: `0:12(5): error: …`. */
 const MESA = /^\d+:(\d+)\(\d+\):\s*(error|warning):\s*(.*)$/;
 
-/** Messages that drivers follow with a better one about the same token. */
+/** Messages that are left out, because drivers follow them with a better one about the same token. */
 const FORERUNNERS = /^(?:dimension mismatch|array \/ non-array mismatch|Invalid operation for structs)/i;
 
 /** Parses a log. One that is not empty gives at least one line. */

@@ -15,7 +15,10 @@ export interface CheckedIsf {
   readonly vertex: { readonly given: ReadonlyMap<string, VariableSymbol>; readonly checked: CheckedShader } | null;
 }
 
-/** Checked trees do not change, so the definition and every variant of the link share them as long as the header exists. */
+/**
+ * Results of `checkIsf`. Checked trees do not change, so the definition and every variant of the link share them as long as the header
+ * exists.
+ */
 const known = new WeakMap<IsfShader, CheckedIsf>();
 
 /**
@@ -38,7 +41,7 @@ function checkWhole(parsed: ParsedShader, given: ReadonlyMap<string, VariableSym
   return checked;
 }
 
-/** Prototypes that authors declare for other hosts; the linker defines them. */
+/** Functions of other hosts that authors declare by a prototype and call in vertex shaders; the linker defines them. */
 const VERTEX_STARTS: ReadonlySet<string> = new Set(['isf_vertShaderInit', 'vv_vertShaderInit']);
 
 function parse(shader: IsfShader): ParsedShader {

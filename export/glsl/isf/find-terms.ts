@@ -11,7 +11,7 @@ const COMMENT = /\/\/[^\r\n]*|\/\*[\s\S]*?\*\//g;
 const CREDIT =
   /©|\(c\)|\bcopyright\b|\bauthors?\b|\bcredits?\b|\b(?:created|written|made|coded|designed|ported|modified|shader|original(?:ly)?)\s+(?:by|from)\b|\bport of\b|\bfork(?:ed)?\s+(?:of|from)\b|\bbased (?:on|off)\b|\badapted from\b|\bthanks to\b|\bshadertoy\.com\/(?:view|user)\b|^by\s+\S|\bby\s+\S.*\b(?:19|20)\d\d\b/i;
 
-/** The first match counts, so longer names come before those that they contain. */
+/** Licenses by the words that name them. The first match counts, so longer names come before those that they contain. */
 const LICENCES: readonly (readonly [RegExp, string])[] = [
   [/\bCC0\b|\bpublic domain\b/i, 'CC0 (public domain)'],
   [/\bunlicense\b/i, 'Unlicense (public domain)'],

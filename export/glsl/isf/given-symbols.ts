@@ -3,7 +3,7 @@ import { isImageType } from '../check/glsl-type.ts';
 import type { VariableSymbol } from '../syntax/ast.ts';
 import type { IsfInputType, IsfShader } from './isf-shader.ts';
 
-/** Properties of images that hosts provide as uniforms: `_inputImage_imgSize`. */
+/** Names of uniforms with which hosts describe an image, such as `_inputImage_imgSize`. */
 const PROPERTY = /^_(\w+)_(imgRect|imgSize|flip)$/;
 
 export interface ImageProperty {
@@ -49,7 +49,7 @@ const VERTEX_BUILTINS: Readonly<Record<string, string>> = {
   gl_Position: 'vec4',
 };
 
-/** The same for a fragment shader. */
+/** Variables of the host in a fragment shader, including names of version 1 and of other hosts, and those of GLSL. */
 const BUILTINS: Readonly<Record<string, string>> = {
   ...UNIFORM_TYPES,
   isf_FragNormCoord: 'vec2',

@@ -43,12 +43,12 @@ export function isfDefinition(shader: IsfShader, name: string, access = findAcce
   };
 }
 
-/** `filters/gaussian-blur.fs` → `gaussian-blur`. */
+/** The name of a shader from its file: `filters/gaussian-blur.fs` gives `gaussian-blur`. */
 export function shaderName(file: string): string {
   return file.slice(file.lastIndexOf('/') + 1).replace(/\.(fs|frag|glsl)$/, '');
 }
 
-/** Inputs that only wires can provide, by name. */
+/** Creates the ports of the inputs that only wires can provide, by name. */
 export function portsOf(inputs: readonly IsfInput[], encoding: InputPort['encoding'] = 'display'): Record<string, InputPort> {
   return Object.fromEntries(
     inputs.flatMap((input) => {
@@ -64,7 +64,7 @@ function inputEncoding({ encoding, readsScene }: IsfShader): NonNullable<InputPo
   return readsScene ? 'scene' : 'display';
 }
 
-/** Nothing for display, the default. */
+/** The encoding of the output port. Empty for display layers, because display is the default. */
 function outputEncoding({ encoding, writesScene }: IsfShader): Pick<OutputPort, 'encoding'> {
   if (encoding === 'either') return { encoding: 'same' };
   return writesScene ? { encoding: 'scene' } : {};
@@ -99,7 +99,7 @@ function portOf(input: IsfInput): InputPort | null {
   }
 }
 
-/** Inputs that are values, by name. */
+/** Creates the params of the inputs that are values, by name. */
 export function paramsOf(inputs: readonly IsfInput[]): Record<string, ParamDefinition> {
   const params: Record<string, ParamDefinition> = {};
   for (const input of inputs) {
@@ -164,7 +164,10 @@ function unit(input: IsfInput): { unit?: IsfInput['unit'] } {
   return input.unit === 'none' ? {} : { unit: input.unit };
 }
 
-/** The output. A layer keeps its depth if its pixels are not moved. */
+/**
+ * Creates the output port. By default (`"SCRIM_DEPTH": "auto"`), the layer keeps the depth of the input if the shader does not move its
+ * pixels.
+ */
 function outputOf(shader: IsfShader, access: ReturnType<typeof findAccess>): OutputPort {
   const port = { type: 'layer', label: 'Layer', doc: 'The result.', ...outputEncoding(shader) } as const;
   if (imageInputs(shader).length === 0) return { ...port, domain: 'view', depth: false };
@@ -173,7 +176,7 @@ function outputOf(shader: IsfShader, access: ReturnType<typeof findAccess>): Out
   return { ...port, domain: 'same', depth };
 }
 
-/** `gaussian-blur` → `Gaussian blur`. */
+/** A title from a name: `gaussian-blur` gives `Gaussian blur`. */
 export function titleFrom(name: string): string {
   const words = name.replace(/[-_]+/g, ' ').trim();
   return words === '' ? name : words[0]?.toUpperCase() + words.slice(1);

@@ -16,10 +16,10 @@ export interface HeaderReading {
   readonly diagnostics: Diagnostic[];
 }
 
-/** Faults whose meaning is clear: 25 of the 321 public ISF files have one. Keyed by the codes of jsonc-parser. */
-/** No code of jsonc-parser's. */
+/** Error code of headers that are only valid JSON after repair. jsonc-parser does not use this code. */
 const LOOSE_JSON = 100;
 
+/** Messages for errors that do not prevent reading: 25 of the 321 public ISF files have one. Keyed by the codes of jsonc-parser. */
 const HARMLESS: ReadonlyMap<number, string> = new Map([
   [3, 'Expected a name here'],
   [4, 'Expected a value here'],
@@ -127,7 +127,8 @@ export function textOf(node: Node | undefined): string | null {
 }
 
 /**
- * Numbers, numbers in quotes, and booleans as 0 or 1, as in published headers; null for anything else and for values that are not finite.
+ * The value of a number, of a number in quotes, or of a boolean as 0 or 1: published headers contain all three; null for anything else and
+ * for values that are not finite.
  */
 export function numberOf(node: Node | undefined): number | null {
   if (node?.type === 'boolean') return node.value === true ? 1 : 0;
@@ -146,7 +147,10 @@ function finite(value: number): number | null {
   return Number.isFinite(value) ? value : null;
 }
 
-/** In UTF-16, one of the two bytes of ASCII characters is 0; read as UTF-8, NUL characters are between the letters. */
+/**
+ * Whether a source is UTF-16 text that was read as UTF-8: one of the two bytes of ASCII characters is 0, so there are NUL characters
+ * between the letters.
+ */
 function isUtf16(source: string): boolean {
   const start = source.slice(0, 1000);
   return start.split('\0').length - 1 > start.length / 4;
@@ -158,7 +162,10 @@ export function findHeader(source: string): number {
   return brace?.index ?? source.indexOf('/*');
 }
 
-/** A text with a line break is read in a second attempt, with a space instead, so that offsets stay. */
+/**
+ * Parses a header. If quotes are not closed on their line, a second attempt replaces line breaks in quotes by spaces, which keeps the
+ * offsets; for other errors, the second attempt repairs the JSON.
+ */
 function parseLeniently(text: string): { root: Node | undefined; errors: readonly Mistake[] } {
   const strict = parseOnce(text);
   const fatal = strict.errors.find(isFatal);
@@ -177,7 +184,9 @@ interface Mistake {
   readonly offset: number;
 }
 
-/** Further errors of the repaired text are not reported. */
+/**
+ * Repairs a header and parses the result; null if that fails. Only the error that made the repair necessary is reported, as `LOOSE_JSON`.
+ */
 function parseRepaired(text: string, fatal: Mistake): { root: Node | undefined; errors: readonly Mistake[] } | null {
   const repaired = repairJson(text);
   if (repaired === null || !isShallow(repaired.text)) return null;
@@ -191,7 +200,7 @@ function moved(node: Node, at: (offset: number) => number): Node {
   return { ...node, offset: at(node.offset), ...(node.children ? { children: node.children.map((child) => moved(child, at)) } : {}) };
 }
 
-/** Text after the object is one harmless mistake. */
+/** Parses a header once. All errors behind its object count as one harmless error. */
 function parseOnce(text: string): { root: Node | undefined; errors: readonly ParseError[] } {
   const errors: ParseError[] = [];
   const root = parseTree(text, errors, { allowTrailingComma: true });

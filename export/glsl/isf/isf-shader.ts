@@ -32,9 +32,15 @@ export interface IsfShader {
   readonly premultiplied: boolean;
   /** `SCRIM_DEPTH`: depth of the output; `auto` depends on the access. */
   readonly depth: 'auto' | 'same' | 'none' | 'over';
-  /** `SCRIM_ENCODING`: encoding of the layers that it reads and outputs; `either`: the output is encoded as the inputs are. */
+  /**
+   * `SCRIM_ENCODING`: encoding of the layers that the shader reads and outputs; `either`: the shader accepts both encodings, and its output
+   * has that of its inputs.
+   */
   readonly encoding: (typeof SHADER_ENCODINGS)[number];
-  /** Whether it reads scene layers, or outputs one. False of shaders for either; their other variant is `sceneVariant`. */
+  /**
+   * Whether the shader reads scene layers (`readsScene`) and outputs one (`writesScene`). For the encoding `either`, both are false here
+   * and true in its `sceneVariant`.
+   */
   readonly readsScene: boolean;
   readonly writesScene: boolean;
   /** `SCRIM_FIT`: default for fitting images of another size to the view. */
@@ -48,7 +54,7 @@ export const SHADER_ENCODINGS = ['display', 'scene', 'either', 'scene to display
 
 const sceneVariants = new WeakMap<IsfShader, IsfShader>();
 
-/** A shader for either encoding as it reads and writes scene layers: the macro `SCRIM_SCENE` is defined in it. */
+/** Returns the variant of an `either` shader that reads and writes scene layers; the macro `SCRIM_SCENE` is defined in it. */
 export function sceneVariant(shader: IsfShader): IsfShader {
   const known = sceneVariants.get(shader) ?? { ...shader, readsScene: true, writesScene: true };
   sceneVariants.set(shader, known);
@@ -110,7 +116,7 @@ export interface IsfPass {
   /** Buffer that the pass draws to; null for the node's output. */
   readonly target: string | null;
   readonly persistent: boolean;
-  /** 32 bits per channel, as ISF specifies; 16 with SCRIM_HALF. */
+  /** Whether the target stores floats: 32 bits per channel, as ISF specifies, or 16 with SCRIM_HALF (`half`). */
   readonly float: boolean;
   readonly half: boolean;
   /** Null for the size of the layer. */

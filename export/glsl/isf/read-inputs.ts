@@ -217,7 +217,7 @@ function readSampleCount(node: Node, type: IsfInputType): number | null {
   return count >= 1 ? count : null;
 }
 
-/** Ignores upper and lower case. */
+/** The input type that a header names, ignoring case; null if there is no such type. */
 function typeMeant(written: string): IsfInputType | null {
   const types = Object.keys(SIZES) as IsfInputType[];
   return types.find((type) => type.toLowerCase() === written.toLowerCase() && !NOT_IN_HEADERS.has(type)) ?? null;

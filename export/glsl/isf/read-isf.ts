@@ -53,7 +53,10 @@ export function companionOf(file: string): string {
   return file.replace(/\.[^./\\]*$/, '.vs');
 }
 
-/** The number of images gives the same result as ISF's conventions: `inputImage` is a filter's only image, a transition has two. */
+/**
+ * The kind of a shader by its number of images. This gives the same result as ISF's conventions: `inputImage` is a filter's only image, a
+ * transition has two.
+ */
 function kindOf(inputs: readonly IsfInput[]): IsfShader['kind'] {
   const images = inputs.filter((input) => input.type === 'image').length;
   return images === 0 ? 'generator' : images === 1 ? 'filter' : 'operator';

@@ -7,8 +7,8 @@ export interface BuiltinFunction {
 }
 
 /**
- * The functions of GLSL ES 3.00 §8 that effects use, and the older names that ISF files have for them. `T` is float or a vector
- * of floats, `I` a whole number or a vector of them, `B` a vector of truths; the same letter has the same size throughout.
+ * The functions of GLSL ES 3.00 §8 that effects use, and the older names that ISF files have for them. `T` is float or a vector of floats,
+ * `I` a whole number or a vector of them, `B` a vector of booleans; the same letter has the same size throughout.
  */
 const TABLE = `
 radians | T radians(T degrees) | Radians of an angle in degrees.
@@ -95,7 +95,7 @@ export const BUILTIN_FUNCTIONS: ReadonlyMap<string, BuiltinFunction> = new Map(
     }),
 );
 
-/** `T mix(T a, T b, float share)` in its parts. */
+/** Splits a signature such as `T mix(T a, T b, float share)` into its return type and parameters. */
 export function readSignature(label: string): NameSignature {
   const [, returns = '', inside = ''] = /^(\S+) \w+\((.*)\)$/.exec(label) ?? [];
   return { label, returns, parameters: inside === '' ? [] : inside.split(', ') };

@@ -1,7 +1,7 @@
 import type { Place, Token } from '../syntax/token.ts';
 import type { NameKind, NameSignature, ShaderName } from './shader-name.ts';
 
-/** A name during the analysis. */
+/** A name while a text is analyzed: its declarations, uses and scope are still being collected. */
 export interface Draft extends ShaderName {
   readonly declarations: Token[];
   readonly uses: Token[];
@@ -29,7 +29,7 @@ export function draftOf(kind: NameKind, { text }: Token, type: string, doc: stri
   return { kind, name: text, type, file: null, doc, declarations: [], uses: [], signatures: [], members: new Map(), scope: null };
 }
 
-/** A name from another text, without uses in this one. */
+/** Copies a name that comes from elsewhere, such as the header or a chunk, without its uses. */
 export function adopted(name: ShaderName): Draft {
   const members = new Map([...name.members].map(([key, member]) => [key, adopted(member)]));
   return { ...name, declarations: [...name.declarations], uses: [], signatures: [...name.signatures], members, scope: null };

@@ -9,7 +9,7 @@ interface Piece {
   readonly text: string;
   readonly kind: Token['kind'] | 'comment' | 'directive';
   readonly breaks: number;
-  /** Whether white space precedes it. */
+  /** Whether white space precedes the piece. */
   readonly spaced: boolean;
 }
 
@@ -94,7 +94,7 @@ function splitLines(pieces: readonly Piece[]): Piece[][] {
 function createLayout() {
   let braces = 0;
   let brackets = 0;
-  /** Whether the line continues a statement. */
+  /** Whether a statement is unfinished, so that the next line continues it. */
   let goesOn = false;
   let ternaries = 0;
   let before: Piece | null = null;
@@ -169,7 +169,7 @@ function createLayout() {
   return { print };
 }
 
-/** Whether a binary operator or a suffix may follow. */
+/** Whether a token ends an operand, so that a binary operator or a suffix may follow it. */
 function endsOperand(piece: Piece | null): boolean {
   if (piece === null) return false;
   const { kind, text } = piece;
@@ -183,7 +183,7 @@ function isCallee({ kind, text }: Piece): boolean {
   return TYPES.has(text) || !['if', 'for', 'while', 'switch', 'return', 'case', 'else', 'do'].includes(text);
 }
 
-/** Whether two tokens stay separate without a space. */
+/** Whether two tokens are still read as two if they are written without a space. */
 function staysApart(left: Piece, right: Piece): boolean {
   const glued = lex(left.text + right.text);
   return glued.length === 3 && glued[0]?.text === left.text && glued[1]?.text === right.text;

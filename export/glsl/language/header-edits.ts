@@ -138,10 +138,10 @@ export interface HeaderForm {
   readonly passes: readonly HeaderFields[];
 }
 
-/** The plain values of an object by key; the list for a list of numbers or texts. */
+/** Values of an object in the header, by key: texts, numbers, booleans, and lists of texts or numbers. Other values are left out. */
 export type HeaderFields = Readonly<Record<string, string | number | boolean | readonly (string | number)[]>>;
 
-/** Null if the header cannot be read. */
+/** Reads the values of a header; null if the header cannot be read. */
 export function readHeaderForm(source: string): HeaderForm | null {
   const root = rootOf(source);
   if (root === null) return null;

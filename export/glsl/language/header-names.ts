@@ -10,7 +10,7 @@ export interface HeaderName {
   readonly role: 'input' | 'target' | 'imported' | 'size' | 'unit';
 }
 
-/** All of them, unordered. */
+/** Finds all places in a header that refer to names of the GLSL, in no particular order. */
 export function readHeaderNames(header: Header): readonly HeaderName[] {
   const found: HeaderName[] = [];
   const rangeAt = (offset: number, length: number): TextRange => ({ start: header.place(offset), end: header.place(offset + length) });

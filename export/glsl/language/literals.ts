@@ -11,7 +11,7 @@ export interface ColorLiteral {
   readonly color: Color;
   /** False for `vec3` and lists of three numbers. */
   readonly hasAlpha: boolean;
-  /** How to print another color in its place. */
+  /** How the color is written: `call` for `vec3(…)` or `vec4(…)`, `list` for a list in the header. */
   readonly form: 'call' | 'list';
 }
 
@@ -74,13 +74,13 @@ function unitValue({ kind, text }: Token): number | null {
   return value >= 0 && value <= 1 ? value : null;
 }
 
-/** The text of a color. */
+/** Prints a color in the form of the literal that it replaces. */
 export function printColor({ form, hasAlpha }: Pick<ColorLiteral, 'form' | 'hasAlpha'>, color: Color): string {
   const numbers = (hasAlpha ? color : color.slice(0, 3)).map((value) => printNumber(value, 3)).join(', ');
   return form === 'list' ? `[${numbers}]` : `vec${hasAlpha ? 4 : 3}(${numbers})`;
 }
 
-/** Always with a decimal point, because GLSL would read an integer. */
+/** Prints a number, always with a decimal point, because GLSL would read an integer without one. */
 function printNumber(value: number, decimals: number): string {
   const text = value.toFixed(decimals).replace(/0+$/, '');
   return text.endsWith('.') ? `${text}0` : text;
@@ -107,7 +107,7 @@ export function numberAt(
   return { range: { start, end: rangeOf(token).end }, value, isInt: token.kind === 'int', decimals };
 }
 
-/** The text of another value, with as many digits as `step` needs, at least those it had. */
+/** Prints a value in place of a literal, with as many decimal digits as `step` needs, and at least as many as the literal had. */
 export function printLiteral({ isInt, decimals }: Pick<NumberLiteral, 'isInt' | 'decimals'>, value: number, step: number): string {
   if (isInt) return String(Math.round(value));
   const digits = Math.max(decimals, Math.ceil(-Math.log10(step)), 1);
@@ -115,14 +115,17 @@ export function printLiteral({ isInt, decimals }: Pick<NumberLiteral, 'isInt' | 
   return Number(text) === 0 ? text.replace('-', '') : text;
 }
 
-/** A hundredth of the number's magnitude as a power of ten; 1 for integers. */
+/** Step for dragging a number: a hundredth of the largest power of ten up to its magnitude, at least 0.01; 1 for integers. */
 export function stepOf({ value, isInt }: Pick<NumberLiteral, 'value' | 'isInt'>): number {
   if (isInt) return 1;
   const size = Math.max(Math.abs(value), 0.1);
   return 10 ** (Math.floor(Math.log10(size)) - 2 + (size >= 1 ? 0 : 1));
 }
 
-/** Range of a slider for it: from 0 to twice its value, at least from 0 to 1. */
+/**
+ * Range of a slider for a number: from 0 (for negative numbers, from minus the limit) to the limit. The limit is 1 for magnitudes up to 1;
+ * above, it is a power of ten, or twice one, and at least twice the magnitude. For integers it is at least 10.
+ */
 export function rangeOfSlider({ value, isInt }: Pick<NumberLiteral, 'value' | 'isInt'>): { readonly min: number; readonly max: number } {
   const size = Math.abs(value);
   const reach = size <= 1 ? 1 : 10 ** Math.ceil(Math.log10(size)) * (size * 2 <= 10 ** Math.ceil(Math.log10(size)) ? 1 : 2);

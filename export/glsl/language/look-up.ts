@@ -24,7 +24,7 @@ export interface FoundPlace {
 export interface SignatureHelp {
   readonly signatures: readonly NameSignature[];
   readonly doc: string;
-  /** Index of the signature that matches the number of arguments, and of the current argument. */
+  /** Index of the signature that matches the number of arguments, and index of the current argument. */
   readonly active: number;
   readonly parameter: number;
 }
@@ -160,7 +160,7 @@ export function referencesAt(document: ShaderDocument, place: Place): readonly T
   return [...headerUsesOf(document, found.name).map(({ range }) => range), ...usesOf(document, found.name).map(rangeOf)];
 }
 
-/** Uses of a name in the text, which the outline's own copy has. */
+/** Finds the tokens of the text that use a name. The uses of a name from elsewhere are recorded in the outline's copy of that name only. */
 export function usesOf({ outline }: ShaderDocument, name: ShaderName): readonly Token[] {
   if (name.uses.length > 0) return name.uses;
   return outline.tokens.filter((token) => {

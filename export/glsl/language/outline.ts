@@ -31,12 +31,12 @@ function createReader(source: string, tokens: readonly Token[], given: readonly 
   const lines = source.split(/\r\n|\r|\n/);
   for (const name of given) file.names.set(name.name, adopted(name));
   for (const name of given) if (name.kind === 'macro') macros.set(name.name, file.names.get(name.name) as Draft);
-  /** Names of the text hide given ones. */
+  /** The current scope. The outermost scope of the text is inside the scope of the given names, so names of the text hide given ones. */
   let frame: Frame = frameOf('file', file);
   const outermost = frame;
   let depth = 0;
   let declaration: Declaration | null = null;
-  /** A declared name that its own initializer does not see. */
+  /** A name whose initializer is being read; the name is not visible before the initializer ends. */
   let pending: Draft | null = null;
   let lastStruct: Draft | null = null;
   let functionDepth = -1;
@@ -259,7 +259,10 @@ function createReader(source: string, tokens: readonly Token[], given: readonly 
     }
   }
 
-  /** `uniform float amount;`: another declaration of a variable of the host, as some hosts require. */
+  /**
+   * Whether the name at `index` is declared as in `uniform float amount;`, which is another declaration of a variable of the host, as some
+   * hosts require.
+   */
   function isHostVariable(index: number): boolean {
     for (let at = index - 1; at >= 0 && ![';', '}', ')'].includes(tokens[at]?.text ?? ';'); at -= 1) {
       if (['uniform', 'varying', 'in'].includes(tokens[at]?.text ?? '')) return true;
@@ -277,7 +280,7 @@ function createReader(source: string, tokens: readonly Token[], given: readonly 
     functionDepth = depth;
   }
 
-  /** `float weights[3]` has the type `float[3]`. */
+  /** Adds the array size behind a name to its type: `float weights[3]` has the type `float[3]`. */
   function typeWithSize(type: string, index: number): string {
     if (tokens[index + 1]?.text !== '[') return type;
     const close = closingOf(tokens, index + 1);

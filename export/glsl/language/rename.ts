@@ -76,7 +76,7 @@ function renamedSource(document: ShaderDocument, place: Place, to: string, optio
   return rename.ok ? applyEdits(document.source, rename.edits) : document.source;
 }
 
-/** `varying vec2 left;`, or `out` in one file and `in` in the other. */
+/** Whether a name is a varying: declared as in `varying vec2 left;`, or with `out` in one file and `in` in the other. */
 function isVarying({ outline }: ShaderDocument, { kind, scope, declarations, file }: ShaderName): boolean {
   if (kind !== 'variable' || scope !== null || file !== null) return false;
   return declarations.some((token) => {
@@ -89,7 +89,10 @@ function isVarying({ outline }: ShaderDocument, { kind, scope, declarations, fil
   });
 }
 
-/** Renaming keeps the order of tokens, so each must resolve to the same group as before. */
+/**
+ * Whether a renaming keeps the meaning of a text: tokens that referred to the same name before must do so after, and tokens of different
+ * names must stay different.
+ */
 function meansTheSame(before: Outline, after: Outline): boolean {
   if (before.tokens.length !== after.tokens.length) return false;
   const groups = new Map<unknown, unknown>();

@@ -104,7 +104,7 @@ function inputName(input: IsfInput, headerNames: readonly HeaderName[]): ShaderN
   return place === undefined ? name : { ...name, declarations: [tokenAt(place)] };
 }
 
-/** `**Strength** · float, 0 to 1, starts at 0.5`, and its DOC. */
+/** Describes an input in Markdown: `**Strength** · float, 0 to 1, starts at 0.5`, followed by its DOC. */
 export function describeInput({ label, type, min, max, default: start, doc, choices, unit }: IsfInput): string {
   const written = (numbers: readonly number[]) => (numbers.length === 1 ? String(numbers[0]) : `(${numbers.join(', ')})`);
   const facts = [type === 'long' && choices.length > 0 ? choices.map((choice) => `${choice.value} ${choice.label}`).join(', ') : type];

@@ -30,7 +30,7 @@ export function isBefore(a: Place, b: Place): boolean {
   return a.line < b.line || (a.line === b.line && a.column < b.column);
 }
 
-/** Both ends count, because a caret after a name is at the name. */
+/** Whether a position is in a range or at one of its ends, because a caret directly behind a name counts as at the name. */
 export function touches({ start, end }: TextRange, place: Place): boolean {
   return !isBefore(place, start) && !isBefore(end, place);
 }

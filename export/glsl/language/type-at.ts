@@ -53,7 +53,7 @@ function typeOfMember(object: ValueType, member: Token, structs: ReadonlyMap<str
   return { type, struct: structs.get(type) ?? null };
 }
 
-/** `float[3]` → `float`, `vec3` → `float`, `mat3` → `vec3`. */
+/** The type of an element: `float` for `float[3]` and `vec3`, `vec3` for `mat3`. */
 function elementOf(type: string): string {
   if (type.includes('[')) return type.slice(0, type.lastIndexOf('['));
   if (/^vec[234]$/.test(type)) return 'float';

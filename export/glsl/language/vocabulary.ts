@@ -18,7 +18,7 @@ export const ISF_VARIABLES: ReadonlyMap<string, { readonly type: string; readonl
   ['gl_FragData', { type: 'vec4[]', doc: 'gl_FragData[0] is gl_FragColor.' }],
 ]);
 
-/** The same for a vertex shader. */
+/** Variables of the host and of GLSL in a vertex shader of an ISF file. */
 export const VERTEX_VARIABLES: typeof ISF_VARIABLES = new Map([
   ...[...ISF_VARIABLES].filter(([name]) => !/^gl_|FragCoord$/.test(name)),
   ['isf_FragNormCoord', { type: 'vec2', doc: 'This corner, from (0, 0) at the bottom left to (1, 1) at the top right.' }],
@@ -81,7 +81,7 @@ export const TECHNIQUE_DOCS: ReadonlyMap<string, string> = new Map([
   ['front', 'Whether the front face is visible.'],
 ]);
 
-/** Keys of a header by the object that contains them. */
+/** Keys of a header and their descriptions, by the object that contains them. */
 export const HEADER_KEYS: Readonly<Record<'root' | 'input' | 'pass', Readonly<Record<string, string>>>> = {
   root: {
     ISFVSN: 'Version of ISF that the file is written for: "2".',

@@ -5,8 +5,8 @@ import { GlslError } from '../syntax/token.ts';
 import type { ImageUse } from './images.ts';
 
 /**
- * Position argument: `here` is the current pixel; `norm` is (0, 0) to (1, 1), or a direction for cubes; `pixel` is in pixels; `direction`
- * is for cubes only; the others are forms of GLSL.
+ * What a call reads of an image. The argument `position`: `here` is the current pixel; `norm` is (0, 0) to (1, 1), or a direction for
+ * cubes; `pixel` is in pixels; `direction` is for cubes only; the others are the positions of GLSL's own texture functions.
  */
 export type ImageCall =
   | { readonly use: 'color'; readonly position: 'here' | 'norm' | 'pixel' | 'projected' | 'texel' | 'offset' | 'direction' }
@@ -59,7 +59,7 @@ export function classifyImageCall(call: CallExpression): ImageCall | null {
   }
 }
 
-/** Color at a position in pixels needs the size too. */
+/** The data that a call needs of its image: reading the color at a position in pixels also needs the size. */
 export function usesOf(call: ImageCall): readonly ImageUse[] {
   if (call.use !== 'color') return [call.use];
   return call.position === 'pixel' || call.position === 'texel' || call.position === 'offset' ? ['color', 'size'] : ['color'];

@@ -122,7 +122,10 @@ function colorText(image: Image, reading: Reading): string {
   }
 }
 
-/** A layer: fitted to the view, transparent outside of itself, with straight alpha unless the file reads it as stored. */
+/**
+ * Prints the function that reads the color of a layer: fitted to the view, transparent outside of the layer, with straight alpha unless the
+ * file reads it as stored.
+ */
 function inputColor(image: Image, { premultiplied, readsScene }: Reading): string {
   const { sampler } = image;
   const read = `textureLod(${sampler}, at, 0.0)`;
@@ -134,7 +137,10 @@ vec4 ${colorFunction(image)}(vec2 uv) {
 }`;
 }
 
-/** The texture has the heights at the centers of its texels, the first at 0 and the last at 1, and is constant beyond. */
+/**
+ * Prints the function that reads a curve from its texture. The heights are at the centers of texels, the first for x = 0 and the last for x
+ * = 1; beyond, the curve is constant.
+ */
 function curveText(image: Image): string {
   return `uniform sampler2D ${image.sampler};
 float ${curveFunction(image)}(float x) {
@@ -165,13 +171,13 @@ float ${depthFunction(image)}(vec2 uv) {
 }
 
 /**
- * Shared by all images of a text.
+ * GLSL functions that the read functions of all images of a text share.
  *
  * `scrim_meters` decodes the red channel `d` of a depth sampler with its `NAME_decode`:
  * - meters: `decode = (scale, offset, 0, 0)`, usually (1, 0, 0, 0); m = d scale + offset;
  * - a depth buffer drawn with the projection `P` (column-major): `decode = (P[10], P[14], 0, 1)`. Clip z = P10 z + P14 and clip w = -z, so
- * with m = -z meters 2 d - 1 = P14 / m - P10, and m = P14 / (2 d - 1 + P10); this holds for off-axis and infinite projections too. A d of 1
- * means that nothing was drawn and gives 0.
+ *   with m = -z meters 2 d - 1 = P14 / m - P10, and m = P14 / (2 d - 1 + P10); this holds for off-axis and infinite projections too. A d of
+ *   1 means that nothing was drawn and gives 0.
  */
 const IMAGE_HELPERS = {
   scrim_place: `vec2 scrim_place(mat3 uvFromViewUv, vec2 uv) {

@@ -8,9 +8,9 @@ type MappedLine = SourceMap['lines'][number];
 /** Builds a text line by line and records the author's line of each. */
 export interface LineWriter {
   /**
-   * Adds text to the current line. If `place` is on another line of the author, a new line starts, so that no printed line contains text of
-   * two, because drivers report lines only. If tokens are kept apart, a line also ends before a token that it already contains. `quoted` is
-   * how drivers quote the token, if it differs from the text.
+   * Adds text to the current line. If `place` is on another line of the author, a new line starts, so that each printed line comes from one
+   * line of the author: drivers report lines, but not columns. If tokens are kept apart (`apart` of `createLineWriter`), a new line also
+   * starts before a token that the current line already contains. `quoted` is how drivers quote the token, if it differs from the text.
    */
   write(text: string, place?: Place, quoted?: string): void;
   /** Ends the current line if it is not empty. */
@@ -22,7 +22,7 @@ export interface LineWriter {
   readonly map: readonly MappedLine[];
 }
 
-/** Token for all assignments, which most drivers quote alike. */
+/** How most drivers quote an assignment operator, whichever it is. */
 export const ASSIGNMENT = 'assign';
 
 /** How drivers quote a text: calls by name, but constructors and assignments by kind. */
@@ -32,7 +32,10 @@ function quotedAs(text: string): string {
   return ASSIGNMENTS.has(word) ? ASSIGNMENT : word;
 }
 
-/** `apart`: no printed line has a token twice, or two constructors or assignments, so that the token that a driver quotes is unique. */
+/**
+ * Creates a line writer. `apart`: no printed line has a token twice, or two constructors or assignments, so that the token that a driver
+ * quotes is unique.
+ */
 export function createLineWriter(source: number, apart = false): LineWriter {
   const lines: string[] = [];
   const map: MappedLine[] = [];

@@ -9,8 +9,8 @@ import type { LinkedPass, LinkOptions } from './linked-pass.ts';
 /** The linked text above a mistake. */
 export interface Above<T> {
   /**
-   * For the driver, which finds the mistakes above; null if nothing could be linked. Its loops are not meaningful, because their bodies may
-   * be incomplete.
+   * The linked text, in which the driver finds further mistakes; null if nothing could be linked. Its classification of loops is not
+   * meaningful, because their bodies may be incomplete.
    */
   readonly output: T | null;
   /** Mistakes above that were found without a driver. */
@@ -18,7 +18,7 @@ export interface Above<T> {
   readonly before: Before;
 }
 
-/** Only diagnostics of other files, or before this position, count. */
+/** The mistake above which the text ends. Diagnostics of the text count only if they are in another file or before this position. */
 export interface Before {
   readonly file: string;
   readonly place: Place;
@@ -32,7 +32,10 @@ export function linkAbove(shader: IsfShader, options: LinkOptions, refused: Diag
   return findAbove(shader, refused, shaderAbove, (above) => linkIsf(above, { ...options, partial: true }));
 }
 
-/** `cut` returns the text above a position, or null. `link` may reject it for an earlier mistake. */
+/**
+ * Links the text of `source` above a mistake. `cut` returns that text, or null if there is none. If `link` rejects it for an earlier
+ * mistake, the text above that one is linked, and so on.
+ */
 export function findAbove<S, T>(
   source: S,
   { file, line, column, message }: Diagnostic,

@@ -87,7 +87,7 @@ export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (Func
   };
 }
 
-/** Copies a buffer to the node's layer. */
+/** Prints the pass that copies a buffer to the node's output. */
 function linkCopy(unit: LinkUnit, pass: PlannedPass, images: ReadonlyMap<string, Image>): LinkedPass {
   const image = images.get(pass.copyFrom ?? '');
   if (image === undefined) throw new Error('A copy names the buffer that it shows.');
@@ -141,7 +141,10 @@ function samplersOf(reaches: readonly Pick<Reach, 'images'>[], images: ReadonlyM
   return [...samplers.values()];
 }
 
-/** `vertex` is the author's or a standard vertex shader. */
+/**
+ * Assembles the GLSL of a pass from its head and the lines of a writer. `vertex` is the author's vertex shader, linked, or the text of a
+ * standard one.
+ */
 export function linkedShader(
   unit: Omit<LinkSource, 'given'>,
   head: string,

@@ -47,7 +47,7 @@ export function nameVaryings({ names }: PassNames, fragment: CheckedShader, own:
 }
 
 /**
- * `wanted` are the varyings that the fragment shader of the pass reads.
+ * Links the author's vertex shader for a pass; null if there is none. `wanted` are the varyings that the fragment shader of the pass reads.
  *
  * @throws GlslError with the file.
  */
@@ -113,7 +113,10 @@ function printVertex(unit: LinkUnit, fragment: CheckedShader, pass: PlannedPass,
   };
 }
 
-/** As in fragment shaders (`export/program/loop-budget.ts`), but without reporting the loop. */
+/**
+ * GLSL that ends the loops of a vertex shader when the budget is used up, as in fragment shaders (`export/program/loop-budget.ts`), but
+ * without reporting the loop.
+ */
 const LOOPS_END = `int scrim_roundsLeft = ${LOOP_BUDGET};
 bool scrim_spend(int line) {
   scrim_roundsLeft -= 1;

@@ -69,8 +69,8 @@ export interface LinkOptions {
   /** Node of the text, for source maps and diagnostics. */
   readonly node: string;
   /**
-   * For previews and checks: limits the loops of every invocation (`export/program/loop-budget.ts`), and prints so that the token that a
-   * driver quotes is unique.
+   * For previews and checks: limits the loops of every invocation (`export/program/loop-budget.ts`), and prints the text so that the token
+   * that a driver quotes occurs once per line.
    */
   readonly loopBudget?: boolean;
   /** Unconnected optional inputs of images, depth and sound: reads give transparent black, 0 and silence. */

@@ -74,7 +74,7 @@ export function authorsNames(printed: string): readonly string[] {
 
 const ADDED = /^[a-z]\d*_/;
 
-/** WebGL rejects names with two consecutive underscores. */
+/** Separates consecutive underscores in a name by `u`, because WebGL rejects names with two of them in a row. */
 function apart(name: string): string {
   return name.replace(/_(?=_)/g, '_u');
 }

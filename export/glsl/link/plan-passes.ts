@@ -60,7 +60,10 @@ export function planPasses(shader: IsfShader): PlannedPass[] {
   return planned;
 }
 
-/** A persistent buffer is one texture, so it has the settings of whichever of its passes declares them. */
+/**
+ * Returns a pass with the settings of its persistent buffer. The buffer is one texture, so it has the settings of whichever of its passes
+ * declares them.
+ */
 function withBufferSettings(pass: IsfPass, shader: IsfShader): IsfPass {
   if (!pass.persistent) return pass;
   const same = shader.passes.filter((other) => other.target === pass.target);
@@ -77,7 +80,7 @@ function bufferTarget(pass: IsfPass, name: string, shader: IsfShader): PassTarge
   return { kind: 'buffer', name, format: bufferFormat(pass, shader), persistent: pass.persistent, width: pass.width, height: pass.height };
 }
 
-/** Buffers of a shader that reads scene layers hold their colors, which 8 bits would clamp. */
+/** Format of a buffer. In a shader that reads scene layers, buffers contain colors of those, which 8 bits would clamp. */
 function bufferFormat({ float, half }: IsfPass, { readsScene }: IsfShader): PassTarget['format'] {
   if (float && !half) return 'rgba32f';
   return float || readsScene ? 'rgba16f' : 'rgba8';

@@ -7,7 +7,7 @@ import type { PassTarget } from './linked-pass.ts';
  */
 export const VERTEX_SHADER = vertexShader('', 'vec4(corner * 2.0 - 1.0, 0.0, 1.0)');
 
-/** The same with a gate. */
+/** `VERTEX_SHADER` with a gate: while the gate is shut (`GATE_TEXT`), the shader draws nothing. */
 export const BOUNDED_VERTEX_SHADER = vertexShader(
   `${GATE_TEXT}\n`,
   'scrim_isShut() ? vec4(2.0, 2.0, 2.0, 1.0) : vec4(corner * 2.0 - 1.0, 0.0, 1.0)',
@@ -25,8 +25,8 @@ ${declarations}void main() {
 }
 
 /**
- * Text before an author's vertex shader. `scrim_uv` is as above; `normCoord` contains `isf_FragNormCoord`. The initialization that authors
- * call is already done.
+ * Text before an author's vertex shader. `scrim_uv` is that of `VERTEX_SHADER`; `normCoord` contains `isf_FragNormCoord`. The
+ * initialization functions that authors call are empty: `vertexMain` has set these values before.
  */
 export function vertexHead(normCoord: string): string {
   return `#version 300 es
@@ -39,7 +39,7 @@ void isf_vertShaderInit() {}
 void vv_vertShaderInit() {}`;
 }
 
-/** Calls the author's `main` for the corners 0, 1, 2 and 3, 2, 1: from the bottom left along x, then up. */
+/** Prints a `main` that calls the author's `main` (`author`) for the corners 0, 1, 2 and 3, 2, 1: from the bottom left along x, then up. */
 export function vertexMain(author: string, normCoord: string, isBounded: boolean): string {
   return `void main() {
   int corner = gl_VertexID < 3 ? gl_VertexID : 6 - gl_VertexID;
@@ -60,7 +60,7 @@ layout(location = 0) out vec4 scrim_output;`;
 
 /**
  * Bounds the loops of a text (`export/program/loop-budget.ts`). Each iteration of each loop first calls `scrim_spend`; when the budget is
- * used up, it returns false, so every loop ends at its next iteration, and then the invocation.
+ * used up, `scrim_spend` returns false, so every loop ends before its next iteration, and the invocation ends soon.
  */
 export const LOOP_BUDGET_TEXT = `uniform int ${LOOP_BUDGET_UNIFORM};
 layout(location = ${PROBE_ATTACHMENT}) out vec2 scrim_overrun;
@@ -73,20 +73,23 @@ bool scrim_spend(int line) {
   return false;
 }`;
 
-/** The same for loops that are known to end: exceeding the budget is reported, and they continue. */
+/** `LOOP_BUDGET_TEXT` for loops that are known to end: exceeding the budget is reported, and they continue. */
 export const COUNTED_LOOPS_TEXT = LOOP_BUDGET_TEXT.replace('return false', 'return true');
 
 export const LOOP_BUDGET_START = `scrim_roundsLeft = ${LOOP_BUDGET_UNIFORM} > 0 ? ${LOOP_BUDGET_UNIFORM} : ${LOOP_BUDGET};`;
 export const LOOP_BUDGET_END = 'scrim_overrun = vec2(scrim_endlessLine & 255, scrim_endlessLine >> 8) / 255.0;';
 
-/** Condition of a loop's next iteration; two bytes encode the line. */
+/**
+ * Prints the call that is the condition of a loop's next iteration. Lines above 65,535 are reported as 65,535, because two bytes encode the
+ * line.
+ */
 export function spend(line: number): string {
   return `scrim_spend(${Math.min(line, 0xffff)})`;
 }
 
 /**
- * Replaces what is no number, and bounds the rest to what a half float holds, because one NaN spreads with each blur. Bits are compared,
- * because drivers optimize `isnan` away.
+ * GLSL functions that replace NaN by 0, clamp numbers to the range of half floats and alpha to [0, 1]. One NaN would spread with each blur.
+ * Bits are compared, because drivers optimize `isnan` away.
  */
 export const FINITE_TEXT = `float scrim_finite(float x) {
   return (floatBitsToUint(x) & 0x7FFFFFFFu) > 0x7F800000u ? 0.0 : clamp(x, -65504.0, 65504.0);
@@ -96,8 +99,9 @@ vec4 scrim_finite(vec4 color) {
 }`;
 
 /**
- * Converts the author's color to the content of the target. It is clamped before premultiplication, because bright colors would exceed
- * their alpha; in scene layers it may. The node's own buffers, and layers of premultiplied files, get the color as it is.
+ * Prints the conversion of the author's color to the content of the target. The color of a display layer is clamped before
+ * premultiplication, because bright colors would exceed their alpha; in scene layers, colors may exceed it. The node's own buffers, and
+ * layers of premultiplied files, get the color as it is.
  */
 export function outputText(premultiplied: boolean, target: PassTarget): string {
   if (target.format === 'scene16f') {

@@ -62,7 +62,7 @@ export function printGlobals(declaration: VariableDeclaration, context: PrintCon
   }
 }
 
-/** The function that replaces `? :` between two structs. */
+/** Prints the function that replaces `? :` between two values of a struct type (`CHOOSE`). */
 export function choiceText(type: string): string {
   return `${type} ${CHOOSE}(const in bool first, const in ${type} a, const in ${type} b) {\n  if (first) return a;\n  return b;\n}`;
 }
@@ -80,14 +80,17 @@ function printGlobalQualifiers(
   }
 }
 
-/** Integers are not interpolated (GLSL ES 3.00 §4.3.6). */
+/** Prints `in` or `out` before a varying, with `flat` for integers, which are not interpolated (GLSL ES 3.00 §4.3.6). */
 function printVaryingQualifiers({ name, type }: VariableSymbol, { writer, stage, varyings }: PrintContext): void {
   if (!varyings.has(name)) return;
   const { base } = numericOf(type.replaceAll('[]', '')) ?? { base: 'float' };
   writer.write(`${base === 'int' || base === 'uint' ? 'flat ' : ''}${stage === 'vertex' ? 'out' : 'in'} `);
 }
 
-/** ES 3.00 allows only constant initializers of globals; others are assigned at the start of `main`. */
+/**
+ * Whether the initializer of a global variable must be assigned at the start of `main`: ES 3.00 allows only constant initializers of
+ * globals.
+ */
 export function needsHoisting(declarator: Declarator): boolean {
   return declarator.initializer !== null && !isConstant(declarator.initializer);
 }

@@ -43,7 +43,7 @@ export function printTypeName(type: TypeSpecifier, context: PrintContext, length
   printDimensions(type.dimensions, context, length);
 }
 
-/** `length` is printed if the initializer determines the size of the array. */
+/** Prints the sizes of an array in brackets. `length` is printed if the initializer determines the size of the array. */
 export function printDimensions(dimensions: TypeSpecifier['dimensions'], context: PrintContext, length: number | null = null): void {
   for (const dimension of dimensions) {
     context.writer.write('[');
@@ -130,7 +130,7 @@ function builtinText(name: string, { images }: PrintContext): string {
   return asked.property === 'imgRect' || image === undefined ? 'vec4(0.0, 0.0, 1.0, 1.0)' : sizeUniform(image);
 }
 
-/** `- -a` must not become `--a`. */
+/** Prints a prefix operator and its operand. A space separates two equal signs, so that `- -a` does not become `--a`. */
 function printPrefix(expression: Extract<Expression, { kind: 'prefix' }>, context: PrintContext): void {
   const { operand, token } = expression;
   const apart = operand.kind === 'prefix' && operand.convertTo === '' && operand.token.text.startsWith(token.text);
@@ -147,7 +147,7 @@ function printBinary(expression: Extract<Expression, { kind: 'binary' }>, contex
 
 /**
  * Function that replaces `? :` of structs, one per struct: WebGL 2.0 does not allow it for structs with arrays (“Disallowed variants of
- * GLSL ES 3.00 operators”), and ANGLE for no struct.
+ * GLSL ES 3.00 operators”), and ANGLE does not allow it for any struct.
  */
 export const CHOOSE = 'scrim_choose';
 
@@ -172,7 +172,10 @@ function printConditional(expression: Extract<Expression, { kind: 'conditional' 
   printExpression(expression.otherwise, context);
 }
 
-/** `gl_FragData[0]` is the only output. */
+/**
+ * Prints an access by index. `gl_FragData[0]` is printed as the color of the output; other indices are rejected, because a pass has one
+ * output.
+ */
 function printIndex(expression: Extract<Expression, { kind: 'index' }>, context: PrintContext): void {
   const { object, index } = expression;
   if (object.kind === 'name' && object.symbol?.role === 'builtin' && object.symbol.name === 'gl_FragData') {
@@ -251,7 +254,7 @@ function printWrapped(before: string, expression: Expression, after: string, con
   context.writer.write(after);
 }
 
-/** ES 3.00 does not allow `1f` and `1.0lf`. */
+/** Prints a float literal without a suffix and with a decimal point, because ES 3.00 does not allow `1f` and `1.0lf`. */
 function floatLiteral(text: string): string {
   const digits = text.replace(/(?:lf|LF|[fF])$/, '');
   return /[.eE]/.test(digits) ? digits : `${digits}.0`;

@@ -85,7 +85,7 @@ function printStatement(statement: Statement, context: PrintContext): void {
   writer.endLine();
 }
 
-/** In WebGL, void expressions cannot be operands of a comma: `f(), g();` is printed as two statements. */
+/** Prints an expression statement. In WebGL, void expressions cannot be operands of a comma: `f(), g();` is printed as two statements. */
 function printExpressions(expression: Expression, context: PrintContext): void {
   if (expression.kind === 'binary' && expression.token.text === ',') {
     printExpressions(expression.left, context);
@@ -147,7 +147,7 @@ function printIf(first: Extract<Statement, { kind: 'if' }>, context: PrintContex
   }
 }
 
-/** A branch that is always taken keeps its braces, which limit the scope of its names. */
+/** Prints the branch of an `if` that a pass always takes. The branch keeps its braces, which limit the scope of its names. */
 function printTaken(branch: Statement, context: PrintContext): void {
   if (branch.kind === 'block') {
     printStatement(branch, context);
@@ -166,7 +166,7 @@ function printHead(head: Expression | VariableDeclaration | null, context: Print
   else printExpression(head, context);
 }
 
-/** With a budget, every iteration of every loop is counted first; see `prelude.ts`. */
+/** Prints the condition of a loop. With a loop budget, the condition first counts the iteration; see `prelude.ts`. */
 function printCondition({ start, condition }: Extract<Statement, { kind: 'for' | 'while' | 'do' }>, context: PrintContext): void {
   const { writer } = context;
   if (!context.loopBudget) {
@@ -186,8 +186,8 @@ function printCondition({ start, condition }: Extract<Statement, { kind: 'for' |
 }
 
 /**
- * `discard` would keep the previous content of the target, which is undefined here. It means “transparent”: the function returns, the rest
- * of the invocation has no effect, and the pixel becomes transparent.
+ * Prints a jump, such as `return`. `discard` would keep the previous content of the target, which is undefined here, so it is printed with
+ * the meaning “transparent”: the function returns, the rest of the invocation has no effect, and the pixel becomes transparent.
  */
 function printJump(statement: { readonly start: Token; readonly word: string }, context: PrintContext): void {
   const { writer, returnType } = context;

@@ -66,7 +66,10 @@ export function printIsf(shader: Shadertoy, terms: Terms): string {
   return `${parts.join('\n\n')}\n`;
 }
 
-/** Layers by name in the tabs, without unused images. The first is the node's input. */
+/**
+ * The layers that replace the images of the tabs, by the key of the image (`Channel`); unused images have none. The first layer is
+ * `inputImage`, the node's main input.
+ */
 function channelImagesOf(
   { tabs, common }: Pick<Shadertoy, 'tabs' | 'common'>,
   buffers: ReadonlyMap<BufferLetter, string>,
@@ -90,13 +93,13 @@ function channelImagesOf(
   );
 }
 
-/** Whether the size of a channel is read; a computed channel number may be any. */
+/** Whether the code reads the size of a channel (`iChannelResolution`). An index that is not a literal may refer to any channel. */
 function isMeasured(code: string, channel: number): boolean {
   const asked = [...code.matchAll(/\biChannelResolution\s*\[\s*([^\]]*?)\s*\]/g)].map(([, index]) => index ?? '');
   return asked.some((index) => !/^\d+$/.test(index) || Number(index) === channel);
 }
 
-/** A missing buffer is read as an image. */
+/** The image of a channel; null for a buffer. A buffer that the work does not contain is read as an image. */
 function asImage(channel: Channel, buffers: ReadonlyMap<BufferLetter, string>): (Channel & { kind: 'picture' }) | null {
   if (channel.kind === 'picture') return channel;
   return buffers.has(channel.buffer) ? null : { kind: 'picture', key: `Buffer ${channel.buffer}`, repeat: false };
@@ -138,7 +141,7 @@ interface PassText {
   readonly FLOAT?: true;
 }
 
-/** A buffer is persistent if its own pass or an earlier one reads it: that read gets the previous frame. */
+/** The entries of `PASSES`. A buffer is persistent if its own pass or an earlier one reads it: that read gets the previous frame. */
 function passesOf(tabs: readonly Tab[], buffers: ReadonlyMap<BufferLetter, string>): PassText[] {
   return tabs.map(({ buffer }, place) => {
     const target = buffer === null ? undefined : buffers.get(buffer);
@@ -188,12 +191,15 @@ function block(key: string, entries: readonly unknown[]): string {
   return entries.length === 0 ? `"${key}": []` : `"${key}": [\n${entries.map((entry) => `    ${json(entry)}`).join(',\n')}\n  ]`;
 }
 
-/** JSON that does not end the surrounding comment. */
+/** Prints JSON in which no text ends the surrounding comment. */
 function json(value: unknown): string {
   return JSON.stringify(value).replaceAll('*/', '*\\/');
 }
 
-/** The image is opaque, as on the site; buffers have four numbers. */
+/**
+ * Prints `main`, which calls the function of the tab whose pass is drawn. The image is opaque, as on the site; buffers keep the alpha that
+ * their tab writes.
+ */
 function mainFunction(mains: readonly string[]): string {
   const calls = mains.map((main, i) => {
     const last = i === mains.length - 1;

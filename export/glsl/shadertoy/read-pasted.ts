@@ -8,14 +8,14 @@ import { BUFFER_LETTERS, type BufferLetter, CHANNEL_COUNT, type Channel, type Sh
 const HEADING =
   /^[\s/*#=\-_~<>[\](){}|.]*(?:tab\s*:?\s*)?(common|image|buf(?:fer)?[\s_-]*([A-D]))(?:\s+(?:tab|code|pass))?[\s/*#:=\-_~<>[\](){}|.]*$/i;
 
-/** `// iChannel0: Buffer A`, `#iChannel0 "file://buffer_a.glsl"`, `// iChannel1 = self`. */
+/** A note that names the content of a channel: `// iChannel0: Buffer A`, `#iChannel0 "file://buffer_a.glsl"`, `// iChannel1 = self`. */
 const CHANNEL_NOTE = /^[\s/*#-]*iChannel([0-3])\s*[:=\->]*\s*(?:is\s+)?["'<(]*(?:file:\/\/)?[./]*(self|buf(?:fer)?[\s_-]*([A-D]))\b/i;
 
 /** A directive of editor extensions that reads an image from a disk; not GLSL. */
 const CHANNEL_DIRECTIVE = /^\s*#iChannel[0-3]\b/;
 
 interface Section {
-  /** Null before the first heading. */
+  /** The tab that the heading names; null for text before the first heading. */
   readonly tab: 'common' | 'image' | BufferLetter | null;
   readonly lines: string[];
 }
@@ -45,10 +45,10 @@ export function hasMain(code: string): boolean {
   return /\bvoid\s+mainImage\s*\(/.test(code);
 }
 
-/** Comments of several lines. One that contains only a heading is joined to one line; others contain no headings. */
+/** Matches block comments. One of several lines that contains only a heading is joined to one line; in others, headings are ignored. */
 const BLOCK = /\/\*[\s\S]*?\*\//g;
 
-/** Keeps all text: a heading that is a comment stays as the first line of its section. */
+/** Cuts a text into sections at its headings. All text stays: a heading that is a comment stays as the first line of its section. */
 function cut(source: string): Section[] {
   const sections: Section[] = [{ tab: null, lines: [] }];
   const plain = source.replace(/\r\n|\r/g, '\n').replace(BLOCK, (block) => {
@@ -83,7 +83,7 @@ interface ChannelContext {
   readonly diagnostics: Diagnostic[];
 }
 
-/** Channels by notes in the text; otherwise the first channel is the first buffer and so on, as in most works. */
+/** The channels of a tab by the notes in its text; without notes, the first channel is the first buffer and so on, as in most works. */
 function channelsOf(code: string, { buffer, letters, file, diagnostics }: ChannelContext): Channel[] {
   const noted = new Map<number, BufferLetter>();
   for (const line of code.split('\n')) {
@@ -110,7 +110,7 @@ function channelsOf(code: string, { buffer, letters, file, diagnostics }: Channe
   });
 }
 
-/** Keeps directives that describe a channel as comments. */
+/** Turns directives that describe a channel into comments. */
 export function withoutChannelDirectives(code: string): string {
   return code
     .split('\n')

@@ -5,7 +5,7 @@ export interface Separated {
   /** Text before all tabs; empty if it was inserted into each. */
   readonly common: string;
   readonly codes: readonly string[];
-  /** Macros of each tab, which are undefined at its end. */
+  /** Macros that each tab defines and that must be undefined at its end. */
   readonly macros: readonly (readonly string[])[];
 }
 
@@ -35,7 +35,10 @@ export function separateTabs({ tabs, common }: Pick<Shadertoy, 'tabs' | 'common'
   return { common: isShared ? common : '', codes: renamed, macros: declared.map(({ macros }) => [...macros]) };
 }
 
-/** Whether a macro reads a channel, which belongs to the tab that uses the macro. */
+/**
+ * Whether `Common` reads a channel outside of macros, so that it depends on the tab. A macro is no problem: it reads the channel of the tab
+ * that uses the macro.
+ */
 function readsChannels(common: string): boolean {
   const code = common.replace(/^[ \t]*#(?:[^\n\\]|\\[\s\S])*/gm, '');
   return [...wordsOf(code)].some((word) => CHANNEL.test(word));

@@ -8,7 +8,7 @@ export interface Shadertoy {
   readonly credit: string;
   /** Buffers in the order of their letters, then the image. */
   readonly tabs: readonly Tab[];
-  /** Text before every tab; empty without such a tab. */
+  /** Text of the tab *Common*, which precedes the text of every other tab; empty without such a tab. */
   readonly common: string;
 }
 

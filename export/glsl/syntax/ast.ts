@@ -120,12 +120,12 @@ export interface ReturnStatement {
 }
 
 interface ExpressionBase {
-  /** Position of errors: its first token or its operator. */
+  /** The token at which errors are reported: the expression's first token or its operator. */
   readonly token: Token;
   type: GlslType;
-  /** Type to convert to when printing; empty for none. */
+  /** Type to which the printer converts the value; empty for none. */
   convertTo: GlslType;
-  /** Height of the tree below, which the parser limits to protect recursive walks. */
+  /** Height of the expression's tree, which the parser limits to protect recursive walks. */
   readonly depth: number;
 }
 
@@ -176,7 +176,7 @@ export interface VariableSymbol {
   constant: boolean;
   /** Whether another variable of this name is in the same scope in ES 3.00, though not in older GLSL: it is printed under a new name. */
   rename: boolean;
-  /** Whether it is written after its declaration. */
+  /** Whether the variable is written after its declaration. */
   written: boolean;
   readonly declaration: Declarator | null;
   /** The function and index of a parameter; null for others. */
@@ -199,6 +199,6 @@ export interface StructSymbol {
   readonly type: GlslType;
   readonly members: ReadonlyMap<string, GlslType>;
   readonly global: boolean;
-  /** Whether a `? :` selects between two values of it. */
+  /** Whether a `? :` selects between two values of the struct. */
   chosen: boolean;
 }

@@ -1,6 +1,6 @@
 import { GlslError, type Token } from './token.ts';
 
-/** From the loosest binding to the tightest (GLSL ES 3.00 §3.4). */
+/** Binary operators by precedence, from the lowest to the highest (GLSL ES 3.00 §3.4). */
 const LEVELS: readonly (readonly string[])[] = [
   ['||'],
   ['&&'],
@@ -64,7 +64,7 @@ export function evaluateCondition(tokens: readonly Token[], directive: Token): n
   return value;
 }
 
-/** Decimal, octal with a leading 0, or hexadecimal; 32 bits. */
+/** The value of a decimal, octal (with a leading 0) or hexadecimal integer, as a 32-bit number. */
 function integerValue(text: string): number {
   const digits = text.replace(/[uU]$/, '');
   if (/^0[0-7]+$/.test(digits)) return Number.parseInt(digits, 8) | 0;

@@ -9,7 +9,7 @@ const COMMENT = /\/\/(?:[^\r\n\\]|\\(?:\r\n|[\s\S]))*|\/\*[\s\S]*?\*\//y;
 const WORD = /[A-Za-z_][A-Za-z0-9_]*/y;
 const FLOAT = /(?:(?:[0-9]+\.[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?|[0-9]+[eE][+-]?[0-9]+)(?:lf|LF|[fF])?|[0-9]+[fF]/y;
 const INT = /(?:0[xX][0-9a-fA-F]+|[0-9]+)[uU]?/y;
-/** Longest first. */
+/** Matches an operator. Longer operators come first. */
 const OPERATOR = /<<=|>>=|<<|>>|<=|>=|==|!=|&&|\|\||\^\^|\+\+|--|\+=|-=|\*=|\/=|%=|&=|\|=|\^=|##|[-+*/%<>=!&|^~?:;,.(){}[\]#]/y;
 
 const LINE_BREAK = /\r\n|\r|\n/g;

@@ -99,7 +99,10 @@ function substitute(
   return output;
 }
 
-/** Desktop drivers support it as C does (C11 §6.10.3.3): `a ## b` joins two words, and arguments next to it are not expanded. */
+/**
+ * The operator that joins tokens in a macro. Desktop drivers support it as C does (C11 §6.10.3.3): `a ## b` joins two words, and arguments
+ * next to it are not expanded.
+ */
 const GLUE = '##';
 
 function glue(before: Token, after: Token, use: Token): Token {

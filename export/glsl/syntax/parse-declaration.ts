@@ -35,7 +35,7 @@ export function parseQualifiers(cursor: Cursor): Token[] {
   return qualifiers;
 }
 
-/** From the qualifiers to before the semicolon. */
+/** Parses a declaration of variables, from its qualifiers to the token before the semicolon. */
 export function parseVariables(cursor: Cursor): VariableDeclaration {
   const start = cursor.peek();
   const qualifiers = parseQualifiers(cursor);
@@ -43,7 +43,10 @@ export function parseVariables(cursor: Cursor): VariableDeclaration {
   return { kind: 'variables', start, qualifiers, type, declarators: parseDeclarators(cursor, type) };
 }
 
-/** `a = 1.0, b[2]`; empty after a struct, and in `uniform vec2;`, which declares nothing. */
+/**
+ * Parses the variables of a declaration, such as `a = 1.0, b[2]`. There are none in a declaration of a struct alone, and in `uniform
+ * vec2;`, which declares nothing.
+ */
 export function parseDeclarators(cursor: Cursor, type: TypeSpecifier): Declarator[] {
   const declarators: Declarator[] = [];
   if (cursor.at(';')) return declarators;
@@ -57,7 +60,7 @@ export function parseDeclarators(cursor: Cursor, type: TypeSpecifier): Declarato
   return declarators;
 }
 
-/** Desktop GLSL 4.20 also allows a list in braces (§4.1.11) instead of a constructor. */
+/** Parses an initializer. Desktop GLSL 4.20 also allows a list in braces (§4.1.11) instead of a constructor. */
 function parseInitializer(cursor: Cursor, type: TypeSpecifier, dimensions: readonly Dimension[]): Expression {
   const open = cursor.accept('{');
   if (open === null) return parseAssignment(cursor);
@@ -71,7 +74,10 @@ function parseInitializer(cursor: Cursor, type: TypeSpecifier, dimensions: reado
   return constructorOf({ ...type, dimensions: whole, struct: null }, args);
 }
 
-/** Words such as `flat` and `smooth` are names in older GLSL: they are qualifiers only before another word. */
+/**
+ * Whether a qualifier is at the cursor. Words such as `flat` and `smooth` are names in older GLSL, so they are qualifiers only before
+ * another word.
+ */
 function atQualifier(cursor: Cursor): boolean {
   const token = cursor.peek();
   if (!QUALIFIERS.has(token.text)) return false;
@@ -80,7 +86,7 @@ function atQualifier(cursor: Cursor): boolean {
   return token.text === 'layout' ? after.text === '(' : after.kind === 'word';
 }
 
-/** `Type[…] name` or `Type[…](`. */
+/** Whether the tokens at the cursor are an array type before a name (`Type[…] name`) or before a bracket (`Type[…](`). */
 function isArrayOf(cursor: Cursor, wanted: 'name' | '('): boolean {
   if (cursor.peek(1).text !== '[') return false;
   let depth = 0;

@@ -17,14 +17,14 @@ const PREFIXES: ReadonlySet<string> = new Set(['+', '-', '!', '~', '++', '--']);
 /** Limits chains such as `a + b + c + …`, whose tree is as deep as they are long. */
 const MAX_TREE_DEPTH = 1000;
 
-/** An expression with commas: `i++, j--`. */
+/** Parses an expression in which commas are operators: `i++, j--`. */
 export function parseExpression(cursor: Cursor): Expression {
   let left = parseAssignment(cursor);
   while (cursor.at(',')) left = binary(cursor.next(), left, parseAssignment(cursor));
   return left;
 }
 
-/** An expression without commas: an argument or an initializer. */
+/** Parses an expression that ends before a comma, such as an argument or an initializer. */
 export function parseAssignment(cursor: Cursor): Expression {
   return cursor.nested(() => {
     const left = parseConditional(cursor);
@@ -33,7 +33,7 @@ export function parseAssignment(cursor: Cursor): Expression {
   });
 }
 
-/** The name of a type: `vec3`, or that of a struct. */
+/** Parses the name of a type: `vec3`, or the name of a struct. */
 export function parseTypeName(cursor: Cursor): Token {
   const token = cursor.peek();
   if (token.kind !== 'word') throw cursor.unexpected('A type is missing');
@@ -41,7 +41,7 @@ export function parseTypeName(cursor: Cursor): Token {
   return cursor.next();
 }
 
-/** `[4]`, `[]`, `[2][3]` or nothing. */
+/** Parses the sizes of an array: `[4]`, `[]`, `[2][3]` or nothing. */
 export function parseDimensions(cursor: Cursor): Dimension[] {
   const dimensions: Dimension[] = [];
   while (cursor.accept('[')) {
@@ -145,7 +145,7 @@ function parseWord(cursor: Cursor, token: Token): Expression {
   return { kind: 'call', token, args, symbol: null, ...made(token, ...args) };
 }
 
-/** A constructor such as `float[3](…)` or `vec2(…)`, for other notations. */
+/** Creates a constructor call such as `float[3](…)` or `vec2(…)`, for other notations of the same value. */
 export function constructorOf(of: TypeSpecifier, args: readonly Expression[]): Expression {
   const token = of.name;
   if (of.dimensions.length > 0) return { kind: 'array', token, of, args, ...made(token, ...args) };
@@ -163,7 +163,10 @@ function parseArguments(cursor: Cursor): Expression[] {
   return args;
 }
 
-/** `float[3](` or `float[](`: a type, a size and an opening bracket. An indexed value is never called. */
+/**
+ * Whether an array constructor is at the cursor: `float[3](` or `float[](`, a type with a size and an opening bracket. It cannot be an
+ * indexed value, because those are never called.
+ */
 function isArrayConstructor(cursor: Cursor): boolean {
   if (cursor.peek(1).text !== '[') return false;
   let depth = 0;

@@ -31,12 +31,12 @@ export function parseShader(source: string, macros: Readonly<Record<string, numb
   return { declarations };
 }
 
-/** Maximum length, because drivers take minutes for longer texts. */
+/** Maximum length of a shader, in characters of its tokens, because drivers take minutes for longer texts. */
 export const MAX_TEXT = 1024 * 1024;
 
 export const TOO_LONG = 'The shader is too long: it would become more than 1 MiB of GLSL.';
 
-/** Checked before parsing. */
+/** Throws if a shader is longer than `MAX_TEXT`. Called before parsing. */
 function refuseLength(tokens: readonly Token[]): void {
   let length = 0;
   for (const token of tokens) {

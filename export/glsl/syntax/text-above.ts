@@ -6,7 +6,7 @@ import { GlslError, type Place, type Token } from './token.ts';
 interface Open {
   readonly kind: 'block' | 'list';
   readonly close: string;
-  /** Index of its token. */
+  /** Index of the bracket's token. */
   readonly at: number;
 }
 
@@ -94,12 +94,13 @@ function isCloser({ text }: Token): boolean {
 
 const BEFORE_BLOCKS: ReadonlySet<string> = new Set([')', ';', '{', '}', ':', 'else', 'do']);
 
-/** Drivers reject loops that never end. */
+/** Closes the body of a loop whose end was cut off. Without the `break`, the loop might be endless, and drivers reject endless loops. */
 const END_OF_LOOP = 'break; }';
 const END_OF_DO = 'break; } while (true);';
 
 /**
- * `declaration` is the first token of the enclosing global declaration. `head` is the word before the round brackets that were closed last.
+ * Classifies the opening bracket at index `at` and finds the text that closes it. `declaration` is the index of the first token of the
+ * enclosing global declaration. `head` is the word before the bracket pair that was closed last, such as `for`.
  */
 function openAt(tokens: readonly Token[], at: number, declaration: number, around: readonly Open[], head = ''): Open {
   const before = tokens[at - 1]?.text ?? '';

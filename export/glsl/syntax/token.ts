@@ -10,7 +10,7 @@ export interface Token {
   readonly startsLine: boolean;
   /** Whether white space or a comment precedes it, which distinguishes `#define F (x)` from `#define F(x)`. */
   readonly spaced: boolean;
-  /** Macros that must not be expanded in it again (C11 §6.10.3.4); null for none. */
+  /** Macros that must not be expanded in this token again (C11 §6.10.3.4); null for none. */
   readonly hidden: ReadonlySet<string> | null;
 }
 

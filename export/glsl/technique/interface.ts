@@ -27,8 +27,8 @@ vec4 BEHIND(const in vec2 uv, const in float roughness);
 `;
 
 /**
- * The structs and functions as both stages declare them; those of light are for the surface only. Where the author discards, the text sets
- * `scrim_discarded` and returns.
+ * The structs and functions of the interface, as the printed text of both stages declares them. Only the surface may call the functions of
+ * light. Where the author discards, the text sets `scrim_discarded` and returns.
  */
 export const PRINTED_STRUCTS = `struct a_Vertex { vec3 position; vec3 normal; vec2 uv; vec4 color; vec3 rest; vec3 outward; };
 struct a_Surface { vec3 position; vec3 normal; vec3 towardsEye; vec2 uv; vec4 color; bool front; vec3 rest; vec3 restNormal; };
@@ -42,10 +42,10 @@ float a_VIEW_DEPTH(const in vec3 position);
 float a_PIXEL_M(const in vec3 position);
 bool scrim_discarded = false;`;
 
-/** Only for texts that call it, because materials that declare it are drawn after all others. */
+/** Declaration of `BEHIND`. It is printed only in texts that call it, because materials that declare it are drawn after all others. */
 export const PRINTED_BEHIND = 'vec4 a_BEHIND(const in vec2 uv, const in float roughness);';
 
 export const INTERFACE_LINES = TECHNIQUE_INTERFACE.split('\n').length - 1;
 
-/** Functions that only the surface has. */
+/** Functions that only `surface` may call. */
 export const LIGHT_FUNCTIONS: ReadonlySet<string> = new Set(['LIGHT', 'IRRADIANCE', 'REFLECTION', 'ENVIRONMENT', 'BEHIND']);

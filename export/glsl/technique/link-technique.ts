@@ -29,7 +29,7 @@ import type { TechniqueShader } from './technique-shader.ts';
 export interface LinkedTechnique {
   /** Declares uniforms and structs, and `void a_vertex(inout a_Vertex v)`, which does nothing if the author has none. */
   readonly vertex: string;
-  /** As `vertex`, with `vec4 a_surface(const in a_Surface s)`. */
+  /** Declares uniforms and structs, and `vec4 a_surface(const in a_Surface s)`. */
   readonly fragment: string;
   /**
    * All of the author's text in one fragment shader. It draws nothing useful: if a driver accepts it, it accepts the technique, and its
@@ -37,11 +37,11 @@ export interface LinkedTechnique {
    */
   readonly trial: LinkedShader;
   readonly uniforms: readonly { readonly name: string; readonly type: PassUniform['type']; readonly param: string }[];
-  /** Uniform name and input of the layers that it reads, with `NAME_uvFromViewUv` (mat3) and `NAME_size` (vec2, pixels). */
+  /** Uniform name and input of the layers that the technique reads, with `NAME_uvFromViewUv` (mat3) and `NAME_size` (vec2, pixels). */
   readonly samplers: readonly { readonly name: string; readonly input: string }[];
-  /** Whether it reads what is behind its objects. */
+  /** Whether the technique reads what is behind its objects (`BEHIND`). */
   readonly readsBehind: boolean;
-  /** Uniform name and path of the library images that it reads. */
+  /** Uniform name and path of the library images that the technique reads. */
   readonly pictures: readonly { readonly name: string; readonly path: string }[];
 }
 
@@ -52,7 +52,7 @@ interface Unit {
   readonly given: ReadonlyMap<string, VariableSymbol>;
   readonly loopBudget: boolean;
   readonly absent: ReadonlySet<string>;
-  /** Functions of the test shader in addition to those that it calls. */
+  /** Functions that the test shader contains although it does not call them. */
   readonly also: readonly FunctionSymbol[];
 }
 
@@ -111,7 +111,7 @@ function caught<T>(make: () => T, placeOf: (place: Place) => { readonly file: st
   }
 }
 
-/** An include is alone on its line. */
+/** Cuts a technique above the line of an `#include` that failed. The whole line is cut, because an include is alone on its line. */
 function linesAbove(technique: TechniqueShader, { line = 1 }: Diagnostic): TechniqueShader {
   const lines = technique.source.split(/\r\n|\r|\n/).slice(0, line - 1);
   return { ...technique, source: lines.join('\n') };
@@ -127,7 +127,7 @@ function expandedAbove(expanded: ExpandedText, file: string, { line, column }: P
   return above === null ? null : { ...expanded, text: above };
 }
 
-/** The text ends above a mistake. */
+/** `partial`: the text ends above a mistake, so functions may lack their bodies. */
 interface Partial {
   readonly partial?: boolean;
 }
@@ -171,7 +171,7 @@ function linkExpanded(
   };
 }
 
-/** Functions that can be printed without a call. */
+/** The technique's own functions that can be printed without a call: those without image parameters. */
 function ownFunctions(checked: CheckedShader): FunctionSymbol[] {
   const declarations = checked.declarations.filter((declaration) => declaration.kind === 'function' && !isInterface(declaration));
   return usable({ ...checked, declarations }).filter((symbol) => symbol.kind === 'function');
@@ -184,13 +184,20 @@ function refuseStrayImages({ strayImages: [stray] }: CheckedShader): void {
   }
 }
 
-/** Calls both functions; it follows the author's text, whose lines stay in place. */
+/**
+ * Prints the `main` of the test shader, which calls `vertex`, if the author has one, and `surface`. It follows the author's text, whose
+ * line numbers stay the same.
+ */
 function mainFor(author: ParsedShader): string {
   const vertex = functionOf(author, 'vertex', 'void', 'Vertex') ? 'Vertex v; vertex(v);' : '';
   return `void main() { ${vertex} Surface s; surface(s); }`;
 }
 
-/** Must run before the check, which renames the types of structs. */
+/**
+ * Finds the author's function with this name; null if there is none. Call it before the check, which renames the types of structs.
+ *
+ * @throws GlslError if the function has another return type or other parameters.
+ */
 function functionOf(shader: ParsedShader, name: string, returns: string, takes: string): FunctionDeclaration | null {
   for (const declaration of shader.declarations) {
     if (declaration.kind !== 'function' || declaration.name.text !== name || declaration.body === null) continue;
@@ -318,7 +325,10 @@ function printStage(unit: Unit, root: FunctionDeclaration): Stage {
   return { text: [...head, ...context.writer.lines].join('\n'), head, lines: context.writer.lines, map };
 }
 
-/** Structs of the interface, whose text is not printed with the author's. */
+/**
+ * Names of the interface's structs between whose values a `? :` selects. Their `choiceText` must be printed here, because
+ * `printAuthorsText` prints only that of the author's structs.
+ */
 function chosenStructs({ checked }: Unit, names: Names): string[] {
   return checked.declarations.filter(isInterface).flatMap((declaration) => {
     const symbol = declaration.kind === 'variables' ? declaration.type.struct?.symbol : null;
@@ -326,7 +336,7 @@ function chosenStructs({ checked }: Unit, names: Names): string[] {
   });
 }
 
-/** As in filters (`export/program/loop-budget.ts`), but without reporting the loop. */
+/** GLSL that ends loops when the budget is used up, as in filters (`export/program/loop-budget.ts`), but without reporting the loop. */
 const LOOPS_END = `int scrim_roundsLeft = ${LOOP_BUDGET};
 bool scrim_spend(const in int line) {
   scrim_roundsLeft -= 1;

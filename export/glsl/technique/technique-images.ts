@@ -68,7 +68,10 @@ vec4 ${sampler}_at(vec2 uv) {
   return [...size, color].join('\n');
 }
 
-/** IEC 61966-2-1: layers are display-referred, techniques shade in linear light. */
+/**
+ * GLSL function that converts a color from sRGB to linear light (IEC 61966-2-1): layers are display-referred, and techniques shade in
+ * linear light.
+ */
 const LINEAR = `vec4 scrim_linear(vec4 color) {
   vec3 low = color.rgb / 12.92;
   vec3 high = pow((max(color.rgb, 0.0) + 0.055) / 1.055, vec3(2.4));

@@ -10,7 +10,7 @@ export const FROM_IMAGE = 'startImage';
 export const TO_IMAGE = 'endImage';
 const PROGRESS = 'progress';
 
-/** Declarations of the host, which files may repeat. */
+/** Names that the host declares; files may declare them again. */
 const GIVEN: ReadonlySet<string> = new Set([PROGRESS, 'ratio', 'from', 'to', '_fromR', '_toR']);
 
 /** Type of the param for a uniform, by its GLSL type. */

@@ -61,7 +61,7 @@ export function carryRename(project: Project, type: string, { from, to }: PortRe
   });
 }
 
-/** The name that the subgraph exposes the port under stays. */
+/** The exposed ports after a rename of ports inside. The names under which the subgraph exposes them stay. */
 function exposedAs({ exposed }: Graph, isPort: (address: PortAddress) => boolean, to: string): Graph['exposed'] {
   return { ...exposed, inputs: exposed.inputs.map((shown) => (isPort(shown) ? { ...shown, port: to } : shown)) };
 }

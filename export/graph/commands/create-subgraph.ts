@@ -96,7 +96,10 @@ export function createSubgraph(project: Project, { library, graph: outerName, no
   );
 }
 
-/** Ports of the selected nodes that are connected to other nodes or already exposed, each with the name of its port. */
+/**
+ * The ports that the subgraph must expose: ports of the selected nodes that are connected to other nodes or already exposed, each with the
+ * name of its port.
+ */
 function portsShown({ wires, exposed }: Graph, chosen: ReadonlySet<string>): ExposedPorts {
   const isIn = ({ node }: PortAddress) => chosen.has(node);
   const inputs = wires.filter(({ from, to }) => !isIn(from) && isIn(to)).map(({ to }) => to);

@@ -5,8 +5,10 @@ import { getOwn } from '../record.ts';
 import { type Change, change, graphOf } from './change.ts';
 import { draftLayout } from './node-commands.ts';
 
-/** These commands change only `project.layout.json`. Coordinates are rounded to whole canvas units, so that diffs stay short. */
-
+/**
+ * Options of `moveNodes`. The commands of this file change only `project.layout.json`. Coordinates are rounded to whole canvas units, so
+ * that diffs stay short.
+ */
 export interface MoveNodes {
   readonly graph: string;
   readonly positions: Readonly<Record<string, { readonly x: number; readonly y: number }>>;
@@ -112,7 +114,7 @@ export interface RemoveFromLayout {
   readonly graph: string;
   readonly frames?: readonly string[];
   readonly notes?: readonly string[];
-  /** Wires keep the rest of their route. */
+  /** Ids of reroutes. Wires keep the rest of their routes. */
   readonly reroutes?: readonly string[];
 }
 

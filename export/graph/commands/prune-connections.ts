@@ -88,7 +88,7 @@ export function dropExtraWires(wires: readonly Wire[], interfaceAt: (to: PortAdd
   });
 }
 
-/** Wires between other nodes are kept, even if they are invalid. */
+/** Whether a wire is kept: it is valid, or connects none of the nodes `ids`. Wires to nodes of unknown types count as valid at that end. */
 function wireFits(graph: Graph, { from, to }: Wire, ids: ReadonlySet<string>, interfaceOf: InterfaceLookup): boolean {
   if (!ids.has(from.node) && !ids.has(to.node)) return true;
   const fromInterface = interfaceAt(graph, from.node, interfaceOf);
@@ -106,7 +106,7 @@ function interfaceAt(graph: Graph, id: string, interfaceOf: InterfaceLookup): No
   return node && interfaceOf(node.type);
 }
 
-/** Whether the port exists and is not a single-wire input that is already connected inside. */
+/** Whether a port can stay exposed: it exists and is not a single-wire input that is already connected inside. */
 function canShow(nodeInterface: NodeInterface, shown: ExposedPort, wires: readonly Wire[]): boolean {
   const input = inputOf(nodeInterface, shown.port);
   if (!input) return getOwn(nodeInterface.params, shown.port) !== undefined;

@@ -59,7 +59,7 @@ export function parseExpression(text: string, count: number, names: readonly str
   }
 }
 
-/** Caught by `parseExpression`. */
+/** An error in an expression, thrown by the parser's functions and caught by `parseExpression`. */
 class Mistake extends Error {
   readonly offset: number;
   constructor({ offset }: Word, message: string) {

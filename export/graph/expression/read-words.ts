@@ -5,11 +5,11 @@ export interface Word {
   readonly offset: number;
 }
 
-/** Longer signs come first, so that `<=` is not read as `<`. */
+/** Matches a token. Longer signs come first, so that `<=` is not read as `<`. */
 const WORD =
   /(?<space>\s+)|(?<number>(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)|(?<name>[A-Za-z_]\w*)|(?<sign><=|>=|==|!=|&&|\|\||[-+*/%^<>!?:(),[\]−×÷≤≥≠])/y;
 
-/** Typographic characters, as in formulas copied from print. */
+/** Typographic characters, as in formulas copied from print, and the signs that they stand for. */
 const PRINTED: Readonly<Record<string, string>> = { '−': '-', '×': '*', '÷': '/', '≤': '<=', '≥': '>=', '≠': '!=' };
 
 export type Words = { readonly ok: true; readonly words: readonly Word[] } | { readonly ok: false; readonly offset: number };

@@ -2,7 +2,7 @@ import { createScanner, type ParseError, parse, printParseErrorCode } from 'json
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import { positionOf } from './positions.ts';
 
-/** The limit of one message of the host, far above any real project. */
+/** Maximum length of a JSON text: that of one message of the host, far above any real project. */
 export const MAX_JSON_CHARACTERS = 64 * 2 ** 20;
 
 export type ParsedJson = { readonly ok: true; readonly value: unknown } | { readonly ok: false; readonly diagnostic: Diagnostic };
@@ -74,7 +74,7 @@ const WORDS: Readonly<Record<string, string>> = {
   InvalidCharacter: 'A text with a control character in it begins',
 };
 
-/** Reads tokens with its own stack, so depth is not limited. */
+/** Finds a key that occurs twice in an object; null if there is none. It uses its own stack, so the nesting is not limited. */
 function findDuplicateKey(text: string): { readonly key: string; readonly offset: number } | null {
   const scanner = createScanner(text, true);
   const open: (Set<string> | null)[] = [];

@@ -19,7 +19,7 @@ export function positionOf(text: string, offset: number): TextPosition {
 
 export type JsonPath = JSONPath;
 
-/** The syntax tree takes about thirty times the memory of the text. */
+/** Maximum length of a text in which positions are looked up: the syntax tree takes about thirty times the memory of the text. */
 const MAX_TREE_CHARACTERS = 16 * 2 ** 20;
 
 /**

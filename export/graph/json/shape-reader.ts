@@ -23,9 +23,9 @@ export const MAX_NUMBER = 3.4028234663852886e38;
 export interface ShapeReader {
   readonly problems: readonly ShapeProblem[];
   problem(path: JsonPath, message: string, of?: 'key' | 'value'): void;
-  /** An object with no other keys than these. */
+  /** Reads an object that may have no other keys than these. */
   fields(value: unknown, path: JsonPath, keys: readonly string[]): Fields;
-  /** An object with arbitrary names as keys, which must match `names`. */
+  /** Reads an object with arbitrary names as keys, which must match `names`. */
   record<T>(value: unknown, path: JsonPath, names: NameRule, item: (value: unknown, path: JsonPath) => T): Record<string, T>;
   list<T>(value: unknown, path: JsonPath, item: (value: unknown, path: JsonPath) => T): T[];
   text(value: unknown, path: JsonPath): string;

@@ -5,7 +5,7 @@ import { misfit } from './param-value.ts';
 
 export interface BindingMisfit {
   readonly code: 'SCR018' | 'SCR019';
-  /** Follows the label of the param: “must be …”, “cannot follow …”. */
+  /** The reason in words that follow the label of the param: “must be …”, “cannot follow …”. */
   readonly message: string;
 }
 

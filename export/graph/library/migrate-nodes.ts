@@ -81,7 +81,7 @@ function renameWired(graph: Graph, library: NodeLibrary, diagnostics: Diagnostic
   });
 }
 
-/** Migrations read the saved form. */
+/** Returns a binding in the form in which files store it, because migrations read that form. */
 function asSaved(binding: Binding): unknown {
   return JSON.parse(printJson(saveBinding(binding)));
 }

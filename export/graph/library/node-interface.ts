@@ -113,7 +113,7 @@ function innermost(
   return undefined;
 }
 
-/** An exposed param has the value inside as its default. */
+/** The definition of an exposed param, with the value of the inner param as its default. */
 function withDefault(param: ParamDefinition, { binding }: PortEnd): ParamDefinition {
   if (binding === undefined || misfit(param, binding) !== null) return param;
   return { ...param, default: binding } as ParamDefinition;

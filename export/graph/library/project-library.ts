@@ -13,7 +13,7 @@ export interface ProjectLibrary extends NodeLibrary {
   readonly files: ReadonlyMap<string, string>;
 }
 
-/** Prefix that prevents collisions with shader names of the library. */
+/** The name under which a library has a project's shader. The prefix prevents collisions with the library's own shaders. */
 export function projectShaderName(file: string): string {
   return `shaders/${file}`;
 }

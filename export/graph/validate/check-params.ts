@@ -63,7 +63,7 @@ function checkAsset(check: GraphCheck, nodeId: string, port: string, param: Para
   }
 }
 
-/** Whether the node uses the file with its other params. */
+/** Whether the node uses the file of an asset param: the condition `where` on another param is met. */
 function isUsed(
   { where }: AssetParam,
   nodeInterface: Readonly<Record<string, ParamDefinition>>,

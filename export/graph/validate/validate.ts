@@ -57,7 +57,7 @@ function rootsOf(name: string, graph: Graph, library: NodeLibrary): readonly str
     : graph.exposed.outputs.map(({ node }) => node);
 }
 
-/** Nodes that play sound, once something is connected to them. */
+/** Nodes that play sound and that something is connected to. */
 function heardNodes(graph: Graph, library: NodeLibrary): readonly string[] {
   const connected = new Set(graph.wires.map(({ to }) => to.node));
   return Object.entries(graph.nodes).flatMap(([id, { type }]) => (connected.has(id) && library.definition(type)?.heard ? [id] : []));

@@ -20,13 +20,13 @@ export interface DeviceFacts {
   /** Kinds of sessions that the browser can open, best first. */
   readonly sessions: readonly Tier['id'][];
   readonly sessionFact: DeviceFact;
-  /** Black is transparent on an additive display. */
+  /** Kind of display. On an additive display, black is transparent. */
   readonly display: 'screen' | 'video see-through' | 'additive';
   readonly features: Readonly<Record<Capability | 'dom-overlay', DeviceFact>>;
 }
 
 const fact = (has: DeviceFact['has'], source: string, date: string): DeviceFact => ({ has, source, date });
-/** MDN’s table says that an interface exists, not that a session grants it. */
+/** Creates a fact from MDN’s table, which says only that an interface exists, not that a session grants the feature. */
 const mdn = (has: DeviceFact['has'], detail: string) => fact(has, `MDN browser-compat-data 8.1.9: ${detail}`, '2026-11-12');
 const untold = (date: string) => fact('unknown', 'No public source found', date);
 

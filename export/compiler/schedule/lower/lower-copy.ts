@@ -3,7 +3,7 @@ import type { ScheduledPass } from '../scheduled.ts';
 import { addStep, type Lowering, resourceAt } from './lowering.ts';
 import type { Fit } from './pass-parts.ts';
 
-/** Copies a layer unchanged, for layers that no other pass draws to the screen. */
+/** Name of the shader that copies a layer unchanged, for layers that no other pass draws to the screen. */
 const COPY_FILE = 'scrim/copy.fs';
 
 const COPY_SOURCE = `/*{
@@ -25,7 +25,7 @@ export function lowerCopyToScreen(lowering: Lowering, id: string, layer: Source,
   addStep(lowering, { ...copy, id, node: layer.node, view: 'each', writes: [], target: 'screen', blend: 'over' });
 }
 
-/** A pass that copies a layer; the caller adds the target. */
+/** Creates a pass that copies a layer; the caller adds the target. */
 export function copyOf(
   lowering: Lowering,
   layer: Source,

@@ -20,7 +20,7 @@ export function depthAt(lowering: Lowering, layer: Source): LayerDepthRef | null
 
 type DepthOrigin =
   | { readonly kind: 'drawn'; readonly depth: LayerDepthRef }
-  /** Of an image node that computes depth from its inputs. */
+  /** Depth that an image node computes from its inputs. */
   | { readonly kind: 'computed'; readonly layer: Source };
 
 function originOf({ layers, graph, drawn, resourceOf }: Lowering, layer: Source): DepthOrigin | null {
@@ -39,7 +39,10 @@ function originOf({ layers, graph, drawn, resourceOf }: Lowering, layer: Source)
   return null;
 }
 
-/** Depths to compute for that of `layer`, each after those it depends on. A list, because stacks of `over` can be deep. */
+/**
+ * Layers whose depths must be computed for the depth of `layer`, each after those that it depends on. No recursion, because stacks of
+ * `over` can be deep.
+ */
 function missingDepths(lowering: Lowering, layer: Source): Source[] {
   const missing = new Map([[portKey(layer), layer]]);
   // The map grows during the iteration.

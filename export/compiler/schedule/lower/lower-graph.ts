@@ -67,7 +67,10 @@ function viewedId(node: FlatNode): string {
   return `${output ? portKey(output) : node.id}.tap`;
 }
 
-/** The operation that draws the leaf. Its index is part of the id of a copy, because two leaves may show the same image. */
+/**
+ * Returns the id of the operation that draws a leaf; a texture gets a pass that copies it. The index of the leaf is part of the id of that
+ * pass, because two leaves may show the same image.
+ */
 function lowerLeaf(lowering: Lowering, leaf: Leaf, index: number, ends: Shown['ends'], drawnBy: ReadonlyMap<string, string>): string {
   if (leaf.kind === 'draw') return drawnBy.get(leaf.node.id) ?? leaf.node.id;
   if (leaf.kind === 'passes') return `${leaf.node.id}.pass${(ends.get(leaf.node.id)?.passes.length ?? 1) - 1}`;

@@ -78,8 +78,8 @@ export function lowerDraw(lowering: Lowering, { node, occlusion, target, id }: D
 }
 
 /**
- * The layer that glass shows: the one at the node's own input, or that of its techniques. Techniques with several show them by themselves,
- * so there is none for all. Undefined: no one says.
+ * The layer that glass shows where there are no objects: the one at the node's own input, else the only one of its techniques. Null if its
+ * techniques have different layers: each technique shows its own. Undefined if neither the node nor a technique has such a layer.
  */
 function underLayer(lowering: Lowering, node: FlatNode, styled: readonly TechniqueReads[]): DrawUnder | null | undefined {
   const [own] = layerInputs(node);
@@ -116,7 +116,7 @@ function drawOcclusion(lowering: Lowering, occlusion: FlatNode): NonNullable<Dra
   return { node: occlusion.id, roomDepth: resourceAt(lowering, roomDepth), params: slots };
 }
 
-/** All of the operation except its outputs. */
+/** Creates the operation of a node, without its outputs. */
 export function nodeOperation<K extends NodeKind | 'draw' | 'cpu'>(
   lowering: Lowering,
   node: FlatNode,
@@ -170,7 +170,10 @@ function withoutLayers(ports: Readonly<Record<string, InputPort>>): Readonly<Rec
   return Object.fromEntries(Object.entries(ports).filter(([, { type }]) => type !== 'layer'));
 }
 
-/** The value of a param with an expression or track may exceed any limit. */
+/**
+ * The field `stateful` of an operation; null if the node is not stateful. A param with a wire, an expression or a track may exceed any
+ * limit, so a node that is stateful above a limit of such a param counts as stateful.
+ */
 function stateOf(node: FlatNode, stateful: Stateful, slots: Readonly<Record<string, number>>): NodeOperation['stateful'] | null {
   if (stateful === true) return true;
   const moves = (name: string) => sourcesAt(node, name).length > 0 || movingBinding(node, name) !== null;

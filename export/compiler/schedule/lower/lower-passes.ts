@@ -79,7 +79,7 @@ export function linkPasses(lowering: Lowering, node: FlatNode): readonly LinkedP
   return lowering.shaders.link(asking.file, asking.source, asking.vertex, { ...asking.variant, withoutDepth: missing }).output ?? [];
 }
 
-/** Filters that read depth use the connected room depth for layers without depth. */
+/** Whether room depth is connected to a node. Filters that read depth use it for layers without depth. */
 function hasRoom(node: FlatNode): boolean {
   return Object.entries(node.definition.inputs).some(([port, { type }]) => type === 'depth' && sourcesAt(node, port).length > 0);
 }

@@ -65,7 +65,10 @@ function missingImage({ id }: FlatNode, { file, imported }: TechniqueShader, pat
   };
 }
 
-/** A layer that is drawn before objects with the technique. An image of its own size is fitted to the view or is a texture. */
+/**
+ * The sampler of a layer that a technique reads; the layer is drawn before the objects. A layer in the image domain is fitted to the view,
+ * unless the technique reads it by UV (`isPicture`).
+ */
 function sampler(lowering: Lowering, node: FlatNode, name: string, input: string, isPicture: boolean) {
   const [layer] = sourcesAt(node, input);
   if (!layer) throw new Error(`The technique ${node.id} reads ${input}, which has no wire.`);
@@ -80,19 +83,22 @@ function sampler(lowering: Lowering, node: FlatNode, name: string, input: string
 /** The input of a technique for the layer behind its objects, which the library's glass has. */
 const BEHIND_INPUT = 'behind';
 
-/** The layer at that input. */
+/** The layer at a technique's input `BEHIND_INPUT`; null if none is connected. */
 function underOf(lowering: Lowering, node: FlatNode): DrawUnder | null {
   const [source] = sourcesAt(node, BEHIND_INPUT);
   return source ? underAt(lowering, source) : null;
 }
 
-/** A layer as what glass shows. */
+/** Describes a layer that glass shows where there are no objects. */
 export function underAt(lowering: Lowering, source: Source): DrawUnder {
   const { domain, encoding = 'display' } = lowering.layers.get(portKey(source)) ?? {};
   return { resource: resourceAt(lowering, source), fit: domain === 'image' ? 'cover' : 'none', encoding };
 }
 
-/** What the techniques of a draw's objects read, found through all nodes that lead to the draw except other layers. */
+/**
+ * What the techniques of a draw's objects read. The techniques are found by following the inputs of the draw and of the nodes before it,
+ * except layers.
+ */
 export function readsOfTechniques({ graph, techniqueReads }: Lowering, draw: FlatNode): TechniqueReads[] {
   const reads: TechniqueReads[] = [];
   const behind = new Set([draw]);

@@ -38,7 +38,7 @@ export interface Lowering {
   readonly computedBy: Map<string, string>;
   /** Delayed image nodes whose textures exist but are not drawn yet. */
   readonly delayed: FlatNode[];
-  /** What draws with a technique read, by its node. */
+  /** Node of a technique → what draws with that technique read. */
   readonly techniqueReads: Map<string, TechniqueReads>;
   /** Node → operations that set its params from expressions or tracks. */
   readonly movedBy: Map<string, string[]>;
@@ -49,7 +49,7 @@ export interface Lowering {
 
 export interface TechniqueReads {
   readonly layers: readonly ResourceId[];
-  /** Whether it shows what is behind its objects, and the layer for where there are none. */
+  /** Whether the technique shows what is behind its objects, and the layer that it shows where there are no objects (`under`). */
   readonly readsBehind: boolean;
   readonly under: DrawUnder | null;
 }
@@ -83,7 +83,7 @@ export function createLowering(
   return lowering;
 }
 
-/** Adds the diagnostics of a link, and the text above its mistake, for the node. */
+/** Takes over the diagnostics of a linked shader, and the text above its mistake, with the id of the node. */
 export function takeLink({ diagnostics, above }: Lowering, node: FlatNode, link: ShaderLink<unknown>): void {
   diagnostics.push(...link.diagnostics.map((diagnostic) => ({ ...diagnostic, nodeId: node.id })));
   if (link.above !== null) above.push({ ...link.above, node: node.id });

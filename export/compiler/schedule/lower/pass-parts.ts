@@ -13,7 +13,7 @@ export type Fit = Exclude<PassSampler['fit'], 'none'>;
 
 const FITS: readonly Fit[] = ['cover', 'contain', 'stretch'];
 
-/** The shader of an image node and how to link it there. */
+/** The shader of an image node and the variant in which it is linked for that node. */
 export interface NodeShader {
   readonly file: string;
   readonly source: string;
@@ -67,7 +67,7 @@ function resourcesOf(source: PassSampler['source']): ResourceId[] {
   return [source.kind === 'depth' ? source.depth.resource : source.resource];
 }
 
-/** The images that a shader imports, by their paths in the project. */
+/** The assets of an image that a shader imports: one, or the six faces of a cube. */
 function importedAt(lowering: Lowering, node: FlatNode, name: string): PassSampler['source'] {
   const { file, source } = shaderOf(lowering, node, () => true);
   const imported = lowering.shaders.read(file, source).output?.imported.find((image) => image.name === name);
@@ -123,7 +123,7 @@ export function passUniforms({ slots }: Lowering, node: FlatNode, pass: LinkedPa
   }
 }
 
-/** A node of the view domain fits an image of its own size to the view. */
+/** How a pass fits a layer: a node of the view domain fits an image of its own size to the view, all other layers need no fitting. */
 function fitAt({ layers }: Lowering, node: FlatNode, layer: Source): PassSampler['fit'] {
   const output = layerOutput(node);
   const isView = !output || layers.get(portKey(output))?.domain !== 'image';

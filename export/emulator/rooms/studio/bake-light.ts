@@ -11,6 +11,8 @@ export interface Daylight {
 }
 
 /**
+ * Computes the light that falls on points of surfaces.
+ *
  * @param positions Three numbers per point, world space.
  * @param normals Unit vectors.
  * @returns Irradiance divided by π, linear-sRGB.
@@ -26,9 +28,9 @@ const PATCH_M = 0.45;
 const LIFT_M = 0.012;
 
 /**
- * Indirect light per point: radiosity over the faces of boxes that approximate the furniture, then one final gather per vertex (Cohen and
- * Wallace, “Radiosity and Realistic Image Synthesis”, ch. 4 and 10.3). Direct sunlight is excluded: a shadow map renders its hard edges
- * better. About 0.3 s for 10,000 points.
+ * Creates a function that computes the indirect light at points: radiosity over the faces of boxes that approximate the furniture, then one
+ * final gather per vertex (Cohen and Wallace, “Radiosity and Realistic Image Synthesis”, ch. 4 and 10.3). Direct sunlight is excluded: a
+ * shadow map renders its hard edges better. About 0.3 s for 10,000 points.
  */
 export function createLightBaker(solids: readonly Solid[], daylight: Daylight): LightBaker {
   const scene = createSolidScene(solids);
@@ -166,7 +168,7 @@ function pointOf({ centers, normals }: Patches, i: number): readonly [number, nu
   return [(centers[i] ?? 0) + nx * LIFT_M, (centers[i + 1] ?? 0) + ny * LIFT_M, (centers[i + 2] ?? 0) + nz * LIFT_M, nx, ny, nz];
 }
 
-/** The patch that each ray of each patch hits; it is the same in every bounce. */
+/** Finds the patch that each ray of each patch hits. The result is the same for every bounce, so it is computed once. */
 function meetings(scene: SolidScene, patches: Patches): Uint16Array {
   const directions = cosineDirections(PATCH_RAYS);
   const out = new Uint16Array(patches.count * PATCH_RAYS);

@@ -16,7 +16,7 @@ export interface Part {
   readonly blocker?: Blocker;
 }
 
-/** Rotated with its part. */
+/** A box that stands for a part while light is baked; rotated with the part. */
 export interface Blocker {
   readonly center: readonly [number, number, number];
   readonly size: readonly [number, number, number];
@@ -28,7 +28,7 @@ export const ROOM = { widthM: 5.2, heightM: 2.6, depthM: 4.6 } as const;
 /** Opening in the left wall, meters. */
 export const WINDOW = { centerY: 1.5, centerZ: -0.35, heightM: 1.4, widthM: 1.9 } as const;
 
-/** A part too thin to cast shadows. */
+/** Creates a box-shaped part without a blocker, because the part is too thin to cast shadows while light is baked. */
 function trim(surface: SurfaceName, at: Triple, size: Triple, radiusM = 0, more: Partial<Part> = {}): Part {
   return { surface, at, shape: roundedBox(size, radiusM), ...more };
 }

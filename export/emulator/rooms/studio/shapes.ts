@@ -66,7 +66,10 @@ function addFace(shape: Shape, half: Triple, inner: Triple, radiusM: number, nor
   addGrid(shape.indices, first, along.length, across.length, sign > 0);
 }
 
-/** Seen from outside: u to the right, v up; on horizontal faces u along x, v along −z. */
+/**
+ * UV in meters of a point on a face of a box. Seen from outside, u goes to the right and v up; on horizontal faces u goes along x and v
+ * along −z.
+ */
 function boxUv([x = 0, y = 0, z = 0]: readonly number[], normalAxis: Axis): readonly [number, number] {
   if (normalAxis === 1) return [x, -z];
   return normalAxis === 0 ? [-z, y] : [x, y];

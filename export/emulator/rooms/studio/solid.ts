@@ -11,7 +11,7 @@ export interface Solid {
 
 export type Triple = readonly [number, number, number];
 
-/** A ray hit. */
+/** Where a ray hits a solid. */
 export interface Meeting {
   distanceM: number;
   /** Index of the solid. */
@@ -31,7 +31,11 @@ export interface SolidScene {
 /** Numbers per box in the table: center, half size, sine and cosine of the yaw. The table is flat because millions of rays read it. */
 const STRIDE = 8;
 
-/** @param solids The first is the shell, a box that is hit from inside and is not rotated. */
+/**
+ * Creates a scene that casts rays against solids.
+ *
+ * @param solids The first is the shell, a box that is hit from inside and is not rotated.
+ */
 export function createSolidScene(solids: readonly Solid[]): SolidScene {
   const shell = solids[0];
   if (!shell) throw new Error('The scene has no shell.');
