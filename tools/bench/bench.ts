@@ -57,7 +57,7 @@ export async function timeMs(work: () => unknown): Promise<number> {
   return performance.now() - startMs;
 }
 
-/** The nearest sample, so that each figure is a measured one. */
+/** The sample at the quantile `q` of sorted samples, without interpolation, so that each figure was measured. */
 export function quantile(sorted: readonly number[], q: number): number {
   return sorted[Math.min(sorted.length - 1, Math.floor(q * sorted.length))] ?? Number.NaN;
 }

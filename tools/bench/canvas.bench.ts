@@ -9,7 +9,7 @@ import { GRID_ROWS, type GridGraph, gridGraph } from './grid-graph.ts';
 import { openServer, startBenchBrowser } from './open-page.ts';
 
 const FRAMES = 120;
-/** Distance of pointer moves, as in a manual drag. */
+/** Distance between pointer moves, as in a manual drag. */
 const STEP_PX = 3;
 
 interface Case {
@@ -98,7 +98,7 @@ async function selectColumns(page: Page, columns: number): Promise<Point> {
   return { x: (box.left + box.right) / 2, y: (box.top + box.bottom) / 2 };
 }
 
-/** Zooms in to the first node. */
+/** Zooms in to one node. Returns a point on its title. */
 async function oneNode(page: Page): Promise<Point> {
   await page.locator('[data-node="node-a2"]').click();
   await page.keyboard.press('Shift+F');

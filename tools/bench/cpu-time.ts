@@ -38,7 +38,10 @@ function entriesOf(folder: string): readonly string[] {
   }
 }
 
-/** proc(5): after the name in parentheses follow state and parent; user and system time are fields 14 and 15. */
+/**
+ * Parent and CPU time of a process, from `/proc/PID/stat` (proc(5)): after the name in parentheses follow state and parent; user and system
+ * time are fields 14 and 15.
+ */
 function parseStat(pid: string): Stat | null {
   try {
     const text = readFileSync(`/proc/${pid}/stat`, 'utf8');

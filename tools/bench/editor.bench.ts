@@ -10,13 +10,19 @@ import { createKeyParts, type KeyParts } from './key-parts.ts';
 import { startBenchBrowser } from './open-page.ts';
 
 const PREVIEW = 'iframe[title="Preview"]';
-/** Read area: below the strip that messages may cover; small, so that reading is fast. */
+/**
+ * Part of the preview that is read to detect a new image, in pixels: below the strip that messages may cover, and small, so that reading is
+ * fast.
+ */
 const LOOK = { x: 40, y: 60, width: 24, height: 24 };
 
-/** Time for earlier edits to be compiled and drawn. */
+/** Pause in which earlier edits are compiled and drawn. */
 const REST_MS = 3000;
 
-/** Waiting times in the built editor (`npm run build`); reading the image takes some 30 ms of them. */
+/**
+ * How long a user of the built editor (`npm run build`) waits for the first image, and for a changed image after a key press. Reading the
+ * image takes some 30 ms of each time.
+ */
 export async function benches(context: ToolContext): Promise<readonly Bench[]> {
   return [
     startBench(context),
@@ -46,7 +52,7 @@ function startBench(context: ToolContext): Bench {
   };
 }
 
-/** From a key in the shader of the node with that title, in a copy of an example, to the image that it changes. */
+/** Time from a key press in the shader of the node with the title `node`, in a copy of `example`, to the changed image. */
 function typingBench(context: ToolContext, name: string, example: string, node: string): Bench {
   const host = createHost(context, example);
   const parts = createKeyParts(quantile);

@@ -14,14 +14,17 @@ const COPY = `/*{
 void main() { gl_FragColor = IMG_THIS_PIXEL(inputImage); }
 `;
 
-/** The worker of a CPU filter does not block the page, so only drawn filters are measured. */
+/**
+ * Lowerings of effects that the page draws. The worker of a CPU filter does not block the page, so only the drawing of such a filter is
+ * measured.
+ */
 const DRAWN: ReadonlySet<NodeDefinition['lowering']['kind']> = new Set(['image', 'cpu']);
 const EFFECTS = ['filter/', 'operator/'];
 
 /**
- * Every filter and operator over a photograph of 480 by 360 pixels with its own values: milliseconds of a frame, and its cost as a
- * multiple of a plain copy's. A frame is the effect and the copy that brings its picture onto the screen, so that against a copy in
- * the effect's place it takes half of the effect's cost and a half: twice the ratio, less one.
+ * Measures every filter and composite with default params on a photograph of 480 × 360 pixels: milliseconds per frame, and the cost of the
+ * effect as a multiple of the cost of copying a layer. A frame draws the effect and then copies its layer to the screen; a frame of the
+ * reference makes two copies. The cost in copies is therefore twice the ratio of the two frame times, less one.
  */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   const types = [...LIBRARY.types()].filter((type) => {
@@ -46,7 +49,7 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
   });
 }
 
-/** Connects the photograph to each layer input. */
+/** A project in which the photograph is connected to each layer input of the effect. */
 function projectOf(type: string, ports: readonly string[]): object {
   return {
     format: 'scrim-project',

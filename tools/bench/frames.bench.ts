@@ -16,9 +16,9 @@ const SIZE_PX = [640, 480] as const;
 const FRAMES = 5;
 /** Samples per row. Few, because a frame may take a second on a CPU. */
 const SAMPLES = 9;
-/** Frames until shaders and tables have been created. */
+/** Number of discarded frames, in which shaders and tables are created. */
 const WARM_FRAMES = 10;
-/** A lower bound that separates garbage from noise. */
+/** Number of frames over which garbage is measured: enough to separate it from noise. */
 const HEAP_FRAMES = 120;
 
 const ROBOTS_OF_FIRST_LIGHT: readonly Standing[] = [
@@ -36,7 +36,7 @@ const GALLERY: GalleryPlan = {
   pegs: PEGS,
 };
 
-/** Replaces a part of an example’s project. */
+/** Edits the project of an example before it is measured. */
 type Change = (document: Document) => void;
 
 interface Document {
@@ -49,15 +49,15 @@ const asItIs: Change = () => {};
 const withoutFilter: Change = ({ graphs: { main } }) => {
   for (const node of Object.values(main.nodes)) if (node.type === 'filter/color-temperature') node.muted = true;
 };
-/** The wall, the lamps and the sky; all layers above them are images. */
+/** Removes the image layers from the gallery, so that only its scenes are drawn: the wall, the lamps and the sky. */
 const scenesAlone: Change = ({ graphs: { main } }) => {
   main.wires = main.wires.map((wire) => wire.replace('over-blend.layer -> screen-all', 'over-sky.layer -> screen-all'));
 };
 
 /**
- * What frames cost, and those of scenes against the same objects, lights and shadows drawn by three.js alone. The template `empty`
- * draws nothing, `filter` pictures alone, and the gallery's masks, trails and blended layers are pictures, too: three.js has none of
- * these, so their rows have no other beside them.
+ * Measures frames of two examples and two templates. Frames that consist of scenes are also compared with the same objects, lights and
+ * shadows drawn by three.js alone. The template `filter`, and the masks, trails and blended layers of the gallery, are not compared,
+ * because three.js has no counterpart.
  */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   const robots = { page: 'three.page.ts', file: 'assets/robot.glb' };
@@ -103,7 +103,9 @@ function time(root: string, example: string): Bench {
 interface Compared {
   readonly example: string;
   readonly change: Change;
-  /** The page with the same scene in plain three.js, the file of the example that it loads, and its arguments. */
+  /**
+   * The file of the page that draws the same scene with plain three.js, the file of the example that it loads, and its further arguments.
+   */
   readonly page: string;
   readonly file: string;
   readonly more: readonly unknown[];
@@ -145,7 +147,7 @@ function compare(root: string, name: string, compared: Compared): Bench {
   };
 }
 
-/** Garbage per frame, including that of three.js. */
+/** Two rows: kilobytes of garbage per frame of an example, and of the same scene drawn by three.js alone. */
 function garbage(root: string, name: string, compared: Compared): readonly Bench[] {
   let measured: Promise<{ readonly ours: number; readonly theirs: number }> | undefined;
   const measure = async () => {
@@ -171,7 +173,7 @@ interface HeapNode {
   readonly children: readonly HeapNode[];
 }
 
-/** Kilobytes per frame by V8’s sampling profiler, which includes objects that have been collected. */
+/** Kilobytes that a page allocates per frame, including objects that have been collected, by the sampling heap profiler of V8. */
 async function allocated(page: Page): Promise<number> {
   const client = await page.context().newCDPSession(page);
   const options = { samplingInterval: 512, includeObjectsCollectedByMajorGC: true, includeObjectsCollectedByMinorGC: true };

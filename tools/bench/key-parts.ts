@@ -1,9 +1,12 @@
 import type { Frame, Page } from 'playwright-core';
 
-/** When each step from a key to a picture was taken, in milliseconds since the epoch; the last of its kind counts. */
+/**
+ * Time of each step from a key press to a changed image, in milliseconds since the epoch. If a step occurs several times, the last one
+ * counts.
+ */
 type Marks = Readonly<Record<string, number>>;
 
-/** The steps in order, with the words for the time before each. */
+/** The steps in order, each with a description of what happens before it. */
 const STEPS = [
   ['request', 'the page takes the text over'],
   ['answer', 'the worker compiles, and its answer waits for the page'],
@@ -13,7 +16,7 @@ const STEPS = [
   ['frame', 'the frame is drawn'],
 ] as const;
 
-/** In every page and frame before its scripts: notes down when messages of the steps pass. */
+/** Script that runs in every page and frame before its own scripts. Records the times at which the messages of the steps pass. */
 const RECORD = `(() => {
   const marks = (globalThis.scrimMarks = {});
   const mark = (name) => { marks[name] = performance.timeOrigin + performance.now(); };
@@ -56,13 +59,13 @@ const RECORD = `(() => {
   before(MessagePort, (data) => kindOf(data) === 'program' && mark('received'));
 })()`;
 
-/** Measures the parts of the way from a key to a picture. */
+/** Measures each step from a key press to the changed image. */
 export interface KeyParts {
-  /** Call it before the page is opened. */
+  /** Installs the recording script. Must be called before the page is opened. */
   prepare(page: Page): Promise<void>;
-  /** Takes over the times of the last key, once its picture is there. */
+  /** Collects the times of the last key press. Called when the changed image is shown. */
   take(page: Page): Promise<void>;
-  /** A line per part: the median and the 95th percentile. */
+  /** Text with one line per step: the median and the 95th percentile, in milliseconds. */
   print(): string;
 }
 

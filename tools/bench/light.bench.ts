@@ -8,7 +8,7 @@ import { call, openPage, startBenchBrowser } from './open-page.ts';
 import type { LitLayer } from './pages/three-light.page.ts';
 
 const SIZE_PX = [640, 480] as const;
-/** Frames per sample, of each page in turn. */
+/** Frames per sample and page. The two pages draw alternately. */
 const FRAMES = 4;
 const SAMPLES = 5;
 const WARM_FRAMES = 3;
@@ -20,7 +20,10 @@ interface Pages {
   readonly theirs: Readonly<Record<LitLayer, Page>>;
 }
 
-/** Frames in the light of a panorama and a sun with shadow: each technique, and scene layers, against three.js in the same light. */
+/**
+ * Compares frames with three.js alone: a ball and a floor in the light of a panorama and a sun with shadow, with their own materials, as a
+ * scene layer with a Tone map, and with each technique.
+ */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   const folder = join(root, 'nodes', 'source', 'panorama', 'example');
   const techniques = (await listFiles(join(root, 'shader-library', 'techniques'))).map((file) => file.replace('.glsl', ''));

@@ -31,7 +31,7 @@ export async function openPage(browser: Browser, root: string, entry: string, fo
   return page;
 }
 
-/** Calls one of the script's exports. */
+/** Calls an export of the script that `openPage` loaded. */
 export function call<T>(page: Page, name: string, ...args: readonly unknown[]): Promise<T> {
   return page.evaluate(
     ([n, a]) => (globalThis as unknown as { bench: Record<string, (...x: readonly unknown[]) => unknown> }).bench[n]?.(...a),

@@ -48,7 +48,7 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
   ];
 }
 
-/** Bundles like `export/bundle`. */
+/** Bundles the hand-written three.js page as `export/bundle` bundles pages. Returns its size. */
 async function bundleThree(root: string): Promise<Sizes> {
   const { outputFiles } = await build({
     entryPoints: [join(root, 'tools/bench/pages/three.page.ts')],

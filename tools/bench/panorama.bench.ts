@@ -32,7 +32,7 @@ export async function benches(): Promise<readonly Bench[]> {
   });
 }
 
-/** Bytes of a smooth room with a lamp and a window. */
+/** A panorama in bytes: a smooth room with a lamp and a window. */
 function room(widthPx: number, heightPx: number): PanoramaPixels {
   const data = new Uint8Array(widthPx * heightPx * 3);
   for (let y = 0, i = 0; y < heightPx; y++) {
@@ -46,7 +46,7 @@ function room(widthPx: number, heightPx: number): PanoramaPixels {
   return { widthPx, heightPx, channels: 3, data };
 }
 
-/** CPU time of this process, which depends less on the load of the machine than the time of the day. */
+/** CPU time in milliseconds that `work` takes in this process. Depends less on the load of the machine than wall-clock time. */
 function cpuMs(work: () => unknown): number {
   const before = process.cpuUsage();
   work();

@@ -9,7 +9,7 @@ export interface Recorded extends Measured {
 
 const COLUMNS = ['date', 'version', 'commit', 'name', 'unit', 'median', 'p95'] as const;
 
-/** Smaller changes are noise. */
+/** Relative change below which a difference is noise. */
 const NOTABLE = 0.05;
 
 export function readResults(csv: string): Recorded[] {
@@ -42,7 +42,7 @@ function change({ median }: Measured, last: Recorded | undefined): string {
   return Math.abs(ratio) < NOTABLE ? '' : `${ratio > 0 ? '+' : '−'}${Math.abs(ratio * 100).toFixed(0)} %`;
 }
 
-/** Four digits; more are noise on two busy cores. */
+/** Rounds to four digits. More are noise on two busy cores. */
 function figure(value: number): string {
   return String(Number(value.toPrecision(4)));
 }

@@ -4,7 +4,7 @@ import { type Bench, quantile } from './bench.ts';
 import { call, openPage, startBenchBrowser } from './open-page.ts';
 
 const SIZE_PX = [640, 480] as const;
-/** Frames per sample, or as many as take this long. */
+/** Maximum number of frames per sample. A sample ends early when its frames have taken `ENOUGH_MS`. */
 const FRAMES = 4;
 const ENOUGH_MS = 300;
 
@@ -23,7 +23,7 @@ export interface RivalsOptions {
   readonly base: object;
   /** Shaders of the projects, by file name. */
   readonly shaders?: Readonly<Record<string, string>>;
-  /** Number of rows that share it. */
+  /** Number of rows that share the two pages. Each calls `leave` once. */
   readonly rows: number;
 }
 
@@ -82,7 +82,7 @@ export interface RacedRows {
 /** Few samples, because there are many rows, and a single core may draw all of them. */
 const SAMPLES = 5;
 
-/** Two rows of the same frames: those of the first are told once more, in milliseconds, by the second. */
+/** Two rows from one measurement: the ratio to the reference, and the milliseconds per frame. */
 export function racedBenches(rivals: Rivals, { project, ratio, frame }: RacedRows): readonly Bench[] {
   const timesMs: number[] = [];
   const dispose = () => rivals.leave();

@@ -4,9 +4,9 @@ import type { Bench } from './bench.ts';
 import { call, startBenchBrowser } from './open-page.ts';
 import { findModel, openOurs, roomFolder } from './room-files.ts';
 
-/** The device of the paper ran out of memory above 112 models (§4). */
+/** Numbers of models. The device of the paper ran out of memory above 112 (§4). */
 const COUNTS = [1, 10, 112, 500];
-/** So small that only vertices matter. */
+/** The image is so small that drawing costs little more than its vertices. */
 const PLAN = { widthPx: 64, heightPx: 48, shadowMapPx: 256, occlusion: true, shadow: false, filter: 'pcf' } as const;
 
 const WAYS = [
@@ -14,7 +14,10 @@ const WAYS = [
   ['by one node of copies', { copies: true }],
 ] as const;
 
-/** What textures hold on the GPU, whatever the number of nodes that show the same model, or of its instances. */
+/**
+ * Measures the texture memory on the GPU. It should not depend on how many nodes show the same model, or on the number of copies by an
+ * Array node.
+ */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   const model = await findModel(root);
   if (model === null) return [];

@@ -2,7 +2,10 @@ import { CAMERA_SCALE, FLOOR_M, placesOf, type RoomPlan, SHADOW_AREA_M, SPACING_
 
 export const MODEL_FILE = 'AntiqueCamera.glb';
 
-/** A project that draws the plan: as many model nodes as models, or one and its copies, lit by the room, their shadows on the real floor, hidden by real depth. */
+/**
+ * A project that draws the plan: one model node per model, or one model node and an Array node. The light estimate lights the models, they
+ * cast shadows on the real floor, and room depth hides them, as far as the plan says.
+ */
 export function roomProject({ count, occlusion, shadow, shadowMapPx, filter, copies }: RoomPlan): object {
   const nodes: Record<string, object> = {
     'every-0000': node('objects/group'),

@@ -7,7 +7,10 @@ import { call, startBenchBrowser } from './open-page.ts';
 import type { RoomPlan } from './pages/room-plan.ts';
 import { findModel, openOurs, openThree, roomFolder } from './room-files.ts';
 
-/** Of the paper's Figures 16 to 21; rounds, and frames in each: on a CPU, many cameras take seconds. */
+/**
+ * Numbers of models (antique cameras) as in Figures 16 to 21 of the paper, each with its rounds and frames per round. Many cameras take
+ * seconds on a CPU, so they get fewer.
+ */
 const COUNTS: readonly Size[] = [
   { cameras: 1, rounds: 12, frames: 5 },
   { cameras: 10, rounds: 9, frames: 1 },
@@ -15,10 +18,10 @@ const COUNTS: readonly Size[] = [
   { cameras: 112, rounds: 4, frames: 1 },
 ];
 const PLAN = { widthPx: 640, heightPx: 480, shadowMapPx: 1024, filter: 'pcf' } as const;
-/** For what is made once, such as shaders, to be there. */
+/** Number of discarded frames, in which shaders and other resources are created. */
 const WARM_FRAMES = 3;
 
-/** The ways in which the same is drawn, each on a page of its own. */
+/** Variants that draw the same scene, each on a page of its own. */
 const WAYS = ['three.js', 'ours', 'ours with occlusion', 'ours without shadow'] as const;
 type Way = (typeof WAYS)[number];
 
@@ -28,7 +31,7 @@ interface Size {
   readonly frames: number;
 }
 
-/** Milliseconds of a frame: on the clock, and of computing where the system tells; the two are the same where it does not. */
+/** Milliseconds of a frame: wall-clock time and CPU time. Both are wall-clock time if the system does not report CPU time. */
 interface Sample {
   readonly wallMs: number;
   readonly costMs: number;
@@ -37,8 +40,9 @@ interface Sample {
 type Times = Readonly<Record<Way, readonly Sample[]>>;
 
 /**
- * What depth occlusion, estimated light and shadows cost on the way straight to the screen, beside three.js alone with the same models,
- * light and shadows: Figures 16 to 21 of "Environment-Aware Rendering and Interaction in Web-Based Augmented Reality" (2023).
+ * Measures what depth occlusion, estimated light and shadows cost when scenes are drawn straight to the screen, compared with three.js
+ * alone with the same models, light and shadows: Figures 16 to 21 of "Environment-Aware Rendering and Interaction in Web-Based Augmented
+ * Reality" (2023).
  */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   const model = await findModel(root);
@@ -82,7 +86,7 @@ function benchesOf(root: string, model: string, size: Size): readonly Bench[] {
   ];
 }
 
-/** As the paper has them: the least, the mean and the most. */
+/** Minimum, mean and maximum per frame of each variant, as the paper prints them. */
 function spread(count: number, times: Times): string {
   const lines = WAYS.map((way) => {
     const figures = (['wallMs', 'costMs'] as const).map((kind) => {

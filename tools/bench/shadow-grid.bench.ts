@@ -9,7 +9,10 @@ import { findModel, openOurs, roomFolder } from './room-files.ts';
 
 const SIZES = [256, 1024, 4096, 8192] as const;
 
-/** Table 1 of "Environment-Aware Rendering and Interaction in Web-Based Augmented Reality" (2023), ms on its phone; it has none for PCSS. */
+/**
+ * Table 1 of "Environment-Aware Rendering and Interaction in Web-Based Augmented Reality" (2023): milliseconds per frame on its phone, for
+ * each of `SIZES`. The paper has no figures for PCSS.
+ */
 const PAPER_MS = {
   basic: [1.1, 1.32, 1.37, 1.51],
   pcf: [1.12, 1.42, 1.97, 2.75],
@@ -25,7 +28,10 @@ const WARM_FRAMES = 2;
 const FRAMES = 3;
 const SAMPLES = 3;
 
-/** A model and its shadow on the floor, by filter and size of the map: computing time of a frame, and the paper's own figures beside it. */
+/**
+ * Measures frames with a model and its shadow on the floor, for each filter and size of the shadow map: CPU time per frame, printed beside
+ * the figures of the paper.
+ */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   const model = await findModel(root);
   if (model === null) return [];
@@ -81,7 +87,7 @@ async function frameCostMs(page: Page): Promise<number> {
   return before === null || after === null ? wallMs : (after - before) / FRAMES;
 }
 
-/** Against the cheapest, because a processor and a phone's graphics have only proportions in common. */
+/** Prints each time and its ratio to the cheapest one, because figures of a CPU and of a phone's GPU can only be compared as ratios. */
 function printGrid(samples: ReadonlyMap<string, readonly number[]>): string {
   const medianOf = (filter: Filter, size: number): number => {
     const [, ...counted] = samples.get(`${filter}/${size}`) ?? [];

@@ -4,7 +4,10 @@ import type { ToolContext } from '../lib/tool.ts';
 import type { Bench } from './bench.ts';
 import { createRivals, racedBenches } from './rivals.ts';
 
-/** A frame of a large ball and its shadow on a floor, with each technique that ships, and against the same with their own materials. */
+/**
+ * Measures frames with a large ball and its shadow on a floor, with each technique of the library: milliseconds, and the ratio to the same
+ * objects with their own materials.
+ */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   const files = await listFiles(join(root, 'shader-library', 'techniques'));
   const folder = join(root, 'examples', 'first-light');

@@ -14,8 +14,8 @@ const FRAMES = 20;
 const SAMPLES = 7;
 
 /**
- * What pictures on nodes cost while a recording plays: the layers that are looked at are drawn by passes of their own, and are read
- * back one a turn. Computing time of editor and preview together, where the system tells it.
+ * Measures what thumbnails on nodes cost while a recording plays. Passes of their own draw the layers of the thumbnails, and one thumbnail
+ * per frame is read back. Counts the CPU time of editor and preview together if the system reports it, else wall-clock time.
  */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   let opened: Promise<Opened> | undefined;

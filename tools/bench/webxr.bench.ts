@@ -12,8 +12,8 @@ const FRAMES = 5;
 const SAMPLES = 9;
 
 /**
- * The cost of each part of WebXR in the emulated device, without Scrim's own work: Figure 22 of "Environment-Aware Rendering and
- * Interaction in Web-Based Augmented Reality" (2023). Computing time, where the system tells it.
+ * Measures the cost of each part of WebXR in the emulated device, without Scrim's own work: Figure 22 of "Environment-Aware Rendering and
+ * Interaction in Web-Based Augmented Reality" (2023). Counts CPU time if the system reports it, else wall-clock time.
  */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   return ASKED.map((asked) => {

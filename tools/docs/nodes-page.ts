@@ -66,7 +66,7 @@ function heading({ title, type }: NodeDefinition): string {
   return `${title} \`${type}\``;
 }
 
-/** As GitHub makes it from the heading. */
+/** Anchor of a heading, as GitHub derives it from the text of the heading. */
 function anchor(definition: NodeDefinition): string {
   return heading(definition)
     .toLowerCase()

@@ -12,7 +12,7 @@ export interface Film {
   readonly widthPx: number;
   readonly heightPx: number;
   readonly framesPerS: number;
-  /** Interval of key frames. */
+  /** Number of frames from one key frame to the next. */
   readonly keyEvery: number;
   readonly bitrate: number;
   readonly images: readonly FilmImage[];
@@ -25,7 +25,7 @@ const CODEC = 'vp09.00.10.08';
 
 interface Encoded {
   readonly chunks: readonly EncodedVideoChunk[];
-  /** Of the first chunk. */
+  /** Metadata of the first chunk. */
   readonly metadata: EncodedVideoChunkMetadata | undefined;
 }
 

@@ -13,7 +13,7 @@ export interface GalleryBuilder {
   /** Selects the graph for the following calls; creates it if it does not exist. */
   into(graph: string): void;
   add(id: string, type: string, at: { readonly x: number; readonly y: number }, params?: Readonly<Record<string, ParamValue>>): void;
-  /** `node.port -> node.port`. */
+  /** Adds a wire, written as `node.port -> node.port`. */
   wire(text: string): void;
   /** Exposes `node.port` of a subgraph. */
   show(side: 'inputs' | 'outputs', name: string, address: string): void;

@@ -3,15 +3,17 @@ import type { ParamValue } from '../../nodes/kit/definition.ts';
 type Params = Readonly<Record<string, ParamValue>>;
 
 /**
- * One node type on show. Names of nodes are of the cell's own, or of the signals that all cells share; an output is `name.port`.
+ * A cell of the wall, which demonstrates a node type. Wires address ports as `name.port`, where `name` is a node of the cell or one of
+ * `SIGNALS`, which all cells share.
  */
 export interface Cell {
   readonly title: string;
   readonly nodes: Readonly<Record<string, readonly [type: string, params?: Params]>>;
   readonly wires: readonly string[];
   /**
-   * What shows it: the height of a ball on its rail, from 0 at the foot to 1 at the top; the place of a ball, in heights of a rail
-   * from the middle of the cell; the color of a box; or objects of its own, sized in heights of a rail about the same middle.
+   * What shows an output (`name.port`) of the cell: the height of a ball on its rail, from 0 at the foot to 1 at the top; the position of a
+   * ball relative to the center of the cell, in rail heights; the color of a box; or objects of the cell, also in rail heights around its
+   * center.
    */
   readonly shows: readonly ['height' | 'place' | 'color' | 'things', string];
 }
@@ -28,8 +30,8 @@ export interface Section {
 }
 
 /**
- * What several cells follow: seconds; seconds that start over after 2; from 0 to 1 in the same time; a pulse every half second; and
- * what is 0 and 1 in turn with it.
+ * Signals for several cells. `time`: seconds. `saw`: seconds that start over after 2. `unit`: from 0 to 1 in the same time. `beat`: a pulse
+ * every half second. `steps`: 0 and 1 in turn, changing with each beat.
  */
 export const SIGNALS: Cell['nodes'] = {
   time: ['value/time'],

@@ -2,7 +2,7 @@ import type { GalleryBuilder } from './gallery-builder.ts';
 import { addThing } from './gallery-lights.ts';
 import { cellMiddleM, moved, type Place } from './gallery-place.ts';
 
-/** What the choice of the blend modes offers after the first, `ALL_IN_TURN`; in the order of the operator's own. */
+/** Options of the control for the blend mode, after the first option `ALL_IN_TURN`. In the order of the modes of `operator/blend`. */
 export const BLEND_MODES = [
   'Normal',
   'Multiply',
@@ -28,7 +28,10 @@ const RED = [0.85, 0.2, 0.15, 1] as const;
 const GREEN = [0.25, 0.7, 0.3, 1] as const;
 const BLUE = [0.2, 0.4, 0.9, 1] as const;
 
-/** Three balls that circle; a filter takes the color from all but the red one, by a mask that knows when another is before it. */
+/**
+ * Adds three balls that move in a circle. A filter removes the color from all but the red one. The object mask of the red ball leaves out
+ * where another ball is in front of it.
+ */
 export function addMask(wall: GalleryBuilder, row: number, column: number): void {
   const middle = cellMiddleM(row, column);
   wall.into('mask');
@@ -64,10 +67,10 @@ export function addMask(wall: GalleryBuilder, row: number, column: number): void
   wall.frame('Object mask: only the red object keeps its color', { x: -30, y: -60, width: 1640, height: 1260 });
 }
 
-/** The ball with the trail: radius of its circle, speed, and how much of the trail remains per frame. */
+/** The ball with the trail: radius of its circular path, its diameter, its speed, and the fraction of the trail that remains per frame. */
 export const TRAIL = { radiusM: 0.038, ballM: 0.026, turnRadPerS: 2, keep: 0.88 } as const;
 
-/** A ball that moves in a circle over its previous frames. */
+/** Adds a ball that moves in a circle over its previous frames. */
 export function addTrail(wall: GalleryBuilder, row: number, column: number): void {
   const [x, y, z] = cellMiddleM(row, column);
   wall.into('trail');
@@ -102,7 +105,7 @@ export function addTrail(wall: GalleryBuilder, row: number, column: number): voi
   wall.frame('Feedback: a trail', { x: -570, y: -60, width: 1910, height: 820 });
 }
 
-/** A video behind a window in the wall. */
+/** Adds a video behind a window in the wall. */
 export function addFilm(wall: GalleryBuilder, row: number, column: number): void {
   wall.into('film');
   addThing(wall, 'window', cellMiddleM(row, column, 2), 0, { sizeM: [0.25, 0.12, 0.004] });
@@ -116,17 +119,20 @@ export function addFilm(wall: GalleryBuilder, row: number, column: number): void
   wall.frame('Video file: a video behind a window', { x: -30, y: -60, width: 1100, height: 760 });
 }
 
-/** Colors from left to right below, and from top to bottom above: a field where each of these meets each of those. */
+/** Colors of the strips, from left to right, and of the bars over them, from top to bottom. Each bar crosses each strip. */
 const BELOW = [RED, [0.95, 0.8, 0.2, 1], GREEN, BLUE, [0.5, 0.5, 0.5, 1], [0.95, 0.95, 0.95, 1]] as const;
 const ABOVE = [
   [0.9, 0.5, 0.2, 1],
   [0.35, 0.35, 0.4, 1],
   [0.3, 0.6, 0.85, 1],
 ] as const;
-/** Of one strip below and one bar above, meters, from middle to middle. The bars end beyond the strips, and the other way round. */
+/**
+ * In meters: distance between the centers of neighboring strips, and of neighboring bars; and by how much the bars are longer than all
+ * strips are wide. The strips extend beyond the bars by half as much.
+ */
 export const BLEND_FIELD = { stripM: 0.076, barM: 0.034, reachM: 0.03 } as const;
 
-/** Bars laid over strips by the mode that the visitor chooses, or by one after the other, a second each. */
+/** Adds bars over strips, blended by the mode that the visitor chooses, or by all modes in turn, one second each. */
 export function addBlend(wall: GalleryBuilder, row: number, column: number): void {
   const middle = cellMiddleM(row, column, 4);
   const { stripM, barM, reachM } = BLEND_FIELD;

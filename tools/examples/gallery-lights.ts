@@ -1,22 +1,25 @@
 import type { GalleryBuilder } from './gallery-builder.ts';
 import { cellMiddleM, moved, type Place, RAIL_M } from './gallery-place.ts';
 
-/** A matte plate that receives light, behind the center of a cell. */
+/** Size of a matte plate that receives light, and its distance behind the center of a cell, in meters. */
 const PLATE_M = [0.118, 0.118, 0.006];
 const BEHIND_M = 0.045;
 /** Range of lights, so that they light only their own cell. */
 const REACH_M = 0.17;
 
-/** Positions around the bulb in meters. */
+/** Positions of the pegs around the bulb, relative to the center of its cell, in meters. */
 export const PEGS: readonly (readonly [right: number, up: number])[] = [
   [0, 0.03],
   [-0.026, -0.015],
   [0.026, -0.015],
 ];
-/** Of the bulb. three.js lights what is nearer than 0.1 m as if it were that far away, where 0.03 cd make white paper white. */
+/**
+ * Intensity of the bulb: mean, amplitude and angular speed. three.js treats distances below 0.1 m as 0.1 m, where 0.03 cd make white paper
+ * white.
+ */
 export const SWELL = { middleCd: 0.03, byCd: 0.015, radPerS: 2 } as const;
 
-/** A layer of two cells: a bulb that swells and fades among three pegs, and a spot on a ball that throws its shadow. */
+/** Adds a layer with two cells: a bulb that brightens and dims between three pegs, and a spot light on a ball that casts a shadow. */
 export function addLamps(wall: GalleryBuilder, row: number, columns: readonly [point: number, spot: number]): void {
   const [point, spot] = columns.map((column) => cellMiddleM(row, column)) as [Place, Place];
   wall.into('lamps');
@@ -69,7 +72,7 @@ export function addLamps(wall: GalleryBuilder, row: number, columns: readonly [p
   wall.frame('Spot light: a cone and a shadow', { x: -30, y: 1190, width: 840, height: 620 });
 }
 
-/** A layer of two cells in the evening light of a rotating panorama: a ball of chalk, and one that mirrors it. */
+/** Adds a layer with two cells in the evening light of a rotating panorama: a ball of chalk and a mirror ball. */
 export function addSky(wall: GalleryBuilder, row: number, columns: readonly [matt: number, mirror: number]): void {
   const [matt, mirror] = columns.map((column) => cellMiddleM(row, column)) as [Place, Place];
   const sizeM = [RAIL_M, RAIL_M, RAIL_M];
@@ -93,7 +96,7 @@ function addPlate(wall: GalleryBuilder, name: string, middleM: Place, line: numb
 
 type Params = Parameters<GalleryBuilder['add']>[3];
 
-/** Adds a shape at a position, as `place-NAME.objects`. */
+/** Adds a shape at a position. `place-NAME.objects` outputs it. */
 export function addThing(wall: GalleryBuilder, name: string, positionM: Place, line: number, params: Params): void {
   wall.add(`shape-${name}`, 'objects/primitive', { x: 0, y: line * 250 }, params);
   wall.add(`place-${name}`, 'objects/transform', { x: 270, y: line * 250 }, { positionM: [...positionM] });

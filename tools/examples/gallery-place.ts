@@ -1,4 +1,7 @@
-/** Height of a rail, and from cell to cell, meters: so that a phone held upright, whose view is 30° wide, sees the wall whole. */
+/**
+ * Height of a rail, and distance between the centers of cells, in meters. An upright phone with a horizontal view of 30° shows the whole
+ * wall.
+ */
 export const RAIL_M = 0.083;
 const PITCH_M = 0.13;
 const COLUMNS = 6;

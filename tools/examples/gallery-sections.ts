@@ -14,10 +14,13 @@ const COLORS = [
   [0.9, 0.85, 0.6, 1],
 ] as const;
 
-/** From cell to cell on the canvas; the last column of a cell holds what shows it. */
+/**
+ * Distances on the canvas, in canvas units: between cells (`x`, `y`), and between columns (`node`) and rows (`line`) of nodes in a cell;
+ * and the number of cells per row. The last column of nodes in a cell holds the subgraph that shows it.
+ */
 const CELL_PX = { x: 1150, y: 860, node: 270, line: 250, columns: 3 } as const;
 
-/** A subgraph that gives the objects of its cells. Signals that they follow stand left of them. */
+/** Adds a subgraph that outputs the objects of its cells. The shared signals that these use are to the left of the cells. */
 export function addSection(wall: GalleryBuilder, { name, row, column, cells }: Section): void {
   wall.into(name);
   const signals = signalsOf(cells);
@@ -36,7 +39,7 @@ export function addSection(wall: GalleryBuilder, { name, row, column, cells }: S
   wall.show('outputs', 'objects', 'section-all.objects');
 }
 
-/** The signals that cells use, including those that these signals use. */
+/** Names of the shared signals that the cells use, directly or through another signal. */
 function signalsOf(cells: readonly Cell[]): string[] {
   const named = new Set(
     cells.flatMap(({ nodes, wires, shows: [, shown] }) => [...wires, shown].flatMap(namesIn).filter((name) => !Object.hasOwn(nodes, name))),

@@ -1,10 +1,13 @@
 import type { GalleryBuilder } from './gallery-builder.ts';
 import { RAIL_M } from './gallery-place.ts';
 
-/** The subgraph that shows a cell, by what it shows. */
+/** Names of the subgraphs that show a cell, by the kind in `Cell.shows`. */
 export const SHOWN_BY = { height: 'ball-on-rail', place: 'ball', color: 'box', things: 'set' } as const;
 
-/** Subgraphs that show a number, a place, a color or objects in a cell. Within, all is in heights of a rail; `cell` places and sizes it. */
+/**
+ * Adds the subgraphs that show a height, a position, a color or objects in a cell. Inside, one unit is the height of a rail; the node
+ * `cell-one` scales and moves the objects to the cell.
+ */
 export function addShown(wall: GalleryBuilder): void {
   addBallOnRail(wall);
   addBall(wall);

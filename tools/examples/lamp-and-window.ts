@@ -6,8 +6,9 @@ import { makeProject } from './paper/recipe.ts';
 export const LAMP_AND_WINDOW = 'a-lamp-and-a-window';
 
 /**
- * Figure 21 of “Real Time Shadow Mapping for Augmented Reality Photorealistic Rendering”: an object with the shadows of a lamp and of a
- * window, which are found in a panorama of the room. One project for phones and for glasses that cannot darken.
+ * Makes the example after Figure 21 of “Real Time Shadow Mapping for Augmented Reality Photorealistic Rendering”: an object with the
+ * shadows of a lamp and of a window, which are found in a panorama of the room. The same project serves phones and glasses that cannot
+ * darken.
  */
 export function makeLampAndWindow(library: NodeLibrary): Project {
   return makeProject(library, {

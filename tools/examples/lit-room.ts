@@ -5,7 +5,7 @@ const HEIGHT_PX = 128;
 
 type Vector = readonly [x: number, y: number, z: number];
 
-/** The room, seen from 1.6 m above the middle of its floor. */
+/** Position of the camera, 1.6 m above the floor, and two opposite corners of the room, in meters. */
 const EYE: Vector = [0, 1.6, 0];
 const LOW: Vector = [-2, 0, -2.5];
 const HIGH: Vector = [3, 3, 2.5];
@@ -17,7 +17,7 @@ const WALLS: Vector = [0.62, 0.6, 0.56];
 const FLOOR: Vector = [0.34, 0.27, 0.2];
 const AMBIENT: Vector = [0.35, 0.36, 0.38];
 
-/** A room with a lamp and a window as an equirectangular HDR image. Walls and floor have the light that the two give them. */
+/** A room with a lamp and a window as an equirectangular HDR image. The lamp and the window light the walls and the floor. */
 export function makeLitRoom(): Uint8Array {
   const rgb: number[] = [];
   for (let y = 0; y < HEIGHT_PX; y++) {
@@ -47,7 +47,7 @@ function radianceOf(way: Vector): Vector {
   }) as unknown as Vector;
 }
 
-/** Where a ray from the eye leaves the room, and the axis of that wall. */
+/** Where a ray from the eye meets a wall, and the index of the axis perpendicular to that wall. */
 function hitWall(way: Vector): { readonly at: Vector; readonly axis: number } {
   const distances = way.map((part, i) => (((part > 0 ? HIGH : LOW)[i] ?? 0) - (EYE[i] ?? 0)) / part);
   const distance = Math.min(...distances.filter((d) => d > 0));
@@ -55,7 +55,7 @@ function hitWall(way: Vector): { readonly at: Vector; readonly axis: number } {
   return { at, axis: distances.indexOf(distance) };
 }
 
-/** Irradiance per radiance of a small flat source. */
+/** Irradiance at a point of a wall, divided by the radiance of a small flat source that lights it. */
 function transfer(at: Vector, normal: Vector, source: Vector, sourceNormal: Vector, areaM2: number): number {
   const way = source.map((part, i) => part - (at[i] ?? 0)) as unknown as Vector;
   const squared = Math.max(way[0] ** 2 + way[1] ** 2 + way[2] ** 2, areaM2);

@@ -77,7 +77,7 @@ export const main: ToolMain = async ([only], { root }) => {
   return 0;
 };
 
-/** The examples to play with, with their models. */
+/** Generates the physics examples and their models. */
 async function placePlay(root: string): Promise<void> {
   for (const recipe of PLAY) await placeProject(root, recipe.folder, makeProject(library(), recipe));
   const run = 'examples/marble-run/assets';
@@ -91,7 +91,7 @@ async function placePlay(root: string): Promise<void> {
   await place(root, [`${cans}/ball.glb`], await makeBall());
 }
 
-/** Folders of the recipes that name the asset. */
+/** Folders of the examples whose recipes use the asset. */
 function foldersWith(asset: string): string[] {
   return RECIPES.filter(({ assets = {} }) => asset in assets).map(({ folder }) => `examples/${folder}`);
 }

@@ -6,7 +6,7 @@ type Vector = readonly [number, number, number];
 /** Duration of one rotation in seconds. */
 const TURN_S = 2;
 
-/** Corners of one paper sail, meters, before its edge towards the pin is folded forward. */
+/** Corners of the two triangles of one paper sail, in meters. The outer corner is bent forward. */
 const SAIL: readonly Vector[] = [
   [0, 0, 0.004],
   [0.11, 0, 0.004],

@@ -9,7 +9,7 @@ const ZENITH: Rgb = [0.12, 0.2, 0.45];
 const HORIZON: Rgb = [1.1, 0.55, 0.25];
 const GROUND: Rgb = [0.05, 0.045, 0.04];
 const SUN: Rgb = [60, 36, 16];
-/** Right of the center, 9 degrees high; so large that a low resolution suffices. */
+/** Direction of the sun, right of the center and 9° high, and its angular radius. The sun is so large that a low resolution suffices. */
 const SUN_AT = { azimuthRad: 0.9, elevationRad: 0.16, radiusRad: 0.07 };
 
 /** An evening sky as an equirectangular HDR image: a low warm sun, a glow along the horizon, dark ground. */

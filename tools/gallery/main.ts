@@ -10,7 +10,7 @@ import { makeSheet, type SheetCell } from './make-sheet.ts';
 
 const WIDTH_PX = 240;
 
-/** About 9 kB per image; all of them are sent to the editor at once. */
+/** JPEG quality of thumbnails. Each has about 9 kB, and all of them are sent to the editor at once. */
 const QUALITY = 74;
 
 const OWN_SHEET = 'docs/gallery.jpg';

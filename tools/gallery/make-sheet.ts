@@ -10,7 +10,7 @@ export interface SheetCell {
 const COLUMNS = 4;
 const GAP_PX = 10;
 const CAPTION_PX = 26;
-/** Keeps 30 cells below 400 kB. */
+/** JPEG quality that keeps a sheet of 30 cells below 400 kB. */
 const QUALITY = 72;
 
 /** Combines images with their titles into one JPEG. */

@@ -7,7 +7,7 @@ export interface NodeFolder {
   /** `CATEGORY/NAME`, which is also the node's type. */
   readonly type: string;
   readonly hasRuntime: boolean;
-  /** Has a worker (`worker.ts`): a CPU filter, or the worker of its runtime. */
+  /** Whether the folder has a `worker.ts`: the worker of a CPU filter, or one that the runtime of the node uses. */
   readonly hasWorker: boolean;
 }
 
@@ -22,7 +22,7 @@ export interface Found {
   readonly nodes: readonly NodeFolder[];
   /** Runtimes of `nodes/binding/`, which play bindings of params. They are not node types. */
   readonly bindings: readonly string[];
-  /** ISF files and techniques, which are nodes by themselves, and the chunks and pictures (as base64) that techniques take in. */
+  /** ISF files and techniques, each of which is a node type, and the chunks and images (as base64) that techniques include. */
   readonly library: readonly ShaderFile[];
   /** Shaders that a node's definition names. */
   readonly nodeShaders: readonly ShaderFile[];

@@ -25,20 +25,20 @@ interface PathCommand {
 
 /** Name of the font in the library, as node definitions give it. */
 const NAME = 'fonts/inter';
-/** SemiBold: thin strokes are lost in a headset, bold letters fill up when they are extruded. */
+/** Weight of the font, SemiBold: thin strokes are lost in a headset, bold letters fill up when they are extruded. */
 const WEIGHT = 600;
-/** The files of the font, which is divided by script. A character of two files is read from the first. */
+/** The files of the font, one per script. A character that is in several files is read from the first. */
 const SUBSETS = ['latin', 'latin-ext', 'greek', 'cyrillic', 'vietnamese'] as const;
 /** Characters of today's languages; `latin-ext` also has hundreds of phonetic and historical ones. */
 const KEPT =
   /[\u0020-\u007e\u00a0-\u017f\u0218-\u021b\u0384-\u03ce\u0400-\u045f\u0490\u0491\u1e9e\u1ea0-\u1ef9\u2010-\u2044\u20a0-\u20bf\u2100-\u2199\u2200-\u2265]/;
 
 /**
- * The outlines of the bundled font as text, from which the compiler takes the glyphs that a program uses. The first line has the height of a
- * capital letter, the ascender and the descender; each other line a character, its advance and its path in the commands of SVG, in font
- * units with y up.
+ * The glyphs of the bundled font, as a text file of the library from which the compiler takes the glyphs that a program uses. The first
+ * line has the cap height, the ascender and the descender. Each other line has a character, its advance width and its outline as an SVG
+ * path. All numbers are in font units, with y up.
  *
- * The font's kerning is in lookups that opentype.js does not read, so there is none.
+ * Kerning is missing, because opentype.js does not read the lookups of this font that contain it.
  */
 export async function fontLibrary(): Promise<ShaderFile> {
   // opentype.js has no types and no named exports.

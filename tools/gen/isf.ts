@@ -10,7 +10,7 @@ import { readIfThere, writeIfChanged } from '../lib/files.ts';
 import type { ToolContext } from '../lib/tool.ts';
 import type { ShaderFile } from './find-nodes.ts';
 
-/** Result of a file, cached, because finding the access kind parses the whole shader. */
+/** Cached result of reading a file. Finding the access kind parses the whole shader. */
 interface Entry {
   readonly key: string;
   readonly definition: NodeDefinition | null;
@@ -19,11 +19,14 @@ interface Entry {
 
 export interface IsfDefinitions {
   readonly definitions: readonly NodeDefinition[];
-  /** Formatted, with file and line. */
+  /** Problems of the files as text, each with file and line. */
   readonly problems: readonly string[];
 }
 
-/** Definitions of the library's ISF files and techniques, in the files' order; the kind that a header gives has to be the folder's. */
+/**
+ * Definitions of the library's ISF files and techniques, in the order of the files. Reports ISF files in the wrong folder: the inputs of a
+ * file decide whether it is a filter, an operator or a generator.
+ */
 export async function isfDefinitions(files: readonly ShaderFile[], { root, version }: ToolContext): Promise<IsfDefinitions> {
   const path = join(root, 'node_modules', '.cache', 'scrim', 'isf-definitions.json');
   const known = await readCache(path);

@@ -8,8 +8,8 @@ import { printDefinitions, printRuntimeFiles, printRuntimes } from './print.ts';
 import { writeWorkers } from './workers.ts';
 
 /**
- * Writes `nodes/generated/`: the registry of node types, made from folders so that nothing registers itself (ADR 4). A library
- * file that cannot be read, or reads with a warning, fails the run; the registry is written without it all the same.
+ * Writes `nodes/generated/`: the registry of node types, made from folders so that nothing registers itself (ADR 4). The run fails if a
+ * shader of the library has an error or a warning, but the registry is still written, without the shaders that cannot be read.
  */
 export async function main(_args: readonly string[], context: ToolContext): Promise<number> {
   const { root } = context;

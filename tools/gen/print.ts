@@ -3,7 +3,7 @@ import type { Found } from './find-nodes.ts';
 import { HEADER } from './header.ts';
 import { WORKERS_FOLDER, workerFile } from './workers.ts';
 
-/** `definitions.gen.ts`: what every node type is, and the shader texts, as data: nothing is parsed when it is imported. */
+/** Text of `definitions.gen.ts`: all node types and shader texts as data, so that an import parses no shader. */
 export function printDefinitions(found: Found, isfDefinitions: readonly NodeDefinition[]): string {
   const imports = found.nodes.map(({ type }) => `import { definition as ${identifier(type)} } from '../${type}/definition.ts';\n`);
   const entries = [
@@ -24,7 +24,7 @@ export function printDefinitions(found: Found, isfDefinitions: readonly NodeDefi
   ].join('');
 }
 
-/** `runtimes.gen.ts`: the behavior of every node type, for pages that play any project. */
+/** Text of `runtimes.gen.ts`: the runtimes of all node types, for pages that play any project. */
 export function printRuntimes(found: Found): string {
   const played = playedTypes(found);
   return [
@@ -51,7 +51,7 @@ export function printRuntimeFiles(found: Found): string {
 
 interface Played {
   readonly type: string;
-  /** Below `nodes/`. */
+  /** Path of the runtime, relative to `nodes/`. */
   readonly file: string;
 }
 
@@ -66,12 +66,12 @@ function playedTypes({ nodes, bindings }: Found): Played[] {
   ];
 }
 
-/** From `nodes/generated/`. */
+/** Converts a path relative to `nodes/` to an import path from `nodes/generated/`. */
 function relative(file: string): string {
   return file.startsWith('generated/') ? file.replace('generated/', './') : `../${file}`;
 }
 
-/** `layer/depth-occlusion` → `layerDepthOcclusion`. */
+/** Makes an identifier from a node type: `layer/depth-occlusion` → `layerDepthOcclusion`. */
 function identifier(type: string): string {
   return type.replace(/[^a-z0-9]+(.)/gi, (_, letter: string) => letter.toUpperCase());
 }

@@ -5,17 +5,18 @@ import { writeIfChanged } from '../lib/files.ts';
 import type { Found } from './find-nodes.ts';
 import { HEADER } from './header.ts';
 
-/** Folder in `nodes/generated/`. */
+/** Folder of the bundled workers in `nodes/generated/`. */
 export const WORKERS_FOLDER = 'workers';
 
-/** `filter/cpu-x` → `filter-cpu-x.gen.ts`. */
+/** File name of the bundled worker of a node type: `filter/cpu-x` → `filter-cpu-x.gen.ts`. */
 export function workerFile(type: string): string {
   return `${type.replace('/', '-')}.gen.ts`;
 }
 
 /**
- * One module per `worker.ts`, with the text of a whole worker and the runtime of the node, if there is one: pages start it from a blob, because those opened from a disk get none
- * from a file. Gives what is wrong with those that cannot be bundled.
+ * Writes one module per `worker.ts`. The module exports the bundled worker as text, and the runtime of the node if there is one. Pages
+ * start the worker from a blob, because a page that is opened from a disk cannot start a worker from a file.
+ * @returns Problems of workers that cannot be bundled.
  */
 export async function writeWorkers(root: string, { nodes }: Found): Promise<string[]> {
   const folder = join(root, 'nodes', 'generated', WORKERS_FOLDER);
@@ -56,7 +57,7 @@ async function bundleWorker(root: string, type: string, hasRuntime: boolean): Pr
   return outputFiles[0]?.text ?? '';
 }
 
-/** A CPU filter: `process` changes pixels. */
+/** Source of the worker of a CPU filter. `process` of its `worker.ts` changes pixels. */
 function servePixels(type: string): string {
   return `import { servePixels } from './nodes/kit/serve-pixels.ts';
 import { process } from './nodes/${type}/worker.ts';
@@ -64,7 +65,7 @@ servePixels(self, process);
 `;
 }
 
-/** A worker of its own kind: `serve` listens to its runtime. */
+/** Source of the worker of a node with a runtime. `serve` of its `worker.ts` handles the messages of the runtime. */
 function serveNode(type: string): string {
   return `import { serve } from './nodes/${type}/worker.ts';
 serve(self);

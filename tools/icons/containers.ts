@@ -1,4 +1,4 @@
-/** A PNG of a square picture. */
+/** A PNG with a square image. */
 export interface SizedPng {
   readonly sizePx: number;
   readonly bytes: Uint8Array;

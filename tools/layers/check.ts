@@ -31,14 +31,14 @@ const OUTSIDE = '';
 const layerMatchers = LAYERS.map((layer) => ({ layer, matches: pathMatcher(layer.files) }));
 const globalRules = Object.values(RAW_GLOBALS).map(({ names, files }) => ({ names: new Set<string>(names), matches: pathMatcher(files) }));
 
-/** Checks files against the table: directions, packages, raw globals, lengths, circles, names. */
+/** Checks files against the table: import directions, packages, raw globals, lengths, import cycles and file names. */
 export function checkFiles(files: readonly InputFile[]): Problem[] {
   const imported = new Map<string, ReadonlySet<string>>();
   const problems = files.flatMap((file) => checkFile(file, imported));
   return [...problems, ...circleProblems(imported), ...nameProblems(files.map(({ path }) => path))];
 }
 
-/** Adds the files that this file imports to `imported`. */
+/** Checks one file alone, and adds the files that it imports to `imported`. */
 function checkFile({ path, text }: InputFile, imported: Map<string, ReadonlySet<string>>): Problem[] {
   const layer = layerOf(path);
   if (!layer) return [`${path}:1: belongs to no layer. Put it into a folder that tools/layers/table.ts knows.`];
@@ -70,12 +70,12 @@ function importProblem(from: string, layer: Layer, use: ImportUse): string | nul
   return fileProblem(from, layer, target, use.typeOnly);
 }
 
-/** Vite's suffixes: `./x.worker.ts?worker`. */
+/** Removes the suffix of a Vite import: `./x.worker.ts?worker` → `./x.worker.ts`. */
 function withoutQuery(specifier: string): string {
   return specifier.replace(/\?.*$/, '');
 }
 
-/** Import cycles between files, between rows of the table in ARCHITECTURE, and between sibling folders of the editor. */
+/** Reports import cycles between files, between rows of the table in ARCHITECTURE, and between sibling folders of the editor. */
 function circleProblems(imported: ReadonlyMap<string, ReadonlySet<string>>): Problem[] {
   const files = findCircles(imported).map((circle) => `${circle[0]}:1: files import each other in a circle: ${inOrder(circle)}.`);
   const folders = [roomOf, ...siblingGroups(imported.keys())].flatMap((groupOf) => folderProblems(imported, groupOf));
@@ -86,7 +86,7 @@ function inOrder(circle: readonly string[]): string {
   return [...circle, circle[0]].join(' → ');
 }
 
-/** Tests may import everything; nothing imports tests. */
+/** Matches test files. They may import everything, and no file imports them. */
 const isTest = pathMatcher(['**/*.test.{ts,tsx}']);
 
 function folderProblems(imported: ReadonlyMap<string, ReadonlySet<string>>, groupOf: (path: string) => string | null): Problem[] {
@@ -108,7 +108,7 @@ function folderProblems(imported: ReadonlyMap<string, ReadonlySet<string>>, grou
   });
 }
 
-/** A file name tells which file it is, without its folder. */
+/** Reports files of the same name, because a file name alone must identify the file. */
 function nameProblems(paths: readonly string[]): Problem[] {
   const first = new Map<string, string>();
   return paths.flatMap((path) => {
@@ -121,7 +121,7 @@ function nameProblems(paths: readonly string[]): Problem[] {
   });
 }
 
-/** The most specific room of the table that contains the path. */
+/** The folder of `ROOMS` that contains the path, the most specific one if there are several; null if there is none. */
 function roomOf(path: string): string | null {
   return ROOMS.filter((room) => path.startsWith(`${room}/`)).reduce<string | null>(
     (best, room) => (best !== null && best.length >= room.length ? best : room),
@@ -129,7 +129,10 @@ function roomOf(path: string): string | null {
   );
 }
 
-/** For each folder, a function that returns the subfolder of a path; null for files of the folder itself. */
+/**
+ * For each folder, a function that returns the subfolder in which a path lies; null for files directly in the folder, and for paths outside
+ * it.
+ */
 function siblingGroups(paths: Iterable<string>): ((path: string) => string | null)[] {
   const parents = new Set<string>();
   for (const path of paths) {

@@ -1,7 +1,10 @@
-/** Imports by name. */
+/** An import graph: the names that each name imports. */
 export type Graph = ReadonlyMap<string, ReadonlySet<string>>;
 
-/** One shortest circle for each group of names that reach each other, starting at its first name in alphabetical order. */
+/**
+ * Finds import cycles: for each group of names that reach each other, one shortest cycle. It starts at the first name of the group in
+ * alphabetical order.
+ */
 export function findCircles(graph: Graph): string[][] {
   const circles: string[][] = [];
   const told = new Set<string>();
@@ -15,7 +18,7 @@ export function findCircles(graph: Graph): string[][] {
   return circles;
 }
 
-/** The shortest path from a name to itself, by breadth-first search. */
+/** The shortest cycle through a name, by breadth-first search; null if there is none. */
 function circleThrough(graph: Graph, start: string): string[] | null {
   const before = new Map<string, string>();
   const waiting = [start];

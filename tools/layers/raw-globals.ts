@@ -20,8 +20,8 @@ const WRAPPERS = new Set([
 ]);
 
 /**
- * Where a file uses one of `names` itself, called or handed on. A name that the file declares anywhere (a parameter `fetch`, an
- * import) is taken for the injected one.
+ * Finds where a file uses one of the globals `names`: calls it, or passes it on. A name that the file declares anywhere, such as a
+ * parameter `fetch` or an import, counts as an injected one.
  */
 export function readGlobalUses(file: SourceFile, names: ReadonlySet<string>): GlobalUse[] {
   const declared = new Set<string>();
@@ -65,7 +65,7 @@ function runs(node: SyntaxNode): boolean {
   return !node.type.startsWith('TS') || WRAPPERS.has(node.type);
 }
 
-/** Names of members, keys, labels and module bindings are not references. */
+/** Whether a child is only a name and not a reference to a variable: the name of a member, key, label or module binding. */
 function isJustAName(parent: SyntaxNode, key: string): boolean {
   if (key === 'property') return parent.type === 'MemberExpression' && !parent.computed;
   if (key === 'key') return !parent.computed;

@@ -3,14 +3,14 @@ import { children, isNode, literalText, type SourceFile, type SyntaxNode } from 
 export interface ImportUse {
   /** The specifier; null if it is computed and cannot be checked. */
   readonly specifier: string | null;
-  /** Removed by compilation. */
+  /** Whether only types are imported, so that compilation removes the import. */
   readonly typeOnly: boolean;
   readonly offset: number;
 }
 
 /**
- * Every way in which a file can name another: import and export declarations, `import()`, `import('…')` types, `import x =
- * require()`, `require()`, `new URL('…', import.meta.url)` and triple-slash references. Types are imports too.
+ * Finds every way in which a file names another: import and export declarations, `import()`, `import('…')` types, `import x = require()`,
+ * `require()`, `new URL('…', import.meta.url)` and triple-slash references. Includes imports of types.
  */
 export function readImports(file: SourceFile): ImportUse[] {
   const uses: ImportUse[] = [];
@@ -52,7 +52,10 @@ function importUse(node: SyntaxNode): ImportUse | null {
   }
 }
 
-/** `import type`, or every name of the list marked with `type`; a bare `import './x'` runs the file. */
+/**
+ * Whether a declaration names only types: `import type`, or each name of its list is marked with `type`. A bare `import './x'` does not,
+ * because it runs the file.
+ */
 function isTypeOnly(node: SyntaxNode, kind: 'importKind' | 'exportKind'): boolean {
   if (node[kind] === 'type') return true;
   const specifiers = (node.specifiers ?? []) as readonly SyntaxNode[];
@@ -63,7 +66,7 @@ function isRequire(callee: unknown): boolean {
   return isNode(callee) && callee.type === 'Identifier' && callee.name === 'require';
 }
 
-/** `new URL('./worker.ts', import.meta.url)`, by which bundlers find other files. */
+/** The file that `new URL('./worker.ts', import.meta.url)` names, a form that bundlers follow; null for other calls. */
 function assetUrl(node: SyntaxNode): ImportUse | null {
   const [path, base] = node.arguments as readonly SyntaxNode[];
   const isUrl = isNode(node.callee) && node.callee.type === 'Identifier' && node.callee.name === 'URL';
@@ -85,7 +88,7 @@ function relativeOrNull(path: string | null): string | null {
   return path === null ? null : relative(path);
 }
 
-/** URLs and reference paths may leave out the leading `./`. */
+/** Adds the leading `./` that URLs and reference paths may omit. */
 function relative(path: string): string {
   return path.startsWith('.') ? path : `./${path}`;
 }

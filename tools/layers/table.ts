@@ -1,22 +1,23 @@
 /**
- * Who may import whom (docs/ARCHITECTURE.md), and which npm packages each folder may use. Closed: a file in no layer fails, and so does an
- * import that no row allows. There is no list of exemptions; a change here is a change of the architecture.
+ * A row of the table that says which files may import which files and npm packages (docs/ARCHITECTURE.md). The table is closed: a file that
+ * belongs to no layer fails the check, and so does an import that no row allows. There is no list of exceptions; a change of the table is a
+ * change of the architecture.
  *
- * Paths are relative to the repository. `*` is any part of a name, `**` any folders, `{a,b}` either. A file belongs to the first
+ * Paths are relative to the repository. `*` matches any part of a name, `**` any folders, `{a,b}` either word. A file belongs to the first
  * layer that matches it.
  */
 export interface Layer {
   readonly name: string;
   readonly files: readonly string[];
-  /** Layers whose files it may import, beside its own. */
+  /** Other layers whose files this layer may import. */
   readonly imports?: readonly string[];
-  /** Layers and packages of which it may import types and nothing else. */
+  /** Layers and packages of which this layer may import only types. */
   readonly types?: readonly string[];
-  /** npm packages, by name without subpath; `node:*` stands for all of Node's modules. */
+  /** npm packages that this layer may import, by name without subpath. `node:*` stands for all modules of Node. */
   readonly packages?: readonly string[];
-  /** Which of its own files it may import: all (when absent), those of the same folder, or none. */
+  /** Which files of the same layer a file may import: those of its folder, or none. Absent: all. */
   readonly own?: 'folder' | 'none';
-  /** Holds no code at all. */
+  /** Whether the folder must not contain TypeScript or JavaScript, such as a folder of shaders. */
   readonly noCode?: true;
 }
 
@@ -215,7 +216,7 @@ export const LAYERS: readonly Layer[] = [
   { name: 'manifest', files: ['package.json'] },
 ];
 
-/** The folders of the table in ARCHITECTURE: between two of them imports go one way. */
+/** The folders of the table in ARCHITECTURE. Between any two of them, imports go in only one direction. */
 export const ROOMS = [
   'nodes/kit',
   'export/program',
@@ -231,7 +232,7 @@ export const ROOMS = [
   'renderer',
 ] as const;
 
-/** In these folders, imports between sibling folders go one way. A folder and its subfolders may import each other. */
+/** In these folders, imports between two sibling folders go in only one direction. A folder and its subfolders may import each other. */
 export const SIBLINGS = ['renderer'] as const;
 
 /** No two files of these folders, taken together, have the same name, except tests and the names that `FIXED_NAMES` lists. */
@@ -252,8 +253,8 @@ export const UNIQUE_NAMES = [
 export const FIXED_NAMES = ['definition', 'runtime', 'main', 'index'] as const;
 
 /**
- * What comes from outside and makes a run unrepeatable is injected: the raw thing may stand in few files, named after it.
- * Tests wait and measure, but chance they seed.
+ * Globals that make a run unrepeatable, each with the only files that may use them. All other code gets them injected.
+ * Tests may use the clock and the network, but take random numbers from a seed.
  */
 export const RAW_GLOBALS = {
   clock: {
@@ -264,5 +265,5 @@ export const RAW_GLOBALS = {
   chance: { names: ['Math.random'], files: [`${PAGES}/random.ts`] },
 } as const satisfies Record<string, { names: readonly string[]; files: readonly string[] }>;
 
-/** Of any file; most stay below 150. */
+/** Maximum number of lines of a file. Most files have fewer than 150. */
 export const MAX_LINES = 400;

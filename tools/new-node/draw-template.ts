@@ -1,6 +1,6 @@
 import type { Template } from './template.ts';
 
-/** Objects, drawn into a layer with three.js. */
+/** Template of a node that draws objects into a layer with three.js. */
 export const DRAW_TEMPLATE: Template = {
   definition: (type, title) => ({
     type,

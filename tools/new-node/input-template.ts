@@ -1,6 +1,6 @@
 import type { Template } from './template.ts';
 
-/** Something that the visitor does. */
+/** Template of a node that outputs what the visitor does. */
 export const INPUT_TEMPLATE: Template = {
   definition: (type, title) => ({
     type,

@@ -1,6 +1,6 @@
 import type { Template } from './template.ts';
 
-/** A light of the scene. */
+/** Template of a node that outputs a light for scenes. */
 export const LIGHT_TEMPLATE: Template = {
   definition: (type, title) => ({
     type,

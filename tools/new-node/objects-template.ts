@@ -1,6 +1,6 @@
 import type { Template } from './template.ts';
 
-/** Objects in, objects out. */
+/** Template of a node with objects as input and output. */
 export const OBJECTS_TEMPLATE: Template = {
   definition: (type, title) => ({
     type,

@@ -1,6 +1,6 @@
 import type { Template } from './template.ts';
 
-/** A layer, drawn by an ISF shader in the node's folder. */
+/** Template of a node that draws a layer with an ISF shader in its folder. */
 export const PASS_TEMPLATE: Template = {
   definition: (type, title) => ({
     type,

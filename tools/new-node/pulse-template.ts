@@ -1,6 +1,6 @@
 import type { Template } from './template.ts';
 
-/** Pulses in, pulses out. */
+/** Template of a node with pulses as input and output. */
 export const PULSE_TEMPLATE: Template = {
   definition: (type, title) => ({
     type,

@@ -31,7 +31,9 @@ export const TEMPLATE_NAMES = Object.keys(TEMPLATES) as TemplateName[];
 
 const TYPE = /^[a-z][a-z0-9]*(-[a-z0-9]+)*\/[a-z][a-z0-9]*(-[a-z0-9]+)*$/;
 
-/** ISF files, subgraphs, and the folders of `nodes/` that contain no node types. */
+/**
+ * Categories that a new node folder cannot have: those of ISF files, techniques and subgraphs, and folders of `nodes/` without node types.
+ */
 const NO_CATEGORIES = ['filter', 'operator', 'generator', 'technique', 'graph', 'binding', 'kit', 'generated'];
 
 /**

@@ -1,6 +1,6 @@
 import type { Template } from './template.ts';
 
-/** A layer from outside the graph: here, from files. */
+/** Template of a node that outputs a layer from outside the graph, here from a file. */
 export const SOURCE_TEMPLATE: Template = {
   definition: (type, title) => ({
     type,

@@ -56,7 +56,7 @@ export function surround(library: NodeLibrary, type: string, title: string): Pro
   return builder.finish();
 }
 
-/** Ids are a stem and a number: `sepia-x1`, `sepia-x2`. */
+/** Builds the project. Ids of nodes are a stem and a number: `sepia-x1`, `sepia-x2`. */
 function createBuilder(library: NodeLibrary, title: string) {
   let project = newProject(title);
   const apply = (next: ReturnType<typeof addNode>): void => {

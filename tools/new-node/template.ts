@@ -1,6 +1,6 @@
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 
-/** The start of a new node folder: it passes every check as it is, and is then edited. */
+/** Template of a new node folder. Its files pass all checks before the author edits them. */
 export interface Template {
   definition(type: string, title: string): NodeDefinition;
   /** The files beside `definition.ts`: name in the folder → text, unformatted. */

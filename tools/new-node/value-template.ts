@@ -1,6 +1,6 @@
 import type { Template } from './template.ts';
 
-/** A function of numbers. */
+/** Template of a node that computes a function of numbers. */
 export const VALUE_TEMPLATE: Template = {
   definition: (type, title) => ({
     type,

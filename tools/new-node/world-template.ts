@@ -1,6 +1,6 @@
 import type { Template } from './template.ts';
 
-/** Something that the session detects in the real room. */
+/** Template of a node that outputs what the session detects in the real room. */
 export const WORLD_TEMPLATE: Template = {
   definition: (type, title) => ({
     type,

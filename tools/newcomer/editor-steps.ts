@@ -2,7 +2,7 @@ import type { Locator, Page } from 'playwright-core';
 import { centerOf, type Point } from '../lib/center-of.ts';
 import type { Hands, Interaction } from './hands.ts';
 
-/** What a script of a newcomer is told. */
+/** Options of a newcomer script, which uses the editor as a new user would. */
 export interface NewcomerOptions {
   /** The editor without an open project, 1440 × 900. */
   readonly page: Page;
@@ -14,25 +14,28 @@ export interface NewcomerOptions {
   readonly onDone?: (done: Interaction) => Promise<void>;
 }
 
-/** Parts of the editor, by what a user reads, and steps that scripts have in common. Nodes are found by the stem of their id. */
+/**
+ * Finds parts of the editor by the texts that users read, and performs steps that several scripts need. Nodes are found by the stem of
+ * their id.
+ */
 export interface EditorSteps {
   field(name: string): Locator;
   node(stem: string): Locator;
   port(owner: Locator, name: string, side: 'source' | 'target'): Promise<Point>;
   output(stem: string, name: string): Promise<Point>;
   input(stem: string, name: string): Promise<Point>;
-  /** Makes an empty project. Gives a function from a place on the canvas to client pixels. */
+  /** Creates an empty project. Returns a function that converts a position on the canvas to client pixels. */
   newProject(folder: string): Promise<(x: number, y: number) => Point>;
-  /** Drags a wire from a port onto the empty canvas, and adds the node that the query finds. */
+  /** Drags a wire from a port onto the empty canvas, adds the node that the query finds, and waits for a node with the id stem `made`. */
   grow(from: Point, to: Point, query: string, made: string): Promise<void>;
-  /** Selects a wire, and inserts the node that the query finds. */
+  /** Selects a wire, inserts the node that the query finds, and waits for a node with the id stem `made`. */
   insert(from: Point, to: Point, query: string, made: string): Promise<void>;
   exportTo(folder: string): Promise<void>;
 }
 
 const EXPORT_MS = 300_000;
 
-/** A point on a wire, which is symmetric about its middle. */
+/** The point at a fraction of the straight line between the ends of a wire. The middle lies on the wire, which is symmetric about it. */
 export function onWire(from: Point, to: Point, part = 0.5): Point {
   return { x: from.x + part * (to.x - from.x), y: from.y + part * (to.y - from.y) };
 }

@@ -21,7 +21,7 @@ interface FilmFrame {
 
 const WIDTH_PX = 900;
 
-/** Node texts stay readable; 25 frames take about 500 kB. */
+/** WebP quality at which texts of nodes stay readable. 25 frames take about 500 kB. */
 const QUALITY = 60;
 
 const FILMS = [

@@ -2,8 +2,8 @@ import { createEditorSteps, type NewcomerOptions, onWire } from './editor-steps.
 import { Hands, type Interaction } from './hands.ts';
 
 /**
- * From no project to an exported page: a model that stands in the room in cartoon colors, hidden by what is before it, with its
- * shadow on the floor. By pointer and keys alone; gives what was done, in order.
+ * Goes from no project to an exported page, by pointer and keys alone. The page shows a model in cartoon colors in the room, hidden by real
+ * objects in front of it, with its shadow on the floor. Returns the interactions in order.
  */
 export async function playNewcomer({ page, model, project, exportTo, onDone }: NewcomerOptions): Promise<readonly Interaction[]> {
   const hands = new Hands(page, onDone ?? (async () => {}));

@@ -4,8 +4,8 @@ import { createEditorSteps, type NewcomerOptions } from './editor-steps.ts';
 import { Hands, type Interaction } from './hands.ts';
 
 /**
- * From no project to an exported page in which the visitor places a model by a tap, drags, turns and scales it, measures from it by
- * further taps, and reads the length on a label. By pointer and keys alone; gives what was done, in order.
+ * Goes from no project to an exported page, by pointer and keys alone. In the page the visitor places a model by a tap, drags, rotates and
+ * scales it, measures a distance from it by further taps, and reads the length on a label. Returns the interactions in order.
  */
 export async function playPlacing({ page, model, project, exportTo, onDone }: NewcomerOptions): Promise<readonly Interaction[]> {
   const hands = new Hands(page, onDone ?? (async () => {}));
@@ -26,7 +26,7 @@ export async function playPlacing({ page, model, project, exportTo, onDone }: Ne
   return hands.done;
 }
 
-/** Plays the made graph in the preview as a visitor would: places the model, drags it, and measures from its first place. */
+/** Uses the finished graph in the preview as a visitor would: places the model, drags it, and measures from its first position. */
 export async function tryPlacing(page: Page, onDone: (done: Interaction) => Promise<void>): Promise<void> {
   const hands = new Hands(page, onDone);
   const box = await page.locator('.stage-frame').boundingBox();

@@ -3,8 +3,9 @@ import { type FuseConfig, FuseV1Options, FuseVersion, flipFuses, getCurrentFuseW
 import type { Target } from './target.ts';
 
 /**
- * What nobody can turn on any more in a packaged app: another program as its child, debuggers, code beside the archive. Cookies
- * need no keyring: Scrim has none. Nor has it a V8 snapshot, or pages on `file:`.
+ * Electron fuses of a packaged app, which cannot be changed at run time. They prevent the app from running as Node, accepting Node options
+ * or a debugger, and loading code from outside its archive. Cookie encryption, which needs a keyring, the V8 snapshot and privileges of
+ * `file:` pages are off because Scrim uses none of them.
  */
 export const FUSES = {
   [FuseV1Options.RunAsNode]: false,

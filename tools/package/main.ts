@@ -37,7 +37,7 @@ export const main: ToolMain = async (args, { root }) => {
   }
 };
 
-/** Returns the folder of the app. */
+/** Packages the app for a target. Returns the folder of the app. */
 async function packageApp(root: string, work: string, target: Target): Promise<string> {
   const staged = join(work, 'app');
   await fillStagingFolder(root, staged, target);

@@ -17,8 +17,8 @@ export interface Notice {
 }
 
 /**
- * The packages that the app is made of, with their terms: `dependencies` of package.json and of those in turn, because the editor's
- * pages are bundled of them. Throws where a package says nothing of its license. Packages that only tests and builds use are not in it.
+ * Reads the notices of all packages that the app contains: the `dependencies` of package.json and their dependencies, because the pages of
+ * the editor are bundled from them. Packages for tests and builds alone are omitted. Throws if a package states no license.
  */
 export async function readNotices(root: string): Promise<readonly Notice[]> {
   const found = new Map<string, Notice>();

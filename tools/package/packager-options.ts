@@ -14,7 +14,7 @@ export interface PackagerInput {
   readonly version: string;
 }
 
-/** macOS shows a folder of this extension as a document. */
+/** Document types for macOS, which then shows a folder with the extension `.scrim` as a document. */
 const DOCUMENT_TYPES = [
   {
     CFBundleTypeName: 'Scrim Project',

@@ -86,7 +86,7 @@ async function copyPackage(root: string, name: string, target: string, isNeedles
   await copyFolder(join(root, 'node_modules', name), join(target, name), (path) => NEEDLESS.test(path) || isNeedless(path));
 }
 
-/** npm installs only the esbuild program of the current system. */
+/** Copies the esbuild program for the target system. npm installs only that of the current system, so others must be installed first. */
 async function copyEsbuildProgram(root: string, target: string, name: string): Promise<void> {
   const from = join(root, 'node_modules', name);
   if (!existsSync(from)) {

@@ -14,10 +14,10 @@ import {
 } from './vector.ts';
 
 /**
- * World space as sessions have it: y along the floor's normal, floor at y = 0, the origin below the first camera, which looks
- * towards −z. Meters stay meters.
+ * Aligns a recording to the world space of sessions: y along the normal of the floor, floor at y = 0, origin below the first camera, which
+ * looks toward −z. The scale stays.
  *
- * @returns Aligned from recorded.
+ * @returns Matrix from the space of the recording to the aligned space.
  */
 export function alignToFloor(floor: Floor, worldFromFirstCamera: Matrix): Matrix {
   const y = floor.normal;

@@ -23,12 +23,12 @@ OUT  a new or empty folder
 The options are for the second form: the camera in pixels (unless camera-intrinsics.txt tells it), frames per second (30) and meters
 per unit of depth (0.001).`;
 
-/** Number of frames in which the floor is searched, with about this many points each. */
+/** Number of frames in which the floor is searched, and the approximate number of points in each. */
 const FRAMES_LOOKED_AT = 30;
 const PLACES_PER_FRAME = 3000;
 const HULL_TOLERANCE_M = 0.05;
 
-/** A floor with fewer points may be a table, a step, or noise. */
+/** Below this number of points, a warning says that the floor is uncertain: it may be a table, a step, or noise. */
 const FEW_POINTS = 300;
 
 export const main: ToolMain = async (args) => {
@@ -65,7 +65,7 @@ interface Call {
   readonly wishes: FrameFolderWishes;
 }
 
-/** Null if the command line is invalid. */
+/** Parses the command line; null if it is invalid. */
 function readCall(args: readonly string[]): Call | null {
   try {
     const options = { intrinsics: { type: 'string' }, fps: { type: 'string' }, 'depth-unit': { type: 'string' } } as const;
@@ -155,7 +155,7 @@ function floorSurface(floor: Floor, alignedFromRecorded: Matrix): NonNullable<Se
   };
 }
 
-/** Mulberry32, so that the same recording gives the same session. */
+/** Random numbers with a fixed seed (Mulberry32), so that the same recording gives the same session. */
 function createSeeded(): () => number {
   let state = 0x5c71;
   return () => {

@@ -38,7 +38,10 @@ export interface SurfacePoint {
   readonly normal: Vector;
 }
 
-/** Distance of the neighbors for the normal as a fraction of the width: large compared with depth steps of a millimeter. */
+/**
+ * Distance in the image to the neighbors that determine a normal, as a fraction of the width: large compared with depth steps of a
+ * millimeter.
+ */
 const REACH = 1 / 130;
 /** On a plane, 1 / depth changes linearly between pixels. A larger deviation is an edge. */
 const MAX_BEND = 0.01;

@@ -9,9 +9,9 @@ export interface Floor {
   readonly points: readonly Vector[];
 }
 
-/** Largest tilt at which people hold a camera for long. */
+/** Cosine of the largest tilt at which people hold a camera for long. */
 const MAX_TILT = Math.cos((40 * Math.PI) / 180);
-/** Tolerance of normals of one plane, computed from depth in whole millimeters. */
+/** Cosine of the largest angle between normals of one plane, which are computed from depth in whole millimeters. */
 const SAME_DIRECTION = Math.cos((6 * Math.PI) / 180);
 const CANDIDATES = 400;
 const BIN_M = 0.02;
@@ -20,13 +20,15 @@ const FLOOR_SHARE = 0.12;
 const NEAR_PLANE_M = 0.025;
 
 /**
- * The floor among points of all frames. First the direction that most surfaces within reach of `upGuess` face (floor, tables and
- * seats agree on it), found by trying many points' own normals; then the lowest level that has enough of them; then a plane
- * through that level's points by least squares, twice.
+ * Finds the floor among surface points of all frames:
+ * 1. The up direction: the one that most surfaces face, among those within `MAX_TILT` of `upGuess`. Floor, tables and seats face it.
+ * Normals of random points are tried.
+ * 2. The lowest level that has enough points with this normal.
+ * 3. A plane through the points of that level, by least squares, fitted three times to the points near it.
  *
- * @param upGuess Mean of the cameras' own up.
+ * @param upGuess Mean up vector of the cameras.
  * @param random Uniform in [0, 1).
- * @returns Null when nothing faces up.
+ * @returns Null if no surface faces up.
  */
 export function findFloor(surface: readonly SurfacePoint[], upGuess: Vector, random: () => number): Floor | null {
   const upright = surface.filter(({ normal }) => dot(normal, upGuess) > MAX_TILT);
@@ -45,7 +47,7 @@ export function findFloor(surface: readonly SurfacePoint[], upGuess: Vector, ran
   return floor;
 }
 
-/** Mean of the largest cluster of normals. */
+/** Mean of the largest cluster of normals; null without points. */
 function dominantDirection(points: readonly SurfacePoint[], random: () => number): Vector | null {
   let best: Vector | null = null;
   let most = 0;

@@ -15,7 +15,7 @@ const FRAMES = 36;
 const FRAME_RATE_HZ = 10;
 const METERS_PER_UNIT = 0.001;
 const COLOR = { widthPx: 480, heightPx: 360, intrinsics: { fxPx: 400, fyPx: 400, cxPx: 240, cyPx: 180 } } as const;
-/** Half the resolution, because phones measure depth at a lower resolution than color. */
+/** Camera of the depth images. Half the resolution of color, because phones measure depth at a lower resolution than color. */
 const DEPTH = { widthPx: 240, heightPx: 180, intrinsics: { fxPx: 200, fyPx: 200, cxPx: 120, cyPx: 90 } } as const;
 const NEAR_M = 0.1;
 const FAR_M = 50;

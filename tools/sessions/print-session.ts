@@ -1,6 +1,6 @@
 import type { SessionFile } from '../../export/runtime/sessions/session-format.ts';
 
-/** A tenth of a millimeter is far below the precision of any camera. */
+/** Decimals of all numbers in the file. Lengths are thus rounded to a micrometer, far below the precision of any camera. */
 const DECIMALS = 6;
 
 /** Text of the file: one frame per line, without floating-point noise. */

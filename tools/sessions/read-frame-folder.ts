@@ -24,8 +24,8 @@ export async function isFrameFolder(folder: string): Promise<boolean> {
 
 /**
  * Reads the raw form in which Microsoft's 7-Scenes and 3DMatch publish recordings: `frame-000000.color.png` (or `.jpg`),
- * `frame-000000.depth.png` in 16-bit millimeters, and `frame-000000.pose.txt`, a row-major 4×4 matrix from camera to world with
- * OpenCV's axes. The camera stands in `camera-intrinsics.txt`, a 3×3 matrix, in the folder or the one above.
+ * `frame-000000.depth.png` in 16-bit millimeters, and `frame-000000.pose.txt`, a row-major 4×4 matrix from camera to world with OpenCV's
+ * axes. The intrinsics are a 3×3 matrix in `camera-intrinsics.txt`, in the folder or its parent.
  *
  * @returns The recording, and the names of frames without a usable pose: trackers write NaN or infinity where they were lost.
  * @throws Error that names the file that is missing or wrong.
@@ -70,7 +70,7 @@ function imagesOf(id: string, names: ReadonlySet<string>): { readonly color: str
   return { color, depth };
 }
 
-/** Here color and depth must have the same size, because a session has one camera for both. */
+/** Size of the color and depth images. Throws if the two sizes differ, because a session has one camera for both. */
 async function commonSize(folder: string, { color, depth }: PosedFrame): Promise<{ readonly widthPx: number; readonly heightPx: number }> {
   const [a, b] = await Promise.all([color, depth].map((name) => sharp(join(folder, name)).metadata()));
   if (a?.width === b?.width && a?.height === b?.height && a) return { widthPx: a.width, heightPx: a.height };
@@ -95,7 +95,7 @@ async function findIntrinsics(folder: string): Promise<readonly [number, number,
   throw new Error(`there is no ${INTRINSICS_FILE}. Give the camera with --intrinsics fx,fy,cx,cy (7-Scenes: 585,585,320,240)`);
 }
 
-/** Null if a number is not finite. */
+/** Reads a matrix of `count` numbers; null if one of them is not finite. */
 function readMatrix(text: string, count: number, file: string): readonly number[] | null {
   const words = text.trim().split(/\s+/);
   if (words.length !== count) throw new Error(`${file} has to hold ${count} numbers, but holds ${words.length}`);

@@ -46,7 +46,10 @@ function remedyFaults(text: string): string[] {
   return /^(It|The|There|This|That|These|A|An|You|Where|When|If|[A-Z][a-z]+ing)\b/.test(text) ? ['a remedy begins with what to do'] : [];
 }
 
-/** Strings that differ in case, spaces or punctuation alone: one of them is enough. “Open…” opens the dialog “Open”, and a question is none. */
+/**
+ * Reports strings that differ only in case, spaces or punctuation, where one would be enough. “…” and “?” are real differences: “Open…”
+ * opens the dialog “Open”.
+ */
 function nearEqual(strings: readonly UserString[]): string[] {
   const byWords = new Map<string, Map<string, string>>();
   for (const { text, file, kind } of strings) {

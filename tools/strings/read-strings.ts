@@ -4,15 +4,15 @@ import { children, isNode, parseFile, type SyntaxNode } from '../layers/syntax.t
 export const STRINGS_TABLE = 'docs/strings.tsv';
 
 /**
- * What a string is for: `title` and `label` name something, `doc` explains it, `command` is a menu's item, `problem` a diagnostic
- * and `remedy` its fix, `ui` and `text` anything else in the editor and elsewhere.
+ * What a string is for: `title` and `label` name something, `doc` explains it, `command` is a menu's item, `problem` a diagnostic and
+ * `remedy` its fix, `ui` is any other text of the editor, and `text` any other text elsewhere.
  */
 export type StringKind = 'title' | 'label' | 'doc' | 'command' | 'problem' | 'remedy' | 'ui' | 'text';
 
 export interface UserString {
   readonly file: string;
   readonly kind: StringKind;
-  /** Holes of templates and elements within texts are `{}`. */
+  /** The text. `{}` stands for each value of a template and for each element within a text. */
   readonly text: string;
 }
 
@@ -41,7 +41,7 @@ export function readStrings(path: string, text: string): UserString[] {
   return /\.(fs|glsl)$/.test(path) ? readHeader(path, text) : readModule(path, text);
 }
 
-/** Columns kind, file and text, one string a line, strings of a file in their order. */
+/** Prints the table: one string per line with the columns kind, file and text, in the order of the strings. */
 export function printTable(strings: readonly UserString[]): string {
   const lines = strings.map(({ kind, file, text }) => `${kind}\t${file}\t${text.replaceAll('\t', ' ')}`);
   return `kind\tfile\ttext\n${lines.join('\n')}\n`;
@@ -67,7 +67,7 @@ function readModule(path: string, text: string): UserString[] {
 
 type Add = (kind: StringKind, text: string) => void;
 
-/** Nodes through which a kind reaches down to their texts: conditions and concatenations, not calls and objects. */
+/** Syntax nodes that have the same kind as their children: conditions and concatenations, but not calls and objects. */
 const TRANSPARENT = new Set([
   'ConditionalExpression',
   'LogicalExpression',
@@ -76,7 +76,10 @@ const TRANSPARENT = new Set([
   'ArrowFunctionExpression',
 ]);
 
-/** `kind` is what the nearest named place says; null where only strings that read as sentences count. */
+/**
+ * Collects the strings in a syntax node. `kind` is the kind by the nearest attribute, key or variable name; null if that gives none, then
+ * only strings that read as sentences count.
+ */
 function visit(node: SyntaxNode, kind: StringKind | null, fallback: StringKind, add: Add): void {
   if (isSilent(node)) return;
   switch (node.type) {
@@ -145,14 +148,14 @@ function textOf(node: SyntaxNode): string {
   return (node.quasis as readonly { readonly value: { readonly cooked: string } }[]).map(({ value }) => value.cooked).join('{}');
 }
 
-/** Words that stand directly in the element, with `{}` for what stands between them. */
+/** The text directly in an element, with `{}` for each child that is not text. */
 function jsxWords(node: SyntaxNode): string {
   const parts = (node.children as readonly SyntaxNode[]).map((child) => (child.type === 'JSXText' ? (child.value as string) : '{}'));
   const words = parts.join('').replace(/\s+/g, ' ').trim();
   return /[A-Za-z]{2}/.test(words) ? words : '';
 }
 
-/** Two words or more, begun like a sentence or a label, and no code. */
+/** Whether a string reads as a sentence or label: two words or more, a capital letter or similar at the beginning, and no code. */
 function isSentence(text: string): boolean {
   const flat = text.trim();
   if (!/^[“‘A-Z{]/.test(flat) || !/[a-z’”}] [\w“{(&×—–-]/.test(flat)) return false;

@@ -1,10 +1,10 @@
 import { basename } from 'node:path';
 
-/** A function at the top level of a shader, with the comment lines directly above it. */
+/** Matches a function at the top level of a shader, with the comment lines directly above it. */
 const FUNCTION = /^(?:\/\/[^\n]*\n)*\w+ (\w+)\([^)]*\) \{\n(?:[^}][^\n]*\n|\n)*\}\n/gm;
 
 /**
- * The functions that whole ISF files share: name → text with its comment. ISF has no includes, so each file holds a copy.
+ * The functions that several ISF files share: name → text with its comment. ISF has no includes, so each file contains copies.
  *
  * @param masters Path → text of the files in `shader-library/chunks/isf/`.
  * @throws Where a file does not hold exactly one function, named after the file in camel case.
@@ -22,7 +22,10 @@ export function readMasters(masters: Readonly<Record<string, string>>): Readonly
   );
 }
 
-/** A shader with its copies of shared functions replaced by their masters. It stays as it is where they are equal. */
+/**
+ * Returns the shader with its copies of shared functions replaced by the text of the masters. A shader whose copies are current is returned
+ * unchanged.
+ */
 export function syncCopies(shader: string, masters: ReadonlyMap<string, string>): string {
   return shader.replace(FUNCTION, (text, name: string) => masters.get(name) ?? text);
 }

@@ -1,11 +1,11 @@
 import { readFile } from 'node:fs/promises';
 
-/** What Jest's `--json` says, as far as the summary reads it. */
+/** The part of Jest's `--json` report that the summary reads. */
 interface JestReport {
   readonly numPassedTests: number;
   readonly numFailedTests: number;
   readonly numPendingTests: number;
-  /** Files that broke before their tests could run. */
+  /** Number of test files that failed before their tests could run. */
   readonly numRuntimeErrorTestSuites: number;
   readonly testResults: readonly { readonly name: string; readonly assertionResults: readonly { readonly status: string }[] }[];
 }
@@ -18,7 +18,7 @@ export interface Counts {
   readonly lines: readonly string[];
 }
 
-/** Null where Jest wrote nothing. A test file that could not run counts as one failed test. */
+/** Reads the counts from the report of a run; null if Jest wrote none. A test file that could not run counts as one failed test. */
 export async function readCounts(file: string): Promise<Counts | null> {
   const report = await readReport(file);
   if (report === null) return null;
@@ -30,7 +30,7 @@ export async function readCounts(file: string): Promise<Counts | null> {
   };
 }
 
-/** Those of `paths` (as Jest takes them: patterns, in any case) that no test file of the run has in its path. */
+/** Those of `paths` that match no test file of the run. Paths are patterns without regard to case, as Jest takes them. */
 export async function unmatchedPaths(file: string, paths: readonly string[]): Promise<readonly string[]> {
   const names = (await readReport(file))?.testResults.map(({ name }) => name) ?? [];
   return paths.filter((path) => !names.some((name) => new RegExp(path, 'i').test(name)));

@@ -3,19 +3,19 @@ import { dirname, join } from 'node:path';
 import process from 'node:process';
 import { runCommand } from '../lib/run-command.ts';
 
-/** In the order of the pyramid; `slow` is a run of its own. */
+/** Jest projects of `npm test`, from the fastest tests to the slowest. `slow` is not among them, because it runs separately. */
 export const PROJECTS = ['unit', 'browser', 'xr', 'electron'] as const;
 
 export interface JestRun {
   readonly root: string;
   readonly projects: readonly string[];
-  /** Parts of paths; none means all. */
+  /** Patterns for the paths of test files; empty for all files. */
   readonly paths: readonly string[];
-  /** Where Jest writes its counts. */
+  /** Path of the file to which Jest writes its counts. */
   readonly countsFile: string;
 }
 
-/** Runs Jest on ES modules as they are, without its daily remark that this is an experiment. */
+/** Runs Jest on native ES modules, and hides the warning of Node that these are experimental in Jest. */
 export async function runJest({ root, projects, paths, countsFile }: JestRun): Promise<number> {
   await mkdir(dirname(countsFile), { recursive: true });
   await rm(countsFile, { force: true });

@@ -21,8 +21,8 @@ SCRIM_REQUIRE=electron,data makes tests fail that are else skipped where there i
 const REQUIREMENTS = ['electron', 'data'];
 
 /**
- * `npm test`: registry, types, lint, build, then every test project in one run of Jest. A failed phase does not stop the next,
- * so that one run tells everything. Jest's own counts go to `tests/output/`.
+ * `npm test`: registry, types, lint, build, then every test project in one run of Jest. A failed phase does not stop the next, so that one
+ * run reports all failures. Jest's own counts go to `tests/output/`.
  */
 export async function main(args: readonly string[], { root }: ToolContext): Promise<number> {
   const [mode = 'all', project, ...paths] = args;

@@ -5,13 +5,13 @@ import type { ToolMain } from '../lib/tool.ts';
 import { makeTonalArtMaps, type TonalArtMaps } from './make-maps.ts';
 import { packTones } from './pack.ts';
 
-/** Tones in the channels of each picture, lightest first. */
+/** The images to write, and the tones in their three channels, lightest first. */
 const PICTURES = [
   { name: 'hatching-light.png', tones: [0, 1, 2] },
   { name: 'hatching-dark.png', tones: [3, 4, 5] },
 ] as const;
 
-/** Draws the strokes of `techniques/hatching.glsl` into `shader-library/pictures`: the same ones every time. */
+/** Draws the strokes of `techniques/hatching.glsl` into `shader-library/pictures`. The result is the same in each run. */
 export const main: ToolMain = async (_args, { root }) => {
   const folder = join(root, 'shader-library', 'pictures');
   await mkdir(folder, { recursive: true });

@@ -1,26 +1,29 @@
 import { drawStroke, type Ink, inkBeside, type Stroke, toneOf } from './strokes.ts';
 
 /**
- * Tonal art maps of Praun, Hoppe, Webb and Finkelstein, Real-Time Hatching, SIGGRAPH 2001, section 3: pictures of several tones,
- * each at several sizes, whose strokes nest. What is drawn in a light tone is drawn in all darker ones, and what is drawn at a small
- * size in all larger ones, so that strokes come and go one by one when tone or distance change.
+ * Tonal art maps of Praun, Hoppe, Webb and Finkelstein, Real-Time Hatching, SIGGRAPH 2001, section 3: images of several tones, each at
+ * several sizes, with nested strokes. A stroke of a light tone is also in all darker tones, and a stroke of a small size is also in all
+ * larger sizes, so that strokes come and go one by one when tone or distance change.
  */
 export interface TonalArtMaps {
-  /** Sides of the sizes, largest first. */
+  /** Side lengths of the square images, largest first. */
   readonly sidesPx: readonly number[];
-  /** By tone, lightest first, and size. */
+  /** Drawn images, by tone (lightest first) and size. */
   readonly ink: readonly (readonly Ink[])[];
   readonly strokes: readonly (readonly (readonly Stroke[])[])[];
 }
 
-/** How much of the paper is covered. Above the fourth tone strokes cross the others. */
+/** The tones, as the covered fraction of the paper. From the fourth tone on, new strokes cross the others. */
 export const TONES = [0.1, 0.22, 0.36, 0.5, 0.65, 0.8] as const;
 const CROSSES_FROM = 3;
 
-/** Smaller than the last, a stroke would be as large as the picture: there what is left is the mean. */
+/**
+ * Side lengths of the sizes that are drawn. At smaller sizes a stroke would be as large as the image, so these are means of the smallest
+ * one.
+ */
 const SIDES_PX = [256, 128, 64, 32, 16] as const;
 
-/** Of so many random strokes the one is drawn that fits best between those that are there. */
+/** Number of random strokes that are tried for each stroke. The one with the least ink around it is drawn. */
 const CANDIDATES = 40;
 
 const SEED = 2001;
@@ -63,7 +66,7 @@ function randomStroke(random: () => number, across: boolean): Stroke {
   };
 }
 
-/** Looks at the paper around a stroke too, near and farther, as the paper's pyramid of blurred pictures does. */
+/** Distances from the middle of a stroke at which the ink is compared, near and far, in place of the paper's pyramid of blurred images. */
 const BESIDE_PX = [-7, -3, 0, 3, 7] as const;
 
 function bestOf(drawn: Ink, sidePx: number, make: () => Stroke): Stroke {
@@ -86,7 +89,7 @@ function inkAround(stroke: Stroke, drawn: Ink, sidePx: number): number {
   return sum;
 }
 
-/** Mulberry32 (Tommy Ettinger, public domain): the same numbers everywhere. */
+/** Seeded random numbers, the same on all systems (Mulberry32 by Tommy Ettinger, public domain). */
 function createRandom(seed: number): () => number {
   let state = seed;
   return () => {

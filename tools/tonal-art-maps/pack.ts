@@ -1,12 +1,12 @@
 import type { TonalArtMaps } from './make-maps.ts';
 import type { Ink } from './strokes.ts';
 
-/** Number of gray levels: files are half as large, and the difference is invisible between strokes. */
+/** Number of gray steps. So few make the files half as large, and the difference is invisible between strokes. */
 const GRAYS = 15;
 
 /**
- * Three tones as red, green and blue of one picture, white paper, with all its sizes side by side, down to one pixel. Sizes that were
- * not drawn are means of the one above.
+ * Packs three tones into the red, green and blue channel of one image with white paper. It contains all sizes side by side, down to one
+ * pixel; sizes that were not drawn are means of the next larger size.
  */
 export function packTones({ sidesPx, ink }: TonalArtMaps, tones: readonly number[]) {
   const [largest = 1] = sidesPx;

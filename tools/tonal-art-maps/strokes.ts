@@ -1,28 +1,28 @@
-/** A pen stroke on a picture that repeats itself; positions and lengths are parts of its side. */
+/** A pen stroke on a repeating image. Positions and lengths are fractions of its side. */
 export interface Stroke {
   readonly x: number;
   readonly y: number;
-  /** Signed sine of the angle to its direction, and how far its middle bends aside. */
+  /** Slope of the stroke relative to its direction, and how far its middle bends aside. */
   readonly slant: number;
   readonly bend: number;
   readonly length: number;
-  /** Along x, or across them. */
+  /** Whether the stroke runs along y, across the others; false: along x. */
   readonly across: boolean;
 }
 
 // Looked up once: tests run where every global is a slow question.
 const { abs, ceil, floor, max, min } = Math;
 
-/** The same pen at every size: pixels from its middle to where it ends. */
+/** Half the width of a stroke in pixels. The pen is the same at every size. */
 const HALF_WIDTH_PX = 1.1;
 
-/** Parts of a stroke over which the pen is put down and lifted. */
+/** Fraction of a stroke at each end over which it becomes thinner. */
 const TAPER = 0.15;
 
 /** Ink of one tone at one size: row by row, 0 paper, 1 ink. */
 export type Ink = Float32Array;
 
-/** Calls `visit` for the pixels of a stroke, with how much of them it covers. */
+/** Calls `visit` for each pixel that a stroke touches, with the covered fraction of the pixel. */
 export function eachPixel(stroke: Stroke, sidePx: number, visit: (index: number, coverage: number) => void): void {
   const lengthPx = stroke.length * sidePx;
   const steps = max(ceil(lengthPx), 1);
@@ -42,12 +42,15 @@ export function eachPixel(stroke: Stroke, sidePx: number, visit: (index: number,
   }
 }
 
-/** Where the middle of a stroke is across its direction, from its start, 0, to its end, 1. */
+/** Position of the center line of a stroke across its direction, at a point from its start (0) to its end (1). */
 function asideOf({ y, slant, bend, length }: Stroke, along: number): number {
   return y + (along - 0.5) * slant * length + bend * (4 * along * (1 - along) - 0.5);
 }
 
-/** Mean of the ink along a stroke, so many pixels beside its middle: every other pixel is enough to compare strokes by. */
+/**
+ * Mean of the ink along a line parallel to a stroke, `besidePx` pixels beside its center line. Reads every other pixel, which is enough to
+ * compare strokes.
+ */
 export function inkBeside(stroke: Stroke, ink: Ink, sidePx: number, besidePx: number): number {
   const steps = ceil((stroke.length * sidePx) / 2) + 1;
   let sum = 0;

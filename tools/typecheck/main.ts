@@ -5,7 +5,7 @@ import process from 'node:process';
 import { listFiles } from '../lib/files.ts';
 import type { ToolContext } from '../lib/tool.ts';
 
-/** Two at a time: the compiler is parallel itself, and a third process gains nothing on two cores. */
+/** Number of compilers that run at once. The compiler itself is parallel, and a third process gains nothing on two cores. */
 const AT_ONCE = 2;
 
 interface Check {
@@ -25,7 +25,7 @@ export async function main(args: readonly string[], { root }: ToolContext): Prom
   return failed.length === 0 ? 0 : 1;
 }
 
-/** All but the base that the others extend. */
+/** Paths of all tsconfig files except the base that the others extend. */
 async function findConfigs(root: string): Promise<string[]> {
   const files = await listFiles(root, (path) => path === 'tests/output');
   return files.filter((path) => /(^|\/)tsconfig[^/]*\.json$/.test(path) && path !== 'tsconfig.base.json');
@@ -47,7 +47,7 @@ function check(root: string, config: string): Promise<Check> {
   });
 }
 
-/** TS18003: a layer without any file yet. */
+/** Whether the only error is TS18003: the layer has no files yet. */
 function isEmpty(output: string): boolean {
   const lines = output.trim().split('\n');
   return lines.length === 1 && lines[0]?.includes('TS18003') === true;

@@ -30,7 +30,7 @@ const TEXEL_BYTES: Readonly<Record<string, number>> = {
 const TARGET_OF_FACE = (gl: WebGL2RenderingContext, target: number): number =>
   target >= gl.TEXTURE_CUBE_MAP_POSITIVE_X && target <= gl.TEXTURE_CUBE_MAP_NEGATIVE_Z ? gl.TEXTURE_CUBE_MAP : target;
 
-/** Must be called before the context creates objects. */
+/** Starts to count the bytes of a context. Must be called before the context creates objects. */
 export function createGpuBytes(gl: WebGL2RenderingContext): GpuBytes {
   const names = new Map(Object.keys(TEXEL_BYTES).map((name) => [(gl as unknown as Record<string, number>)[name], name]));
   const texel = (format: number): number => {

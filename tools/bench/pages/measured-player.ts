@@ -9,15 +9,15 @@ import { createSpatial } from '../../../export/runtime/spatial/create-spatial.ts
 import { RUNTIMES } from '../../../nodes/generated/runtimes.gen.ts';
 import { findLampsAtOnce } from '../../../nodes/kit/panorama/find-lamps.ts';
 
-/** A player at a clock of its own, with every node type and no decoder. */
+/** A player with a manual clock, every node type, and no decoder for compressed models. */
 export interface MeasuredPlayer {
   readonly player: Player;
   readonly clock: ManualClock;
-  /** What is missing in the picture, such as a model; null where it is whole: a part of a picture is no measure of all of it. */
+  /** Why the image is incomplete, such as a missing model; null if it is complete. Frames of an incomplete image are not measured. */
   readonly wrong: string | null;
 }
 
-/** Files are found below `assetsUrl`. */
+/** Opens a player and waits until it is ready. Assets are loaded from below `assetsUrl`. */
 export async function openPlayer(
   gl: WebGL2RenderingContext,
   canvas: HTMLCanvasElement,

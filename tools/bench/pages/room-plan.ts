@@ -7,15 +7,15 @@ export interface RoomPlan {
   /** Whether room depth hides objects. Here it hides nothing, so that every pixel is tested and drawn. */
   readonly occlusion: boolean;
   readonly shadow: boolean;
-  /** How the edges of shadows are found; three.js alone always filters (`PCFShadowMap`), which is `pcf` here. */
+  /** Filter of the shadow map. The three.js page always uses `PCFShadowMap`, which corresponds to `pcf`. */
   readonly filter: 'basic' | 'pcf' | 'soft' | 'vsm' | 'pcss';
-  /** One model and an array node, instead of one node per model. */
+  /** Draws the models by one model node and an Array node, instead of one model node per model. */
   readonly copies?: true;
 }
 
-/** The antique camera's file is about 7 units tall. */
+/** Scale of the model, an antique camera. In its file it is about 7 units tall. */
 export const CAMERA_SCALE = 0.075;
-/** Side of the area with shadows (§3.5 of the paper). */
+/** Side of the square area with shadows (§3.5 of the paper). */
 export const SHADOW_AREA_M = 5;
 export const EYE_M = [0, 2.3, 3] as const;
 export const LOOK_M = [0, 0.2, 0] as const;

@@ -74,7 +74,7 @@ function createRoomFrame(gl: WebGL2RenderingContext): ReturnType<typeof createSe
 /** Depth resolution of phones. */
 const DEPTH_PX = [160, 90] as const;
 
-/** A wall 20 m away. */
+/** A depth texture that says 20 m everywhere, so that it hides nothing. */
 function farDepth(gl: WebGL2RenderingContext): WebGLTexture {
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
@@ -84,7 +84,7 @@ function farDepth(gl: WebGL2RenderingContext): WebGLTexture {
   return texture;
 }
 
-/** See `measureFrames`. */
+/** Milliseconds per frame over `count` frames; see `measureFrames`. */
 export function frameMs(count: number): number {
   if (measured?.wrong) throw new Error(measured.wrong);
   if (drawn?.gl.isContextLost()) throw new Error(LOST);
@@ -92,19 +92,19 @@ export function frameMs(count: number): number {
   return measureFrames(drawn, count);
 }
 
-/** Bytes of all textures. */
+/** Bytes of all textures on the GPU. */
 export function textureBytes(): number {
   return bytes?.textures() ?? 0;
 }
 
-/** The picture as a data URL, to look at. */
+/** The image as a data URL, for a person to look at. */
 export function picture(): string {
   if (!drawn) throw new Error('Nothing is open.');
   drawn.draw(0);
   return (drawn.gl.canvas as HTMLCanvasElement).toDataURL();
 }
 
-/** Drivers lose the context when they run out of memory. */
+/** Error message for a lost context. Drivers lose it when they run out of memory. */
 const LOST = 'The graphics were lost.';
 let drawn: Drawn | null = null;
 let measured: MeasuredPlayer | null = null;

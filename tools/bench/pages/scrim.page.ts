@@ -29,7 +29,7 @@ export async function show(program: Program): Promise<void> {
   if (result?.outcome !== 'playing') throw new Error(`The program is not played: ${JSON.stringify(result)}`);
 }
 
-/** See `measureFrames`. */
+/** Milliseconds per frame over `count` frames; see `measureFrames`. */
 export function frameMs(count: number): number {
   if (!stage) throw new Error('Nothing is open.');
   const { wrong } = stage.measured;

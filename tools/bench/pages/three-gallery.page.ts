@@ -26,15 +26,15 @@ import { type Drawn, measureFrames } from './frame-ms.ts';
 
 type Place = readonly [xM: number, yM: number, zM: number];
 
-/** The gallery's measures, meters. */
+/** Dimensions and positions of the gallery in meters. */
 export interface GalleryPlan {
   readonly middle: Place;
   readonly wall: { readonly width: number; readonly height: number };
   readonly rail: number;
   readonly cells: readonly { readonly kind: 'height' | 'place' | 'color' | 'things'; readonly foot: Place }[];
-  /** Middles of the cells with the bulb, the spot, the ball of chalk and the mirror. */
+  /** Centers of the cells with the bulb, the spot light, the ball of chalk and the mirror ball. */
   readonly lit: readonly [bulb: Place, stage: Place, matt: Place, mirror: Place];
-  /** From the middle of the bulb's cell. */
+  /** Positions of the pegs, relative to the center of the cell with the bulb. */
   readonly pegs: readonly (readonly [right: number, up: number])[];
 }
 
@@ -45,9 +45,9 @@ const BOX = new BoxGeometry(1, 1, 1);
 const RING = new TorusGeometry(0.4, 0.1, 24, 64);
 
 /**
- * What somebody who knows three.js writes by hand for the three scenes of the gallery: as many balls, rails and boxes, the same
- * lights, shadows and panorama. Rings have a standard material, because three.js has neither of the techniques; the numbers that
- * move things are sines, which cost next to nothing.
+ * Opens the three scenes of the gallery as somebody who knows three.js writes them by hand: as many balls, rails and boxes, the same
+ * lights, shadows and panorama. Rings have a standard material, because three.js has none of the techniques. Sines replace the values that
+ * move objects, and cost next to nothing.
  */
 export async function open(skyUrl: string, widthPx: number, heightPx: number, plan: GalleryPlan): Promise<void> {
   const renderer = new WebGLRenderer({ antialias: false, alpha: true });
@@ -162,7 +162,7 @@ function thrice(length: number): Place {
   return [length, length, length];
 }
 
-/** See `measureFrames`. */
+/** Milliseconds per frame over `count` frames; see `measureFrames`. */
 export function frameMs(count: number): number {
   if (!stage) throw new Error('Nothing is open.');
   return measureFrames(stage, count);

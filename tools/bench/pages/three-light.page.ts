@@ -19,10 +19,13 @@ import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
 import { OutputPass } from 'three/addons/postprocessing/OutputPass.js';
 import { type Drawn, measureFrames } from './frame-ms.ts';
 
-/** `display`: drawn to the canvas. `scene`: drawn to half floats and tone-mapped to the canvas, as three.js' examples do. */
+/**
+ * What the scene is drawn to. `display`: the canvas. `scene`: a half-float target, which is tone-mapped to the canvas as in the examples of
+ * three.js.
+ */
 export type LitLayer = 'display' | 'scene';
 
-/** A ball on a floor, lit by a panorama and a sun with shadow, as somebody who knows three.js writes it. */
+/** Opens a ball on a floor, lit by a panorama and a sun with shadow, as somebody who knows three.js writes it by hand. */
 export async function open(panoramaUrl: string, widthPx: number, heightPx: number, layer: LitLayer): Promise<void> {
   const renderer = new WebGLRenderer({ antialias: layer === 'display', alpha: true });
   renderer.setSize(widthPx, heightPx, false);
@@ -70,7 +73,7 @@ export async function open(panoramaUrl: string, widthPx: number, heightPx: numbe
   };
 }
 
-/** See `measureFrames`. */
+/** Milliseconds per frame over `count` frames; see `measureFrames`. */
 export function frameMs(count: number): number {
   if (!stage) throw new Error('Nothing is open.');
   return measureFrames(stage, count);

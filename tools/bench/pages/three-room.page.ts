@@ -30,7 +30,9 @@ import {
   TOWARDS_SUN,
 } from './room-plan.ts';
 
-/** The same scene as an experienced developer writes it in three.js: shared geometry, environment, sun, shadows, floor. */
+/**
+ * Opens the scene of the room benches as an experienced developer writes it in three.js: shared geometry, environment, sun, shadows, floor.
+ */
 export async function open(modelUrl: string, plan: RoomPlan): Promise<void> {
   const renderer = new WebGLRenderer({ antialias: true, alpha: true });
   renderer.setSize(plan.widthPx, plan.heightPx, false);
@@ -79,13 +81,13 @@ function white(renderer: WebGLRenderer): Scene['environment'] {
   return texture;
 }
 
-/** See `measureFrames`. */
+/** Milliseconds per frame over `count` frames; see `measureFrames`. */
 export function frameMs(count: number): number {
   if (!drawn) throw new Error('Nothing is open.');
   return measureFrames(drawn, count);
 }
 
-/** The picture as a data URL, to look at. */
+/** The image as a data URL, for a person to look at. */
 export function picture(): string {
   if (!drawn) throw new Error('Nothing is open.');
   drawn.draw(0);

@@ -29,8 +29,9 @@ export interface Standing {
 }
 
 /**
- * What somebody who knows three.js writes by hand for the first example, or for a template: the same model, here or there, light,
- * shadow and floor; `filtered` warms the picture. It is both what their frames are measured against and what the script of a page is weighed against.
+ * Opens the first example, or a template, as somebody who knows three.js writes it by hand: the same model at the same places, light,
+ * shadow and floor. `filtered` adds a filter that warms the image. Benches compare its frames with those of Scrim, and the size of its
+ * script with that of an exported page.
  */
 export async function open(
   modelUrl: string,
@@ -90,7 +91,10 @@ export async function open(
   };
 }
 
-/** As in the examples of three.js: renders the scene to a target with four samples, and draws it with a full-screen triangle. */
+/**
+ * Returns a function that renders the scene through a filter as the examples of three.js do: to a target with four samples, which a
+ * full-screen triangle draws.
+ */
 function throughFilter(renderer: WebGLRenderer, scene: Scene, camera: PerspectiveCamera, widthPx: number, heightPx: number): () => void {
   const picture = new WebGLRenderTarget(widthPx, heightPx, { samples: 4 });
   const screen = new FullScreenQuad(
@@ -109,7 +113,7 @@ function throughFilter(renderer: WebGLRenderer, scene: Scene, camera: Perspectiv
   };
 }
 
-/** See `measureFrames`. */
+/** Milliseconds per frame over `count` frames; see `measureFrames`. */
 export function frameMs(count: number): number {
   if (!stage) throw new Error('Nothing is open.');
   return measureFrames(stage, count);

@@ -18,7 +18,10 @@ type FullFrame = XRFrame & { getLightEstimate(probe: object): object | null };
 type FullView = XRView & { readonly camera: object | null };
 type FullBinding = XRWebGLBinding & { getCameraImage(camera: object): WebGLTexture };
 
-/** What a frame of the emulated phone in the furnished room costs a page that draws nothing and asks for one thing, as many times as said. */
+/**
+ * Starts an AR session on the emulated phone in the room `studio`. The page draws nothing and requests one part of WebXR, or all, in each
+ * frame.
+ */
 export async function open(asked: Asked, widthPx: number, heightPx: number): Promise<void> {
   const emulator = installEmulator({ device: 'phone', room: 'studio', clock: 'manual', sizePx: [widthPx, heightPx], display: false });
   emulator.setPose({ position: [0, 1.5, 1] });
@@ -70,7 +73,7 @@ export async function frameMs(count: number): Promise<number> {
   return ms;
 }
 
-/** Number of answers in a frame. */
+/** Mean number of answers of the device per frame, in the last call of `frameMs`. */
 export function answered(): number {
   return answers;
 }

@@ -91,7 +91,7 @@ function colorAt(x: number, y: number): Color {
   return wallAt(x / WIDTH_PX, y / HEIGHT_PX);
 }
 
-/** Position of a pixel on an upright hand. */
+/** Converts a pixel to a position on the upright hand, in palm widths from the wrist. */
 function placeOn({ x, y, sizePx, turnRad, side }: Arm, px: number, py: number): readonly [u: number, v: number] {
   const right = (px - x * WIDTH_PX) / sizePx;
   const up = (y * HEIGHT_PX - py) / sizePx;

@@ -13,7 +13,7 @@ import { formatDiagnostic, hasErrors } from '../../../nodes/kit/diagnostics.ts';
 /** A node: type, column and row on the canvas, and params. */
 export type RecipeNode = readonly [type: string, column: number, row: number, params?: Readonly<Record<string, ParamValue>>];
 
-/** A short description of a small project. */
+/** A small project in short form, from which `makeProject` builds an example. */
 export interface Recipe {
   /** Folder in `examples/`. */
   readonly folder: string;
@@ -21,16 +21,16 @@ export interface Recipe {
   readonly figure: string;
   readonly title: string;
   readonly description: string;
-  /** Nodes by a word that begins their ids. */
+  /** Nodes, by the word that their ids begin with. */
   readonly nodes: Readonly<Record<string, RecipeNode>>;
-  /** `word.port -> word.port`. */
+  /** Wires, written as `word.port -> word.port`. */
   readonly wires: readonly string[];
   /** Bindings other than values, by `word.param`. */
   readonly bindings?: Readonly<Record<string, Binding>>;
   readonly assets?: Readonly<Record<string, Asset>>;
 }
 
-/** Distance of positions on the canvas. */
+/** Distance between columns and between rows of nodes on the canvas, in canvas units. */
 const PITCH_PX = { x: 250, y: 190 } as const;
 
 /**

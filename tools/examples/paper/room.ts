@@ -9,12 +9,12 @@ export const ROBOT: Readonly<Record<string, Asset>> = {
   'robot-tin1': { path: 'assets/robot.glb', kind: 'model', credit: 'Made by tools/examples/robot.ts', licence: 'MIT' },
 };
 
-/** A transparent image of pencil strokes. */
+/** Asset table with a transparent image of pencil strokes. */
 export const STROKES: Readonly<Record<string, Asset>> = {
   'strokes-pen1': { path: 'assets/strokes.png', kind: 'image', credit: 'Made by tools/examples/paper/strokes.ts', licence: 'MIT' },
 };
 
-/** An image of four hands in front of a wall. */
+/** Asset table with an image of four hands in front of a wall. */
 export const HANDS: Readonly<Record<string, Asset>> = {
   'hands-up04': { path: 'assets/hands.png', kind: 'image', credit: 'Made by tools/examples/paper/hands.ts', licence: 'MIT' },
 };
@@ -33,7 +33,7 @@ export function robotOnRug(
 
 export const ROBOT_WIRES = ['model.objects -> robot.objects'] as const;
 
-/** From the window, over the left shoulder. */
+/** Params of a directional light that comes from the window, over the left shoulder of the viewer. */
 export const WINDOW_LIGHT = { azimuthRad: -1.2, elevationRad: 0.75, color: [1, 0.96, 0.9, 1], intensity: 0.85, areaM: 2 } as const;
 
 /** Floor, table and stool as phantoms. `floor.objects` and `table.objects` receive shadows; `stool.objects` also casts them. */

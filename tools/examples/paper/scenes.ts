@@ -2,7 +2,7 @@ import type { Recipe, RecipeNode } from './recipe.ts';
 import { PHANTOM_WIRES, phantoms, ROBOT, ROBOT_WIRES, robotOnRug, STROKES, WINDOW_LIGHT } from './room.ts';
 
 const EDGES = { strength: 5, lineColor: [0.1, 0.08, 0.06, 1], paperColor: [0.97, 0.95, 0.9, 1] } as const;
-/** Far enough to show the whole robot. */
+/** Position of the robot, far enough from the camera to show the whole robot. */
 const BACK = { x: 0.68, z: -0.85 } as const;
 const MODEL_SCENE = {
   ...robotOnRug(0),

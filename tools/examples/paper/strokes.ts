@@ -2,7 +2,7 @@ import { encode } from 'fast-png';
 
 const WIDTH_PX = 480;
 const HEIGHT_PX = 360;
-/** Distance of strokes. */
+/** Distance between neighboring strokes. */
 const PITCH_PX = 7;
 /** Length of strokes. */
 const LENGTH_PX = 90;

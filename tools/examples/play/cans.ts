@@ -69,7 +69,7 @@ export function makeCan(): Promise<Uint8Array> {
   ]);
 }
 
-/** A five-pointed star of an outer radius, point up. */
+/** Whether a point lies in a five-pointed star around the origin with this outer radius, one point up. */
 function isStar(x: number, y: number, radius: number): boolean {
   const turn = (2 * Math.PI) / 5;
   const angle = Math.abs(((((Math.atan2(x, y) + turn / 2) % turn) + turn) % turn) - turn / 2);

@@ -3,13 +3,16 @@ import { RoundedBoxGeometry } from 'three/examples/jsm/geometries/RoundedBoxGeom
 import { type Color, drawTexture, mix, wood } from './draw-texture.ts';
 import { type ModelPart, type Paint, writeModel } from './write-model.ts';
 
-/** Of the chutes, meters: they cross each other from side to side, each below the last. */
+/** Dimensions of a chute in meters, and its slope. The chutes cross the stand from side to side, each below the last. */
 const CHUTE = { lengthM: 0.5, innerM: 0.066, floorM: 0.015, railM: 0.044, thickM: 0.011, slopeRad: 0.13 } as const;
 const COUNT = 4;
-/** Height of the middle of the top chute, and how much lower the next is. */
+/** Height of the center of the top chute, and the distance down to the next one. */
 const TOP_M = 0.62;
 const PITCH_M = 0.138;
-/** The upper end of a chute reaches so far past the lower end of the one above. */
+/**
+ * How far each chute is moved from the center toward its upper end. The upper end thus reaches past the lower end of the chute above by
+ * twice as much.
+ */
 const SHIFT_M = 0.046;
 const CAP_M = 0.11;
 
@@ -24,7 +27,7 @@ const PAINTS = {
   walnut: { name: 'walnut', color: [1, 1, 1], roughness: 0.5, texture: WALNUT },
   brass: { name: 'brass', color: [0.8, 0.55, 0.2], metalness: 0.9, roughness: 0.28 },
 } as const satisfies Record<string, Paint>;
-/** Of the rails, from the top chute down. */
+/** Paints of the rails, from the top chute down. */
 const RAILS: readonly Paint[] = [
   { name: 'coral', color: [0.72, 0.13, 0.08], roughness: 0.4 },
   { name: 'mustard', color: [0.82, 0.44, 0.04], roughness: 0.4 },
@@ -32,7 +35,7 @@ const RAILS: readonly Paint[] = [
   { name: 'night', color: [0.03, 0.07, 0.2], roughness: 0.4 },
 ];
 
-/** The chutes, 16 parts: as many as a compound body may have. */
+/** Makes the model of the chutes. It has 16 parts, as many as a compound body may have. */
 export function makeChutes(): Promise<Uint8Array> {
   return writeModel(Array.from({ length: COUNT }, (_, i) => chute(i)).flat());
 }
@@ -73,7 +76,7 @@ export function makeBase(): Promise<Uint8Array> {
   ]);
 }
 
-/** What carries the chutes: two posts with knobs, and the funnel. */
+/** Makes the model of the stand that carries the chutes: two posts with knobs, and the funnel. */
 export function makeStand(): Promise<Uint8Array> {
   const parts: ModelPart[] = [];
   const backM = -(CHUTE.innerM / 2 + CHUTE.thickM + 0.017);
@@ -104,7 +107,7 @@ export function makeStand(): Promise<Uint8Array> {
   return writeModel(parts);
 }
 
-/** Colors of the band in a marble. */
+/** Colors of the swirl in a marble: the light and the dark one. */
 export const MARBLES: Readonly<Record<'ruby' | 'sea' | 'amber', readonly [Color, Color]>> = {
   ruby: [
     [0.97, 0.9, 0.86],

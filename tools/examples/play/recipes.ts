@@ -4,7 +4,7 @@ import { WINDOW_LIGHT } from '../paper/room.ts';
 import { BALL_RADIUS_M, CAN, CRATE_M } from './cans.ts';
 import { FUNNEL_M } from './marble-run.ts';
 
-/** The top of the table of the studio, where both examples stand before a visitor places them; meters. */
+/** Height of the table top in the studio, in meters. Both examples stand there before a visitor places them. */
 const TABLE_M = 0.4225;
 
 function models(by: string, names: readonly string[]): Record<string, Asset> {
@@ -16,7 +16,7 @@ function models(by: string, names: readonly string[]): Record<string, Asset> {
   );
 }
 
-/** The room, which hides objects, carries them and receives their shadows. Objects are connected to `scene` and `shadow`. */
+/** Nodes for the room, which hides objects, carries them and receives their shadows. Objects are connected to `scene` and `shadow`. */
 const ROOM_NODES = {
   video: ['source/camera-video', 4, 4],
   depth: ['world/depth', 4, 3],
@@ -132,11 +132,11 @@ const MARBLE_RUN: Recipe = {
   assets: models('marble-run', ['base', 'stand', 'chutes', 'ruby', 'sea', 'amber']),
 };
 
-/** Cans per row, from below, and the distance of their middles. */
+/** Number of cans per row, from the bottom, and the distance between their centers. */
 const ROWS = [5, 4, 3, 2, 1] as const;
 const GAP_M = 2 * CAN.radiusM + 0.004;
 
-/** One node for each can and ball: the copies of an Array are one body. */
+/** A Transform node for each can, and below for each ball. Copies of an Array would be one body. */
 const CANS: Readonly<Record<string, RecipeNode>> = Object.fromEntries(
   ROWS.flatMap((count, row) =>
     Array.from({ length: count }, (_, i): [string, RecipeNode] => {

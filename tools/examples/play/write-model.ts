@@ -4,15 +4,15 @@ import { mergeVertices } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 
 export interface Paint {
   readonly name: string;
-  /** Linear. */
+  /** Base color in linear RGB. */
   readonly color: readonly [r: number, g: number, b: number];
   readonly metalness?: number;
   readonly roughness: number;
-  /** A PNG that multiplies the color. */
+  /** A PNG texture by which the color is multiplied. */
   readonly texture?: Uint8Array;
 }
 
-/** A part of a model, which is a node of its own: physics makes a hull of each. */
+/** A part of a model. It becomes a node of its own, because physics makes one convex hull per node. */
 export interface ModelPart {
   readonly name: string;
   readonly geometry: BufferGeometry;
