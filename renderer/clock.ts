@@ -21,7 +21,7 @@ export const pageClock: EditorClock = {
 export const workerClock = { nowMs: () => performance.now() };
 
 export interface Debounced {
-  /** Restarts the wait. */
+  /** Requests the call and restarts the wait. */
   trigger(): void;
   /** Runs a pending call at once. */
   flush(): void;

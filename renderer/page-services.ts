@@ -1,7 +1,7 @@
 import type { EditorClock } from './clock.ts';
 import type { Clipboard } from './state/editor/editor.ts';
 
-/** Time after which the browser has surely started the download. */
+/** Time after which the URL of a download is revoked. The browser has surely started the download by then. */
 const PATIENCE_MS = 60_000;
 
 /** The clipboard of the system. If the browser denies access, the text that this window copied last. */

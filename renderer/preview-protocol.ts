@@ -128,7 +128,7 @@ export interface PreviewGizmo {
   readonly snap: boolean;
   /** Params of the node, by the handle that they set. */
   readonly handles: Readonly<Partial<Record<Handle, string>>>;
-  /** Nodes that select one branch, if the objects pass through several. */
+  /** Nodes of the program that a clicked object passed through. They select one branch if the objects of the node pass through several. */
   readonly chain: readonly string[];
 }
 

@@ -1,6 +1,6 @@
 import { z } from 'zod';
 
-/**
+/*
  * The contract between editor and host: inputs and outputs of all calls, and the events. The preload script of Electron, the loopback
  * server, the editor’s client and the fake of the tests derive from this table. All calls are asynchronous; a rejected call throws a
  * `HostError` whose diagnostic says why.
@@ -26,7 +26,7 @@ const handle = z.string().regex(/^[a-z0-9]{16,64}$/);
 /** Path relative to the project folder, with `/`. The host rejects paths that leave the folder. */
 const projectPath = z.string().min(1).max(512);
 
-/** Larger than any model a phone can load, small enough for memory. */
+/** Limit for an imported asset: larger than any model that a phone can load, and small enough for memory. */
 export const MAX_ASSET_BYTES = 512 * 2 ** 20;
 
 /** Limit for an asset that is copied with its nodes. Clipboards take some hundred megabytes of text. */
@@ -99,7 +99,7 @@ const platformMenu = z.object({
         z.object({
           command: menuCommand,
           label: z.string().max(128),
-          /** As `renderer/keybinding.ts` writes it; null if there is none. */
+          /** Keybinding of the command, as `renderer/keybinding.ts` writes it; null if there is none. */
           keybinding: z.string().max(64).nullable(),
           enabled: z.boolean(),
         }),

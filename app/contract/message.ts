@@ -1,6 +1,6 @@
 /**
- * Binary encoding of calls for the loopback server: JSON, followed by the raw bytes of top-level `Uint8Array` fields. Base64 would
- * add a third and several copies to a model of 100 MB.
+ * Media type of the binary encoding of calls to the loopback server: JSON, followed by the raw bytes of top-level `Uint8Array` fields.
+ * Base64 would add a third and several copies to a model of 100 MB.
  *
  * Layout: length of the JSON in bytes (32 bits, little endian), the JSON `{ value, blobs: [[field, length], …] }`, the blobs.
  */

@@ -1,4 +1,7 @@
-/** Broadcast channels belong to the origin, port included, so that the preview and other sites cannot listen. */
+/**
+ * Name of the broadcast channel between the tabs of the editor. Channels belong to the origin, port included, so that the preview and other
+ * sites cannot listen.
+ */
 const CHANNEL = 'scrim-tabs';
 /** Time to wait for an answer. Open tabs answer within milliseconds. */
 const ANSWER_MS = 1000;

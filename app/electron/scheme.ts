@@ -11,13 +11,13 @@ const SCHEME = 'scrim';
  */
 export const ORIGINS: Origins = { editor: `${SCHEME}://editor`, preview: `${SCHEME}://preview` };
 
-/** Must run before the app is ready. */
+/** Registers the scheme with its privileges. Must run before the app is ready. */
 export function registerScheme(protocol: Protocol): void {
   const privileges = { standard: true, secure: true, supportFetchAPI: true, stream: true };
   protocol.registerSchemesAsPrivileged([{ scheme: SCHEME, privileges }]);
 }
 
-/** Serves the scheme. Needs `protocol.handle` of Electron 25 or later. */
+/** Serves the scheme: by `protocol.handle` from Electron 25 on, else by `registerStreamProtocol`. */
 export function serveScheme(protocol: Protocol, content: Content): void {
   if (typeof protocol.handle === 'function') {
     protocol.handle(SCHEME, async ({ method, url }) => {

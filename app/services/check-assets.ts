@@ -30,7 +30,7 @@ export async function checkAssets(
 
 type Problem = Pick<Diagnostic, 'code' | 'message' | 'fix'> & { readonly severity?: 'warning' };
 
-/** Enough for all signatures below. */
+/** Number of bytes that are read from the start of a file: enough for all signatures below. */
 const HEAD_BYTES = 16;
 
 async function problemOf(root: string, { path, kind }: Asset): Promise<Problem | null> {

@@ -1,9 +1,9 @@
 import type { FileHandle } from 'node:fs/promises';
 import { imageFault, sizeFault } from '../../export/gltf/image-faults.ts';
 
-/** Larger images are checked by their header only. */
+/** Maximum size of an image file. Larger files are rejected, because no browser decodes them. */
 const MAX_IMAGE_BYTES = 256 * 2 ** 20;
-/** Both panorama formats store their size in the header. */
+/** Number of bytes that are read from the start of a panorama. Both formats store their size in the header. */
 const PANORAMA_HEAD_BYTES = 64 * 2 ** 10;
 
 const NO_SIZE = 'is broken: it does not say how large it is.';

@@ -27,10 +27,10 @@ export interface Apart {
   readonly interrupted?: AbortSignal | undefined;
 }
 
-/** Smaller projects compile in less time than a worker takes to start. */
+/** Number of nodes above which a project is compiled in a worker. Smaller ones compile in less time than a worker takes to start. */
 const LARGE = 1000;
 
-/** Whether a project is large, by its number of stored nodes. Subgraphs may multiply it. */
+/** Whether a project may be large: it has many stored nodes, or subgraphs, which may multiply them. */
 function isLarge({ graphs }: Project): boolean {
   const count = Object.values(graphs).reduce((sum, { nodes }) => sum + Object.keys(nodes).length, 0);
   return count > LARGE || Object.keys(graphs).length > 1;
@@ -61,7 +61,7 @@ export async function compileProject(
   return { project, program: hasErrors(diagnostics) ? null : compiled.output, diagnostics };
 }
 
-/** Compiles in a worker, which cannot migrate params. */
+/** Migrates the params and then compiles in a worker, which cannot migrate params. */
 async function compileMigrated(loaded: Project, options: CompileOptions, { root, interrupted }: Apart): Promise<Result<Program>> {
   const { project, diagnostics } = migrateNodes(loaded, LIBRARY);
   if (hasErrors(diagnostics)) return { output: null, diagnostics };

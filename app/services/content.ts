@@ -32,7 +32,7 @@ interface Found {
   readonly headers: Record<string, string>;
 }
 
-/** File names in `assets/` contain a content hash. */
+/** Cache header for files in `assets/`. Their names contain a content hash, so they never change. */
 const FOR_EVER = 'public, max-age=31536000, immutable';
 
 export function createContent({ origins, pages }: ContentOptions): Content {

@@ -2,7 +2,7 @@ import { HOST_CONTRACT, type HostInput, type HostMethod, type HostOutput } from 
 import { type Answer, HostError } from '../contract/host-error.ts';
 import { refusal } from './file-errors.ts';
 
-/** `client` is the window or tab that calls. */
+/** The function for each call of the contract. `client` is the window or tab that calls. */
 export type Handlers = { readonly [M in HostMethod]: (input: HostInput<M>, client: string) => Promise<HostOutput<M>> };
 
 /** Validates a call against the contract and runs it. Never rejects; errors are returned. */

@@ -4,8 +4,8 @@ import process from 'node:process';
 import type { Browser } from 'playwright-core';
 
 /**
- * Shell script that ends the browser’s process group when its standard input closes, which the system does however the writer ends,
- * or when process $2 has ended.
+ * Shell script that ends the process group of the browser, process $1, when process $2 has ended or when its own standard input closes. The
+ * system closes that when the writing process ends, in whatever way it ends.
  */
 const GUARD = `
 end() { kill -9 -- "-$1" 2>/dev/null || kill -9 "$1" 2>/dev/null; }
@@ -15,7 +15,7 @@ end "$1"`;
 
 /**
  * Ends a browser together with this process. Chromium ignores SIGTERM, and Playwright ends it only on signals that it can handle: not
- * SIGKILL, and none inside Jest. With `SCRIM_ENDS_WITH` set to a process id, also ends it with that process.
+ * SIGKILL, and none inside Jest. If `SCRIM_ENDS_WITH` is a process id, the browser also ends with that process.
  */
 export async function endWithProcess(browser: Browser): Promise<void> {
   if (process.platform === 'win32') return;

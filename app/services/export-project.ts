@@ -109,8 +109,8 @@ async function posterOf(program: Program, { drawPoster, interrupted }: ExportJob
 }
 
 /**
- * Wraps a file layer: counts written files, and throws when interrupted, so that an unfinished folder is removed as after a full
- * disk. Renames are not interrupted, because both must happen.
+ * Wraps a file layer: counts written files, and throws when interrupted, so that an unfinished folder is removed as after a full disk.
+ * Renames are not interrupted, because a folder is replaced by two renames, and both must happen.
  */
 function watchedFiles(files: FileLayer, interrupted: AbortSignal | undefined, onWrite: (count: number) => void): FileLayer {
   let count = 0;

@@ -21,7 +21,7 @@ export interface Installation {
 }
 
 /**
- * Environment: `SCRIM_PROJECTS` replaces the default projects folder, `~/Scrim`.
+ * The folders of the installation at `root`. The environment variable `SCRIM_PROJECTS` replaces the default projects folder, `~/Scrim`.
  *
  * @param home Folder with the built files, if it is not `root`: the archive of a packaged app.
  */

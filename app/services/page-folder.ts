@@ -19,9 +19,9 @@ export interface FolderMark {
 const PAGE_MARK: FolderMark = { file: REPORT_FILE, format: 'scrim-export', words: 'an earlier export' };
 
 /**
- * Writes a page, or the content that `mark` describes, to the folder `out` in one step: to a new folder beside it that then replaces
- * it. `out` may be missing, empty, or the result of an earlier export (by its `report.json`, or the file of the mark); otherwise
- * SCR061. If `write` returns null or throws, or the disk fails, `out` is unchanged.
+ * Writes a page, or the content that `mark` describes, to the folder `out` in one step: writes a new folder beside `out`, which then
+ * replaces `out`. `out` may be missing, empty, or the result of an earlier export (recognized by its `report.json`, or the file of the
+ * mark); otherwise SCR061. If `write` returns null or throws, or the disk fails, `out` is unchanged.
  *
  * @throws SCR060, SCR061, SCR062
  */
@@ -114,7 +114,7 @@ function createFolderSink(folder: string, files: FileLayer): FileSink {
   };
 }
 
-/** Renames twice. If the second rename fails, the first is undone. */
+/** Puts the new folder in the place of the old one by two renames. If the second rename fails, the first is undone. */
 async function swapInto(fresh: string, target: string, old: string, files: FileLayer): Promise<void> {
   const replaces = (await lstat(target).catch(() => null)) !== null;
   if (replaces) await files.rename(target, old);
@@ -128,7 +128,7 @@ async function swapInto(fresh: string, target: string, old: string, files: FileL
   if (replaces) await files.remove(old).catch(() => {});
 }
 
-/** Failures to clean up must not hide the original error. */
+/** Deletes the new folder and the created parents. Ignores failures, which must not hide the original error. */
 async function discard(fresh: string, firstMade: string | undefined): Promise<void> {
   for (const path of [fresh, ...(firstMade === undefined ? [] : [firstMade])]) {
     await rm(path, { recursive: true, force: true }).catch(() => {});

@@ -21,7 +21,7 @@ export async function leaveSign(root: string, projectId: string, files: FileLaye
   }
 }
 
-/** Deletes the sign synchronously, because a process that exits does not wait. */
+/** Deletes the sign file of a window. Synchronous, because a process that exits does not wait. */
 export function removeSign(root: string, projectId: string): void {
   try {
     rmSync(signOf(root, projectId), { force: true });

@@ -14,7 +14,7 @@ export const SHADERS_FOLDER = 'shaders';
 export const CHUNKS_FOLDER = `${SHADERS_FOLDER}/chunks`;
 export const ASSETS_FOLDER = 'assets';
 
-/** Limit of the contract. */
+/** Maximum size of the project and layout file, as in the contract. */
 export const MAX_DOCUMENT_BYTES = 64 * 2 ** 20;
 export const MAX_SHADER_BYTES = 4 * 2 ** 20;
 
@@ -158,7 +158,7 @@ async function listNames(root: string, folder: string): Promise<string[]> {
   }
 }
 
-/** Null if the file does not exist. */
+/** Reads a text file of the project; null if it does not exist. */
 async function readProjectText(root: string, path: string, maxBytes: number): Promise<string | null> {
   const absolute = await resolveInside(root, path);
   return readText(absolute, maxBytes).catch((error: unknown) => {

@@ -10,8 +10,8 @@ import { readText } from './read-file.ts';
 import { ensureScrimFolder, SCRIM_FOLDER, temporaryIn } from './scrim-folder.ts';
 
 /**
- * The process that creates this file may write the project. It contains the owner and a random number, because a process may lock
- * repeatedly.
+ * Name of the lock file. The process that creates the file may write the project. The file contains the owner and a random number, because
+ * a process may lock repeatedly.
  */
 export const LOCK_NAME = 'lock';
 
@@ -26,7 +26,7 @@ const TOUCH_MS = 5_000;
 /** A lock that was not touched for this time is abandoned: its machine sleeps, or its process cannot be checked. */
 const LEFT_MS = 60_000;
 
-/** Longer than any signature. Longer files are not locks. */
+/** Maximum length of a signature, the content of a lock. Longer files are not locks. */
 const MAX_SIGNATURE_BYTES = 1024;
 
 /** A lock that is held while the task runs. */
@@ -118,7 +118,8 @@ async function tryToTake(root: string, files: FileLayer, signature: string): Pro
 }
 
 /**
- * Rewrites the signature, so that the clock of the disk dates the lock, as it dates the probe of `isLeft`. Leaves other locks alone.
+ * Rewrites the signature, so that the file system updates the modification time of the lock, which `isLeft` compares with that of a probe
+ * file. Does not touch the lock of another process.
  */
 async function touch(root: string, signature: string): Promise<void> {
   const file = await open(lockOf(root), constants.O_RDWR | (constants.O_NOFOLLOW ?? 0) | (constants.O_NONBLOCK ?? 0));
@@ -131,7 +132,7 @@ async function touch(root: string, signature: string): Promise<void> {
   }
 }
 
-/** Removes an abandoned lock. Returns true if there may be none now. */
+/** Removes the lock if it is abandoned. Returns true if there may be no lock now. */
 async function breakIfLeft(root: string, files: FileLayer): Promise<boolean> {
   const held = await readLock(root);
   if (held === null) return true;
@@ -156,9 +157,8 @@ interface SeenLock {
 }
 
 /**
- * Whether a lock is abandoned: its process has ended, or its last touch is too old by the clock of the disk, which a probe file
- * shows. Dates in the future count as old. Files that are not locks are abandoned. If no probe can be written, no save can be in
- * progress.
+ * Whether a lock is abandoned: its process has ended, or its modification time differs by `LEFT_MS` or more, in either direction, from that
+ * of a new probe file. If no probe can be written, from the clock of this machine. Files that are not locks are abandoned.
  */
 async function isLeft(root: string, { text, touchedMs }: SeenLock, files: FileLayer): Promise<boolean> {
   if (text === null || hasEnded(text.split(' ')[0] ?? '')) return true;
@@ -173,7 +173,7 @@ async function isLeft(root: string, { text, touchedMs }: SeenLock, files: FileLa
   }
 }
 
-/** Null if there is no lock. */
+/** Reads the lock; null if there is none. */
 async function readLock(root: string, path = lockOf(root)): Promise<SeenLock | null> {
   const found = await lstat(path).catch(() => null);
   if (found === null) return null;

@@ -29,7 +29,7 @@ export class TooLargeError extends Error {
   }
 }
 
-/** Windows has neither flag, and no pipes or devices in folders. */
+/** Flags for opening without following links or blocking on pipes. Windows lacks both flags, and has no pipes or devices in folders. */
 const FLAGS = constants.O_RDONLY | (constants.O_NOFOLLOW ?? 0) | (constants.O_NONBLOCK ?? 0);
 
 /**

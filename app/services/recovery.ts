@@ -11,7 +11,7 @@ import { ensureScrimFolder, listScrimFolder, SCRIM_FOLDER, temporaryIn } from '.
 /** Matches recovery files. Each window has its own, so that two windows of one project do not overwrite each other’s. */
 const UNSAVED = new RegExp(`^unsaved-(${OWNER_PATTERN})-([0-9a-f]+)\\.json$`);
 
-/** Limit of a message. */
+/** Maximum size of a recovery file. */
 const MAX_UNSAVED_BYTES = 512 * 2 ** 20;
 
 /** Stores unsaved changes beside the project; null deletes them. */

@@ -3,22 +3,22 @@ import { resolveInside } from './confine.ts';
 import type { FileLayer } from './file-layer.ts';
 import { listScrimFolder, SCRIM_FOLDER } from './scrim-folder.ts';
 
-/** The newest of these folders stay, however old they are. */
+/** Number of the newest folders with replaced files that stay, however old they are. */
 const NEWEST_KEPT = 5;
 
-/** All folders stay for this long, however many there are. */
+/** Time for which all folders with replaced files stay, however many there are. */
 const KEPT_MS = 30 * 24 * 3600 * 1000;
 
 const NAME = /^replaced-(\d{4}-\d\d-\d\dT\d\d)-(\d\d)-(\d\d\.\d{3}Z)$/;
 
-/** Project path of the folder for what a save at this moment writes over. Its name holds the time in UTC. */
+/** Project path of the folder that keeps the files which a save at this moment replaces. Its name contains the time in UTC. */
 export function replacedFolder(now: Date): string {
   return `${SCRIM_FOLDER}/replaced-${now.toISOString().replaceAll(':', '-')}`;
 }
 
 /**
- * Removes the folders that saves have kept and that are older than 30 days, except the newest five. The time in the name counts: copying
- * or moving a project changes the times of its files.
+ * Removes folders with replaced files that are older than 30 days, except the newest five. The time in the name counts, because copying or
+ * moving a project changes the times of its files.
  */
 export async function removeOldReplaced(root: string, now: Date, files: FileLayer): Promise<void> {
   const folders = (await listScrimFolder(root))
@@ -32,7 +32,7 @@ export async function removeOldReplaced(root: string, now: Date, files: FileLaye
   }
 }
 
-/** NaN for names of other things. */
+/** The time in the name of a folder with replaced files, in milliseconds; NaN for other names. */
 function timeOf(name: string): number {
   const parts = NAME.exec(name);
   return parts === null ? Number.NaN : Date.parse(parts.slice(1).join(':'));

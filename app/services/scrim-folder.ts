@@ -24,7 +24,11 @@ export async function ensureScrimFolder(root: string, files: FileLayer): Promise
   }
 }
 
-/** @throws SCR067 if the folder is missing */
+/**
+ * Rejects if the project folder is missing.
+ *
+ * @throws SCR067
+ */
 export async function requireFolder(root: string): Promise<void> {
   const found = await lstat(root).catch((error: unknown) => {
     if (errorCode(error) === 'ENOENT' || errorCode(error) === 'ENOTDIR') return null;
@@ -39,7 +43,7 @@ export async function requireFolder(root: string): Promise<void> {
 }
 
 /**
- * Names in the folder; empty if it is missing.
+ * Names of the files in the `.scrim` folder; empty if it is missing.
  *
  * @throws SCR031 if it is a link
  */
@@ -47,7 +51,7 @@ export async function listScrimFolder(root: string): Promise<readonly string[]> 
   return readdir(await resolveInside(root, SCRIM_FOLDER)).catch(() => []);
 }
 
-/** A unique path in the folder. It contains the owner, so that it can be removed after a crash. */
+/** A unique path in the `.scrim` folder. The name contains the owner, so that the file can be removed after a crash. */
 export function temporaryIn(root: string): string {
   return join(root, SCRIM_FOLDER, `temp-${OWNER}-${randomBytes(6).toString('hex')}`);
 }

@@ -20,9 +20,9 @@ interface OpenMenu {
   readonly x: number;
   readonly y: number;
   readonly commands: readonly (AppCommandId | 'line')[];
-  /** The drawn stretch of a wire that was pressed, and the place on it. Canvas units. */
+  /** Id of the pressed stretch of a wire, and the pressed point in canvas units. Present if a wire was pressed. */
   readonly wire?: { readonly stretch: string; readonly place: Place };
-  /** The layer at the port that was pressed. */
+  /** Name of the layer at the pressed port. Present if a port with a layer was pressed. */
   readonly layer?: string;
 }
 
@@ -106,13 +106,13 @@ function layerPressed({ document }: Editor, target: EventTarget | null): string 
   return layerAt(document.getState(), { node, port }, handle.classList.contains('source') ? 'output' : 'input');
 }
 
-/** Commands that act on the layer of the pressed port instead of the first layer of the node. */
+/** Labels and actions of commands when a port was pressed: they act on the layer of that port instead of the first layer of the node. */
 const ON_PORT: Partial<Record<AppCommandId, { readonly label: (layer: string) => string; readonly run: typeof pinLayer }>> = {
   'view.pin': { label: (layer) => `View “${layer}”`, run: pinLayer },
   'view.compare': { label: (layer) => `Compare with “${layer}”`, run: compareLayer },
 };
 
-/** Commands that act at the place where the wire was pressed. */
+/** Actions of commands when a wire was pressed: they act at the pressed point. */
 const ON_WIRE: Partial<Record<AppCommandId, (editor: Editor, menu: OpenMenu) => void>> = {
   'graph.reroute': (editor, { wire }) => void (wire && addReroute(editor, wire.stretch, wire.place)),
   'graph.add': ({ ui }, { x, y, wire }) => {

@@ -7,8 +7,8 @@ import { useEditor } from '../state/editor/editor-context.ts';
 const GRID = 8;
 
 /**
- * A mouse wheel zooms, a trackpad pans. The browser does not tell them apart: wheels send large equal steps along one axis, trackpads
- * small ones along both.
+ * Decides from each wheel event whether it comes from a mouse wheel, which zooms, or a trackpad, which pans. The browser does not tell them
+ * apart: wheels send large equal steps along one axis, trackpads small ones along both.
  *
  * @returns Whether scrolling pans.
  */
@@ -34,7 +34,7 @@ export function isTrackpad({ deltaX, deltaY, deltaMode }: Pick<WheelEvent, 'delt
   return deltaX !== 0 || !Number.isInteger(deltaY) || Math.abs(deltaY) < WHEEL_STEP_PX;
 }
 
-/** Zooms the graph with the UI scale, about the center of the view. */
+/** When the UI scale changes, zooms the graph by the same factor about the center of the view. */
 export function useScale(): void {
   const { preferences } = useEditor();
   const scale = useStore(preferences, (state) => state.scale);

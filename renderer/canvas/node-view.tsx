@@ -76,7 +76,7 @@ interface PortProps {
   readonly value: string | undefined;
   readonly dimmed: boolean;
   readonly collapsed: boolean;
-  /** No port is at the other side of its row. */
+  /** Whether the row has no port on the other side. */
   readonly alone: boolean;
 }
 

@@ -16,7 +16,7 @@ interface PaletteProps {
   readonly end: OpenEnd | null;
   /** Where it opens, in client pixels; clamped to the window. */
   readonly at: { readonly x: number; readonly y: number };
-  /** Placeholder of the search field when the choice is not a plain new node. */
+  /** Placeholder of the search field; null when the choice adds a plain new node. */
   readonly purpose?: string | null;
   readonly onChoose: (entry: PaletteEntry) => void;
   readonly onClose: () => void;

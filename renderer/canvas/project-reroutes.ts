@@ -62,7 +62,7 @@ function typeAt({ library, ...open }: OpenGraph, wire: Wire | undefined): WireTy
 /** Handle that new wires start from, beside the point. The point itself drags the reroute. */
 export const REROUTE_KNOB = 'knob';
 
-/** Wires end in the middle of the reroute. */
+/** Handles of a reroute. Wires end in its center; new wires start from the knob. */
 const HANDLES: NodeHandle[] = [
   handleAt(REROUTE_IN, 'target'),
   handleAt(REROUTE_OUT, 'source'),

@@ -14,11 +14,11 @@ export interface WireData extends Record<string, unknown> {
   readonly to: WireType;
   /** Position among the wires of the port, from 1; null if the port has one wire. */
   readonly order: number | null;
-  /** A node dropped now is inserted into this wire. */
+  /** Whether a node dropped now would be inserted into this wire. */
   readonly under: boolean;
-  /** Drawn as selected, because one of its wires is. */
+  /** Whether the stretch is drawn as selected, because one of its wires is selected. */
   readonly lit: boolean;
-  /** It carries a scene layer. */
+  /** Whether the wire carries a scene layer. */
   readonly scene: boolean;
 }
 
@@ -32,7 +32,7 @@ export interface WiresInput {
   readonly selectedWires: ReadonlySet<string>;
   /** The stretch that the dragged node would be inserted into. */
   readonly wireUnder?: string | null;
-  /** Absent: all layers are display layers. */
+  /** Encodings of layers. If absent, all layers are display layers. */
   readonly encodings?: EncodingLookup;
 }
 

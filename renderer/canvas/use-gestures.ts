@@ -32,7 +32,7 @@ import { wireBehind } from './wire-behind.ts';
 
 export type ToCanvas = (client: Place, options?: { readonly snapToGrid: boolean }) => Place;
 
-/** Places a reroute on the wire, off the grid. */
+/** Option of `ToCanvas` that does not snap to the grid, so that a new reroute lies on the wire. */
 export const UNSNAPPED = { snapToGrid: false };
 
 /** Handlers of React Flow that turn gestures into commands: selection, wires and positions. */
@@ -71,7 +71,7 @@ export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Pla
     },
     [editor, flowStore],
   );
-  /** An existing wire is being reconnected. React Flow reports that as a new connection, too. */
+  /** Whether an existing wire is being reconnected. React Flow reports that as a new connection, too. */
   const rewiring = useRef(false);
   const onReconnectStart = useCallback(() => {
     rewiring.current = true;
@@ -198,8 +198,9 @@ function nodeChanges(changes: readonly NodeChange<AnyNode>[]): SelectionChange[]
 }
 
 /**
- * Changes of the wire selection. Removals come first, because a press on another stretch of a wire deselects its last one. A selection
- * box adds wires only with one of their nodes: with a reroute alone, Delete would remove the wire as well.
+ * Converts changes that React Flow reports for stretches to changes of the wire selection. Deselections come first: a press on another
+ * stretch of a selected wire deselects the old stretch and selects the new one, and the wire must stay selected. A selection box adds a
+ * wire only together with one of its nodes: with a reroute alone, Delete would remove the wire as well.
  */
 function wireChanges(editor: Editor, changes: readonly EdgeChange<CanvasWire>[], byBox: boolean): SelectionChange[] {
   const state = editor.document.getState();

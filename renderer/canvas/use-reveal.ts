@@ -30,7 +30,7 @@ export function useReveal(): void {
   }, [reveal, fitView, getNodesBounds, setCenter, store]);
 }
 
-/** Fits the graph to the canvas after the dock or the extent of the preview has changed its size. */
+/** Fits the graph to the canvas after a change of the dock or of the preview extent has resized the canvas. */
 export function useRefit(): void {
   const { ui } = useEditor();
   const layout = useStore(ui, ({ dock, previewExtent }) => `${dock} ${previewExtent}`);

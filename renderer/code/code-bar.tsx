@@ -7,7 +7,7 @@ import { Icon } from '../ui/icon.tsx';
 interface CodeBarProps {
   /** Path of the chunk that is shown instead of the shader; null if it is the shader. */
   readonly chunk: string | null;
-  /** Another program saved the file, so that it is read-only here. */
+  /** Whether another program saved the file, which is then read-only here. */
   readonly outside: boolean;
   readonly onTakeBack: () => void;
   readonly onBack: () => void;

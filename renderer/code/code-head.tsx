@@ -17,7 +17,7 @@ interface CodeHeadProps {
   readonly form: boolean;
   readonly comparing: boolean;
   readonly readOnly: boolean;
-  /** The vertex shader is shown. */
+  /** Whether the vertex shader is shown. */
   readonly inVertex: boolean;
   readonly onVertex: (shown: boolean) => void;
   readonly onForm: (open: boolean) => void;

@@ -87,7 +87,7 @@ function Inputs({ node, form, technique, disabled }: PartProps & { readonly tech
   );
 }
 
-/** Uses indices as React keys, because names may be missing or duplicate. */
+/** Gives each entry of a list its index, which is also its React key, because names may be missing or duplicate. */
 function placed(list: readonly HeaderFields[]) {
   return list.map((fields, index) => ({ key: String(index), index, fields }));
 }

@@ -21,7 +21,7 @@ interface Reading {
   readonly file: string;
   /** Chunks that the document requested, with their texts at that time. */
   readonly chunks: ReadonlyMap<string, string | undefined>;
-  /** Text of the neighboring file whose header also applies. */
+  /** For a vertex shader: text of its ISF file, whose header also applies to the vertex shader. Else undefined. */
   readonly header: string | undefined;
   readonly document: ShaderDocument;
 }

@@ -11,9 +11,9 @@ interface LampImageProps {
   readonly id: string;
   readonly found: FoundLamps;
   readonly stage: LampStage;
-  /** The step that the stage is of, whose contours are shown. */
+  /** The step of the search that `stage` shows. Its contours are drawn; if undefined, those of the lamps. */
   readonly step: FoundLamps['steps'][number] | undefined;
-  /** Number of a lamp, from 1. */
+  /** Number of the selected lamp, from 1. */
   readonly chosen: number;
   readonly onChoose: (lamp: number) => void;
 }
@@ -57,7 +57,7 @@ interface LampMarkProps {
   readonly onChoose: () => void;
 }
 
-/** Parts of the panorama that an arrow key moves a lamp: 1°. */
+/** Distance by which an arrow key moves a lamp, as a fraction of the width or height of the panorama: 1°. */
 const KEY_X = 1 / 360;
 const KEY_Y = 1 / 180;
 const KEYS: Readonly<Record<string, PanoramaPlace>> = {
@@ -67,7 +67,7 @@ const KEYS: Readonly<Record<string, PanoramaPlace>> = {
   ArrowDown: { x: 0, y: KEY_Y },
 };
 
-/** The number of a lamp at its centroid, or where it is pinned. */
+/** Mark with the number of a lamp, at the centroid of the lamp or where it is pinned. */
 function LampMark({ id, lamp, found, isChosen, onChoose }: LampMarkProps) {
   const editor = useEditor();
   const place = usePinned(id, lamp) ?? found;

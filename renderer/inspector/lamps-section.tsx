@@ -74,7 +74,10 @@ function Found({ id, found, stages }: FoundProps) {
   );
 }
 
-/** Pixels per level of gray, on a scale of roots, with the threshold at 93 % of the brightest level. */
+/**
+ * Histogram of a step: the number of pixels per gray level on a square-root scale, with a line at the threshold, 93 % of the brightest
+ * level.
+ */
 function Histogram({ step: { histogram, max, mean, threshold, abovePart } }: { readonly step: FoundLamps['steps'][number] }) {
   const path = useMemo(() => {
     const most = Math.max(...histogram.map(Math.sqrt));

@@ -6,7 +6,7 @@ import type { ColorRequest } from '../state/editor/viewer.ts';
 import { usePreviewSync } from '../state/preview-sync/preview-sync-context.ts';
 import './eyedropper.css';
 
-/** Pixels on each side of the center: 11 in a row, each 10 CSS pixels wide. */
+/** Number of pixels that the magnifier shows on each side of the center: 11 in a row, each 10 CSS pixels wide. */
 const AROUND_PX = 5;
 const SIDE_PX = 2 * AROUND_PX + 1;
 /** Step with Shift, in pixels. */
@@ -97,7 +97,7 @@ export function Eyedropper({ request }: { readonly request: ColorRequest }) {
   );
 }
 
-/** Moves a coordinate to the center of another pixel. */
+/** Moves a coordinate, given as a fraction of `sizePx`, by whole pixels to the center of a pixel. */
 function stepped(part: number, by: number, sizePx: number): number {
   return (Math.min(Math.max(Math.floor(part * sizePx) + by, 0), sizePx - 1) + 0.5) / sizePx;
 }

@@ -94,7 +94,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
   const thumbnails = createThumbnails(base, send);
   const trialCompiler = createTrialCompiler(base, send);
 
-  /** Open edges of a model matter only if it is a phantom in the current program. */
+  /** The current problems of the player. Omits open edges of models that are not phantoms in the current program. */
   const playerProblemsNow = (): readonly Diagnostic[] => {
     const phantoms = wanted === null ? new Set<string>() : phantomNodes(wanted.program);
     return playerProblems.filter(({ code, nodeId = '' }) => code !== 'SCR035' || phantoms.has(nodeId));
@@ -102,7 +102,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
   const sendProblems = () =>
     send({ kind: 'diagnostics', revision: wanted?.revision ?? 0, diagnostics: [...sessionProblems, ...playerProblemsNow()] });
   let sleeping = false;
-  /** Requests a frame after a delay, because each frame draws the whole image. */
+  /** Requests a frame after a delay in seconds. Not at once, because each frame draws the whole image. */
   const wakeIn = (restS: number) => {
     if (sleeping) return;
     sleeping = true;

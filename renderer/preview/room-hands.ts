@@ -13,12 +13,12 @@ export interface RoomHands {
 type Controls = Pick<Emulator, 'device' | 'setInput' | 'setGesture' | 'setHandTracked'>;
 type Side = 'left' | 'right';
 
-/** From the eyes, in the axes of a head that is upright: meters. */
+/** Positions of the hands relative to the eyes, in the axes of an upright head, in meters. */
 const PLACES: Readonly<Record<Side, readonly [number, number, number]>> = { left: [-0.18, -0.2, -0.35], right: [0.18, -0.2, -0.35] };
 /** Distance from the eyes of the point that the hands point at: meters. */
 const AIM_M = 2;
 
-/** What a key does while it is held. */
+/** What a key does while it is held: the gesture of a hand, and the button of a controller. */
 type Hold = { readonly side: Side; readonly gesture: 'pinch' | 'poke' | 'grab'; readonly button: 'trigger' | 'squeeze' | null };
 
 const HOLDS: Readonly<Record<string, Hold>> = {
@@ -55,7 +55,7 @@ export function createRoomHands(emulator: Controls, screen: HTMLElement, hint: H
   let mode: keyof typeof HINTS = 'controllers';
   let isLost = false;
   const held = new Set<string>();
-  /** Of the mouse, from -1 to 1, to the right and up. */
+  /** Position of the mouse on the screen element: to the right and up, from -1 to 1. */
   const mouse = { x: 0, y: 0 };
   let frame = 0;
 

@@ -16,7 +16,7 @@ import type { PlayerHost } from './player-host.ts';
 /** Takes the panorama of an emulated room: the head turns to each target by itself. */
 export interface RoomPanorama {
   /**
-   * Starts with the next frame.
+   * Starts a capture with the next frame.
    *
    * @param host Null while nothing is shown.
    * @param setHead Turns the head of the device; null gives it back to the keys and the pointer. Null for other sources than rooms.
@@ -24,9 +24,9 @@ export interface RoomPanorama {
   take(host: Pick<PlayerHost, 'gl' | 'player'> | null, setHead: OpenSession['setHead'], widthPx: number): void;
   /** Called with each frame, before the program draws it. */
   beforeDraw(frame: SessionFrame): void;
-  /** A session begins. Gives what was taken in the same room; null for none. */
+  /** Called when a session begins. Returns the panorama that was taken in the same room; null if there is none. */
   enter(source: PreviewSource): TakenPanorama | null;
-  /** The context or the session is gone. What was taken stays. */
+  /** Stops the capture, because the context or the session ends. A finished panorama is kept. */
   stop(): void;
 }
 
@@ -37,7 +37,7 @@ interface PanoramaPlace {
 }
 
 const TYPE = 'source/panorama-capture';
-/** Frames until a camera image is expected. */
+/** Number of frames without a camera image after which the capture fails. */
 const PATIENT_FRAMES = 30;
 
 export function createRoomPanorama(send: (message: FromPreview) => void, wake: () => void): RoomPanorama {
@@ -47,7 +47,7 @@ export function createRoomPanorama(send: (message: FromPreview) => void, wake: (
   let reader: { readonly of: WebGL2RenderingContext; readonly photos: PhotoReader } | null = null;
   let stitching: Stitching | null = null;
   let frames = 0;
-  /** Where `taken` was taken. */
+  /** Key of the room in which `taken` was taken. */
   let room = '';
 
   function stop(): void {

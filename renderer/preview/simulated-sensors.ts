@@ -5,8 +5,8 @@ import type { SessionFrame } from '../../nodes/kit/session.ts';
 import { type GeoPlace, setGeoPlace } from '../../nodes/kit/wgs84.ts';
 
 /**
- * The sensors of a phone in the preview: it is tilted and turned as the view is, and its location follows the viewer's walk. Keys shake
- * it, turn north and take the location away.
+ * The sensors of a phone in the preview: it is tilted and turned as the view is, and its location follows the viewer's walk. Keys shake the
+ * phone, turn north, and remove the location.
  */
 export interface SimulatedSensors {
   /** Installs the sensors before a program that needs them is played; removes them for others. */

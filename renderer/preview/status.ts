@@ -11,8 +11,8 @@ export interface Status {
   begin(): void;
   end(frame: SessionFrame, late: boolean): void;
   /**
-   * Restarts the frame count and the time at the next frame. Frames that repeat a paused time do not count. `frames`: those of the
-   * recording, if it is one.
+   * Restarts the frame count and the time at the next frame. While time is paused, repeated frames do not count. `frames`: frame times of
+   * the recording; null for other sessions.
    */
   rewind(frames: FrameTimes | null): void;
 }

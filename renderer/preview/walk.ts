@@ -5,7 +5,7 @@ import type { FrameClock } from '../../export/runtime/clock.ts';
 export interface Walk {
   /** Returns to the start pose. */
   rewind(): void;
-  /** Sets the pose again, after something else has. */
+  /** Sets the head to the pose of this walk again, after other code has set another pose. */
   restore(): void;
   dispose(): void;
 }
@@ -34,7 +34,7 @@ const DIRECTIONS: Readonly<Record<string, readonly [right: number, forward: numb
   ArrowRight: [1, 0],
 };
 
-/** Whether the key walks. */
+/** Whether the key is one of the walking keys. */
 export function isStep({ code, ctrlKey, metaKey, altKey }: KeyboardEvent): boolean {
   return code in DIRECTIONS && !ctrlKey && !metaKey && !altKey;
 }

@@ -2,7 +2,7 @@ import { type AppCommandId, runCommand } from '../state/commands/app-commands.ts
 import { isTyping } from '../state/commands/show-keybinding.ts';
 import type { Editor } from '../state/editor/editor.ts';
 
-/** Browser editing commands that replace commands while a text field has the focus. */
+/** Editing commands of the browser (`execCommand`) that run instead of an app command while a text field has the focus. */
 const OF_TEXT: Partial<Record<AppCommandId, string>> = {
   'edit.undo': 'undo',
   'edit.redo': 'redo',

@@ -8,10 +8,11 @@ import type { Editor } from '../state/editor/editor.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 
 /**
- * Keybindings of the window. Keys without modifiers belong to the panel under the pointer, unless the timeline or the preview has the focus:
- * these have keys of their own, all other panels those of the canvas. Text fields and the shader editor keep the keys that edit text, other focused controls the
- * keys that operate them; a dialog or the palette keeps all keys. Copy and paste use the clipboard events of the browser, which need no
- * permission.
+ * Runs commands by the keybindings of the window. Some keys run other commands in the timeline and the preview than on the canvas; all
+ * other panels have the keys of the canvas. The panel under the pointer decides, except while the timeline or the preview has the focus.
+ *
+ * Text fields and the shader editor keep the keys that edit text, other focused controls keep the keys that operate them, and a dialog or
+ * the palette keeps all keys. Copy and paste use the clipboard events of the browser, which need no permission.
  */
 export function useShortcuts(): void {
   const editor = useEditor();
@@ -83,7 +84,7 @@ function isOnCanvas(target: EventTarget | null): boolean {
   return target === document.body || (target instanceof Element && target.closest('.canvas') !== null);
 }
 
-/** The panel with keys of its own that the element is in. */
+/** The panel whose keys apply to an element: `time` in the timeline and the preview, `canvas` on the canvas, else null. */
 function panelOf(target: EventTarget | null): 'canvas' | 'time' | null {
   if (isOnTime(target)) return 'time';
   return target !== document.body && isOnCanvas(target) ? 'canvas' : null;
@@ -93,13 +94,13 @@ function isOnTime(target: EventTarget | null): boolean {
   return target instanceof Element && target.closest('.timeline, .stage') !== null;
 }
 
-/** Keys that act on the focused node or wire, wherever the pointer is. */
+/** Keys that act on the focused node or wire, even if the pointer is over another panel. */
 const CANVAS_KEYS = ['Enter', 'Delete', 'Backspace', 'ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown'];
 
-/** Keys that operate a focused control: they press it, move in it or move it. */
+/** Keys that operate a focused control, such as a button, a list or a slider. */
 const CONTROL_KEYS = ['Space', 'Enter', 'Delete', 'Backspace', 'ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'Home', 'End'];
 
-/** Whether the key operates the focused control, which the canvas, the timeline and the preview themselves are not. */
+/** Whether the key operates the focused control. The canvas, the timeline and the preview themselves are not controls. */
 function operates(keybinding: string, target: EventTarget | null): boolean {
   if (!CONTROL_KEYS.includes(keybinding) || !(target instanceof Element)) return false;
   if (target instanceof HTMLButtonElement) return keybinding === 'Space' || keybinding === 'Enter' || !isOnTime(target);
@@ -110,7 +111,7 @@ function isUndo(editor: Editor, keybinding: string): boolean {
   return keybindingsOf(editor, 'edit.undo').includes(keybinding) || keybindingsOf(editor, 'edit.redo').includes(keybinding);
 }
 
-/** A field without pending text has nothing to undo, so undo goes to the document. */
+/** Whether a field has no pending text. It then has nothing to undo, so undo applies to the document. */
 function isClean(target: EventTarget | null): boolean {
   return target instanceof HTMLElement && target.dataset.clean !== undefined;
 }

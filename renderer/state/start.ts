@@ -7,9 +7,9 @@ import { showExportProgress } from './files/export-page.ts';
 import { applyExternalShaders } from './files/external-changes.ts';
 import { confirmUnsaved, filesOf, loadExternalChanges, openPath, showRefusal } from './files/files.ts';
 
-/** Autosave writes after a pause of this length, */
+/** Pause in editing after which autosave writes. */
 const AUTOSAVE_MS = 2000;
-/** and after this time at the latest, so that a crash loses at most five seconds of work, including the time to write. */
+/** Longest time without an autosave during continuous edits. A crash loses at most five seconds of work, including the time to write. */
 const AUTOSAVE_AT_MOST_MS = 4000;
 
 /** Requests information about the host. Returns the URL of the preview, and whether the window has native menus. */

@@ -2,7 +2,7 @@ import type { FrameTimes } from '../../nodes/kit/frame-times.ts';
 import type { AnimatedParam } from '../state/params/keyframes.ts';
 
 const LEAST_S = 5;
-/** Factor of free time after the last keyframe, so that it can be dragged on. */
+/** Length of the timeline as a multiple of the time of the last keyframe, so that this keyframe can be dragged further. */
 const ROOM = 1.25;
 const MOST_MARKS = 12;
 const STEPS_S = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60, 120, 300, 600];

@@ -29,7 +29,11 @@ const LOOKS: Readonly<Record<string, CategoryLook>> = {
 
 const OTHER: CategoryLook = { icon: 'nested', color: '#7f8894' };
 
-/** @param type Type id of a node: `category/name`. */
+/**
+ * The color of the category of a node type.
+ *
+ * @param type Type id of a node: `category/name`.
+ */
 export function categoryColor(type: string): string {
   return lookOf(type).color;
 }

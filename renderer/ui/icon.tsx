@@ -1,4 +1,4 @@
-/** Drawn for Scrim on a grid of 16: strokes of 1.4, round ends. */
+/** SVG paths of the icons by name, drawn for Scrim on a grid of 16: strokes of 1.4, round ends. */
 const PATHS = {
   add: 'M8 3v10M3 8h10',
   close: 'M4 4l8 8M12 4l-8 8',

@@ -18,7 +18,7 @@ export type MenuItem =
 interface MenuButtonProps {
   readonly label: string;
   readonly items: readonly MenuItem[];
-  /** Open menu of the bar. While one is open, hovering another opens that. */
+  /** Label of the open menu in the menu bar; null if none is open. While one is open, hovering another opens that one instead. */
   readonly openInBar?: string | null;
   readonly onOpenInBar?: (label: string | null) => void;
 }

@@ -3,7 +3,7 @@ import type { EditorClock } from '../clock.ts';
 import { zoomOf } from './appearance.ts';
 import './tooltip.css';
 
-/** Long enough that no tooltip opens when the pointer crosses a toolbar. */
+/** Delay before a tooltip opens: so long that none opens while the pointer crosses a toolbar. */
 const DELAY_MS = 450;
 const GAP_PX = 8;
 const EDGE_PX = 6;

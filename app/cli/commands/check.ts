@@ -4,7 +4,7 @@ import { compileFolder } from '../compile-folder.ts';
 import { nameNodes } from '../name-nodes.ts';
 import { askDriver, type DriverAnswer, NO_DRIVER_OPTION } from '../shader/ask-driver.ts';
 
-/** A project that does not compile is not checked by the graphics driver. */
+/** The answer for a project that does not compile, which the graphics driver does not check. */
 const UNASKED: DriverAnswer = { driver: 'not-needed', diagnostics: [] };
 
 export const checkCommand: Command = {

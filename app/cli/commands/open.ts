@@ -8,7 +8,7 @@ import { findProject } from '../../services/project-files.ts';
 import { type Command, type Context, type Outcome, UsageError } from '../command.ts';
 import { findElectron, hasDisplay } from '../find-electron.ts';
 
-/** Command per platform. `start` is built into the Windows shell; its first argument is a window title. */
+/** Command that opens an address, per platform. `start` is built into the Windows shell; its first argument is a window title. */
 const OPENERS: Readonly<Partial<Record<NodeJS.Platform, readonly string[]>>> = {
   darwin: ['open'],
   win32: ['cmd', '/c', 'start', ''],

@@ -18,7 +18,7 @@ export interface RenderOptions {
   /** Real paths of the session’s folders, by the first part of its URL. */
   readonly sessionFolders: Readonly<Record<string, string>>;
   readonly first: number;
-  /** Included. */
+  /** Number of the last frame, included. */
   readonly last: number;
   /** Text of a shader by its file name, to find the column that a driver message quotes. */
   readonly sourceOf: (file: string) => string | undefined;

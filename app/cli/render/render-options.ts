@@ -7,7 +7,7 @@ import type { Subject } from './render.page.ts';
 
 export interface FrameRange {
   readonly first: number;
-  /** Included. */
+  /** Number of the last frame, included. */
   readonly last: number;
 }
 
@@ -16,7 +16,7 @@ export interface SizePx {
   readonly heightPx: number;
 }
 
-/** WebGL 2 guarantees only 2,048. Browsers silently reduce larger canvases. */
+/** Largest side of a render. WebGL 2 guarantees only 2,048, and browsers silently reduce canvases that are larger than they support. */
 const MAX_SIDE_PX = 8192;
 const MAX_FRAMES = 100_000;
 
@@ -56,7 +56,7 @@ export function tapsFor(call: Call, project: Project): readonly string[] {
   return tap === null ? [] : [tap];
 }
 
-/** What to write. SCR012 if the layer does not exist. */
+/** What a render writes: the screen output, a layer, or the depth of a layer. SCR012 if the layer does not exist. */
 export function subjectOf(call: Call, project: Project, program: Program): Result<Subject> {
   const tap = tapOf(call, project);
   if (tap === null) return { output: { kind: 'screen' }, diagnostics: [] };

@@ -26,7 +26,7 @@ export interface RenderJob {
   readonly subject: Subject;
 }
 
-/** `tap` is the layer as `node.port`. */
+/** What a render writes: the screen output, a layer, or the depth of a layer. `tap` is the layer as `node.port`. */
 export type Subject =
   | { readonly kind: 'screen' }
   | { readonly kind: 'layer'; readonly tap: string }
@@ -131,14 +131,14 @@ export async function play(index: number, keep: boolean): Promise<ImageHead | nu
   return { widthPx: picture.widthPx, heightPx: picture.heightPx };
 }
 
-/** A recorded frame stays valid, so it is drawn when all of its assets have loaded. */
+/** Draws a frame of a recording when all of its assets have loaded. A recorded frame stays valid until then. */
 async function drawRecorded(player: Player, frame: SessionFrame): Promise<void> {
   await player.drawSettled(frame);
   if (take && opened) taken = readSubject(opened);
 }
 
 /**
- * WebXR textures are valid only during their frame, so the frame is drawn without waiting. Videos therefore show the frame that was
+ * Draws a frame of a room at once, because WebXR textures are valid only during their frame. Videos in it therefore show the frame that was
  * requested one frame earlier.
  */
 function drawRoom(player: Player, frame: SessionFrame): Promise<void> {
@@ -147,7 +147,7 @@ function drawRoom(player: Player, frame: SessionFrame): Promise<void> {
   return player.settle();
 }
 
-/** All diagnostics so far. */
+/** All diagnostics of the render so far. */
 export function diagnostics(): readonly Diagnostic[] {
   return [...problems, ...events];
 }

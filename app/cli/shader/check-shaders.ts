@@ -69,7 +69,7 @@ async function readShader(path: string, linker: Linker): Promise<ReadFile> {
   return { file: path, source: '', vertex: '', passes: [], diagnostics: [unreadable], before: null };
 }
 
-/** Reads the vertex shader of an ISF file. It may be a named pipe, which must not be opened. */
+/** Reads the vertex shader of an ISF file. The path may be a named pipe, which must not be opened. */
 async function readBeside(path: string): Promise<string> {
   return readText(await realpath(path), MAX_SHADER_BYTES);
 }

@@ -91,7 +91,7 @@ function probeLoops({ gl, drawer, probe, color, depth }: Bench, job: ShaderJob, 
 
 const VIEW_PX = [1280, 720] as const;
 
-/** Values in the middle of a session, because some shaders start only after time 0. */
+/** Value of a built-in uniform in the middle of a session, because some shaders start only after time 0. */
 function builtinValue(builtin: BuiltinUniform, passIndex: number): readonly number[] {
   switch (builtin) {
     case 'TIME':

@@ -14,7 +14,7 @@ export type HandleNames = Readonly<Partial<Record<Handle, string>>>;
 /** Reads a param of the running program; null if it does not exist. */
 export type ReadParam = (param: string) => readonly number[] | null;
 
-/** At scale 0 the gizmo would be invisible, and factors would have no effect. */
+/** Least scale of the gizmo. At 0 it would be invisible, and factors would have no effect. */
 const LEAST_SCALE = 1e-3;
 
 // Written and read within one call. The rotation order is that of `objects/transform`: z, then x, then y.

@@ -8,8 +8,8 @@ export function keybindingsOf({ preferences }: Pick<Editor, 'preferences'>, id: 
 }
 
 /**
- * The command of a keybinding; null if there is none. While typing, only commands that allow it. In the timeline and the preview
- * (`time`), their commands take precedence; elsewhere these have no keys.
+ * The command of a keybinding; null if there is none. While a text field has the focus (`typing`), only commands with `whileTyping`.
+ * Commands of the timeline and the preview take precedence if `where` is `time`; else they have no keys.
  */
 export function commandOfKeybinding(
   editor: Pick<Editor, 'preferences'>,

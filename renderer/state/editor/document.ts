@@ -27,9 +27,9 @@ export interface DocumentState {
   readonly revision: number;
   /** Problems found while loading. */
   readonly loadDiagnostics: readonly Diagnostic[];
-  /** Capability of the host, from `app.info`. */
+  /** Whether the host has a native folder dialog, from `app.info`. */
   readonly canPickFolders: boolean;
-  /** Folder for the projects of the user; empty until the host has told it. */
+  /** Folder for the projects of the user; empty until the host has answered `app.info`. */
   readonly projectsDir: string;
   readonly examples: HostOutput<'app.info'>['examples'];
   readonly templates: HostOutput<'app.info'>['templates'];

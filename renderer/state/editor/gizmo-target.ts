@@ -59,7 +59,7 @@ export function gizmoTargetOf(
 
 const LAMPS = 'light/from-panorama';
 
-/** The direction of a pinned lamp, which is that of two params of its own. */
+/** The gizmo target for a pinned lamp of a Lights from panorama node: the two params that hold the azimuth and elevation of the lamp. */
 function lampTarget(state: DocumentState, node: string, lamp: number): GizmoTargetResult {
   const params = nodeOf(state, node)?.params ?? {};
   const pinned = getOwn(params, `lamp${lamp}Pinned`);

@@ -115,7 +115,7 @@ async function joinedFaces(editor: Editor, faces: Faces): Promise<DroppedFile | 
 
 const MISSING_FIX = 'Import the model together with all of its files, or as one .glb file.';
 
-/** Dropped files have no folders, but references may contain `../`. */
+/** Folder in which dropped files are assumed to lie. Dropped files have no folders, but references between them may contain `../`. */
 const SOMEWHERE = 'a/b/c/';
 
 /** Packs each `.gltf` and the files that it refers to into one file. Shows a message for incomplete models and leaves them out. */
@@ -256,7 +256,9 @@ async function addAssetNode(editor: Editor, file: DroppedFile, kind: AssetKind, 
   return kind === 'model' ? selectPlacement(editor, id, project) : id;
 }
 
-/** Shows what came along with a model. Returns the node that places the model, or the model itself if nothing came along. */
+/**
+ * Scrolls to the nodes that were added with a model. Returns the Transform that places the model, or the model if no Transform was added.
+ */
 function selectPlacement(editor: Editor, model: string, before: Project): string {
   const state = editor.document.getState();
   const { nodes } = graphOf(state);

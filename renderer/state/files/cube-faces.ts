@@ -14,13 +14,16 @@ const WORDS: readonly (readonly string[])[] = [
 ];
 const PICTURES = /\.(png|jpe?g|webp|avif)$/i;
 const RADIANCE = /\.(hdr|exr)$/i;
-/** A strip of larger faces would be wider than most graphics cards allow. */
+/** Maximum side of a face in pixels. A strip of larger faces would be wider than most graphics cards allow. */
 const MOST_FACE_PX = 1024;
 
 /** Files of the six faces of a cube, in the order of a strip. */
 export type Faces = readonly FaceFile[];
 
-/** Files that are the six faces of a cube by their names, such as `px.png` or `sky_left.jpg`, and the others. */
+/**
+ * Separates the six faces of a cube, found by names such as `px.png` or `sky_left.jpg`, from the other files. `faces` is null if there are
+ * no six.
+ */
 export function splitFaces(files: readonly FaceFile[]): { readonly faces: Faces | null; readonly rest: readonly FaceFile[] } {
   const pictures = files.filter(({ name }) => PICTURES.test(name) || RADIANCE.test(name));
   for (const words of WORDS) {

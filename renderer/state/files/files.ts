@@ -80,7 +80,7 @@ async function openWith(editor: Editor, asked: string, ask: () => Promise<OpenPr
   }
 }
 
-/** Examples open as copies in the projects folder. */
+/** Whether the host opened a copy in the projects folder, because `asked` is an example. */
 function isCopy({ document }: Editor, asked: string, opened: string): boolean {
   return asked !== opened && document.getState().examples.some(({ path }) => path === asked);
 }

@@ -11,7 +11,7 @@ interface Candidate {
   readonly port: string;
   readonly label: string;
   readonly type: WireType;
-  /** The port already has a wire, which would be replaced. */
+  /** Whether the port already has a wire, which would be replaced. */
   readonly taken?: boolean;
 }
 

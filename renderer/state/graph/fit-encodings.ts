@@ -5,8 +5,9 @@ import type { Project, Wire } from '../../../export/graph/project.ts';
 import type { Editor } from '../editor/editor.ts';
 
 /**
- * The last step of a command that connects wires: inserts “Tone map” and “To scene” where layers of different encodings meet since the
- * command began. `connected` are its wires; where two layers differ, theirs is converted.
+ * Returns the last step of a command that connects wires. It inserts “Tone map” or “To scene” where layers of different encodings meet.
+ * Wires whose encodings did not fit before the command stay as they are. `connected` are the wires of the command: if a node gets layers of
+ * different encodings, those on these wires are converted.
  */
 export function fitEncodings(editor: Editor, connected: readonly Wire[] = []): (project: Project) => Change {
   const { project, library, graph } = editor.document.getState();

@@ -24,7 +24,7 @@ import { findStretch } from './reroutes.ts';
 
 export interface WireTypes {
   readonly from: WireType;
-  /** One per wire. */
+  /** Types of the inputs at the other end, one per wire. */
   readonly to: readonly WireType[];
 }
 
@@ -42,8 +42,8 @@ export function wireTypes(editor: Editor, stretch: string): WireTypes | null {
 }
 
 /**
- * The input and output that connect a node type into a wire; null if none fit. An optional input of a node that requires others does not
- * fit: a Scene shows a layer behind its glass, but does not draw it.
+ * The input and output by which a node of this type is inserted into a wire; null if none fit. An optional input does not fit if the node
+ * has required inputs, such as the layer of a Scene: the Scene only shows it behind glass and does not pass it on.
  */
 export function portsThrough(
   definition: NodeDefinition,
@@ -110,7 +110,7 @@ function connectAlong(editor: Editor, { from, to, route }: RoutedWire): (project
     );
 }
 
-/** Connects the wires of a stretch to another source from there on. */
+/** Commands that connect the wires of a stretch to another source. The reroutes before the stretch are dropped, those after it stay. */
 function replaceWires(editor: Editor, { wires, before: passed }: Stretch, from: PortAddress): ((project: Project) => Change)[] {
   const layout = layoutOf(editor.document.getState());
   return wires.map((wire) => replaceSource(editor, wire, { from, to: wire.to, route: routeOf(layout, wire).slice(passed.length) }));

@@ -6,7 +6,7 @@ import type { OpenEnd } from '../editor/canvas-state.ts';
 
 export interface PaletteEntry {
   readonly definition: NodeDefinition;
-  /** The port that the dragged wire would connect to; null without one. */
+  /** The port that the dragged wire would connect to; null without a dragged wire. */
   readonly port: string | null;
 }
 

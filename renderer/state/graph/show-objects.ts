@@ -10,7 +10,7 @@ import type { Place } from '../editor/canvas-state.ts';
 
 const COLUMN_PX = 240;
 const ROW_PX = 112;
-/** On the floor, in view of the recorded studio and of a visitor at the origin. */
+/** Position of new objects: on the floor, in view of the recorded studio and of a visitor at the origin. */
 const POSITION_M = [0, 0, -1.5];
 
 interface ShowObjectsContext {

@@ -3,18 +3,18 @@ import { endGesture } from '../document/apply.ts';
 import type { Editor } from '../editor/editor.ts';
 import { editParams } from '../params/edit-params.ts';
 
-/** The strongest lamps have params of their own. */
+/** Number of lamps that have params of their own: the strongest ones. */
 export const MAX_CHANGED = 3;
-/** Decimals of stored angles: below 0.01°. */
+/** Decimals of stored angles in radians. Errors are below 0.01°. */
 const DIGITS = 4;
 
-/** A direction as the params of a pinned lamp have it, radians. */
+/** The direction of a lamp, as the params of a pinned lamp store it. */
 export interface LampDirection {
   readonly azimuthRad: number;
   readonly elevationRad: number;
 }
 
-/** A point of the panorama, in parts of its width and height from the top left. */
+/** A point of the panorama, as fractions of its width and height from the top left. */
 export interface PanoramaPlace {
   readonly x: number;
   readonly y: number;
@@ -31,7 +31,7 @@ export function placeOf({ azimuthRad, elevationRad }: LampDirection): PanoramaPl
   return { x: part - Math.floor(part), y: 0.5 - elevationRad / Math.PI };
 }
 
-/** The direction of a place; outside the panorama, of the nearest latitude, and of the other side of the seam. */
+/** The direction of a point of the panorama. A point beside the panorama wraps around; one above or below it gets the nearest latitude. */
 export function directionAtPlace({ x, y }: PanoramaPlace): LampDirection {
   const right = (x - Math.floor(x) - 0.5) * 2 * Math.PI;
   const azimuth = Math.PI - right;
@@ -51,7 +51,7 @@ export function moveLamp(editor: Editor, node: string, lamp: number, { azimuthRa
   editParams(editor, `Move lamp ${lamp}`, node, edits, `lamp ${node} ${lamp}`);
 }
 
-/** Pins a lamp where it was found, or lets it go there again. */
+/** Pins a lamp where it was found, or unpins it, so that it returns to where it is found. */
 export function pinLamp(editor: Editor, node: string, lamp: number, found: FoundLamps, isPinned: boolean): void {
   const at = found.lamps[lamp - 1];
   endGesture(editor);
@@ -60,7 +60,7 @@ export function pinLamp(editor: Editor, node: string, lamp: number, found: Found
   endGesture(editor);
 }
 
-/** Whether a param of the node is that of one lamp, which the panorama's section shows. */
+/** Whether a param belongs to a single lamp. The lamps section of the inspector shows such params. */
 export function isOfOneLamp(param: string): boolean {
   return /^lamp[1-3][A-Z]/.test(param);
 }

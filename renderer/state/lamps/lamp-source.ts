@@ -13,7 +13,7 @@ export interface LampSource {
   readonly options: LampOptions;
 }
 
-/** What a node of the open graph searches; null if its panorama is no file of the project, so only the page knows it. */
+/** The panorama that a node of the open graph searches; null if it is not a file of the project, and is thus known only to the page. */
 export function lampSourceOf(state: DocumentState, node: string): LampSource | null {
   const definition = state.library.definition(LAMPS_TYPE);
   const params = nodeOf(state, node)?.params;

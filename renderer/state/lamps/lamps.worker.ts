@@ -6,13 +6,13 @@ import { grayImageOf } from '../../../nodes/kit/panorama/gray-image.ts';
 import { createRowReader, isDisplayReferred, type PanoramaPixels } from '../../../nodes/kit/panorama/pixels.ts';
 import type { LampAnswer, LampRequest, LampStage } from './messages.ts';
 
-/** Decodes and searches a panorama for the inspector, and draws the steps of the search. */
+/** Worker that decodes and searches a panorama for the inspector, and draws the steps of the search. */
 const scope = self as unknown as {
   onmessage: ((event: MessageEvent<LampRequest>) => void) | null;
   postMessage(answer: LampAnswer, transfer?: Transferable[]): void;
 };
 
-/** Larger images are reduced for the inspector. */
+/** Maximum width of the images for the inspector. Larger images are reduced. */
 const SHOWN_WIDTH_PX = 1024;
 
 scope.onmessage = async ({ data: { bytes, options } }) => {
@@ -64,7 +64,10 @@ function grayPixels(values: Uint8Array, factor: number): Uint8ClampedArray<Array
   return rgba;
 }
 
-/** The panorama for a screen: radiance is exposed so that its mean is a middle gray. */
+/**
+ * Converts a panorama to pixels for the screen. Radiance is exposed so that its mean becomes a middle gray; bright lamps count little in
+ * the mean.
+ */
 function imageOf(pixels: PanoramaPixels): Uint8ClampedArray<ArrayBuffer> {
   const { widthPx, heightPx } = pixels;
   const linear = new Float32Array(widthPx * heightPx * 3);

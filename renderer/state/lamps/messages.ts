@@ -10,12 +10,14 @@ export interface LampRequest {
 /** A step of a search as an image. */
 export interface LampStage {
   readonly kind: 'picture' | 'gray' | 'threshold' | 'median';
-  /** From 0; 0 of the picture. */
+  /** Iteration of the search, from 0. The stage `picture` has 0. */
   readonly iteration: number;
   readonly image: ImageBitmap;
 }
 
-/** What the worker answers: parts in [0, 1], then one result or one failure, which is text for users. */
+/**
+ * Answers of the worker: its progress as fractions in [0, 1], then one result or one failure. The reason of a failure is text for users.
+ */
 export type LampAnswer =
   | { readonly kind: 'part'; readonly part: number }
   | { readonly kind: 'found'; readonly found: FoundLamps; readonly stages: readonly LampStage[] }

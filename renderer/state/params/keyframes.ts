@@ -8,7 +8,7 @@ import type { Editor } from '../editor/editor.ts';
 import { type BoundParam, bind, findParam } from './bound-param.ts';
 import { boundValue } from './value-text.ts';
 
-/** Precision of keyframe times. Keyframes of a param are at least one frame apart. */
+/** Precision of keyframe times, and least distance between the keyframes of a param: one frame. */
 const STEP_S = 0.001;
 export const FRAME_S = 1 / 60;
 

@@ -60,7 +60,7 @@ function collectParams(graph: string, id: string, before: GraphNode, after: Grap
   return true;
 }
 
-/** Whether the program contains glyphs for the text of a param. */
+/** Whether the value of a param decides which glyphs the program contains. */
 function choosesGlyphs({ params }: NodeDefinition, param: string): boolean {
   return Object.values(params).some((other) => other.type === 'text' && other.glyphs?.of === param);
 }

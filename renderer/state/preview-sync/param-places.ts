@@ -9,7 +9,10 @@ export type PlacedEdit = Pick<ParamEdit, 'node' | 'param' | 'value'>;
 /** Above this number of values, a recompile is faster. */
 const MAX_USES = 2000;
 
-/** The main graph, or one instance of a subgraph: `node` of the graph of `within`. */
+/**
+ * A place where a graph is used: the main graph, or one instance of a subgraph. For an instance, `place` is the node in the place `within`
+ * which it lies; null for the main graph.
+ */
 interface Use {
   /** Prefix of its node ids in the program: empty, or `outer/`. */
   readonly prefix: string;

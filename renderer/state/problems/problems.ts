@@ -25,7 +25,10 @@ export function collectProblems(lists: readonly (readonly Diagnostic[])[]): read
   return uniqueDiagnostics([...seen.values()]).sort((a, b) => RANK[a.severity] - RANK[b.severity]);
 }
 
-/** The problems that existed before. While a text is being typed, new problems are hidden, but fixed ones disappear at once. */
+/**
+ * Those of `problems` that are also in `before`. Used while a text is being typed: new problems are hidden, but fixed ones disappear at
+ * once.
+ */
 export function stillWrong(problems: readonly Diagnostic[], before: readonly Diagnostic[]): readonly Diagnostic[] {
   const known = new Set(before.map(problemKey));
   return problems.filter((problem) => known.has(problemKey(problem)));
