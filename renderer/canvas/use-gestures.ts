@@ -198,7 +198,7 @@ function nodeChanges(changes: readonly NodeChange<AnyNode>[]): SelectionChange[]
 }
 
 /**
- * Converts changes that React Flow reports for stretches to changes of the wire selection. Deselections come first: a press on another
+ * Converts changes that React Flow reports for stretches to changes of the wire selection. Removals come first: a press on another
  * stretch of a selected wire deselects the old stretch and selects the new one, and the wire must stay selected. A selection box adds a
  * wire only together with one of its nodes: with a reroute alone, Delete would remove the wire as well.
  */
