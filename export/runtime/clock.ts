@@ -62,7 +62,7 @@ export function createManualClock(startS = 0, localEpochMs = 0): ManualClock {
   };
 }
 
-/** 1 January 2024, 12:00, independent of the machine's clock. */
+/** The date that shaders read in renders, 1 January 2024, 12:00: independent of the machine's clock. */
 const RENDER_DATE_MS = /* @__PURE__ */ Date.UTC(2024, 0, 1, 12);
 
 /** The clock of renders, whose frames have their own time. Only `delay` uses real time. */

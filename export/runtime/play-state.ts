@@ -11,9 +11,9 @@ export interface PlayState {
   hidesPage: boolean;
   /** How the display of the session mixes the image with the world. */
   blend: Session['blend'];
-  /** What the visitor has taken; null for none. */
+  /** The panorama of the room that the visitor has taken; null for none. */
   panorama: TakenPanorama | null;
-  /** During operations that run once: the first view. */
+  /** Index of the view that is drawn; that of the first view during operations that run once per frame. */
   viewIndex: number;
   view: ViewFrame | null;
   /** Size of the view, pixels. */

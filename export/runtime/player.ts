@@ -25,7 +25,7 @@ export interface PlayerOptions {
   readonly gl: WebGL2RenderingContext;
   readonly canvas: HTMLCanvasElement | OffscreenCanvas;
   readonly program: Program;
-  /** Runtimes of the node types that the program names. */
+  /** The runtimes of the node types in the program, by type id. */
   readonly modules: Readonly<Record<string, PlayedModule>>;
   /** Null for pages whose program neither draws objects nor loads models. */
   readonly createScenes: CreateSceneBackend | null;
@@ -41,9 +41,9 @@ export interface PlayerOptions {
   readonly clock?: FrameClock;
   /** Frames are drawn one by one, however long each takes, as in a render: videos seek instead of play. */
   readonly held?: boolean;
-  /** Of CPU filters; from blobs unless given. */
+  /** Starts the workers of nodes, such as CPU filters; by default from blobs. */
   readonly startWorker?: StartWorker;
-  /** Measures every operation that draws. */
+  /** Measures the cost of every operation that draws; absent where costs are not shown. */
   readonly timer?: OperationTimer;
   /** For hosts that compile with a loop budget: `createLoopGuard`. Without it bounded loops are not watched. */
   readonly createLoopGuard?: (engine: Engine) => LoopGuard;
@@ -146,7 +146,7 @@ export function createPlayer(options: PlayerOptions): Player {
   setUp();
   let instance: ProgramInstance | null = null;
   let instanceIsGood = false;
-  /** State of the instance that was lost with the context. */
+  /** What remains of the program instance that was lost with the context. */
   let retained: RetainedState | null = null;
   let loading: Loading | null = null;
   /** True while the first instance compiles its materials; it is not drawn then. */

@@ -1,5 +1,5 @@
 export interface SeededRandom {
-  /** Uniform in [0, 1). */
+  /** Returns the next random number, uniform in [0, 1). */
   readonly next: () => number;
   /** Starts the sequence over. */
   reset(): void;

@@ -11,21 +11,26 @@ import type { PlayState } from './play-state.ts';
 import type { LiveResources } from './resources/resources.ts';
 import { createTargetBuffer, type TargetResource } from './targets/target-buffer.ts';
 
-/** Premultiplied display-referred sRGB, RGBA, rows from the top; of a scene layer, what a screen can show. */
+/**
+ * Pixels of a layer: premultiplied display-referred sRGB, RGBA, rows from the top. Pixels of a scene layer are clamped to what a screen can
+ * show.
+ */
 export interface LayerPixels {
   readonly widthPx: number;
   readonly heightPx: number;
   readonly pixels: Uint8Array<ArrayBuffer>;
 }
 
-/** Positive view-space meters, 0 where there is nothing, rows from the top. */
+/** Depth of a layer: positive view-space meters, 0 where there is nothing, rows from the top. */
 export interface LayerDepth {
   readonly widthPx: number;
   readonly heightPx: number;
   readonly meters: Float32Array<ArrayBuffer>;
 }
 
-/** Writes meters of a depth texture to the red channel, through the UV matrix of `COPY_SHADER`. */
+/**
+ * Decodes a depth texture and writes meters to the red channel. The texture is read through a UV matrix, like the image in `COPY_SHADER`.
+ */
 export const DEPTH_SHADER: LinkedShader = {
   id: 'scrim:read-depth',
   vertex: COPY_SHADER.vertex,
@@ -119,7 +124,7 @@ export function readDepth(inspected: Inspected | null, viewIndex: number): Layer
 
 export interface Picture {
   readonly texture: WebGLTexture;
-  /** For reading the bytes without drawing; null if not possible. */
+  /** A framebuffer from which the bytes can be read as they are; null if the texture must be drawn to another target first. */
   readonly framebuffer: WebGLFramebuffer | null;
   readonly widthPx: number;
   readonly heightPx: number;
@@ -148,7 +153,7 @@ export function findImage(state: PlayState, resources: LiveResources, id: Resour
   return { texture: view.texture, framebuffer: null, widthPx, heightPx, uvFromViewUv: view.uvFromViewUv, encoding: 'display' };
 }
 
-/** Draws to a temporary target and passes its framebuffer to `read`. */
+/** Draws with a shader to a temporary target, passes its framebuffer to `read`, and returns the result. */
 export function drawn<T>(
   engine: Engine,
   shader: LinkedShader,

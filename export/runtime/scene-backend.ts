@@ -39,11 +39,14 @@ export interface SceneBackend {
    * @param lamps Lamps that were found in it before.
    */
   loadEnvironment(bytes: ArrayBuffer, lamps?: EnvironmentAsset['lamps']): Promise<LoadedEnvironment>;
-  /** `AssetService.createEnvironment`. */
+  /** Creates a panorama from pixels: implements `AssetService.createEnvironment`. */
   createEnvironment(pixels: PanoramaPixels): LoadedEnvironment;
-  /** Here, because only scenes draw multisampled depth, and other pages leave it out. */
+  /**
+   * Creates what computes the nearest depth of multisampled targets. The backend has it, because only scenes draw such depth, and other
+   * pages do not bundle it.
+   */
   readonly createNearestDepth: CreateNearestDepth;
-  /** Null where the page has no glass. */
+  /** Creates a reader of what is under a layer, for glass; null if the page has no glass. */
   readonly createUnder: CreateUnder | null;
   /** Runs draws that only compile their shaders. Resolves when the driver has finished, without blocking. */
   prepare(draws: () => void): Promise<void>;
@@ -54,7 +57,7 @@ export interface SceneBackend {
   dispose(): void;
 }
 
-/** Returns what is under the layer of a draw, for glass in it; called before every draw. */
+/** Returns the content under the layer of a draw, which glass in the layer shows. Called before every draw. */
 export type ReadUnder = (view: ViewFrame, viewIndex: number, widthPx: number, heightPx: number) => UnderLayer;
 
 export type CreateUnder = (program: Program, operation: DrawOperation, resources: LiveResources) => ReadUnder;
@@ -69,12 +72,12 @@ export interface LoadedModel extends ModelAsset {
 export type ModelFinding = Pick<Diagnostic, 'code' | 'severity' | 'message' | 'fix'>;
 
 export interface LoadedEnvironment extends EnvironmentAsset {
-  /** What is unusual about the file, reported at the nodes that use it; absent for nothing. */
+  /** Diagnostics about the file, reported at the nodes that use it; absent if there are none. */
   readonly findings?: readonly ModelFinding[];
   dispose(): void;
 }
 
-/** Set before the first draw and read in every draw. */
+/** What the scenes of one drawing operation need from the player. It is set before the first draw and read in every draw. */
 export interface DrawBinding {
   readonly shadowMaps: ShadowMaps | null;
   readonly occlusion: OcclusionBinding | null;
@@ -83,12 +86,12 @@ export interface DrawBinding {
 }
 
 export interface ShadowMaps {
-  /** Renders all maps of this frame. */
+  /** Draws the shadow maps of all lights for this frame. */
   update(): void;
   dispose(): void;
 }
 
-/** Current values of the params of `layer/depth-occlusion`. */
+/** Room depth and the current params of a `layer/depth-occlusion`, for materials that are occluded while drawing. */
 export interface OcclusionBinding {
   readonly roomDepth: RoomDepthOutput;
   readonly params: Readonly<Record<string, NumberView>>;

@@ -15,7 +15,7 @@ import { VideoError } from './video/video-element.ts';
 
 /** The assets of a player. Each file is loaded once, shared by its users, and disposed with its last user. */
 export interface AssetStore {
-  /** Keeps assets loaded, from before the nodes that use them are created until the program is released. */
+  /** Loads the assets of a program and keeps them loaded until the hold is released, so that nodes share them. */
   hold(assets: readonly ProgramAsset[]): AssetHold;
   /** The service for one node, which finds assets by their id in `assets`. */
   serviceFor(assets: readonly ProgramAsset[], report: (diagnostic: Omit<Diagnostic, 'nodeId'>) => void): AssetService;
@@ -23,7 +23,7 @@ export interface AssetStore {
 }
 
 export interface AssetHold {
-  /** Resolves when all are loaded or failed; never rejects. */
+  /** Resolves when each asset has loaded or failed; never rejects. */
   readonly settled: Promise<void>;
   release(): void;
 }

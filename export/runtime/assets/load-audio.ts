@@ -5,7 +5,7 @@ export interface LoadedAudio extends AudioAsset {
   dispose(): void;
 }
 
-/** The rate of most hardware; files with another rate are resampled by the decoder. */
+/** Sample rate of decoded audio: that of most hardware. The decoder resamples files with another rate. */
 const SAMPLE_RATE_HZ = 48_000;
 
 /** Decodes a whole file without an audio device or a user gesture. Rejects if the browser cannot decode it. */

@@ -8,7 +8,7 @@ export function isCpu(operation: NodeOperation): operation is CpuOperation {
   return operation.kind === 'cpu';
 }
 
-/** A step that exchanges the image of a CPU filter, per view or once for all views. */
+/** Creates the step that passes the input image to a CPU filter and draws its result, per view or once for all views. */
 export function createCpuStep(operation: CpuOperation, runtime: NodeRuntime, resources: LiveResources): Step {
   if (!isCpuFilter(runtime)) throw new Error(`The node type ${operation.type} has no worker.`);
   const image = liveResource(resources, operation.picture, 'target');

@@ -21,7 +21,7 @@ export interface CpuFilter extends NodeRuntime {
 export interface CpuMeans {
   readonly objects: GlObjects;
   readonly drawer: PassDrawer;
-  /** A linked program. */
+  /** The linked program that copies an image. */
   readonly copy: GlProgram;
   readonly clock: FrameClock;
   readonly startWorker: StartWorker;
@@ -40,7 +40,7 @@ export interface CpuNode {
 
 /** Interval for polling the GPU between frames, about the shortest that browsers' timers support. */
 const POLL_S = 0.004;
-/** Frames, or in a render seconds, after which a worker without an answer is given up. */
+/** How long to wait for the answer of a worker before the filter fails: in frames, or in a render in seconds. */
 const PATIENCE_FRAMES = 600;
 const PATIENCE_S = 30;
 
@@ -52,9 +52,9 @@ export function createCpuFilter({ worker: text }: WorkerModule, node: CpuNode, m
   const transfer: ArrayBuffer[] = [];
   const task = { view: 0, turn: 0, buffer: new ArrayBuffer(0), widthPx: 0, heightPx: 0, params: values };
   let worker: NodeWorker | null = null;
-  /** Failed or disposed: the input is passed through. */
+  /** Whether the filter failed or was disposed. The input is then passed through. */
   let ended = false;
-  /** Incremented by a reset: results of earlier tasks are dropped. */
+  /** Number of resets. Results of tasks from before the last reset are dropped. */
   let turn = 0;
   let polling = false;
   const waiting: (() => void)[] = [];

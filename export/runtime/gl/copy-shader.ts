@@ -12,7 +12,7 @@ export const COPY_SHADER: LinkedShader = {
   fragment: fragmentShader('  color = texture(picture, uv.xy / uv.z);'),
 };
 
-/** The same with a gate, for passes whose loops exceed the budget. */
+/** Copies an image as `COPY_SHADER` does, but only if the gate is open: for passes whose loops exceed their budget. */
 export const GATED_COPY_SHADER: LinkedShader = {
   id: 'scrim:gated-copy',
   vertex: vertexShader(`${GATE_TEXT}\n`, 'scrim_isShut() ? vec4(2.0, 2.0, 2.0, 1.0) : vec4(viewUv * 2.0 - 1.0, 0.0, 1.0)'),
@@ -29,7 +29,7 @@ export const COPY_SCENE_SHADER: LinkedShader = {
   color = vec4(display * light.a, light.a);`),
 };
 
-/** The shader that copies a layer of a target for display. */
+/** The shader that copies the layer in a target for display, by the layer's encoding. */
 export function copyShaderFor(encoding: LayerEncoding): LinkedShader {
   return encoding === 'scene' ? COPY_SCENE_SHADER : COPY_SHADER;
 }

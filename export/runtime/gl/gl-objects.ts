@@ -34,11 +34,11 @@ export interface GlObjects {
 export interface GlLimits {
   readonly maxTextureSizePx: number;
   readonly maxSamples: number;
-  /** Can render to 32-bit and 16-bit float. */
+  /** Whether 32-bit and 16-bit float textures can be rendered to. */
   readonly floatTargets: boolean;
-  /** Can filter 32-bit float textures. */
+  /** Whether 32-bit float textures can be filtered linearly. */
   readonly floatLinear: boolean;
-  /** Can render to 16-bit float at least. */
+  /** Whether 16-bit float textures can be rendered to, though perhaps not 32-bit ones. */
   readonly halfFloatTargets: boolean;
   /** `KHR_parallel_shader_compile`, or null. */
   readonly parallelCompile: KHR_parallel_shader_compile | null;

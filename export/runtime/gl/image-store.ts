@@ -62,7 +62,10 @@ export function createImageStore(objects: GlObjects): ImageStore {
   };
 }
 
-/** Decodes the mip levels of a PNG, which are side by side, the largest first, each a square with half the side of the previous. */
+/**
+ * Decodes the mip levels of a texture from one PNG (base64). The levels are squares side by side, the largest first, each with half the
+ * side of the previous.
+ */
 async function decode(data: string): Promise<readonly ImageBitmap[]> {
   const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
   // The values in the file are used without color conversion.
@@ -75,7 +78,7 @@ async function decode(data: string): Promise<readonly ImageBitmap[]> {
   return Promise.all(levels).finally(() => whole.close());
 }
 
-/** Uploads a repeating texture with the given levels, which are not generated. */
+/** Uploads a repeating texture with the given mip levels; none are generated. */
 function upload({ gl, createTexture }: GlObjects, levels: readonly ImageBitmap[]): WebGLTexture {
   const texture = createTexture();
   gl.activeTexture(gl.TEXTURE0);
@@ -92,5 +95,8 @@ function upload({ gl, createTexture }: GlObjects, levels: readonly ImageBitmap[]
   return texture;
 }
 
-/** Keeps strokes on surfaces at grazing angles as dark as they are dense; otherwise lower mip levels with fewer strokes would be used. */
+/**
+ * Maximum anisotropy of the textures. Without it, surfaces at grazing angles would use lower mip levels, in which hatching has fewer
+ * strokes and looks too bright.
+ */
 const ANISOTROPY = 4;

@@ -2,9 +2,9 @@ import { PROBE_ATTACHMENT, PROBE_SIDE_PX, readProbe } from '../../program/loop-b
 import { allocateTexture } from './allocate-texture.ts';
 import type { GlObjects } from './gl-objects.ts';
 
-/** Receives the result of a probe. */
+/** A pass that asks for the result of its probe. */
 export interface Asker {
-  /** The last round in which it asked. */
+  /** The last round in which its result was read. */
   round: number;
   answer(line: number | null): void;
 }
@@ -16,9 +16,15 @@ export interface Asker {
 export interface LoopProbe {
   readonly texture: WebGLTexture;
   readonly framebuffer: WebGLFramebuffer;
-  /** Clears the texture; requires its framebuffer to be bound. Otherwise discarded pixels would keep the result of another shader. */
+  /**
+   * Clears the texture, because pixels that a shader discards would keep the result of the previous shader. Requires the framebuffer to be
+   * bound.
+   */
   clear(): void;
-  /** Starts reading the result of the probe that was just drawn, if it is this asker's turn. Requires the framebuffer to be bound. */
+  /**
+   * Starts reading the result of the probe that was just drawn, unless another read is pending or this asker was read in this round.
+   * Requires the framebuffer to be bound.
+   */
   ask(asker: Asker): void;
   /** Called before each frame: delivers a result if the GPU has finished. */
   poll(): void;
@@ -42,7 +48,7 @@ export function createLoopProbe(objects: GlObjects): LoopProbe {
   gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
   const bytes = new Uint8Array(BYTES);
   let pending: { readonly asker: Asker; readonly fence: WebGLSync } | null = null;
-  /** In a round each asker is read once; a round ends with a frame in which nobody asks. */
+  /** Number of the current round. In a round each asker is read once; the round ends with a frame in which nobody asks. */
   let round = 1;
   return {
     texture,

@@ -2,7 +2,7 @@ import { setPassState, setSampler } from '../../../nodes/kit/pass-state.ts';
 import type { GlObjects } from './gl-objects.ts';
 import type { GlProgram } from './program-cache.ts';
 
-/** Vertices by `LinkedShader.geometry`. */
+/** Number of vertices of a draw, by `LinkedShader.geometry`. */
 const TRIANGLE_VERTICES = 3;
 const QUAD_VERTICES = 6;
 
@@ -18,7 +18,7 @@ export interface PassDrawer {
   /** Binds a cube map; null binds a transparent one. */
   cube(unit: number, location: WebGLUniformLocation, texture: WebGLTexture | null): void;
   draw(): void;
-  /** Unbinds its samplers, because three.js sets texture parameters, which samplers override. */
+  /** Ends the pass: unbinds the sampler objects, because they would override the texture parameters that three.js sets. */
   end(): void;
   dispose(): void;
 }
@@ -78,7 +78,7 @@ export function createPassDrawer(objects: GlObjects): PassDrawer {
   };
 }
 
-/** All zero: transparent as color, unknown as depth. */
+/** Creates a texture of one texel that is all zero: transparent as color, unknown as depth. */
 function createEmptyTexture(objects: GlObjects, target: GLenum): WebGLTexture {
   const { gl } = objects;
   const texture = objects.createTexture();

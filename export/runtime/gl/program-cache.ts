@@ -1,7 +1,7 @@
 import type { LinkedShader } from '../../program/program.ts';
 import type { GlObjects } from './gl-objects.ts';
 
-/** Message of the driver. The editor maps its lines through the shader's source map. */
+/** A message of the driver about a shader that does not compile. The editor maps its lines through the shader's source map. */
 export interface ShaderError {
   readonly shaderId: string;
   readonly stage: 'vertex' | 'fragment' | 'link';
@@ -33,7 +33,7 @@ export interface ProgramCache {
    * in between.
    */
   poll(): void;
-  /** Waits for one program, for work outside of frames. */
+  /** Waits until one program is linked or broken. This may block, so it is only for work outside of frames. */
   finish(program: GlProgram): void;
   dispose(): void;
 }
@@ -98,7 +98,7 @@ class Entry implements GlProgram {
     gl.linkProgram(this.program);
   }
 
-  /** Waits for the driver if necessary. */
+  /** Updates the state with the result of linking; waits for the driver if necessary. */
   finish(): void {
     const { gl } = this.objects;
     // A lost context reports all programs as complete, without a meaning for the shader.

@@ -15,7 +15,7 @@ export function prepareUpload(gl: WebGL2RenderingContext, alignment: 1 | 4): voi
   gl.pixelStorei(gl.UNPACK_SKIP_IMAGES, 0);
 }
 
-/** Sets all state that readback depends on. */
+/** Sets all state that reading pixels back depends on to WebGL's defaults. */
 export function prepareReadback(gl: WebGL2RenderingContext): void {
   gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
   gl.pixelStorei(gl.PACK_ALIGNMENT, 1);

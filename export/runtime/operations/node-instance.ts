@@ -20,13 +20,13 @@ import { createNodePorts } from './node-ports.ts';
 export interface NodeInstance {
   readonly key: string;
   readonly runtime: NodeRuntime;
-  /** Shadow maps that a drawing node was created with. */
+  /** Shadow maps that a drawing node was created with; null for none. */
   readonly shadowMaps: ShadowMaps | null;
-  /** Whether it has requested something that is lost with the context. */
+  /** Whether the node has used its context's `gl`, `assets` or `scenes`, whose objects are lost with the GL context. */
   readonly usesGpu: boolean;
   /** Connects the node to a recompiled program, whose operation has the same key. */
   point(operation: NodeOperation, resources: LiveResources, slots: Slots): void;
-  /** Resets the node to the first frame, unless the recording only repeats and the node stays then. */
+  /** Resets the node to the first frame. A repeat of the recording does not reset a node that declares `staysOnRepeat`. */
   reset(cause: ResetCause): void;
   dispose(): void;
 }

@@ -77,13 +77,15 @@ function slotOf(ref: InputRef | undefined): number {
   return ref?.kind === 'slot' ? ref.slot : -1;
 }
 
-/** Null for a target, which only the runtime draws and reads. */
+/** The layer object that a node reads or writes at a port; null for a render target, which only the runtime draws and reads. */
 function layerOf(id: string, resources: LiveResources): unknown {
   const resource = resources.get(id);
   return resource?.kind === 'external' ? resource.layer : null;
 }
 
-/** The view of a resource for nodes. A resource of another kind is a programming error. */
+/**
+ * The object through which a node reads or writes a resource. Throws for kinds of resources that have none, which is a programming error.
+ */
 function viewOf(id: string, resources: LiveResources): object {
   const resource = resources.get(id);
   switch (resource?.kind) {

@@ -2,45 +2,47 @@ import { AIM_RAD, captureTargets, type Direction, MOST_TARGETS, targetsForHoles 
 import type { PanoramaShot } from '../../../nodes/kit/panorama/shot.ts';
 import type { SessionFrame, ViewFrame } from '../../../nodes/kit/session.ts';
 
-/** A direction to photograph. */
+/** A direction to photograph, and whether its photo is taken. */
 export interface CaptureTarget {
   readonly direction: Direction;
   taken: boolean;
 }
 
 /**
- * Takes photos by itself while the camera points at a target and holds still.
+ * Takes the photos of a panorama, each automatically when the camera points at a target and is held still.
  *
- * `waiting`: there was no camera image yet. `blind`: the session gives none. `complete`: all targets are taken and leave no holes.
+ * `waiting`: there was no camera image yet. `blind`: the session gives no camera image. `taking`: targets are left. `complete`: all targets
+ * are taken, and no more are added for holes.
  */
 export interface PanoramaCapture {
   readonly state: 'waiting' | 'blind' | 'taking' | 'complete';
-  /** In the order in which they appeared. */
+  /** All targets, taken or not, in the order in which they appeared. */
   readonly targets: readonly CaptureTarget[];
   readonly shots: readonly PanoramaShot[];
-  /** The nearest target that is not taken; null if all are. */
+  /** The target that is nearest to the direction of the camera among those not taken; null if all are. */
   readonly next: CaptureTarget | null;
-  /** How long the camera holds still on the target, as a part of the time that it has to. */
+  /** How long the camera has been held still on the target, as a fraction in [0, 1] of the time that a photo needs. */
   readonly held: number;
-  /** The visitor has left the place of the first photo, from which near things look shifted. */
+  /** Whether the camera is too far from the place of the first photo. No photo is taken there, because near things would look shifted. */
   readonly isAway: boolean;
-  /** Once per frame. */
+  /** Called once per frame: updates the targets and takes a photo if one is due. */
   update(frame: SessionFrame): void;
-  /** Photos for stitching: with the lens as it is known now, and the first pose of the camera. */
+  /** The photos for stitching, with the newest lens, and the position of the camera at the first photo. */
   result(): { readonly shots: readonly PanoramaShot[]; readonly at: readonly [number, number, number] };
   /**
-   * Takes photos of an earlier session over.
+   * Starts again with photos of an earlier session.
    *
    * @param shots In the world space of this session.
-   * @param headingRad The angle by which they were turned, counterclockwise seen from above. The targets are turned as well.
+   * @param headingRad The angle by which the photos were turned into this world space, counterclockwise seen from above. The targets are
+   * turned by the same angle.
    */
   adopt(shots: readonly PanoramaShot[], headingRad: number): void;
-  /** Forgets all photos. */
+  /** Drops all photos and targets. */
   restart(): void;
 }
 
 export interface CaptureOptions {
-  /** Takes a photo of the view, in this size or a smaller one. */
+  /** Reads the camera image of the view, in the given size or a smaller one. */
   readonly read: (view: ViewFrame, widthPx: number, heightPx: number) => PanoramaShot;
   /** Width of the panorama, which determines the size of the photos. */
   readonly widthPx: number;
@@ -48,17 +50,17 @@ export interface CaptureOptions {
   readonly holdS: number;
 }
 
-/** Slower than this, a photo of 1/30 s is blurred by less than a pixel of the panorama. */
+/** Maximum speeds at which the camera counts as still: an exposure of 1/30 s is then blurred by less than a pixel of the panorama. */
 const STILL_RAD_PER_S = 0.12;
 const STILL_M_PER_S = 0.25;
 /** Time without a camera image after which the session is taken to give none. */
 const BLIND_S = 2.5;
-/** Farther from the first photo, things at 2 m look shifted by more than 10°. */
+/** Maximum distance from the first photo, meters. Farther away, things at 2 m look shifted by more than 10°. */
 const AWAY_M = 0.4;
-/** Photos have more pixels than the panorama, which are averaged. */
+/** Pixels of a photo per pixel of the panorama, along each axis. Stitching averages them. */
 const PIXELS_PER_PIXEL = 1.5;
 const MOST_SIDE_PX = 1024;
-/** Targets are added for holes this many times; what is left is filled. */
+/** How many times targets are added for holes that the photos leave. Stitching fills what is still left then. */
 const EXTRA_TURNS = 2;
 
 export function createPanoramaCapture({ read, widthPx, holdS }: CaptureOptions): PanoramaCapture {
@@ -71,11 +73,11 @@ export function createPanoramaCapture({ read, widthPx, holdS }: CaptureOptions):
   let isAway = false;
   let blindSinceS = -1;
   let extraTurns = 0;
-  /** Of the targets. */
+  /** The angle by which the targets are turned, counterclockwise seen from above. */
   let headingRad = 0;
   const last = { timeS: -1, worldFromView: new Float32Array(16) };
   const first = new Float32Array(3);
-  /** Lens of the newest frame. */
+  /** Projection matrix of the newest frame (`clipFromView`). */
   const lens = new Float32Array(16);
 
   function restart(): void {
@@ -101,7 +103,7 @@ export function createPanoramaCapture({ read, widthPx, holdS }: CaptureOptions):
     for (const shot of shots) mark(shot.worldFromView);
   }
 
-  /** Marks the targets near the center of a photo. */
+  /** Marks the targets near the center of a photo as taken. */
   function mark(worldFromView: Float32Array): void {
     for (const target of targets) if (angleTo(worldFromView, target.direction) <= AIM_RAD * 1.5) target.taken = true;
   }
@@ -140,7 +142,7 @@ export function createPanoramaCapture({ read, widthPx, holdS }: CaptureOptions):
     if (nearest(worldFromView) === null) finishRound(view);
   }
 
-  /** Adds targets for what the photos do not show, or is complete. */
+  /** Adds targets for what the photos do not show; if there are none, the capture is complete. */
   function finishRound({ clipFromView }: ViewFrame): void {
     const extra = extraTurns < EXTRA_TURNS ? targetsForHoles(sharedLens(), clipFromView, MOST_TARGETS - targets.length) : [];
     extraTurns++;
@@ -148,7 +150,10 @@ export function createPanoramaCapture({ read, widthPx, holdS }: CaptureOptions):
     if (extra.length === 0) state = 'complete';
   }
 
-  /** A lens that is estimated gets better with time, so that the newest one counts for all photos of its shape. */
+  /**
+   * The photos with the newest lens in place of their own, where the aspect ratios agree: a session that estimates the lens improves its
+   * estimate with time.
+   */
   function sharedLens(): PanoramaShot[] {
     const shape = (lens[0] ?? 1) / (lens[5] ?? 1);
     return shots.map((shot) => {

@@ -7,7 +7,7 @@ import type { PassDrawer } from '../gl/pass-drawer.ts';
 import type { ProgramCache } from '../gl/program-cache.ts';
 import type { PanoramaCapture } from './capture.ts';
 
-/** A ring or disc in a direction, as wide as `radius` at a distance of 1. Output is premultiplied. */
+/** Draws a ring and a disc around a direction, with the given `radius` at a distance of 1. Output is premultiplied. */
 const MARKER_SHADER: LinkedShader = {
   id: 'scrim:panorama-marker',
   vertex: `#version 300 es
@@ -45,7 +45,7 @@ void main() {
 `,
 };
 
-/** Angular radius of a target: a quarter of the distance to the next one. */
+/** Radius of the marker of a target, at a distance of 1: a quarter of the distance to the next target. */
 const TARGET_RADIUS = 0.085;
 const AIM_RADIUS = 0.03;
 
@@ -58,7 +58,10 @@ const GOLD: Color = [1, 0.81, 0.36, 1];
 const GREEN: Color = [0.25, 0.85, 0.35, 1];
 const GREEN_VEIL: Color = [0.13, 0.43, 0.18, 0.5];
 
-/** Draws the camera image, if the session has the world as one, the targets and where the camera points. */
+/**
+ * Draws the screen of the capture: the camera image, if the session shows the world by it; a marker for each target; and one where the
+ * camera points.
+ */
 export interface MarkerDrawer {
   draw(frame: SessionFrame, world: 'device' | 'image' | 'none', capture: PanoramaCapture): void;
 }

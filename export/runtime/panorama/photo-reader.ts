@@ -8,7 +8,7 @@ import type { PassDrawer } from '../gl/pass-drawer.ts';
 import type { ProgramCache } from '../gl/program-cache.ts';
 import { prepareReadback } from '../gl/upload.ts';
 
-/** Averages up to 6 × 6 pixels of the camera image for each pixel of the photo, in linear light. */
+/** Reduces the camera image to the size of a photo: each pixel averages up to 6 × 6 pixels of the image, in linear light. */
 const PHOTO_SHADER: LinkedShader = {
   id: 'scrim:photo',
   vertex: COPY_SHADER.vertex,

@@ -7,15 +7,15 @@ import { type StartWorker, startBlobWorker } from '../cpu/worker-source.ts';
 export interface Stitching {
   /** Rejects with an `Error` whose message is text for the visitor. */
   readonly panorama: Promise<StitchedPanorama>;
-  /** The promise stays pending. */
+  /** Stops the worker. The promise stays pending. */
   cancel(): void;
 }
 
 /**
  * Stitches photos in the worker of `source/panorama-capture`. The photos are copied, so that they can be used again.
  *
- * @param text The text of the worker.
- * @param onProgress Receives the part that is done.
+ * @param text The script of the worker.
+ * @param onProgress Receives the progress, as a fraction in [0, 1].
  */
 export function stitchInWorker(
   text: string,

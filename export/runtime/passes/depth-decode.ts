@@ -1,6 +1,6 @@
 import type { LayerDepthRef } from '../../program/program.ts';
 
-/** Only the first two numbers change. */
+/** Numbers that decode a depth buffer. Only the first two change, which come from the projection. */
 const scratchDecode = new Float32Array([0, 0, 0, 1]);
 const METERS = new Float32Array([1, 0, 0, 0]);
 

@@ -15,16 +15,16 @@ export type Gate = (typeof GATE)[keyof typeof GATE];
 
 /** A full-screen draw with all inputs of its program. The caller begins and ends the pass. */
 export interface Drawing {
-  /** Prepares its textures, before a framebuffer is bound. */
+  /** Prepares the textures that the draw reads. Call it before the framebuffer of the pass is bound. */
   prepare(state: PlayState): void;
   /**
-   * Draws. `widthPx` and `heightPx` are the size of the pass, which may differ from that of the framebuffer. Programs without a gate always
-   * draw.
+   * Draws. `widthPx` and `heightPx` are the size of the pass, which may differ from that of the framebuffer. `gate` decides whether a
+   * bounded shader draws; programs without a gate always draw.
    */
   draw(state: PlayState, widthPx: number, heightPx: number, gate: Gate): void;
 }
 
-/** `probe` is the texture that the gate reads. */
+/** Creates a full-screen draw. `probe` is the texture with the result of the loop probe, which the gate reads. */
 export function createDrawing(
   gl: WebGL2RenderingContext,
   drawer: PassDrawer,
@@ -51,7 +51,9 @@ export function createDrawing(
   };
 }
 
-/** Copies the first input image, as a muted node does. A generator has none and stays transparent. */
+/**
+ * Creates a draw that copies the first input image of a pass, as for a muted node. A generator has no input, so the result is transparent.
+ */
 export function createHandOn(
   gl: WebGL2RenderingContext,
   drawer: PassDrawer,

@@ -1,11 +1,11 @@
 import type { PassSampler } from '../../program/program.ts';
 
-/** Valid until the next call; uniforms are copied when they are set. */
+/** The result of `fitted`, valid until its next call; uniforms are copied when they are set. */
 const scratchUv = new Float32Array(9);
 
 /**
- * Texture UV from view UV of an image that is fitted to a view, column-major 3×3. `uv` is texture UV from image UV. With `contain` the
- * result is outside of [0, 1] beside the image.
+ * Returns the matrix from view UV to texture UV for an image that is fitted to a view, column-major 3×3. `uv` is the matrix from image UV
+ * to texture UV. With `contain`, points of the view beside the image are mapped outside of [0, 1].
  */
 export function fitted(
   uv: Float32Array,

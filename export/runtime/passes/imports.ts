@@ -18,7 +18,7 @@ export interface Imports {
   release(): void;
 }
 
-/** Failures are reported at the first node whose shader imports the file. */
+/** Loads the images that the shaders of a program import. A failure is reported at the first node whose shader imports the file. */
 export function createImports(engine: Engine, program: Program): Imports {
   const images = new Map<string, ImportedImage & { release(): void }>();
   for (const operation of program.operations) {
@@ -71,7 +71,7 @@ function createImage(handles: readonly AssetHandle<ImageAsset>[]): ImportedImage
   };
 }
 
-/** The faces are scaled to the size of the first, because they must be equal. */
+/** Creates a cube map from six images. They are scaled to the size of the first, because all faces must have the same size. */
 function createCube(objects: GlObjects, handles: readonly AssetHandle<ImageAsset>[]): ImportedImage & { release(): void } {
   let texture: WebGLTexture | null = null;
   let sidePx = 1;
@@ -99,7 +99,10 @@ function createCube(objects: GlObjects, handles: readonly AssetHandle<ImageAsset
   };
 }
 
-/** Images have their first row at the bottom, faces of a cube map at the top (OpenGL ES 3.0 §3.8.10). */
+/**
+ * Draws six images into the faces of a cube map. Rows are reversed: images have their first row at the bottom, faces of a cube map at the
+ * top (OpenGL ES 3.0 §3.8.10).
+ */
 function assembleCube(objects: GlObjects, sides: readonly ImageAsset[], sidePx: number): WebGLTexture {
   const { gl } = objects;
   const texture = objects.createTexture();

@@ -24,17 +24,20 @@ export interface PassParts {
   readonly resources: LiveResources;
   readonly slots: Slots;
   readonly imports: Imports;
-  /** A linked program. */
+  /** The linked program that copies an image. */
   readonly copy: GlProgram;
 }
 
 const TRANSPARENT = new Float32Array(4);
 
-/** Guards a pass of a node with bounded loops (`export/program/loop-budget.ts`). */
+/** Replaces the draw of a pass by a copy of its input if loops of the node exceed their budget (`export/program/loop-budget.ts`). */
 export interface PassGuard {
-  /** Whether loops of the node exceed their budget, in this pass or another: every pass then copies its first input. */
+  /**
+   * Whether loops of the node exceed their budget, in this pass or another pass of the node. All passes of the node then copy their first
+   * input.
+   */
   readonly bypassed: boolean;
-  /** Null for a pass without loops. */
+  /** What a pass with loops needs for its probe; null for a pass without loops. */
   readonly loops: {
     readonly probe: LoopProbe;
     /** A linked program: `COPY_SHADER` with a gate. */

@@ -13,7 +13,7 @@ import { setDecode } from './depth-decode.ts';
 import { fitted } from './fit.ts';
 import type { ImportedImage, Imports } from './imports.ts';
 
-/** Valid within one call; uniforms are copied when they are set. */
+/** The size of an image as a uniform value, valid within one call; uniforms are copied when they are set. */
 const scratchSize = new Float32Array(2);
 
 /** One texture that a pass reads. */
@@ -24,13 +24,16 @@ export interface Sampler {
   bind(state: PlayState): void;
 }
 
-/** Null for uniforms that the linked shader does not use. Each is independent, so that a shader can read only the size of an image. */
+/**
+ * Locations of the uniforms of a sampler; null for those that the linked shader does not use. A shader may, for example, read only the size
+ * of an image.
+ */
 interface Locations {
   readonly texture: WebGLUniformLocation | null;
   readonly uv: WebGLUniformLocation | null;
   readonly size: WebGLUniformLocation | null;
   readonly decode: WebGLUniformLocation | null;
-  /** For room depth. */
+  /** Whether to interpolate room depth. */
   readonly interpolate: WebGLUniformLocation | null;
 }
 
@@ -202,7 +205,7 @@ function imported(gl: WebGL2RenderingContext, drawer: PassDrawer, unit: number, 
   };
 }
 
-/** Sets UV matrix and size. A fitted image is a layer of the view and has its size. */
+/** Sets the UV matrix and size of an image. An image that is fitted to the view counts as having the size of the view. */
 function setPlacement(
   gl: WebGL2RenderingContext,
   locations: Locations,

@@ -8,10 +8,10 @@ import type { Slots } from '../values/slots.ts';
 /** Sets one uniform of the current program. `widthPx` and `heightPx` are the size of the pass. */
 export type SetUniform = (state: PlayState, widthPx: number, heightPx: number) => void;
 
-/** Valid within one call. */
+/** The value of `DATE`, valid within one call. */
 const scratchDate = new Float64Array(4);
 
-/** Setters for the uniforms that the linked program has. */
+/** Creates a setter for each uniform of the operation that the linked program uses. */
 export function createUniformSetters(
   gl: WebGL2RenderingContext,
   program: GlProgram,
@@ -32,7 +32,10 @@ export function createUniformSetters(
   return setters;
 }
 
-/** Numbers are passed in an array, because JavaScript engines allocate a heap object for each fraction that is passed to the browser. */
+/**
+ * Sets a uniform from a slot. Floats are passed in an array, because JavaScript engines allocate a heap object for each fraction that is
+ * passed to the browser.
+ */
 function fromSlot(
   gl: WebGL2RenderingContext,
   location: WebGLUniformLocation,
@@ -68,7 +71,7 @@ function sender(gl: WebGL2RenderingContext, location: WebGLUniformLocation, valu
   }
 }
 
-/** True in frames with a pulse. */
+/** Sets a boolean uniform that is true in frames with a pulse. */
 function fromPulses(
   gl: WebGL2RenderingContext,
   location: WebGLUniformLocation,

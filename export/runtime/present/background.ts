@@ -6,10 +6,10 @@ import type { PassDrawer } from '../gl/pass-drawer.ts';
 import type { GlProgram } from '../gl/program-cache.ts';
 import type { PlayState } from '../play-state.ts';
 
-/** What the player needs of the session. */
+/** The properties of a session that the player needs. */
 export type SessionTraits = Pick<Session, 'world' | 'blend' | 'hidesPage'>;
 
-/** The background of a view. */
+/** Draws what is behind all layers of a view. */
 export interface Background {
   /** Clears the view's part of the screen, including depth, and draws the background. */
   draw(state: PlayState, session: SessionTraits | null): void;

@@ -8,7 +8,7 @@ import type { NodeInstance } from '../operations/node-instance.ts';
 import { type LiveResources, liveResource } from '../resources/resources.ts';
 import type { Step } from './step.ts';
 
-/** A step in which a node draws one view, to its target or over the screen. */
+/** Creates the step in which a node draws one view: into its render target, or over what the screen already shows. */
 export function createDrawStep(
   engine: Engine,
   program: Program,

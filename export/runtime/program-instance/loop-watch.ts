@@ -7,15 +7,21 @@ import type { GlProgram } from '../gl/program-cache.ts';
 import type { LoadedProgram } from '../loading.ts';
 import type { PassGuard } from '../passes/pass.ts';
 
-/** Which nodes of a program exceed the loop budget. A node whose loops may never end is bypassed until that changes. */
+/**
+ * Tracks which nodes of a program exceed the loop budget. A node that exceeds it and whose loops may never end is bypassed until a probe
+ * finds that its loops end.
+ */
 export interface LoopWatch {
-  /** Null for passes of nodes without bounded loops. */
+  /** The guard of a pass; null if its node has no bounded loops. */
   guardOf(operation: PassOperation): PassGuard | null;
-  /** Before each frame. */
+  /** Receives results of probes. Called before each frame. */
   poll(): void;
-  /** A param changed: passes that exceeded the budget are probed again. */
+  /** Called when a param changes: passes that exceeded the budget are probed again. */
   retry(): void;
-  /** The line found in a pass, for the watch of the next program. */
+  /**
+   * The author's line at which a pass exceeded the budget; null if it did not, or if the pass now has another GL program. The watch of the
+   * next program takes it over.
+   */
   lineOf(operation: PassOperation, glProgram: GlProgram): number | null;
   isBypassed(node: string): boolean;
   /** Whether a diagnostic about the node's loops is reported. */
@@ -30,7 +36,7 @@ interface WatchedPass {
   readonly shader: LinkedShader | undefined;
   /** The author's line of the loop that used the last iteration of the budget; null if none did. */
   line: number | null;
-  /** Whether it is probed although its node is bypassed. */
+  /** Whether the pass is probed although its node is bypassed, because a param has changed. */
   onTrial: boolean;
 }
 
@@ -39,12 +45,12 @@ interface WatchedPass {
  * `createLoopGuard` to the player; exported pages have no bounded loops and do not bundle it.
  */
 export interface LoopGuard {
-  /** Null if the program has no bounded loops. `before` is the watch of the program that this one replaces. */
+  /** Creates the watch of a program; null if it has no bounded loops. `before` is the watch of the program that is replaced. */
   watch(loaded: LoadedProgram, before: LoopWatch | null): LoopWatch | null;
   dispose(): void;
 }
 
-/** One guard per engine: it creates the probe for the first program with bounded loops and keeps it. */
+/** Creates the loop guard of an engine. It creates the probe for the first program with bounded loops and keeps it for later ones. */
 export function createLoopGuard(engine: Engine): LoopGuard {
   let probe: LoopProbe | null = null;
   const probeOf = (): LoopProbe => {

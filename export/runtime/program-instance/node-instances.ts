@@ -73,7 +73,7 @@ function findKept(program: Program, resources: LiveResources, before: NodeInstan
   return { nodes, shadowMaps };
 }
 
-/** The shadow maps of a drawing operation. */
+/** The shadow maps that a drawing operation reads; null for none and for other operations. */
 function mapsOf(operation: NodeOperation, shadowMaps: NodeInstances['shadowMaps']): ShadowMaps | null {
   if (!isDraw(operation) || operation.shadowMaps === null) return null;
   for (const { resource, maps } of shadowMaps.values()) if (resource === operation.shadowMaps) return maps;
@@ -106,7 +106,7 @@ function sameResources(operation: Operation, resources: LiveResources, before: N
   return operation.reads.every((id) => isPointed(resources.get(id)) || stays(id)) && operation.writes.every(stays);
 }
 
-/** Wires of these are connected to a kept node again. */
+/** Whether wires of a resource of this kind are connected to a kept node again, so that the resource may change. */
 function isPointed(resource: LiveResource | undefined): boolean {
   return resource?.kind === 'pulses' || resource?.kind === 'pose';
 }

@@ -23,7 +23,7 @@ import { timed } from './step.ts';
 export interface RetainedState {
   readonly resources: LiveResources;
   readonly instances: NodeInstances;
-  /** Null where no loops are bounded, as in exported pages. */
+  /** The watch of the program's loops; null if no loops are bounded, as in exported pages. */
   readonly loops: LoopWatch | null;
 }
 
@@ -35,7 +35,7 @@ export interface ProgramInstance extends RetainedState {
   update(): void;
   /** Resolves when everything that the nodes requested in `update` has loaded. */
   settle(): Promise<void>;
-  /** Draws that frame, all views. */
+  /** Draws all views of the frame for which `update` was called. */
   draw(session: SessionTraits | null): void;
   /** Resets the state of nodes and persistent targets to the first frame. */
   reset(cause: ResetCause): void;
@@ -161,7 +161,10 @@ export function createProgramInstance(
   };
 }
 
-/** Reports once, at the first node, that scene layers are stored as display layers are. */
+/**
+ * Reports at the first node with a scene layer that the GPU cannot draw 16-bit floats, so scene layers are stored in 8 bits as display
+ * layers are.
+ */
 function reportMissingFloats({ resources, operations }: Program, { objects, host }: Engine): void {
   if (objects.limits.halfFloatTargets) return;
   const scenes = new Set(
@@ -191,12 +194,15 @@ function createEmptyWorld(): SessionFrame {
   return frame;
 }
 
-/** Whether the node is a value node. The others hold GPU objects of three.js, if only through their outputs. */
+/**
+ * Whether a node is a value node, which survives the loss of the context. Other nodes hold GPU objects of three.js, if only through their
+ * outputs.
+ */
 function makesValues({ operations }: Program, id: string): boolean {
   return operations.some((operation) => operation.id === id && (operation.kind === 'value' || operation.kind === 'behavior'));
 }
 
-/** The steps of all operations that draw, in order; other nodes are complete after `update`. */
+/** Creates the steps of all operations that draw, in order. Other nodes have no step; their work is done in `update`. */
 function createSteps(
   engine: Engine,
   loaded: LoadedProgram,

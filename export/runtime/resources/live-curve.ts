@@ -7,16 +7,16 @@ import type { Slots } from '../values/slots.ts';
 
 /** The curve of a param as a texture of heights, updated when the curve changes. */
 export interface LiveCurve {
-  /** Half floats, linear. */
+  /** One row of half floats, filtered linearly. */
   readonly texture: WebGLTexture;
-  /** Connects it to the slot of a program, before the program is drawn. */
+  /** Connects the curve to its slot in a new program, before the program is drawn. */
   point(slots: Slots, slot: number): void;
-  /** Updates the texture if the curve changed, outside of a pass. */
+  /** Updates the texture if the curve changed. Call it outside of a pass. */
   update(): void;
   dispose(): void;
 }
 
-/** Valid within one update; updates do not nest. */
+/** Heights of the curve, valid within one update; updates do not nest. */
 const scratchHeights = new Float32Array(CURVE_WIDTH_PX);
 
 export function createLiveCurve(objects: GlObjects): LiveCurve {

@@ -12,7 +12,7 @@ import { createSlotView, type Slots } from '../values/slots.ts';
 /** A technique that is kept over recompiles. Its readers see a new `version` when its shader text has changed. */
 export interface LiveTechnique {
   readonly view: TechniqueView;
-  /** Connects it to the shader text, slots and layers of a program, before the program's first frame. */
+  /** Connects the technique to the shader text, slots and layers of a new program, before the program's first frame. */
   point(resource: TechniqueResource, parts: TechniqueParts): void;
 }
 
@@ -25,7 +25,7 @@ export type LiveLayer =
 export interface TechniqueParts {
   readonly images: ImageStore;
   readonly state: PlayState;
-  /** Undefined if the resource is not a layer. */
+  /** Returns the layer with this id; undefined if the resource is not a layer. */
   readonly layer: (id: ResourceId) => LiveLayer | undefined;
   readonly slots: Slots;
 }

@@ -26,10 +26,10 @@ export type LiveResource =
   | { readonly kind: 'pose'; readonly pose: PoseOutput }
   | { readonly kind: 'bodies'; readonly list: BodyList }
   | { readonly kind: 'technique'; readonly technique: LiveTechnique }
-  /** Created by its operation. */
+  /** Shadow maps have no object here: their operation creates them. */
   | { readonly kind: 'shadow-maps' };
 
-/** Parts of the engine that targets are made with. */
+/** The parts of the engine that create render targets. */
 export interface TargetParts {
   readonly objects: GlObjects;
   readonly nearestDepth: NearestDepth;
@@ -62,7 +62,7 @@ function sharedWith(resource: Resource): ResourceId | null {
   return (resource.kind === 'target' && resource.shares) || null;
 }
 
-/** Connects techniques and curves to the texts and values of a program, before it is drawn. */
+/** Connects techniques and curves to the shader texts and slots of a new program, before it is drawn. */
 export function pointResources(
   program: Program,
   live: LiveResources,

@@ -18,7 +18,7 @@ import { createShadowLayer } from './shadow-layer.ts';
 export interface SceneTools extends ModelTools {
   readonly readRadiance?: ReadRadiance;
   readonly findLamps?: FindLamps;
-  /** Draws what is behind glass; pages without glass leave it out. */
+  /** Creates what draws glass and what is behind it; pages without glass leave it out. */
   readonly createGlass?: CreateGlass;
 }
 
@@ -30,7 +30,10 @@ const FULL_AMBIENT: NumberView = { value: 1 };
 export const createScenes: CreateSceneBackend = (host) =>
   create(host, { ...NO_TOOLS, readRadiance, findLamps: findLampsAtOnce, createGlass });
 
-/** The same with decoders for compressed models and optionally for panoramas. */
+/**
+ * Creates a scene backend with the given tools only: decoders for compressed models, and optionally panoramas, the search for lamps, and
+ * glass.
+ */
 export function createScenesWith(tools: SceneTools): CreateSceneBackend {
   return (host) => create(host, tools);
 }
@@ -90,7 +93,7 @@ function create(host: SceneHost, tools: SceneTools): SceneBackend {
   };
 }
 
-/** The player passes only maps that `createShadowMaps` returned. */
+/** Narrows the type of shadow maps: the player passes only those that `createShadowMaps` returned. */
 function rendered(maps: ShadowMaps): RenderedShadowMaps {
   if (!('mapOf' in maps)) throw new Error('These shadow maps come from another backend.');
   return maps as RenderedShadowMaps;

@@ -1,4 +1,4 @@
-/** GPU objects that their creator does not delete. */
+/** The result of a function, and the GPU objects that it created and does not delete. */
 export interface Leftovers<T> {
   readonly made: T;
   /** Deletes the objects. */
@@ -29,7 +29,7 @@ export function catchLeftovers<T>(gl: WebGL2RenderingContext, make: () => T): Le
   }
 }
 
-/** Adds every object that the method returns to `into` until the returned function is called. */
+/** Wraps a method of the context: each object that it creates is added to `into`, until the returned function is called. */
 function intercept(gl: WebGL2RenderingContext, method: 'createTexture' | 'createFramebuffer', into: object[]): () => void {
   const before = Object.getOwnPropertyDescriptor(gl, method);
   const original = gl[method].bind(gl);

@@ -12,7 +12,7 @@ import { createProxySet } from './proxies/proxy-set.ts';
 import type { SceneRenderer } from './scene-renderer.ts';
 import { createViewCamera } from './view-camera.ts';
 
-/** Replaces the depth that three.js writes as color. */
+/** Writes white instead of the depth that `MeshDepthMaterial` writes as color. */
 const WHITE: ShaderPatch = {
   key: 'white',
   apply: (shader) => {
@@ -26,10 +26,13 @@ export interface MaskSceneOptions {
   readonly occlusion: OcclusionPatch | null;
 }
 
-/** Objects that hide have no color to write, so their depth must be drawn first. */
+/** Render order of the objects that hide others. Only their depth is drawn, so it must be drawn before the white objects. */
 const DEPTH_FIRST = -1;
 
-/** Draws selected objects in white. Depth of hiding objects is a little behind, so that an object does not hide itself. */
+/**
+ * Creates a scene that draws selected objects in white; all other objects only hide them. Depth of hiding objects is drawn a little behind
+ * their surface, so that an object does not hide itself.
+ */
 export function createMaskScene({ renderer, shows, occlusion }: MaskSceneOptions): DrawnScene {
   const scene = new Scene();
   scene.matrixWorldAutoUpdate = false;
@@ -65,7 +68,7 @@ export function createMaskScene({ renderer, shows, occlusion }: MaskSceneOptions
   };
 }
 
-/** Draws the shape of the master in white, faded at a soft border of the room. */
+/** Creates a material that draws the shape of the master in white, faded at a soft border of the room. */
 function createMaskTwin(master: Material, occlusion: ShaderPatch | null): Twin {
   const twin = createDepthTwin(master, 'solid');
   const { material } = twin;

@@ -3,7 +3,7 @@ import type { ObjectItem, ObjectList } from '../../../nodes/kit/scene-lists.ts';
 import type { NodeOperation, Operation } from '../../program/program.ts';
 import type { Inspected } from '../inspected.ts';
 
-/** The last frame, from `player.inspect` (`inspected.ts`). */
+/** The last frame, as `player.inspect` returns it (`inspected.ts`). */
 type Seen = Pick<Inspected, 'program' | 'resources'>;
 
 // Each is valid within one call.
@@ -13,9 +13,10 @@ const scratchPointer = new Vector2();
 const scratchRaycaster = new Raycaster();
 
 /**
- * Writes the transform that later nodes apply to the objects of a node, as `worldFromParent`: the identity if there is none or the node
- * places no objects. If the objects have several paths, the first counts, or that through the nodes of `way`. Returns false, and leaves
- * `out` unchanged, if it cannot be determined because the objects have no size.
+ * Writes to `out` the transform that later nodes apply to the objects of a node, as `worldFromParent`: the identity if no node transforms
+ * them, or if the node has no objects. If the objects pass through the graph on several paths, the one through the nodes of `way` counts,
+ * else the first. Returns false, and leaves `out` unchanged, if the transform cannot be determined because the objects are scaled to no
+ * size.
  */
 export function placedObjects(seen: Seen, node: string, way: readonly string[], out: Matrix4): boolean {
   const own = listsOf(seen).find(({ operation }) => operation.node === node);
@@ -97,7 +98,7 @@ function objectsInto({ resources }: Seen, { inputs }: NodeOperation): ObjectList
   );
 }
 
-/** The item that a later node derives from an item. Derived lists share the subtree. */
+/** Finds the item that a later node, preferably one of `way`, derives from an item: both have the same subtree. */
 function nextOf(seen: Seen, list: ObjectList, item: ObjectItem, way: readonly string[]) {
   const readers = listsOf(seen).flatMap(({ operation, list: derived }) => {
     const index = objectsInto(seen, operation).indexOf(list);

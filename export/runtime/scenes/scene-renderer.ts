@@ -14,7 +14,7 @@ import type { DrawView } from '../../../nodes/kit/runtime.ts';
 import type { SceneHost } from '../scene-backend.ts';
 import { catchLeftovers } from './leftovers.ts';
 
-/** The renderer of three.js without its own clearing, output encoding and scheduling. */
+/** Draws with the renderer of three.js, but without its own clearing, output encoding and scheduling. */
 export interface SceneRenderer {
   readonly three: ThreeRenderer;
   /** Draws over the content of the view's framebuffer and leaves it bound. `encoding` is that of the layer; the default is display. */
@@ -26,7 +26,7 @@ export interface SceneRenderer {
    * framebuffer bound.
    */
   drawTranslucentShadow(target: WebGLRenderTarget, scene: Scene, camera: Camera, face?: number): void;
-  /** Draws over the content of a render target of three.js, which must be covered; leaves no framebuffer bound. */
+  /** Draws to a render target of three.js without clearing it, so the draw must cover all of it; leaves no framebuffer bound. */
   drawOver(target: WebGLRenderTarget, scene: Scene, camera: Camera): void;
   /** Clears a corner of a render target of three.js, including depth and stencil, and draws to it; leaves no framebuffer bound. */
   drawCorner(target: WebGLRenderTarget, widthPx: number, heightPx: number, scene: Scene, camera: Camera): void;
@@ -36,7 +36,7 @@ export interface SceneRenderer {
   isPreparing(): boolean;
   /** Runs draws that only compile their shaders. Resolves when the driver has finished, without blocking. */
   prepare(draws: () => void): Promise<void>;
-  /** Resets the state cache, because others have drawn. */
+  /** Makes the next draw reset the state cache of three.js. Called after other code has drawn. */
   invalidateState(): void;
   dispose(): void;
 }
@@ -57,7 +57,10 @@ function createFramebufferTarget(encoding: LayerEncoding): WebGLRenderTarget {
   return Object.assign(target, { isXRRenderTarget: true });
 }
 
-/** Alpha is the largest half float, by which three.js would multiply the color. */
+/**
+ * Clear color of a translucent shadow map: all light passes, and the distance in alpha is the largest half float. It is cleared without
+ * three.js, which would multiply the color by alpha.
+ */
 const NOTHING_TRANSLUCENT = [1, 1, 1, 65504] as const;
 
 export function createSceneRenderer(host: SceneHost): SceneRenderer {
@@ -77,7 +80,7 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
   const targets = { display: createFramebufferTarget('display'), scene: createFramebufferTarget('scene') };
   const external = three as unknown as ExternalFramebuffers;
   let stale = true;
-  /** Collects compilations while `prepare` runs draws. */
+  /** The compilations that draws have started while `prepare` runs them; null otherwise. */
   let compiling: Promise<unknown>[] | null = null;
 
   function restoreState(): void {

@@ -33,7 +33,7 @@ export interface ShadedSceneOptions {
   readonly encoding: LayerEncoding;
   readonly shadowMaps: RenderedShadowMaps | null;
   readonly occlusion: OcclusionPatch | null;
-  /** Null where the page has no glass. */
+  /** Draws glass; null where the page has none. */
   readonly glass: Glass | null;
   readonly watchLimits: LightLimits;
   readonly textureLimits: TextureLimits;
@@ -49,7 +49,7 @@ const BLENDED_DEPTH_LAST = 1e9;
 
 type Side = LayerTwinOptions['side'];
 
-/** Draws virtual objects with their own materials, lights and shadows, and the depth of phantoms. */
+/** Creates a scene that draws virtual objects with their own materials, lights and shadows, and the depth of phantoms. */
 export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
   const { renderer, encoding, shadowMaps, occlusion, watchLimits, textureLimits } = options;
   const scene = new Scene();
@@ -141,13 +141,13 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
   };
 }
 
-/** three.js draws these in two passes, back faces first, and recompiles in between; two proxies avoid that. */
+/** Whether a material needs two passes, back faces first. three.js would recompile it between the passes; a proxy per side avoids that. */
 function isTwoPass(material: Material | Material[], isGlass: boolean): boolean {
   if (Array.isArray(material) || material.side !== DoubleSide) return false;
   return isGlass || (material.transparent && !material.forceSinglePass);
 }
 
-/** For parts that another proxy draws; three.js skips invisible materials. */
+/** Material of parts that another proxy draws; three.js skips invisible materials. */
 const NOTHING = new Material();
 NOTHING.visible = false;
 

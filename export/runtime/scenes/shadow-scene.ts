@@ -17,7 +17,10 @@ import { createViewCamera } from './view-camera.ts';
 export interface ShadowSceneOptions {
   readonly renderer: SceneRenderer;
   readonly catcher: ShadowCatcher;
-  /** Which objects are drawn. If only phantoms are, virtual objects hide nothing; the layer above covers the shadows behind them. */
+  /**
+   * Selects the objects that are drawn. If it selects only phantoms, virtual objects hide nothing here; the layer above covers the shadows
+   * behind them.
+   */
   readonly catches: (item: ObjectItem) => boolean;
   readonly occlusion: OcclusionPatch | null;
   /** Surfaces of room depth, which catch shadows where nothing else does and hide what is behind them. */
@@ -25,7 +28,7 @@ export interface ShadowSceneOptions {
   readonly watchLimits: LightLimits;
 }
 
-/** The depth pass and the shadows compute the same positions. */
+/** Makes the depth pass and the shadow pass compute exactly the same positions. */
 const INVARIANT: ShaderPatch = {
   key: 'invariant position',
   apply: (shader) => {
@@ -34,8 +37,8 @@ const INVARIANT: ShaderPatch = {
 };
 
 /**
- * Puts the depth behind the surface by so little that nothing behind it passes the test. An offset by slope would show hidden surfaces
- * along edges, in full shadow.
+ * Moves the depth that a material draws so little behind its surface that nothing behind passes the depth test. An offset by slope would
+ * show hidden surfaces along edges, in full shadow.
  */
 function setSameDepth(material: Material): void {
   material.polygonOffsetFactor = 0;
@@ -44,7 +47,7 @@ function setSameDepth(material: Material): void {
 
 const receivesShadow = (item: ObjectItem): boolean => item.receivesShadow;
 
-/** Draws objects as shadow catchers. */
+/** Creates a scene that draws objects as shadow catchers. */
 export function createShadowScene({ renderer, catcher, catches, occlusion, surface, watchLimits }: ShadowSceneOptions): DrawnScene {
   const scene = new Scene();
   scene.matrixWorldAutoUpdate = false;
@@ -98,10 +101,10 @@ export function createShadowScene({ renderer, catcher, catches, occlusion, surfa
   };
 }
 
-/** After the depth of all objects that catch shadows. */
+/** Render order of the room: after the depth of all objects that catch shadows. */
 const ROOM_LAST = 1;
 
-/** A quad over the whole view; null if the shadow method does not support it. */
+/** Adds a quad over the whole view that draws shadows on the room; null if the shadow method does not support room depth. */
 function createRoomMesh(scene: Scene, catcher: ShadowCatcher, surface: RoomSurface): { readonly mesh: Mesh; dispose(): void } | null {
   const material = catcher.createRoomMaterial(surface.uniforms);
   if (!material) return null;

@@ -8,7 +8,7 @@ export const MAX_STEP_S = 0.5;
 
 /**
  * Converts a session's clock to frame times, which start at 0, and counts frames. While the time is constant, as in a held preview, the
- * index is too, so that effects that vary per frame do not change.
+ * index is constant too, so that effects that vary per frame do not change.
  */
 export interface FrameTime {
   /** Sets index, time and time step of a frame. Call it once for each frame that is drawn. */

@@ -22,7 +22,7 @@ export interface SessionFile {
     readonly intrinsics: Intrinsics;
     /** Meters per stored unit: 0.001 for millimeters. A stored 0 is unknown. */
     readonly metresPerUnit: number;
-    /** `z`: along the camera's axis. `range`: along the ray. */
+    /** How depth is measured. `z`: along the camera's axis. `range`: along the ray of the pixel. */
     readonly kind: 'z' | 'range';
   };
   readonly frameRateHz: number;
@@ -32,7 +32,10 @@ export interface SessionFile {
   readonly surfaces?: readonly SessionFileSurface[];
 }
 
-/** Pixels, y down; (0, 0) is the outer corner of the top left pixel, whose center is (0.5, 0.5). */
+/**
+ * Focal lengths and principal point of a camera, in pixels, y down. (0, 0) is the outer corner of the top left pixel, whose center is (0.5,
+ * 0.5).
+ */
 export interface Intrinsics {
   readonly fxPx: number;
   readonly fyPx: number;
@@ -60,14 +63,14 @@ export interface SessionFileInput {
 }
 
 export interface SessionFilePointer {
-  /** From 1; the same as long as it is the same pointer. */
+  /** Number of the pointer, from 1, the same in all frames. */
   readonly id: number;
   readonly by: 'screen' | 'mouse' | 'left' | 'right' | 'left-hand' | 'right-hand' | 'gaze';
   readonly phase: 'hover' | 'start' | 'hold' | 'end' | 'cancel';
   readonly worldFromRay: readonly number[];
   readonly worldFromGrip?: readonly number[];
   readonly pinch: number;
-  /** Of the phase `end`. */
+  /** Only with the phase `end`: whether the press was a tap. */
   readonly tapped?: boolean;
 }
 
@@ -89,7 +92,10 @@ export interface SessionFileHand {
   readonly radiiM: readonly number[];
 }
 
-/** As `LightEstimate` in `nodes/kit/session.ts`: 27 numbers, coefficient by coefficient, RGB within each. */
+/**
+ * A light estimate, as `LightEstimate` in `nodes/kit/session.ts`. `sphericalHarmonics` has 27 numbers: RGB of the first coefficient, then
+ * of the second, and so on.
+ */
 export interface SessionFileLight {
   readonly sphericalHarmonics: readonly number[];
   readonly primaryDirectionWorld: readonly [number, number, number];

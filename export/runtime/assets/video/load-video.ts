@@ -31,7 +31,10 @@ export async function loadVideo(objects: GlObjects, bytes: ArrayBuffer, delay: F
   }
 }
 
-/** ISO 14496-12 §4.3 and RFC 8794 §11.2. Browsers rely on the given type. */
+/**
+ * Detects MP4 (ISO 14496-12 §4.3) or WebM (RFC 8794 §11.2) by the first bytes, because browsers rely on the type of a blob. Throws a
+ * VideoError for other files.
+ */
 function mediaTypeOf(bytes: ArrayBuffer): string {
   const view = new DataView(bytes);
   if (bytes.byteLength > 12 && view.getUint32(4) === 0x66747970) return 'video/mp4';
@@ -45,7 +48,7 @@ interface Measured {
   readonly heightPx: number;
 }
 
-/** A time after the end of any video. */
+/** A time after the end of any video. A seek to it makes the browser find the end, and so the duration. */
 const BEYOND_THE_END_S = 1e7;
 
 async function measure(url: string): Promise<Measured> {

@@ -7,12 +7,12 @@ import { createVideoTexture } from './video-texture.ts';
 /** Lowest playback rate that browsers play smoothly; below it, frames are sought one by one. */
 const MIN_RATE = 0.0625;
 const MAX_RATE = 16;
-/** Drift of a playing video from the clock that causes a seek, seconds. Seeks are visible, smaller drifts are not. */
+/** Maximum drift of a playing video from the clock, seconds; a larger one causes a seek. Seeks are visible, smaller drifts are not. */
 const MAX_DRIFT_S = 0.25;
-/** Timeout for the frame of a seek, seconds. Then the seek is repeated with the double timeout, up to the maximum. */
+/** How long to wait for the frame of a seek, seconds. Then the seek is repeated with twice the timeout, until it exceeds the maximum. */
 const PATIENCE_S = 0.2;
 const MAX_PATIENCE_S = 2;
-/** WebM rounds times to milliseconds, so a seek to an exact time could show the previous frame. */
+/** Added to the time of a seek, seconds: WebM rounds times to milliseconds, so a seek to the exact time could show the previous frame. */
 const ROUNDING_S = 0.001;
 
 type Problem = Parameters<Parameters<VideoAsset['open']>[0]>[0];
@@ -29,7 +29,7 @@ export function createPlayback(source: VideoSource, onProblem: (problem: Problem
   const { objects, url, durationS, delay } = source;
   const { element, dispose } = createVideoElement(url);
   const texture = createVideoTexture(objects);
-  /** Firefox before 132 does not report new frames. */
+  /** Whether the browser reports new frames; Firefox before 132 does not. */
   const tells = 'requestVideoFrameCallback' in element;
   let failed = false;
   /** The time requested while the video is held, and the time of the last seek. */
@@ -38,11 +38,11 @@ export function createPlayback(source: VideoSource, onProblem: (problem: Problem
   let soughtS: number | null = 0;
   let tries = 0;
   /**
-   * Events that the element has not dispatched since the last load or seek: the seek itself and its frame, which often comes later. No
-   * other seek may start before.
+   * What the element has not yet reported since the last load or seek: `event`, the end of the load or seek, and `image`, its frame, which
+   * often comes later. The next seek starts after both.
    */
   const awaited = { event: true, image: tells };
-  /** Whether the video was playing before the seek. A frame from before may then arrive late, so the seek is repeated. */
+  /** Whether the video was playing before the seek. If so, a frame from before the seek may arrive after it, so the seek is repeated. */
   let ran = false;
   /** Whether the element has a frame that the texture does not have. */
   let fresh = false;
@@ -59,7 +59,9 @@ export function createPlayback(source: VideoSource, onProblem: (problem: Problem
     element.currentTime = Math.min(timeS + ROUNDING_S, durationS);
     void insist(++tries, PATIENCE_S);
   };
-  /** Repeats the seek. Chromium sometimes does not report a frame, mostly if it is the same as before. */
+  /**
+   * Repeats the seek if its frame was not reported in time. Chromium sometimes does not report a frame, mostly if it is the same as before.
+   */
   const insist = async (mine: number, patienceS: number): Promise<void> => {
     await delay(patienceS);
     if (mine !== tries || !awaited.image || failed) return;
@@ -75,7 +77,10 @@ export function createPlayback(source: VideoSource, onProblem: (problem: Problem
     }
     void insist(mine, patienceS * 2);
   };
-  /** Starts the next seek. Seeks run one at a time; a newer request waits for the current one, so dragging a slider shows frames. */
+  /**
+   * Starts the requested seek unless one is running; else uploads the frame. A newer request waits for the current seek, so frames appear
+   * while a slider is dragged.
+   */
   const proceed = (): void => {
     if (isIdle() && !failed && wantedS !== null && soughtS !== wantedS) seek(wantedS);
     if (!isThere()) return;

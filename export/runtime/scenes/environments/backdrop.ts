@@ -9,7 +9,7 @@ export interface Backdrop {
   dispose(): void;
 }
 
-/** Render order before phantoms, which come before all objects (`shaded-scene.ts`). */
+/** Render order of the backdrop: before phantoms, which come before all other objects (`shaded-scene.ts`). */
 const BEHIND_ALL = -3e9;
 
 // Valid within one call.
@@ -55,7 +55,7 @@ export function createBackdrop(scene: Scene): Backdrop {
   };
 }
 
-/** Draws around the camera independent of its position and of near and far plane. */
+/** Vertex shader that places the geometry around the camera, independent of its position and of the near and far planes. */
 const VERTEX = /* glsl */ `
 uniform mat3 panoramaFromWorld;
 varying vec3 vDirection;

@@ -5,7 +5,7 @@ import { type PanoramaPixels, startOfRow } from '../../../../nodes/kit/panorama/
 type Size = Pick<PanoramaPixels, 'widthPx' | 'heightPx'>;
 
 /**
- * The pixels of a panorama's texture.
+ * Returns the pixels of a panorama's texture.
  *
  * @returns For a bitmap, its bytes of display-referred sRGB; for halves, those of the texture, which are not copied.
  */
@@ -29,7 +29,7 @@ export function ownPixels(texture: Texture): PanoramaPixels {
   return texture.image instanceof ImageBitmap ? pixels : { ...pixels, data: pixels.data.slice() };
 }
 
-/** Creates a texture like another, in which the pixels of lamps are filled from their surroundings. */
+/** Creates a copy of a panorama's texture in which the pixels of lamps are filled from their surroundings. */
 export function filledTexture(texture: Texture, runs: readonly number[], size: Size): DataTexture {
   const pixels = texturePixels(texture);
   const { widthPx, heightPx } = pixels;
@@ -74,7 +74,10 @@ function halvesTarget(pixels: PanoramaPixels): FillTarget {
   };
 }
 
-/** Bytes are averaged as they are: fills are between neighbors of like brightness, so the error is small. */
+/**
+ * Access to 8-bit pixels for the filling of lamps. Encoded bytes are averaged without decoding: the neighbors of a fill have similar
+ * brightness, so the error is small.
+ */
 function bytesTarget(pixels: PanoramaPixels): FillTarget {
   const { widthPx, heightPx, channels, data } = pixels;
   return {

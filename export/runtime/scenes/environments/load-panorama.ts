@@ -20,18 +20,18 @@ import { bytesTexture, ownPixels } from './filled-texture.ts';
 import { PanoramaError, type RadianceHeader, readRadianceHeader } from './radiance-header.ts';
 import type { ReadRadiance } from './read-radiance.ts';
 
-/** At 4096 rows, 16-bit floats with mipmaps take 350 MB. */
+/** Maximum width of a panorama. With 4096 rows, 16-bit floats with mip levels then take 350 MB. */
 const MAX_WIDTH_PX = 8192;
 
-/** Width up to which balls and cubes are converted, which takes half a second. */
+/** Maximum width of a panorama that is converted from a mirror ball or the faces of a cube; the conversion takes half a second. */
 const MOST_CONVERTED_PX = 2048;
-/** Fewer pixels show no directions. */
+/** Minimum width and height of a panorama; smaller images show no directions. */
 const LEAST_PX = 2;
 
 /**
  * Decodes an equirectangular image: Radiance HDR and OpenEXR as linear 16-bit floats, other formats as display-referred sRGB with white at
- * 1. An image above the size limit is reduced. Photos of a mirror ball and the faces of a cube, which are told by their shape, are
- * converted.
+ * 1. An image above the size limit is reduced. Photos of a mirror ball and the faces of a cube, which are recognized by their aspect ratio,
+ * are converted.
  *
  * @throws PanoramaError, as a rejection, if the file is invalid.
  */
@@ -106,7 +106,7 @@ function sizeOf(picture: ImageBitmap | null): readonly [widthPx: number, heightP
 /** A panorama that is not filtered for lighting yet. */
 export type LoadedPanorama = Omit<LoadedEnvironment, 'withoutLamps' | 'lamps' | 'findLamps'>;
 
-/** Sets a texture up as a panorama, which owns it. */
+/** Sets a texture up as a panorama. The panorama owns the texture. */
 export function panoramaOf(texture: Texture, readPixels: LoadedPanorama['readPixels']): LoadedPanorama {
   texture.mapping = EquirectangularReflectionMapping;
   texture.wrapS = RepeatWrapping;

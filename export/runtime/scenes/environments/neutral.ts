@@ -9,7 +9,7 @@ export interface NeutralEnvironment {
   dispose(): void;
 }
 
-/** Size of the sharpest level; the lobes are wide, so 1.4° per pixel suffice. */
+/** Size of the sharpest level. Its pixels cover 1.4°, which suffices because the lights of the studio are soft. */
 const FACE_PX = 64;
 /** Size of the roughest level, which holds irradiance; three.js uses the same. */
 const ROUGHEST_FACE_PX = 8;

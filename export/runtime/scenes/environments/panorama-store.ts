@@ -12,26 +12,26 @@ import type { ReadRadiance } from './read-radiance.ts';
 
 /** Loaded panoramas with their prefiltered environments, shared by all scenes. */
 export interface PanoramaStore {
-  /** Rejects with an `Error` whose message is text for the user. */
+  /** Loads a panorama and filters it for lighting. Rejects with an `Error` whose message is text for the user. */
   load(bytes: ArrayBuffer, lamps?: EnvironmentAsset['lamps']): Promise<LoadedEnvironment>;
-  /** Creates a panorama from bytes with four channels, rows from the top. The caller disposes it. */
+  /** Creates a panorama from bytes with four channels, rows from the top, and filters it for lighting. The caller disposes it. */
   create(pixels: PanoramaPixels): LoadedEnvironment;
   prefiltered(environment: EnvironmentAsset): Texture;
   dispose(): void;
 }
 
-/** Finds lamps at once. It is injected, so that pages do not bundle it: only renders search at once. */
+/** Finds the lamps of a panorama synchronously. Only renders do so; the function is injected, so that pages do not bundle it. */
 export type FindLamps = (pixels: PanoramaPixels, options: LampOptions) => FoundLamps;
 
 export interface PanoramaTools {
-  /** Null for pages without panoramas. */
+  /** Decodes Radiance HDR and OpenEXR; null for pages without panoramas. */
   readonly readRadiance: ReadRadiance | null;
   readonly findLamps: FindLamps | null;
 }
 
 export function createPanoramaStore(renderer: SceneRenderer, { readRadiance, findLamps }: PanoramaTools): PanoramaStore {
   const filtered = new Map<EnvironmentAsset, Prefiltered>();
-  /** Filters a panorama at once, instead of in a frame. */
+  /** Completes a panorama with what lighting needs. It is filtered immediately, not in the first frame that uses it. */
   const complete = (panorama: LoadedPanorama, lamps?: EnvironmentAsset['lamps']): LoadedEnvironment => {
     const whole: LoadedEnvironment = {
       ...panorama,

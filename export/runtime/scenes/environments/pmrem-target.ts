@@ -25,7 +25,7 @@ export interface PmremTarget {
   dispose(): void;
 }
 
-/** Both sides are powers of two; the number of levels is that of the halvings between them plus one. */
+/** Creates a cube map whose levels halve from `facePx` to `roughestFacePx`, both powers of two. */
 export function createPmremTarget(facePx: number, roughestFacePx: number): PmremTarget {
   const target = createCubeTarget(facePx, false);
   const sizes: number[] = [];
@@ -54,7 +54,7 @@ export function createPmremTarget(facePx: number, roughestFacePx: number): Pmrem
   };
 }
 
-/** `PMREMGenerator.lodToRoughness`, which is not in the published types. */
+/** The roughness of a level, as in `PMREMGenerator.lodToRoughness`, which is not in the published types. */
 function roughnessOf(level: number, lastLevel: number): number {
   return 1 - Math.sqrt(1 - level / lastLevel);
 }

@@ -62,7 +62,7 @@ void main() {
 `;
 
 /**
- * The same for lobes as wide as a hemisphere: a weighted sum of all texels of a small cube map. At roughness 1 the weight is the cosine.
+ * Convolution for lobes as wide as a hemisphere: a weighted sum of all texels of a small cube map. At roughness 1 the weight is the cosine.
  */
 export const SUMMED_FRAGMENT = /* glsl */ `
 uniform samplerCube cube;

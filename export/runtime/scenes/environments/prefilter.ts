@@ -10,7 +10,7 @@ export interface Prefiltered {
   dispose(): void;
 }
 
-/** Limits of the sharpest level: small ones suit small images, the largest has 0.35° per pixel. */
+/** Limits of the size of the sharpest level, which depends on the size of the panorama. At the maximum, a pixel covers 0.35°. */
 const MIN_FACE_PX = 64;
 const MAX_FACE_PX = 256;
 /** Size of the roughest level, which holds irradiance; three.js uses the same. */
@@ -71,7 +71,7 @@ export interface CubeFiller {
   dispose(): void;
 }
 
-/** The caller keeps owning target and material. */
+/** Creates what draws the faces of `target` with `material`. The caller disposes both. */
 export function createCubeFiller(target: WebGLCubeRenderTarget, material: ShaderMaterial): CubeFiller {
   const box = new Mesh(new BoxGeometry(2, 2, 2), material);
   const camera = new CubeCamera(0.1, 10, target);

@@ -14,7 +14,7 @@ export interface ProbeEnvironment {
   dispose(): void;
 }
 
-/** Devices provide 16 to 64 pixels per face. */
+/** Size of the sharpest level. Devices provide 16 to 64 pixels per face. */
 const FACE_PX = 128;
 /**
  * Size of the level that lights matte surfaces, read with linear filtering. With 8 pixels per face a second-order harmonic has an error of
@@ -26,12 +26,15 @@ const LAST_LEVEL = Math.log2(FACE_PX / IRRADIANCE_FACE_PX);
 /** Threshold for a change of a coefficient, relative to the mean radiance: smaller changes alter no pixel by a step of 255. */
 const SEEN_PART = 1 / 1000;
 
-/** Factors of the clamped cosine on the bands, divided by π (Ramamoorthi and Hanrahan 2001, eq. 8). */
+/**
+ * Factors by which a convolution with the clamped cosine, divided by π, scales the three bands of spherical harmonics (Ramamoorthi and
+ * Hanrahan 2001, eq. 8).
+ */
 const COSINE_BANDS = new Vector3(1, 2 / 3, 1 / 4);
 
 /**
- * The last level holds the irradiance of the harmonics. The other levels come from the cube map, or from the harmonics without one, so that
- * the same light is not added twice.
+ * Creates the environment of a light estimate. The last level holds the irradiance of the spherical harmonics. The other levels come from
+ * the cube map, or from the harmonics if there is none, so that the same light is not added twice.
  */
 export function createProbeEnvironment(renderer: SceneRenderer): ProbeEnvironment {
   const target = createPmremTarget(FACE_PX, IRRADIANCE_FACE_PX);
@@ -82,7 +85,10 @@ export function createProbeEnvironment(renderer: SceneRenderer): ProbeEnvironmen
   };
 }
 
-/** Factors for a GGX lobe, approximated by a spherical Gaussian of sharpness 1 / (2 α²): Wang et al. 2009, section 4. */
+/**
+ * Sets the factors by which a blur with a GGX lobe scales the three bands of spherical harmonics. The lobe is approximated by a spherical
+ * Gaussian of sharpness 1 / (2 α²): Wang et al. 2009, section 4.
+ */
 function setLobeBands(bands: Vector3, roughness: number): void {
   const spread = 2 * roughness ** 4;
   bands.set(1, Math.exp(-spread), Math.exp(-3 * spread));

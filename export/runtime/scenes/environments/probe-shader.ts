@@ -1,6 +1,6 @@
 /**
- * Radiance of spherical harmonics after a rotationally symmetric blur, which scales each band (Ramamoorthi and Hanrahan 2001, eq. 3 and 5).
- * Negative values of nine coefficients are clamped to 0.
+ * Fragment shader that evaluates spherical harmonics as radiance after a rotationally symmetric blur, which scales each band (Ramamoorthi
+ * and Hanrahan 2001, eq. 3 and 5). Sums of nine coefficients may be negative, and are clamped to 0.
  */
 export const HARMONICS_FRAGMENT = /* glsl */ `
 // Linear-sRGB radiance, in the order of WebXR Lighting Estimation, section 3.2.

@@ -13,7 +13,7 @@ const EXR_MAGIC = 0x01312f76;
 
 /**
  * Reads the size from the header of a Radiance HDR (G. Ward, “RADIANCE file formats”) or OpenEXR file (openexr.com, “OpenEXR File Layout”);
- * null for other files. It is checked first, because three.js' loaders allocate this size.
+ * null for other files. The size must be checked before decoding, because three.js' loaders allocate memory for it.
  *
  * @throws PanoramaError if the header is damaged.
  */
@@ -38,8 +38,8 @@ function readHdrHeader(bytes: Uint8Array): RadianceHeader {
 }
 
 /**
- * Whether an HDR file is truncated, because three.js' loader reads missing pixels as black. Rows are run-length encoded per channel, or
- * plain pixels of four bytes.
+ * Whether an HDR file is truncated. three.js' loader would read missing pixels as black. Rows are run-length encoded per channel, or plain
+ * pixels of four bytes.
  */
 export function isCutOff(file: ArrayBuffer, { format, widthPx, heightPx, start }: RadianceHeader): boolean {
   if (format !== 'hdr') return false;
@@ -60,7 +60,10 @@ export function isCutOff(file: ArrayBuffer, { format, widthPx, heightPx, start }
   return at > bytes.length;
 }
 
-/** Reads the version in the first byte after the magic number, flags in the next three, then attributes: name, type, size, value. */
+/**
+ * Reads the header of an OpenEXR file: after the magic number a byte with the version, three bytes of flags, then attributes of name, type,
+ * size and value.
+ */
 function readExrHeader(view: DataView): RadianceHeader {
   try {
     for (let at = 8; view.getUint8(at) !== 0; ) {

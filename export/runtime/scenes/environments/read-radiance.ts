@@ -12,7 +12,10 @@ import { isCutOff, PanoramaError, type RadianceHeader } from './radiance-header.
  */
 export interface ReadRadiance {
   halves(bytes: ArrayBuffer, header: RadianceHeader): DataTexture;
-  /** Decodes a file that `halves` has accepted to 32-bit floats, for analysis: halves lose pixels near a threshold. */
+  /**
+   * Decodes a file that `halves` has accepted to 32-bit floats, for analysis: rounded to 16 bits, pixels near a threshold could fall on its
+   * other side.
+   */
   floats(bytes: ArrayBuffer, header: RadianceHeader): PanoramaPixels;
 }
 

@@ -8,9 +8,9 @@ import type { NeutralEnvironment } from './neutral.ts';
 import type { PanoramaStore } from './panorama-store.ts';
 import { createProbeEnvironment, type ProbeEnvironment } from './probe-environment.ts';
 
-/** Environment light of one scene: that of its first environment light, if loaded, or light estimate; otherwise the neutral studio. */
+/** Environment that lights one scene: that of its first environment light (if loaded) or light estimate; otherwise the neutral studio. */
 export interface SceneEnvironment {
-  /** `lit`: whether any object in the scene is lit by the environment. */
+  /** Applies the current lights. `lit` says whether the environment lights any object in the scene. */
   update(lists: readonly LightList[], lit: boolean): void;
   dispose(): void;
 }

@@ -48,7 +48,9 @@ vec4 scrimBehindRough( const in vec2 uv, const in float roughness ) {
 }
 `;
 
-/** The same for techniques (`export/glsl/technique/interface.ts`). */
+/**
+ * GLSL by which techniques read what is behind them (`export/glsl/technique/interface.ts`): `BEHIND_CHUNK` with a function of a fixed name.
+ */
 export const TECHNIQUE_BEHIND = `${BEHIND_CHUNK}
 vec4 a_BEHIND( const in vec2 uv, const in float roughness ) {
   return scrimBehindRough( uv, roughness );

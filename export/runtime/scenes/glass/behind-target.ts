@@ -15,7 +15,7 @@ export interface BehindTarget {
   dispose(): void;
 }
 
-/** As three.js' own transmission buffer has. */
+/** Samples per pixel, as in three.js' own transmission buffer. */
 const SAMPLES = 4;
 
 /**

@@ -1,10 +1,10 @@
 /**
- * Orders glass and other blended surfaces of a view for drawing, and splits them into batches. Everything before the first glass is batch 0.
- * A later batch begins where a glass may show a surface of the current batch, so the image of what is behind glass must be drawn again.
+ * Glass or another blended surface, to be ordered for drawing and assigned to a batch. Everything before the first glass is batch 0. A new
+ * batch begins at each glass that may show a surface of the current batch, because the image of what is behind glass must then be updated.
  */
 export interface OrderedItem {
   readonly isGlass: boolean;
-  /** Drawn after all others, in the last batch: it shows nothing. */
+  /** Whether it is drawn after all others, in the last batch, because it has no visible color. */
   readonly isLast: boolean;
   /** Lower values are drawn first, whatever their distance. */
   readonly renderOrder: number;
@@ -14,14 +14,17 @@ export interface OrderedItem {
   depthM: number;
   /** Bounds on the screen, in clip units of -1 to 1. */
   readonly box: { left: number; right: number; bottom: number; top: number };
-  /** Result. */
+  /** The batch that `arrange` assigns. */
   batch: number;
 }
 
-/** Each batch after the first draws an image of the size of the view again, so farther glass shares one. */
+/**
+ * Maximum number of batches with glass. Each further batch costs another image of the size of the view, so the farthest glass shares one
+ * batch.
+ */
 export const MAX_BATCHES = 5;
 
-/** How far outside of its own bounds glass shows things, as a part of its size, because it refracts. */
+/** How far outside of its own bounds glass shows objects, because it refracts, as a fraction of its size. */
 const REACH = 0.25;
 
 /** Sorts `items` from far to near and sets their batches. Returns the number of batches with glass; 0: no glass is visible. */
@@ -52,7 +55,7 @@ function farFirst(a: OrderedItem, b: OrderedItem): number {
   return a.renderOrder - b.renderOrder || b.depthM - a.depthM;
 }
 
-/** Whether the glass may show one of the visible items from `first` to before `end`. */
+/** Whether a glass with the given bounds may show one of the visible items from index `first` to before `end`. */
 function overlapsAny(items: readonly OrderedItem[], first: number, end: number, { box }: OrderedItem): boolean {
   const aside = REACH * (box.right - box.left);
   const above = REACH * (box.top - box.bottom);

@@ -26,7 +26,7 @@ import { createUnderImage, type UnderImage } from './under-image.ts';
 
 export type CreateGlass = (renderer: SceneRenderer, gl: WebGL2RenderingContext) => Glass;
 
-/** Glass of all scenes of a backend, which share the image of what is behind glass. */
+/** Draws glass for all scenes of a backend, which share the image of what is behind glass. */
 export interface Glass {
   forScene(scene: Scene, encoding: LayerEncoding): GlassScene;
   readonly createUnder: CreateUnder;
@@ -35,29 +35,29 @@ export interface Glass {
 
 /** Draws a scene with glass (ADR 41). */
 export interface GlassScene {
-  /** Creates the patch of a transmissive material. */
+  /** Creates the patch that makes a transmissive material read what is behind it. */
   patch(master: MeshPhysicalMaterial): GlassPatch;
   readonly forTechniques: { readonly text: string; readonly uniforms: Readonly<Record<string, IUniform>> };
   /**
-   * Takes the proxies of the scene, after they were rebuilt.
+   * Collects the glass and blended surfaces among the proxies of the scene. Called after the proxies were rebuilt.
    *
-   * @param lastOrder Render order of proxies that are drawn after all others and show nothing.
+   * @param lastOrder Render order from which on proxies are drawn after all others and have no visible color.
    */
   collect(proxies: readonly FlatProxy[], lastOrder: number): void;
-  /** Whether the scene has glass, if only hidden. */
+  /** Whether the scene has glass, visible or hidden. */
   hasGlass(): boolean;
   /** Draws the whole scene. */
   draw(view: DrawView, camera: Camera): void;
   dispose(): void;
 }
 
-/** Layers of three.js: what is drawn before all glass, the current batch, later batches, and what is under the scene. */
+/** Numbers of three.js layers: what is drawn before all glass, the current batch, later batches, and what is under the scene. */
 const [FIRST, CURRENT, LATER, UNDER] = [0, 1, 2, 3] as const;
 
 interface GlassItem extends OrderedItem {
   readonly proxy: FlatProxy;
   readonly materials: readonly Material[];
-  /** Whether nothing but what its shader writes is visible where it is. */
+  /** Whether no material blends: a pixel then shows only what the shader writes, which for glass includes what is behind. */
   readonly isSolid: boolean;
 }
 
@@ -122,12 +122,15 @@ function createGlassScene(
     }
   }
 
-  /** Puts each object on the layer of what is drawn before all glass, of a batch, or of what comes later. */
+  /** Assigns each object to a three.js layer, for drawing `batch`: what is drawn before all glass, this batch, or other batches. */
   function show(batch: number): void {
     for (const { proxy, batch: own } of items) proxy.object.layers.set(own === 0 ? FIRST : own === batch ? CURRENT : LATER);
   }
 
-  /** Glass contains what is visible through it; over content of other layers it must keep that. */
+  /**
+   * Sets the blending of glass. Its color already contains what is visible through it, so solid glass replaces the target; with `isOver` it
+   * is blended, because the target already has content of other layers.
+   */
   function blend(isOver: boolean): void {
     for (const { isGlass, isSolid, materials } of items) {
       if (!isGlass) continue;
@@ -222,7 +225,7 @@ function createGlassScene(
   };
 }
 
-/** Sets bounds and distance of a sphere in world space. Returns whether it may be in the view. */
+/** Sets the screen bounds and depth of an item from its bounding sphere in world space. Returns whether it may be in the view. */
 function boxOf({ center, radius }: Sphere, camera: Camera, clipFromWorld: Matrix4, into: GlassItem): boolean {
   const { x, y, w } = scratchClip.set(center.x, center.y, center.z, 1).applyMatrix4(clipFromWorld);
   const { box } = into;

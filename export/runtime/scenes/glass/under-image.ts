@@ -17,7 +17,7 @@ export interface UnderImage {
   dispose(): void;
 }
 
-/** Before the panorama of the scene (`environments/backdrop.ts`). */
+/** Render order of the image: before the panorama of the scene (`environments/backdrop.ts`). */
 const BEHIND_ALL = -4e9;
 
 /** @param layer The layer of three.js that only this image's draws show. */
@@ -75,7 +75,10 @@ void main() {
 }
 `;
 
-/** To linear light by the transfer function of IEC 61966-2-1. Bits are compared, because drivers optimize `isnan` away. */
+/**
+ * Fragment shader that draws the layer under a scene in linear light. Display layers are decoded by the transfer function of IEC 61966-2-1.
+ * NaN is found by its bits, because drivers optimize `isnan` away.
+ */
 const FRAGMENT = /* glsl */ `
 uniform sampler2D picture;
 uniform mat3 uvFromViewUv;

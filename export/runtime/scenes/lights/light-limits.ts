@@ -11,12 +11,12 @@ import { MAX_VSM_PX, type MapLimits, mapSizeOf, needsFloats, shadowOf } from './
 export const MAX_SHADOWS = 6;
 
 /**
- * Reports at the drawing node if more lights are connected than can be drawn. It is called every frame, because shadows can be switched at
- * run time.
+ * Reports at the drawing node if the given lights exceed a limit: of shadows, of the size or filters of shadow maps, or of environments. It
+ * is called every frame, because shadows can be switched at run time.
  */
 export type LightLimits = (lists: readonly LightList[]) => void;
 
-/** `shown` is `shadows` for a shadow layer. */
+/** Creates the reports about lights that exceed limits. `shown` is `shadows` for a shadow layer, which draws no other light. */
 export function createLightLimits(report: DrawBinding['report'], shown: 'all' | 'shadows', limits: MapLimits): LightLimits {
   return (lists) => {
     if (!report) return;
@@ -78,7 +78,7 @@ function isCutForVariance(light: LightItem, limits: MapLimits): boolean {
 
 /** Reports at the drawing node that the device has too few texture units for all shadows. */
 export interface TextureLimits {
-  /** Reports the number of lights that use the filter `soft` instead, and of lights that transparent objects do not dim. */
+  /** Reports how many lights use the filter `soft` instead of their own, and how many are not dimmed by transparent objects. */
   tell(softened: number, undimmed: number): void;
 }
 

@@ -25,40 +25,41 @@ import { createMoments } from './moments.ts';
 import { createShadowFit, fitShadow, type ShadowFit } from './shadow-fit.ts';
 import { createTranslucentShadow, TRANSLUCENT_SHADOW, type TranslucentShadow } from './translucent-shadow.ts';
 
-/** The depth map of one light in this frame. */
+/** The shadow map of one light in this frame: depth, and what filters and receivers need. */
 export interface ShadowMap {
   /**
    * `flat`: `target` has one depth texture; `mapFromWorld` gives homogeneous UV and depth. `cube`: it has six faces around the light;
-   * `mapFromWorld` gives the vector from the light. Samplers of both compare: 1 where lit.
+   * `mapFromWorld` gives the vector from the light. Samplers of both compare depths and return 1 where lit.
    */
   readonly kind: 'flat' | 'cube';
   readonly target: WebGLRenderTarget;
   readonly mapFromWorld: Matrix4;
-  /** Normalized depth by which receivers are moved towards the light. */
+  /** Offset of receivers towards the light, in units of normalized depth. */
   readonly bias: number;
-  /** Offset along the receiver's normal in meters; for spot and point lights, per meter of distance. */
+  /** Offset of receivers along their normal, in meters; for spot and point lights, per meter of distance. */
   readonly normalBias: number;
   readonly filter: ShadowFilter;
-  /** For `pcss`: 1 minus the depth in the red channel, unfiltered; else null. */
+  /** For the filter `pcss`: a texture with 1 minus the depth in the red channel, unfiltered. Null for other filters. */
   readonly depths: Texture | null;
-  /** For `vsm`: see `moments.ts`; else null. */
+  /** For the filter `vsm`: blurred moments of the depth, see `moments.ts`. Null for other filters. */
   readonly moments: Texture | null;
   /**
    * The fraction of light behind transparent casters in the red channel, and the distance of the nearest of these in alpha, meters along
    * the light's axis. Null if there are none.
    */
   readonly translucent: Texture | null;
-  /** Near and far distance of spot and point lights, meters; 0 and the whole range for directional lights. */
+  /** Near and far distance of the shadow camera, meters. For directional lights, near is 0 and far is the whole range. */
   readonly nearM: number;
   readonly farM: number;
   /**
-   * For `pcss`. x: half the size of the light; for directional lights the radius of the penumbra in UV per meter between caster and
-   * receiver, else meters. y: UV per meter across the map at a distance of 1 m from a spot or point light; 0 for directional lights.
+   * Size of the light, for the filter `pcss`. x: half the size in meters; for directional lights instead the radius of the penumbra, in UV
+   * per meter between caster and receiver. y: UV per meter across the map at a distance of 1 m from a spot or point light; 0 for
+   * directional lights.
    */
   readonly source: Vector2;
 }
 
-/** A light with a shadow, and its map. */
+/** A light that casts a shadow, and its shadow map. */
 export interface LightMap {
   readonly light: LightItem;
   /** The settings that the map was created for; other settings need another map. */
@@ -88,7 +89,7 @@ export function mapSizeOf({ mapSizePx, filter }: LightShadow | LocalLightShadow,
   return Math.min(mapSizePx, maxSizePx, filter === 'vsm' && floats ? MAX_VSM_PX : maxSizePx);
 }
 
-/** Null if the light casts no shadow. */
+/** Creates the shadow map of a light; null if the light casts no shadow. */
 export function createLightMap(light: LightItem, limits: MapLimits): LightMap | null {
   if (!isDirectLight(light) || light.shadow === null) return null;
   switch (light.kind) {
@@ -247,7 +248,7 @@ function createCamera(): Camera {
   return camera;
 }
 
-/** three.js requires a color buffer; this is the smallest. */
+/** Options of the color buffer of a shadow map. three.js requires one; this is the smallest. */
 const COLOR = { format: RedFormat, minFilter: NearestFilter, magFilter: NearestFilter, generateMipmaps: false } as const;
 
 interface FlatTarget {
@@ -296,7 +297,7 @@ function createCubeTarget(sizePx: number): WebGLCubeRenderTarget {
   return target;
 }
 
-/** Configures 24-bit depth with hardware comparison and filtering. */
+/** Configures a depth texture for comparison and filtering by the GPU. */
 function comparing<T extends Pick<DepthTexture, 'compareFunction' | 'minFilter' | 'magFilter'>>(texture: T): T {
   texture.compareFunction = LessEqualCompare;
   texture.minFilter = LinearFilter;

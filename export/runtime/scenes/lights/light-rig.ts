@@ -10,20 +10,20 @@ export interface LightRig {
   /** Applies changed lists, and this frame's positions and colors. */
   update(lists: readonly LightList[]): void;
   /**
-   * Sets or removes the maps rendered in this frame, and passes translucent shadow maps to `translucentShadows`. Returns how many lights
-   * are not dimmed for lack of texture units.
+   * Sets or removes the shadow maps of the lights for this frame, and passes translucent shadow maps to `translucentShadows`. Returns how
+   * many lights transparent objects do not dim, because the device has too few texture units.
    */
   bindShadows(maps: RenderedShadowMaps | null, translucentShadows: TranslucentShadowPatch, maxTextures: number): number;
   dispose(): void;
 }
 
-/** Below this, the two cosines between which three.js fades the edge of a cone would be equal. */
+/** Minimum penumbra of a spot light. Below it, the two cosines between which three.js fades the edge of the cone would be equal. */
 export const MIN_PENUMBRA = 1e-3;
 
 // Valid within one call.
 const scratchPoint = new Vector3();
 
-/** Textures of three.js' largest material besides shadows. */
+/** Number of textures that three.js' largest material reads besides shadow maps. */
 const MATERIAL_TEXTURES = 10;
 
 type Textures = (Texture | null)[];
@@ -107,7 +107,7 @@ function createLight(item: LightItem): RigLight | null {
   }
 }
 
-/** three.js computes the direction from the light's position to its target, which stays at the origin. */
+/** Creates a directional light. three.js computes its direction from its position and its target, which stays at the origin. */
 function createDirectional(item: DirectionalLightItem): RigLight {
   const light = new DirectionalLight();
   return {
@@ -151,7 +151,7 @@ function createSpot(item: SpotLightItem): RigLight {
   };
 }
 
-/** Disables automatic updates. */
+/** Disables automatic updates of matrices and shadows. */
 function setUp(light: DirectLight): void {
   light.matrixAutoUpdate = false;
   light.matrixWorldAutoUpdate = false;
@@ -179,7 +179,7 @@ function bindShadow(light: DirectLight, map: ShadowMap | null): void {
   }
 }
 
-/** Without conversion: the list has linear-sRGB, three.js' working space. */
+/** Sets a color without conversion: the values are linear sRGB, three.js' working color space. */
 function setLinear(color: Color, radiance: Float32Array): void {
   color.r = radiance[0] ?? 0;
   color.g = radiance[1] ?? 0;

@@ -25,8 +25,8 @@ const scratchBack = new Vector3();
 const scratchPosition = new Vector3();
 
 /**
- * Sets near and far plane: from the nearest caster to far behind the farthest, or to the range of the light. 24-bit perspective depth from
- * 1 cm on resolves 0.15 mm at 5 m.
+ * Sets the near and far planes of the shadow camera: from the nearest caster to the range of the light, or far behind the farthest caster
+ * if the range is unlimited. With a near plane at 1 cm, 24-bit perspective depth resolves 0.15 mm at 5 m.
  */
 export function fitReach(fit: LocalShadowFit, positionWorld: ArrayLike<number>, castersWorld: readonly Sphere[], rangeM: number): void {
   scratchPosition.fromArray(positionWorld);
@@ -42,7 +42,7 @@ export function fitReach(fit: LocalShadowFit, positionWorld: ArrayLike<number>, 
   fit.farM = Math.max(rangeM > 0 ? rangeM : far + REACH_M, fit.nearM * 2);
 }
 
-/** Sets a camera that sees the whole cone. `towardsLightWorld` is a unit vector against the beam. */
+/** Sets the shadow camera of a spot light, which sees the whole cone. `towardsLightWorld` is a unit vector against the beam. */
 export function aimCone(
   fit: LocalShadowFit,
   positionWorld: ArrayLike<number>,
@@ -57,7 +57,7 @@ export function aimCone(
   mapFromWorld.multiplyMatrices(UV_FROM_CLIP, fit.clipFromLight).multiply(fit.lightFromWorld);
 }
 
-/** Right, up and back axis of the camera per face, as in GL (OpenGL ES 3.0 §3.8.10, table 3.21). */
+/** Right, up and back axes of the camera for each face of a cube map, as in GL (OpenGL ES 3.0 §3.8.10, table 3.21). */
 const FACES: readonly (readonly [right: Vector3, up: Vector3, back: Vector3])[] = [
   [new Vector3(0, 0, -1), new Vector3(0, -1, 0), new Vector3(-1, 0, 0)],
   [new Vector3(0, 0, 1), new Vector3(0, -1, 0), new Vector3(1, 0, 0)],
@@ -69,7 +69,7 @@ const FACES: readonly (readonly [right: Vector3, up: Vector3, back: Vector3])[] 
 
 export const FACE_COUNT = FACES.length;
 
-/** Sets a camera that sees one face of a cube around the light: +x, -x, +y, -y, +z, -z. */
+/** Sets the shadow camera of a point light for one face of the cube around it: +x, -x, +y, -y, +z, -z. */
 export function aimFace(fit: LocalShadowFit, positionWorld: ArrayLike<number>, face: number): void {
   const axes = FACES[face];
   if (!axes) throw new Error(`A cube has no face ${face}.`);

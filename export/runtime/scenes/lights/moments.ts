@@ -104,7 +104,7 @@ void main() {
 }
 `;
 
-/** 0 means that no caster was drawn (depth 1). */
+/** GLSL that computes the moments of one texel of the shadow map. A stored 0 means that no caster was drawn (depth 1). */
 const FIRST = /* glsl */ `
   float stored = texture2D( source, at ).r;
   float meters = reach.x > 0.0 ? reach.x * reach.y / ( reach.x + stored * ( reach.y - reach.x ) ) : ( 1.0 - stored ) * reach.y;
@@ -112,7 +112,10 @@ const FIRST = /* glsl */ `
 `;
 const SECOND = 'return texture2D( source, at ).rgb;';
 
-/** A Gaussian blur over nine texels with a standard deviation of two, about as wide as three texels of the `soft` filter. */
+/**
+ * Creates a fragment shader that blurs what `read` returns along one axis: a Gaussian over nine texels with a standard deviation of two,
+ * about as wide as three texels of the `soft` filter.
+ */
 function fragment(read: string): string {
   const weights = [-4, -3, -2, -1, 0, 1, 2, 3, 4].map((i) => Math.exp(-(i * i) / 8));
   const sum = weights.reduce((total, weight) => total + weight, 0);

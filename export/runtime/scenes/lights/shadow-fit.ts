@@ -1,8 +1,8 @@
 import { Matrix4, type Sphere, Vector3 } from 'three';
 
 /**
- * Distance that a map covers behind the casters, meters: beyond any room. The depth of a directional light is linear in it, and 24 bits
- * resolve 4 µm.
+ * How far a shadow map reaches behind the casters, meters: beyond any room. For a directional light depth is linear over this distance, so
+ * 24 bits resolve 4 µm.
  */
 export const REACH_M = 60;
 

@@ -13,7 +13,7 @@ import { createLightMap, type LightMap, type ShadowMap, shadowOf } from './light
 
 /** The shadow maps of one set of casters, by light. */
 export interface RenderedShadowMaps extends ShadowMaps {
-  /** Null if the light casts no shadow or exceeds the limit. */
+  /** The shadow map of a light; null if the light casts no shadow, or comes after the maximum number of lights with shadows. */
   mapOf(light: LightItem): ShadowMap | null;
 }
 
@@ -100,7 +100,7 @@ export function createShadowMaps(
     }
   }
 
-  /** Number of lights with shadows before this one; larger than the limit if it is not among the lights. */
+  /** Number of lights with shadows before this one; infinity if it is not in the lists. */
   function rankOf(light: LightItem): number {
     let rank = 0;
     for (const list of lights) {

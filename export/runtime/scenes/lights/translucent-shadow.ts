@@ -5,14 +5,17 @@ import type { SceneRenderer } from '../scene-renderer.ts';
 export interface TranslucentShadow {
   texture(): Texture | null;
   /**
-   * `translucentShadows` contains the transparent casters as `translucent-shadow-twin.ts` draws them; null if there are none. `face` is the
-   * face of a cube.
+   * Draws the map, or the given face of a cube map, from the camera of the light. `translucentShadows` contains the transparent casters as
+   * `translucent-shadow-twin.ts` draws them; null if there are none.
    */
   render(renderer: SceneRenderer, translucentShadows: Scene | null, camera: Camera, face?: number): void;
   dispose(): void;
 }
 
-/** Half floats: meters in alpha with a precision of 1/2048. Unfiltered, because depths of different objects have no mean. */
+/**
+ * Options of a translucent shadow map: half floats, which hold meters in alpha with a relative precision of 1/2048; unfiltered, because a
+ * mean of the depths of different objects has no meaning.
+ */
 export const TRANSLUCENT_SHADOW = {
   format: RGBAFormat,
   type: HalfFloatType,

@@ -24,8 +24,8 @@ const SEEN_ALPHA = 1 / 255;
  * surface pass the depth test.
  * - `shadow`: both sides, because a single-sided wall casts a shadow in either direction. Transparent materials are excluded; they dim the
  * light (`translucent-shadow-twin.ts`).
- * - `solid`: as `surface`, and blended materials count where alpha exceeds one half.
- * - `blended`: adds the depth of blended materials that write none with their colors, after all others, so that the layer contains it.
+ * - `solid`: as `surface`, but blended materials have depth only where alpha is at least one half.
+ * - `blended`: only for blended materials that write no depth with their colors. Drawn after all others, it adds their depth to the layer.
  */
 export function createDepthTwin(master: Material, use: 'surface' | 'shadow' | 'solid' | 'blended', clip: ShaderPatch | null = null): Twin {
   const material = new MeshDepthMaterial();

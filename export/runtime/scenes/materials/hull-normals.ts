@@ -44,7 +44,7 @@ export function ensureHullNormals(geometry: BufferGeometry): void {
   geometry.setAttribute(NAME, new BufferAttribute(outward, 3));
 }
 
-/** For each vertex, the first one at the same position. */
+/** Returns, for each vertex, the index of the first vertex at the same position. */
 function findPlaces(count: number, read: (index: number, into: Vector3) => void): Uint32Array {
   const first = new Map<string, number>();
   const places = new Uint32Array(count);

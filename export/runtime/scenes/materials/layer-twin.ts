@@ -29,7 +29,7 @@ const FINITE_PATCH: ShaderPatch = {
 };
 
 export interface LayerTwinOptions {
-  /** Draws only this side of a double-sided master. */
+  /** The only side that is drawn of a double-sided master; null draws the sides of the master. */
   readonly side: typeof BackSide | typeof FrontSide | null;
   /** Encoding of the layer. */
   readonly encoding: LayerEncoding;

@@ -28,7 +28,10 @@ export interface OcclusionPatch extends ShaderPatch {
   bind(view: DrawView): void;
 }
 
-/** The clip position gives the view UV in any viewport, and its w is the view-space depth, because sessions use perspective. */
+/**
+ * Passes the clip position to the fragment shader. It gives the view UV in any viewport, and its w is the view-space depth, because
+ * sessions use perspective.
+ */
 const VERTEX = {
   before: 'varying vec4 scrimPositionClip;',
   start: '',
@@ -82,7 +85,7 @@ float scrimVisibility() {
   #endif`,
 };
 
-/** All materials of a scene share the uniforms, so that setting a view is a few assignments. */
+/** Creates the occlusion patch of a scene. All materials of the scene share its uniforms, so that setting a view is a few assignments. */
 export function createOcclusionPatch({ roomDepth, params }: OcclusionBinding): OcclusionPatch {
   const texture = new ExternalTexture();
   const uniforms = {

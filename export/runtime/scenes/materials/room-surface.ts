@@ -17,10 +17,10 @@ import { ROOM_DEPTH_CHUNK } from './occlusion-patch.ts';
 import { type ShaderPatch, wrapMain } from './shader-patch.ts';
 import type { CatcherSurface } from './shadow-catcher-shader.ts';
 
-/** The surface of the room from room depth. */
+/** The surface of the real room, found from room depth, for shadows that fall on it. */
 export interface RoomSurface {
   readonly uniforms: RoomUniforms;
-  /** Discards fragments farther behind the room than the tolerance, which would appear on a nearer surface. */
+  /** Discards fragments that are farther behind the room than the tolerance; they would appear on a nearer real surface. */
   readonly clip: ShaderPatch;
   /** Applies the view's room depth; called before every draw. Returns false without room depth. */
   bind(view: DrawView): boolean;
@@ -105,7 +105,8 @@ bool behindRoom() {
 /**
  * Finds the surface of room depth per pixel: the plane through nearby samples of similar depth, by least squares. Depth of sensors is
  * coarse and noisy, so normals from differences have random directions, and shadows would have cracks and grain. The inverse depth of a
- * plane is linear in the image, so it is fitted; samples beyond a depth step are excluded. If no samples remain, the surface faces the eye.
+ * plane is linear in the image, so inverse depth is fitted; samples beyond a depth step are excluded. If no samples remain, the surface
+ * faces the eye.
  */
 export const ROOM_SURFACE: CatcherSurface = {
   declarations: /* glsl */ `
@@ -184,7 +185,7 @@ vec3 roomPoint( const in vec2 viewUv, const in float meters ) {
   normal *= sign( dot( normal, roomWorldFromView[ 3 ].xyz - positionWorld ) );`,
 };
 
-/** At the far plane, so that it appears only where the layer has nothing else. */
+/** Vertex shader of a quad over the view, near the far plane, so that it appears only where the layer has nothing else. */
 const VERTEX = /* glsl */ `
 varying vec2 vViewUv;
 

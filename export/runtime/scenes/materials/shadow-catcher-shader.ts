@@ -68,7 +68,10 @@ float unlessGrazing( const in vec2 light, const in float lit ) {
 }
 `;
 
-/** Light around objects that shadows interrupt (ARPAS 2018, section 4). It is dimmed in linear light, and opaque nowhere. */
+/**
+ * GLSL of a negative shadow: light on the surfaces around objects, which shadows interrupt (ARPAS 2018, section 4). Shadows dim it in
+ * linear light; its alpha is 0.
+ */
 const GLOW = /* glsl */ `
 // -1: no light is drawn.
 uniform int glowCount;
@@ -110,7 +113,7 @@ function writeShadow(blockedPart: string): string {
   gl_FragColor = vec4( shadowColor.rgb * alpha, alpha );`;
 }
 
-/** Numbers of lights in the shader: with a flat map, with a cube map, and without a map, in this order. */
+/** The lights in the shader, in this order: those with a flat map, those with a cube map, and (as a number) those without a map. */
 export interface CatcherLights {
   readonly flat: readonly FlatLight[];
   readonly cube: readonly CubeLight[];
@@ -120,7 +123,10 @@ export interface CatcherLights {
 /** How a catcher finds its surface: declarations, and statements that set `positionWorld` and `normal`. */
 export type CatcherSurface = typeof GEOMETRY;
 
-/** The code is unrolled per light, because arrays of samplers require constant indices. */
+/**
+ * Fragment shader of a shadow catcher for the given lights. The code is unrolled per light, because arrays of samplers require constant
+ * indices. `glows` adds the negative shadow.
+ */
 export function catcherFragment(
   { flat, cube, plain }: CatcherLights,
   { declarations, find }: CatcherSurface = GEOMETRY,
@@ -158,7 +164,10 @@ void main() {
 `;
 }
 
-/** The contribution of one light as a fraction of all, in the red channel: the part that is missing where it is blocked. */
+/**
+ * Fragment shader that writes the contribution of one light as a fraction of all light: the part that is missing where that light is
+ * blocked.
+ */
 export function blockedFragment(count: number, light: number): string {
   return /* glsl */ `
 ${lightUniforms(count)}
@@ -175,7 +184,7 @@ void main() {
 `;
 }
 
-/** A shadow whose blocked fraction is read per pixel of the view. */
+/** Fragment shader that draws a shadow whose blocked fraction was drawn before, to a texture with a texel per pixel of the view. */
 export const KNOWN_SHADOW_FRAGMENT = /* glsl */ `
 ${SHADOW_COLOR}
 // Red: the blocked fraction of the light per pixel of the viewport.

@@ -35,8 +35,8 @@ export interface ShadowCatcher {
   /** Called before a view is drawn; leaves no framebuffer bound. */
   beforeDraw(view: DrawView): void;
   /**
-   * Creates a material for surfaces of room depth, which its uniforms describe. The caller disposes it. Null if the method does not support
-   * it.
+   * Creates a material that catches shadows on the surfaces of room depth, which `room` describes. The caller disposes it. Null if the
+   * shadow method does not support room depth.
    */
   createRoomMaterial(room: RoomUniforms): ShaderMaterial | null;
   dispose(): void;
@@ -46,10 +46,10 @@ export interface MapCatcherOptions {
   readonly strength: NumberView;
   readonly color: VectorView;
   readonly maps: RenderedShadowMaps | null;
-  /** Hides fragments behind the room. */
+  /** Patches that hide fragments behind the room; empty for none. */
   readonly occlusion: readonly ShaderPatch[];
   readonly textureLimits: TextureLimits;
-  /** Light around objects instead of shadows, for displays that cannot darken. */
+  /** Negative shadow, drawn instead of shadows for displays that cannot darken; null for none. */
   readonly glow: ShadowGlow | null;
 }
 
@@ -95,7 +95,10 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
   let fragmentShader = catcherFragment(lights, undefined, glow !== null);
   let roomFragment = catcherFragment(lights, ROOM_SURFACE, glow !== null);
   const written = new Map<ShaderMaterial, 'geometry' | 'room'>();
-  /** `textures`: units in use; `softened`, `undimmed`: lights for which no unit was left. */
+  /**
+   * Numbers of lights and textures in this frame. `textures`: units in use. `softened`, `undimmed`: lights for whose filter or translucent
+   * shadow map no unit was left.
+   */
   const counts = { flat: 0, cube: 0, plain: 0, extras: 0, cubeTranslucent: 0, textures: 0, softened: 0, undimmed: 0 };
   let outdated = false;
 
@@ -105,7 +108,7 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
     return count;
   }
 
-  /** Adds a light to the shader. It is recompiled when lights are added or removed or their filter changes. */
+  /** Adds a light with a flat map to the shader. The shader is recompiled if its filter or textures differ from those of the last frame. */
   function addFlat(map: ShadowMap): void {
     const i = counts.flat++;
     flatMaps[i] = map.target.depthTexture;
@@ -125,7 +128,7 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
     outdated = true;
   }
 
-  /** Index of the texture, or -1 if there is none or no unit is left. */
+  /** Adds a texture of a light with a flat map and returns its index; -1 if the texture is null or no unit is left. */
   function addExtra(texture: Texture | null): number {
     if (texture === null || counts.textures >= MAX_TEXTURES) return -1;
     counts.textures++;
@@ -146,7 +149,10 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
     outdated = true;
   }
 
-  /** Called three times, because the shader groups lights by the kind of their map. */
+  /**
+   * Adds the lights whose map is of the given kind; null: those without a map. Called for each, because the shader groups lights by the
+   * kind of their map.
+   */
   function addLights(wanted: ShadowMap['kind'] | null): void {
     for (const list of lightLists) {
       for (const light of list.items) {

@@ -1,6 +1,6 @@
 import type { ShadowFilter } from '../../../../nodes/kit/light-shadow.ts';
 
-/** The function of each filter. */
+/** GLSL function of each filter, which returns the lit fraction in [0, 1]. */
 const FILTERS: Readonly<Record<ShadowFilter, string>> = {
   basic: /* glsl */ `
 // At the center of a texel, hardware compares with this texel only.
@@ -90,7 +90,7 @@ export interface FlatLight {
   readonly filter: ShadowFilter;
   /** Index among the textures that do not compare (depths or moments); -1 without. */
   readonly extra: number;
-  /** Index of its translucent shadow map among these; -1 without. */
+  /** Index of its translucent shadow map among the same textures; -1 without. */
   readonly translucent: number;
 }
 
@@ -100,7 +100,7 @@ export interface CubeLight {
   readonly translucent: number;
 }
 
-/** Distance along the light's axis. */
+/** GLSL that converts a depth in a shadow map to the distance along the light's axis, meters. */
 const METERS = /* glsl */ `
 float metersFromLight( const in float depth, const in vec4 reach ) {
   // Directional lights measure linearly from the nearest caster.
@@ -109,8 +109,8 @@ float metersFromLight( const in float depth, const in vec4 reach ) {
 `;
 
 /**
- * Averages nine texels. Receivers in front of the nearest transparent caster are not dimmed. No normal bias is needed, because receivers
- * are not transparent themselves.
+ * GLSL that reads the fraction of light behind transparent casters, averaged over nine texels. Receivers in front of the nearest
+ * transparent caster are not dimmed. No normal bias is needed, because receivers are not transparent themselves.
  */
 const TRANSLUCENT_SHADOW = /* glsl */ `
 float metersToPoint( const in mat4 fromWorld, const in vec4 reach, const in vec3 positionWorld ) {
@@ -139,7 +139,7 @@ float throughCubeTranslucent( const in samplerCube translucent, const in vec3 po
 }
 `;
 
-/** Declarations and functions for lights with a flat map. */
+/** GLSL declarations and functions for lights with a flat map. */
 export function flatParts(lights: readonly FlatLight[], extras: number): string {
   if (lights.length === 0) return '';
   const filters = [...new Set(lights.map(({ filter }) => filter))].sort();
@@ -165,7 +165,7 @@ vec3 inFlat( const in mat4 fromWorld, const in vec3 bias, const in vec3 position
 ${METERS}${filters.map((filter) => FILTERS[filter]).join('')}${lights.some(({ translucent }) => translucent >= 0) ? TRANSLUCENT_SHADOW : ''}`;
 }
 
-/** Sets \`at\` and \`lit\` for the light at \`i\` among those with a map of one side. */
+/** GLSL statements that set `at` and `lit` for the light at index `i` among those with a flat map. */
 export function flatLit({ filter, extra, translucent }: FlatLight, i: number): string {
   const through =
     translucent < 0
@@ -189,7 +189,7 @@ function call(filter: ShadowFilter, i: number, extra: number): string {
   }
 }
 
-/** Comparisons to each side of the center for lights with a cube map. */
+/** Number of comparisons to each side of the center by the filters of lights with a cube map: 1 averages 3 × 3. */
 const CUBE_SIDE: Readonly<Record<ShadowFilter, number>> = { basic: 0, pcf: 0, soft: 1, vsm: 1, pcss: 1 };
 
 export function cubeParts(lights: readonly CubeLight[]): string {
@@ -228,7 +228,7 @@ float litByCube( const in samplerCubeShadow map, const in vec3 positionWorld, co
 `;
 }
 
-/** The center of the texel in a direction, on the face of the unit cube. */
+/** GLSL that returns the center of the texel in a direction, on the face of the unit cube. */
 const TEXEL_OF_CUBE = /* glsl */ `
 vec3 texelOfCube( const in vec3 direction, const in float texel ) {
   vec3 size = abs( direction );

@@ -4,7 +4,7 @@ import type { ShaderPatch } from './shader-patch.ts';
 const INCLUDE = '#include <shadowmap_vertex>';
 const MAIN = 'void main() {';
 
-/** Shader text of three.js and its replacement. */
+/** Texts in three.js' shader, each with its replacement. */
 const REPLACEMENTS = [
   [
     'shadowWorldNormal * directionalLightShadows[ i ].shadowNormalBias',
@@ -42,9 +42,9 @@ vec3 scrimCenterOf( const in mat4 m ) {
 `;
 
 /**
- * Offsets shadow receivers by the size of a texel where they are, to the side of the surface that the light is on. three.js offsets by a
- * constant along the normal: in maps of spot and point lights, whose texels grow with distance, that leaves stripes far away or detaches
- * shadows nearby; and it puts the back of a two-sided surface into its own shadow.
+ * Creates a patch that offsets shadow receivers along their normal by the size of a texel at their distance, to the side of the surface
+ * that faces the light. three.js offsets by a constant along the normal: in maps of spot and point lights, whose texels grow with distance,
+ * that leaves stripes far away or detaches shadows nearby; and it puts the back of a two-sided surface into its own shadow.
  */
 export function createShadowOffsetPatch(): ShaderPatch {
   let chunk = ShaderChunk.shadowmap_vertex;

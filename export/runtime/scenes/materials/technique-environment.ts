@@ -1,9 +1,9 @@
 import { type IUniform, Matrix3, Matrix4, type Scene, type Texture } from 'three';
 
-/** Light of a scene's environment for techniques: what three.js gives its own lit materials. */
+/** Uniforms by which techniques read the light of a scene's environment, as three.js' own lit materials do. */
 export interface EnvironmentUniforms {
   readonly uniforms: Readonly<Record<string, IUniform>>;
-  /** Reads the environment of the scene; null is black. */
+  /** Sets the uniforms to the environment of the scene; black if it has none. */
   update(scene: Scene): void;
 }
 
@@ -32,7 +32,10 @@ export function createEnvironmentUniforms(): EnvironmentUniforms {
   };
 }
 
-/** Whether the text of a technique calls a function of the interface, which it always declares. */
+/**
+ * Whether the text of a technique calls a function of the interface. The text always contains its declaration, so a call is the second
+ * occurrence.
+ */
 function calls(text: string, name: string): boolean {
   return text.split(`a_${name}(`).length > 2;
 }
@@ -58,13 +61,16 @@ vec3 a_REFLECTION( const in vec3 direction, const in float roughness ) {
 }
 `;
 
-/** The environment as one light, which the vertex stage computes once per triangle. */
+/** Varyings with the environment as one directional light. The vertex stage computes it, because it is equal for all fragments. */
 const AS_LIGHT_VARYINGS = /* glsl */ `
 flat varying vec3 vEnvironmentTowards;
 flat varying vec3 vEnvironmentRadiance;
 `;
 
-/** Declarations of the vertex stage, and statements of its `main`. `fragment` is the text of the technique in the other stage. */
+/**
+ * GLSL for the vertex stage: declarations, and statements of its `main`. Both are empty unless the fragment stage of the technique,
+ * `fragment`, reads the environment as a light.
+ */
 export function environmentVertex(fragment: string): { readonly pars: string; readonly main: string } {
   if (!calls(fragment, 'ENVIRONMENT')) return { pars: '', main: '' };
   return {
@@ -80,7 +86,7 @@ float scrimRise( const in vec3 axis ) {
   };
 }
 
-/** Declarations of the fragment stage, after the technique's text. `scrimNormal` is the surface's normal. */
+/** GLSL for the fragment stage: declarations that follow the technique's text. `scrimNormal` is the surface's normal. */
 export function environmentFragment(fragment: string): string {
   const asLight = calls(fragment, 'ENVIRONMENT');
   return `${asLight ? AS_LIGHT_VARYINGS : ''}${FUNCTIONS}

@@ -14,17 +14,17 @@ import { showsBehind } from './technique-wrapper.ts';
 import type { TranslucentShadowPatch } from './translucent-shadow-patch.ts';
 import type { TwinCache } from './twins.ts';
 
-/** Proxy plans of meshes that techniques draw. */
+/** Creates the proxy plans of meshes that techniques draw, and updates the uniforms of these techniques. */
 export interface TechniquePlans {
-  /** Null if no technique applies. `own` creates the material of parts that keep theirs. */
+  /** Returns the plans of a mesh; null if no technique applies. `own` creates the material of parts to which no technique applies. */
   plan(master: Drawable, item: ObjectItem, depthFirst: number, own: (part: Material) => Material): readonly ProxyPlan[] | null;
   /** Disposes techniques that no `plan` has requested since the last call. */
   sweep(): void;
   /** Whether any technique is in use. */
   isUsed(): boolean;
-  /** Applies this frame's values. */
+  /** Applies this frame's values of the techniques' params. */
   update(): void;
-  /** Takes the light of the scene's environment, after `update` of that. */
+  /** Applies the environment of the scene. Call it after the scene's environment was updated. */
   light(scene: Scene): void;
   /** Applies values of the view; called before every draw. */
   bind(view: DrawView): void;
@@ -39,16 +39,16 @@ export interface TechniquePlansOptions {
   readonly behind: { readonly text: string; readonly uniforms: Readonly<Record<string, IUniform>> } | null;
 }
 
-/** Text of a technique that reads hull normals, which most do not. */
+/** Text in the vertex stage of techniques that read hull normals, which are computed only for these. */
 const OUTWARD = '.outward';
 
 /**
- * The first pass of all objects is drawn before the second of any: hulls are then mostly hidden, and transparent passes find their
- * background drawn.
+ * Added to the render order per pass, so that the first pass of all objects is drawn before the second of any: hulls are then mostly
+ * hidden, and transparent passes find their background drawn.
  */
 const PASS_AFTER_PASS = 1e-3;
 
-/** Material for parts of a mesh without such a pass; three.js skips invisible materials. */
+/** Material of parts that a pass does not draw; three.js skips invisible materials. */
 const NOTHING = new Material();
 NOTHING.visible = false;
 

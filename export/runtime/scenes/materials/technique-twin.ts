@@ -31,7 +31,7 @@ export interface TechniqueTwinOptions {
   readonly depthOnly: boolean;
   /** Uniforms that materials share: of the technique and of the view. */
   readonly shared: Readonly<Record<string, IUniform>>;
-  /** GLSL of `BEHIND`. */
+  /** GLSL of the function `BEHIND`; empty where the page has no glass. */
   readonly behind: string;
   readonly occlusion: ShaderPatch | null;
   readonly translucentShadows: TranslucentShadowPatch;
@@ -44,7 +44,9 @@ const SIDES = { front: FrontSide, back: BackSide, both: DoubleSide } as const;
 /** The properties that techniques copy from a master; some materials lack some of them. */
 type Master = Material & Partial<Pick<MeshStandardMaterial, 'color' | 'map' | 'flatShading'>>;
 
-/** Draws one pass of a technique instead of the master. Output is premultiplied and encoded as that of other twins. */
+/**
+ * Creates a material that draws one pass of a technique instead of the master. Output is premultiplied and encoded as that of other twins.
+ */
 export function createTechniqueTwin(master: Master, options: TechniqueTwinOptions): Twin {
   const { technique, passIndex, depthOnly, shared, behind, occlusion, translucentShadows, onChange } = options;
   const color = new Vector4();
@@ -80,7 +82,7 @@ export function createTechniqueTwin(master: Master, options: TechniqueTwinOption
   const side = technique.passes[passIndex]?.side ?? 'object';
   let version = master.version;
 
-  /** Updates what three.js compiles. */
+  /** Updates the properties for which three.js recompiles the material. */
   function follow(): void {
     if (master.transparent) delete material.defines.OPAQUE;
     else material.defines.OPAQUE = '';
@@ -125,7 +127,7 @@ export function createTechniqueTwin(master: Master, options: TechniqueTwinOption
 
 const WHITE = new Color(1, 1, 1);
 
-/** The back of a material that shows only back faces is its front. */
+/** The side that a pass draws. For a master that shows only back faces, `back` means its front faces. */
 function sideOf(pass: TechniqueView['passes'][number]['side'], own: Side): Side {
   if (pass === 'object') return own;
   return own === BackSide && pass === 'back' ? FrontSide : SIDES[pass];

@@ -14,7 +14,10 @@ export interface TechniqueUniforms {
 // Valid within one call.
 const scratchColor = new Color();
 
-/** A UV matrix that leads outside of the image, which is transparent; an unbound texture would be black. */
+/**
+ * A UV matrix that maps all points outside of the image, where it is transparent. Used for layers without a texture, because an unbound
+ * texture would be black.
+ */
 const NOWHERE = Float32Array.of(0, 0, 0, 0, 0, 0, 9, 9, 1);
 
 export function createTechniqueUniforms(technique: TechniqueView): TechniqueUniforms {
@@ -57,7 +60,7 @@ function emptyValue(kind: TechniqueUniformView['kind']): unknown {
   }
 }
 
-/** Colors are converted to linear, because techniques shade in linear light. */
+/** Sets a uniform to its current value. Colors are converted to linear, because techniques shade in linear light. */
 function setValue(uniform: IUniform, source: TechniqueUniformView): void {
   switch (source.kind) {
     case 'number':

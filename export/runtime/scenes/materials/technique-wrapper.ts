@@ -1,12 +1,15 @@
 import { environmentFragment, environmentVertex } from './technique-environment.ts';
 
 /**
- * GLSL around the text of a technique. It defines the names of `export/glsl/technique/interface.ts` by three.js' chunks, so that a
- * technique supports what the object's own material does: skins, morph targets, instances, lights and shadow maps.
+ * The vertex shader of one pass of a technique. The GLSL around the technique's text defines the names of
+ * `export/glsl/technique/interface.ts` by three.js' chunks, so that a technique supports what the object's own material does: skins, morph
+ * targets, instances, lights and shadow maps.
  *
  * The author's text comes before the chunks, because their macros would affect it.
+ *
+ * @param text The technique's vertex stage.
+ * @param fragment The technique's fragment stage.
  */
-/** `fragment`: the technique's text in the other stage. */
 export function techniqueVertex(text: string, fragment: string, passIndex: number): string {
   const environment = environmentVertex(fragment);
   return /* glsl */ `
@@ -98,12 +101,15 @@ void main() {
 `;
 }
 
-/** Values and positions for both stages. three.js sets `projectionMatrix` in every shader that declares it. */
+/**
+ * Variables of both stages, before the author's text. Both also have `projectionMatrix`, which three.js sets in every shader that declares
+ * it.
+ */
 const OF_BOTH = `uniform float a_TIME;
 uniform vec2 a_RENDERSIZE;
 vec2 scrim_uv;`;
 
-/** After the author's text, which has their prototypes. */
+/** Functions of the interface for both stages. They follow the author's text, which has their prototypes. */
 const FUNCTIONS = `vec2 a_VIEW_UV( const in vec3 position ) {
   vec4 clip = projectionMatrix * ( viewMatrix * vec4( position, 1.0 ) );
   return clip.w > 0.0 ? clip.xy / clip.w * 0.5 + 0.5 : vec2( - 1.0 );
@@ -115,7 +121,7 @@ float a_PIXEL_M( const in vec3 position ) {
   return 2.0 * max( a_VIEW_DEPTH( position ), 0.0 ) / ( projectionMatrix[ 1 ][ 1 ] * a_RENDERSIZE.y );
 }`;
 
-/** The vertex stage has no lights, and the linker rejects texts that use them there. */
+/** Values of the light macros in the vertex stage, which has no lights. The linker rejects texts that use lights there. */
 const WITHOUT_LIGHTS = `#define a_AMBIENT vec3( 0.0 )
 #define a_LIGHT_COUNT 0`;
 
@@ -124,7 +130,7 @@ export function showsBehind(text: string): boolean {
   return text.includes('a_BEHIND(');
 }
 
-/** `behind`: GLSL of `BEHIND`, for texts that call it. */
+/** The fragment shader of one pass of a technique. `behind` is the GLSL of `BEHIND`, which is added if the text calls it. */
 export function techniqueFragment(text: string, passIndex: number, behind: string): string {
   return /* glsl */ `
 vec3 scrimAmbient();

@@ -4,12 +4,13 @@ import type { ShaderPatch } from './shader-patch.ts';
 
 /** Multiplies the shadows of three.js' materials by the translucent shadow maps of their lights. */
 export interface TranslucentShadowPatch extends ShaderPatch {
-  /** Recompiles the material whenever the lights start or stop to have translucent shadow maps. */
+  /** From now on recompiles the material whenever the lights get or lose translucent shadow maps. */
   attach(material: Material): void;
   detach(material: Material): void;
   /**
-   * Sets the textures of the lights with a shadow, by kind and in the order of three.js; null dims nothing. `directionalFarM` is the
-   * distance at depth 1. `fits`: whether there are enough texture units.
+   * Sets the translucent shadow maps of the lights with a shadow, by kind and in the order of three.js; null for a light without one.
+   * `directionalFarM` is the distance at depth 1 of directional lights. `fits` says whether there are enough texture units; without, no
+   * light is dimmed.
    */
   bind(
     directional: readonly (Texture | null)[],
@@ -23,8 +24,8 @@ export interface TranslucentShadowPatch extends ShaderPatch {
 const DEFINE = 'SCRIM_VEILS';
 
 /**
- * Functions and textures for lights with a shadow, if the define is set. They average nine texels, as wide as the edge of a shadow;
- * receivers in front of the nearest transparent caster are not dimmed.
+ * GLSL that reads the translucent shadow maps of lights with a shadow, if the define is set. It averages nine texels, as wide as the edge
+ * of a shadow; receivers in front of the nearest transparent caster are not dimmed.
  */
 export const TRANSLUCENT_SHADOW_PARS = /* glsl */ `
 #ifdef ${DEFINE}
@@ -68,7 +69,7 @@ ${BEHIND_TRANSLUCENT}
 #endif
 `;
 
-/** Shader text of three.js that reads shadows, and the factor to add. */
+/** Texts in three.js' shader that read shadows, each with the factor by which to multiply the result. */
 const ADDED = [
   ['vDirectionalShadowCoord[ i ] ) : 1.0', 'SCRIM_VEIL( scrimDirTranslucent[ i ], vDirectionalShadowCoord[ i ], scrimDirFar[ i ] )'],
   ['vSpotLightCoord[ i ] ) : 1.0', 'SCRIM_VEIL( scrimSpotTranslucent[ i ], vSpotLightCoord[ i ], 0.0 )'],

@@ -14,13 +14,19 @@ import { isTransmissive } from './layer-blending.ts';
 import { patchMaterial, type ShaderPatch, wrapMain } from './shader-patch.ts';
 import { setMap, type Twin } from './twins.ts';
 
-/** A master's opacity at alpha 1, and whether its alpha counts beyond the alpha test. */
+/**
+ * How a master blocks light: `part`, the fraction blocked where alpha is 1, and `blends`, whether alpha reduces it or serves only the alpha
+ * test.
+ */
 interface Solid {
   readonly part: { value: number };
   readonly blends: { value: boolean };
 }
 
-/** Writes the light that passes and the distance of the caster, meters along the light's axis, instead of depth. */
+/**
+ * Creates a patch that writes, instead of depth, the fraction of light that passes and the distance of the caster, meters along the light's
+ * axis.
+ */
 function createThrough({ part, blends }: Solid): ShaderPatch {
   return {
     key: 'translucent',
@@ -42,8 +48,8 @@ function createThrough({ part, blends }: Solid): ShaderPatch {
 }
 
 /**
- * Draws transparent casters from a light, over white. Red is the fraction of light that passes all of them, alpha the distance of the
- * nearest. Sides are those of the master, so that a closed body dims once.
+ * Creates a material that draws a transparent caster as seen from a light, over white. After all casters, red is the fraction of light that
+ * passes them, and alpha the distance of the nearest. Sides are those of the master, so that a closed body dims once.
  */
 export function createTranslucentShadowTwin(master: Material): Twin {
   const material = new MeshDepthMaterial();

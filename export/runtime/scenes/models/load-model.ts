@@ -74,14 +74,14 @@ async function parse(loader: GLTFLoader, bytes: ArrayBuffer): Promise<GLTF> {
   }
 }
 
-/** Decoders reject with messages of their workers, which are not errors. */
+/** The reason why a model did not load, as text. Decoders reject with messages of their workers, which are not `Error` objects. */
 function reasonOf(error: unknown): string {
   if (error instanceof Error) return error.message;
   if (typeof error === 'object' && error !== null && 'error' in error) return String(error.error);
   return String(error);
 }
 
-/** Geometries, materials and textures, which instances of the model share. */
+/** Returns the geometries, materials and textures of a model, which are disposed with it. Instances of the model share them. */
 function collectFreeable(root: Object3D): Set<BufferGeometry | Material | Texture> {
   const found = new Set<BufferGeometry | Material | Texture>();
   root.traverse((object) => {

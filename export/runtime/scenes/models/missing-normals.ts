@@ -8,7 +8,7 @@ import {
   Vector3,
 } from 'three';
 
-/** Meshes of one model whose file has no normals. */
+/** The meshes of one model for which its file has no normals. */
 export interface MissingNormals {
   /** Gives the meshes of an instance smooth normals instead of flat ones. They are computed once and shared by all instances. */
   smooth(instance: Object3D): void;
@@ -67,7 +67,7 @@ function flatten(own: BufferGeometry): BufferGeometry {
   return made;
 }
 
-/** Corners at the same place get the mean normal of their triangles, weighted by area. */
+/** Returns a copy of a geometry with smooth normals: corners at the same place get the mean normal of their triangles, weighted by area. */
 function smoothed(flat: BufferGeometry): BufferGeometry {
   const position = flat.attributes.position as BufferAttribute;
   const sums = new Map<string, Vector3>();

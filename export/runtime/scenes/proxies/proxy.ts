@@ -2,14 +2,14 @@ import { type Material, Matrix4, Sphere } from 'three';
 import type { ObjectItem } from '../../../../nodes/kit/scene-lists.ts';
 import { boundsInObject, type Drawable, isInstanced, isShown, isSkinned } from './drawable.ts';
 
-/** How to draw a master in a scene. A master may need several: a depth pass before its colors, or one per side. */
+/** How to draw a master in a scene. A master may need several plans, such as one for depth before its colors, or one per side. */
 export interface ProxyPlan {
   readonly material: Material | Material[];
   /** Lower values are drawn first; three.js sorts objects with equal ones. */
   readonly renderOrder: number;
-  /** Evaluated every frame; absent means always visible. */
+  /** Whether the proxy is visible, evaluated every frame; absent means always. */
   readonly shows?: (item: ObjectItem) => boolean;
-  /** Whether it shows what is behind it. */
+  /** Whether the proxy is glass, which shows what is behind it. */
   readonly isGlass?: boolean;
 }
 
@@ -39,7 +39,10 @@ export function createProxy(master: Drawable, item: ObjectItem, plan: ProxyPlan)
   const { shows } = plan;
   let placed = isInstanced(object) ? object.instanceMatrix.version : 0;
 
-  /** Updates the bounding sphere that three.js uses for frustum culling, which it computes only once. */
+  /**
+   * Updates the number of instances and, after instances have moved, the bounding sphere for frustum culling, which three.js computes only
+   * once.
+   */
   function followInstances(): void {
     if (!isInstanced(object) || !isInstanced(master)) return;
     object.count = master.count;
@@ -67,7 +70,7 @@ export function createProxy(master: Drawable, item: ObjectItem, plan: ProxyPlan)
   };
 }
 
-/** Clones by three.js, so that subclasses keep their type, and shares the master's data that changes per frame. */
+/** Clones a master by its own method, so that subclasses keep their type. The clone shares the master's data that changes per frame. */
 function cloneSharing(master: Drawable): Drawable {
   const object = master.clone(false) as Drawable;
   if (master.morphTargetInfluences) object.morphTargetInfluences = master.morphTargetInfluences;

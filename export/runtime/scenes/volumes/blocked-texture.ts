@@ -31,14 +31,20 @@ import { createViewCamera, type ViewCamera } from '../view-camera.ts';
 import { createVolumeLight, type VolumeLight } from './volume-light.ts';
 import { createVolumeSet, type VolumeLimits } from './volume-set.ts';
 
-/** Keeps points at infinity in front of the far plane, also in 32-bit floats (Lengyel 2007, “Projection matrix tricks”). */
+/**
+ * Offset in the projection matrix that keeps points at infinity in front of the far plane, also in 32-bit floats (Lengyel 2007, “Projection
+ * matrix tricks”).
+ */
 const EPSILON = 2 ** -20;
 
-/** The blocked fraction of the light per pixel of a view, computed by shadow volumes. */
+/** A texture with the blocked fraction of the light per pixel of a view, computed by shadow volumes. */
 export interface BlockedTexture {
   /** Applies changed lists and this frame's matrices. */
   update(receivers: readonly ObjectList[], lights: readonly LightList[]): void;
-  /** Draws the image for a view. Its red channel is 1 where all light is blocked. Its corner is that of the viewport. */
+  /**
+   * Draws the texture for a view. Its red channel is 1 where all light is blocked. The bottom left pixel of the viewport is the first
+   * texel; the texture may be larger than the viewport.
+   */
   draw(view: DrawView): Texture;
   dispose(): void;
 }
@@ -46,7 +52,7 @@ export interface BlockedTexture {
 export interface BlockedTextureOptions {
   readonly renderer: SceneRenderer;
   readonly casters: readonly ObjectList[];
-  /** Objects that hide others; those that receive shadows catch them. */
+  /** Selects the objects that hide others. Those of them that receive shadows also catch them. */
   readonly catches: (item: ObjectItem) => boolean;
   readonly limits: VolumeLimits;
 }
@@ -55,15 +61,15 @@ export interface BlockedTextureOptions {
 const SAMPLES = 4;
 
 /**
- * Draws per light after the depth of all receivers: backs of volumes, fronts, then the light's contribution at pixels marked in the
- * stencil.
+ * Number of render orders per light: back faces of volumes, front faces, then the light's contribution at pixels marked in the stencil. All
+ * follow the depth of the receivers.
  */
 const STEPS = 3;
 
 /**
- * Draws a `BlockedTexture` in a single render call of three.js, because its multisampled targets do not keep depth between calls. For each
- * light, volumes mark pixels in the stencil; receivers add the light's fraction of all light there, 0 to 1, and reset the marks. The
- * target has its own stencil, because WebXR's framebuffers may have none.
+ * Creates a `BlockedTexture`. It is drawn in a single render call of three.js, because three.js' multisampled targets do not keep depth
+ * between calls. For each light, volumes mark pixels in the stencil; receivers add the light's fraction of all light there, 0 to 1, and
+ * reset the marks. The target has its own stencil, because WebXR's framebuffers may have none.
  */
 export function createBlockedTexture({ renderer, casters, catches, limits }: BlockedTextureOptions): BlockedTexture {
   const scene = new Scene();
@@ -173,19 +179,22 @@ export function createBlockedTexture({ renderer, casters, catches, limits }: Blo
   };
 }
 
-/** Depth exactly at the surface, where volumes start. */
+/** Creates a material that draws depth exactly at the surface, where volumes start, without the usual offset. */
 function createExactDepth(master: Material, role: ObjectItem['role']): Twin {
   const twin = createDepthTwin(master, role === 'phantom' ? 'surface' : 'solid');
   twin.material.polygonOffset = false;
   return twin;
 }
 
-/** Volumes have sharp edges, so lights with soft shadows are excluded. */
+/**
+ * Whether a light can cast shadows by volumes, which have sharp edges. Lights without a position or direction are excluded, and directional
+ * lights that stand for the rest of a panorama's light (`onlyShadows`), whose shadow is soft.
+ */
 function isSharp(light: LightItem): light is DirectLightItem {
   return isDirectLight(light) && !(light.kind === 'directional' && light.onlyShadows);
 }
 
-/** A camera with an infinite far plane, because shadow volumes are infinite and must not be clipped. */
+/** Creates a camera with an infinite far plane, because shadow volumes are infinite and must not be clipped. */
 function createInfiniteCamera(): ViewCamera {
   const { camera, set } = createViewCamera();
   return {

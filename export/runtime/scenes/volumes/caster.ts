@@ -75,7 +75,7 @@ export function createCaster(
 interface Vertices {
   readonly positions: Float32Array;
   readonly attributes: { readonly position: BufferAttribute; readonly away: BufferAttribute };
-  /** Increases when vertices moved. */
+  /** Increases when vertices move. */
   readonly version: number;
   update(): void;
 }

@@ -8,7 +8,7 @@ export interface LightPlace {
   readonly w: number;
 }
 
-/** Maximum number of indices that `extrude` writes. */
+/** Maximum number of indices that `extrude` writes for a mesh. */
 export function maxExtrusion({ triangles }: MeshShape): number {
   // Two caps per triangle, and one side of two triangles per use of an edge.
   return 8 * triangles.length;
@@ -74,7 +74,7 @@ export function extrude(shape: MeshShape, positions: Float32Array, light: LightP
   return n;
 }
 
-/** Writes `scratchWeight`: 1 for triangles that face the light, for others 0, or -1 if the mesh has no inside. */
+/** Writes to `scratchWeight` how each triangle counts: 1 if it faces the light, else 0, or -1 if the mesh has no inside. */
 function weigh({ triangles, closed }: MeshShape, positions: Float32Array, light: LightPlace): void {
   const count = triangles.length / 3;
   if (scratchWeight.length < count) scratchWeight = new Int8Array(count);

@@ -6,7 +6,7 @@ import { createVolumeMaterial } from './volume-material.ts';
 export interface VolumeLight {
   /** Position with w 1, or unit vector towards the light with w 0; world space. */
   readonly lightWorld: { readonly value: Vector4 };
-  /** For back faces and front faces of volumes, drawn at `renderOrder` and the next. */
+  /** Materials of the back faces and the front faces of volumes, drawn at `renderOrder` and `renderOrder + 1`. */
   readonly materials: readonly [ShaderMaterial, ShaderMaterial];
   readonly renderOrder: number;
   casts(): boolean;

@@ -12,11 +12,11 @@ export interface VolumeSet {
   dispose(): void;
 }
 
-/** Receives, every frame, the name of a caster whose shadow is inexact. */
+/** Reports casters that shadow volumes cannot reproduce exactly. Each method receives the name of a caster in every frame. */
 export interface VolumeLimits {
-  /** An image defines its shape. */
+  /** Reports a caster whose shape depends on a texture: alpha that cuts holes, or displacement. */
   tellShaped(name: string): void;
-  /** It lets light pass. */
+  /** Reports a caster that lets light pass. */
   tellSeeThrough(name: string): void;
 }
 
@@ -33,7 +33,7 @@ export function createVolumeSet(scene: Scene, lists: readonly ObjectList[], limi
     meshes.length = 0;
   }
 
-  /** Finds transparent casters, which may become so at run time. */
+  /** Returns the name of a transparent caster, or null. Searched in every frame, because materials may become transparent at run time. */
   function findSeeThrough(): string | null {
     for (let i = 0; i < meshes.length; i++) {
       const { mesh, item } = meshes[i] ?? {};

@@ -23,7 +23,7 @@ export interface CameraSessionParts {
   readonly sensor: OrientationSensor;
   /** Absent or null: frames have no input. */
   readonly inputs?: SessionInputs | null;
-  /** Absent or null: the field of view stays as assumed. */
+  /** Creates the estimation of the field of view; absent or null: the field of view stays as assumed. */
   readonly createLens?: CreateLens | null;
 }
 

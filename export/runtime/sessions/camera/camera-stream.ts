@@ -1,4 +1,4 @@
-/** The rear camera if there are several, in a size that phones and computers deliver easily. */
+/** Constraints of the stream: the rear camera if there are several, in a size that phones and computers deliver easily. */
 const WISHES: MediaStreamConstraints = {
   audio: false,
   video: { facingMode: { ideal: 'environment' }, width: { ideal: 1280 }, height: { ideal: 720 }, frameRate: { ideal: 30 } },
@@ -19,7 +19,7 @@ export function createCameraStream(document: Document, media: MediaDevices, onLo
   // Without it, iOS plays the video in its own full-screen player.
   video.playsInline = true;
   let stream: MediaStream | null = null;
-  /** Counts calls of `start` and `stop`; a request that an earlier call made is dropped. */
+  /** Number of calls of `start` and `stop`. The result of a request that an earlier call made is dropped. */
   let generation = 0;
 
   const lost = (): void => {

@@ -4,8 +4,9 @@ import { setFrustum } from '../matrix.ts';
 import type { MutableCameraImage, MutableView } from '../session-frame.ts';
 
 /**
- * Assumed field of view of the longer side until it is estimated (`lens.ts`), because browsers do not report it: phones' main cameras have
- * 60° to 70° in video, most computers' a similar one. With an error of 5°, objects drift by a tenth of the device's rotation.
+ * Assumed field of view along the longer side of the camera image, until it is estimated (`lens.ts`). Browsers do not report it; the main
+ * cameras of phones have 60° to 70° in video, and most cameras of computers are similar. With an error of 5°, objects drift by a tenth of
+ * the device's rotation.
  */
 export const LONG_SIDE_FOV_RAD = (65 * Math.PI) / 180;
 

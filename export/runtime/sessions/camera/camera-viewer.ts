@@ -13,10 +13,16 @@ const STEP_SCALE_M = 1;
 const MAX_PITCH_RAD = 1.5;
 const LOWEST_M = 0.3;
 const HIGHEST_M = 2.5;
-/** Part of the floor that a drag follows, meters from the eyes: where the view meets it, within these. */
+/**
+ * Limits of the distance from the eyes to the point of the floor that a drag follows, meters. The point is where the viewing direction
+ * meets the floor.
+ */
 const NEAREST_FLOOR_M = 0.5;
 const FARTHEST_FLOOR_M = 4;
-/** A drag over the whole image is a rotation by π, and the image shows about this angle. */
+/**
+ * Angle of view of the image, approximately. Gestures count a drag over the whole image as a rotation by π; this angle converts that to an
+ * angle in the image.
+ */
 const IMAGE_RAD = 0.9;
 
 /**
@@ -32,10 +38,10 @@ export interface CameraViewer extends GestureTarget {
 
 export function createCameraViewer(sensor: Pick<OrientationSensor, 'angles' | 'present'>): CameraViewer {
   let yawRad = 0;
-  /** Used without a sensor only. */
+  /** Pitch of the viewer, used only without a sensor. */
   let pitchRad = START_PITCH_RAD;
   let [x, y, z] = START as readonly [number, number, number];
-  /** Of the view written last: how steeply it looks down, as a sine. */
+  /** Sine of the angle by which the view that was written last looks down. */
   let down = 0;
   let centered = false;
   /** Heading of the view written last, about the vertical axis; 0 is −z. */

@@ -1,43 +1,44 @@
 /**
- * Estimates the field of view of a camera whose lens is not known: how far the image moves for a known rotation tells the focal length.
+ * Estimates the field of view of a camera whose lens is not known. The distance by which the image moves during a known rotation gives the
+ * focal length.
  *
- * Of two images and the rotation between them (`deviceorientation`), the focal length is searched at which the first, warped by the
- * rotation, is the second: a Gauss–Newton search with one unknown. Pairs differ, because sensors round to 0.1° and
- * things move, so the weighted median of all pairs counts.
+ * For two images and the rotation between them (`deviceorientation`), a Gauss–Newton search finds the focal length at which the first
+ * image, warped by the rotation, equals the second. The pairs give different results, because sensors round to 0.1° and things move, so the
+ * estimate is their weighted median.
  *
- * A device that is turned around its owner also moves sideways. That looks like a longer focal length, at which things on the floor stay
- * where they are.
+ * A device that its owner turns at arm's length also moves sideways. This looks like a longer focal length, with which objects on the floor
+ * stay in place.
  */
 export interface FovEstimator {
   /** Tangent of half the field of view of the longer side; null until it is known to about 3 %. */
   readonly tanHalfLongSide: number | null;
-  /** It has seen enough: more images change nothing. */
+  /** Whether the estimate is final: further images do not change it. */
   readonly isDone: boolean;
   /**
-   * @param luminance Of a small image, rows from the top; kept until a later call.
+   * @param luminance Luminance of a small image, rows from the top. The array may be kept until a later call.
    * @param worldFromCamera Column-major 4×4, at the time of the image: x right, y up, -z ahead.
-   * @returns Whether the image is kept, so that the caller gives another array next time.
+   * @returns Whether the array is kept; the caller must then pass another one next time.
    */
   add(luminance: Float32Array, widthPx: number, heightPx: number, worldFromCamera: ArrayLike<number>): boolean;
 }
 
-/** Rotation between two images of a pair: far above the rounding of sensors, and small enough for the search. */
+/** Limits of the rotation between the two images of a pair, radians: far above the rounding of sensors, and small enough for the search. */
 const LEAST_RAD = 0.04;
 const MOST_RAD = 0.12;
 const MAX_PAIRS = 200;
 const ENOUGH_PAIRS = 15;
 const STEPS = 6;
-/** Pixels at the border are left out, as a share of the side. */
+/** Width of the border whose pixels are not compared, as a fraction of the side. */
 const BORDER = 0.12;
-/** Focal lengths over the longer side: fields of view of 27° to 112°. */
+/** Limits of the focal length, relative to the longer side of the image: fields of view of 112° to 27°. */
 const SHORTEST = 0.34;
 const LONGEST = 2.1;
-/** Pictures that agree less, as correlation, show something that moved. */
+/** Minimum correlation of a pair. If images agree less, something in them has moved. */
 const LEAST_AGREEMENT = 0.5;
 
-/** @param tanHalfLongSide Where the search begins. */
+/** @param tanHalfLongSide Initial value of the search. */
 export function createFovEstimator(tanHalfLongSide: number): FovEstimator {
-  /** Focal length over the longer side. */
+  /** The estimated focal length, relative to the longer side of the image. */
   let focal = 1 / (2 * tanHalfLongSide);
   let known = false;
   let before: Float32Array | null = null;
@@ -84,7 +85,7 @@ export function createFovEstimator(tanHalfLongSide: number): FovEstimator {
   };
 }
 
-/** To mean 0 and deviation 1, so that exposure does not count. */
+/** Scales luminance to mean 0 and standard deviation 1, so that exposure does not matter. */
 function normalize(luminance: Float32Array): void {
   let sum = 0;
   for (let i = 0; i < luminance.length; i++) sum += luminance[i] ?? 0;
@@ -95,7 +96,7 @@ function normalize(luminance: Float32Array): void {
   for (let i = 0; i < luminance.length; i++) luminance[i] = ((luminance[i] ?? 0) - mean) * scale;
 }
 
-/** Writes the rotation from the camera to that of before, column-major 3×3; returns its angle. */
+/** Writes the rotation from the axes of the camera now to those at the previous image, column-major 3×3. Returns its angle. */
 function setRelative(out: Float64Array, worldFromBefore: Float64Array, worldFromNow: ArrayLike<number>): number {
   for (let column = 0; column < 3; column++) {
     for (let row = 0; row < 3; row++) {
@@ -112,7 +113,10 @@ function setRelative(out: Float64Array, worldFromBefore: Float64Array, worldFrom
 const scratchAt = { x: 0, y: 0 };
 const scratchBeside = { x: 0, y: 0 };
 
-/** Refines `out.focal`; false where the images do not agree or do not tell it. */
+/**
+ * Refines `out.focal` by a pair of images and sets `out.weight`. Returns false if the images do not agree or do not determine the focal
+ * length.
+ */
 function search(
   out: { focal: number; weight: number },
   first: Float32Array,
@@ -162,7 +166,7 @@ function search(
   return false;
 }
 
-/** Where a pixel of the second image is in the first, in pixels whose centers are whole. */
+/** Writes where a pixel of the second image is in the first, in pixels; the centers of pixels have integer coordinates. */
 function warp(
   out: { x: number; y: number },
   x: number,

@@ -8,13 +8,13 @@ import type { OrientationSensor } from './orientation-sensor.ts';
 export interface Lens {
   /** Tangent of half the field of view of the longer side. It changes slowly, so that objects do not jump. */
   readonly tanHalfLongSide: number;
-  /** A new image of the video. */
+  /** Takes a new image of the video into account. */
   look(video: HTMLVideoElement): void;
-  /** Once per frame. */
+  /** Moves `tanHalfLongSide` towards the estimate. Called once per frame. */
   update(deltaS: number): void;
 }
 
-/** Longer side of the pictures that are compared: enough for 0.1 px, and a millisecond. */
+/** Longer side of the images that are compared, pixels: enough to measure shifts of 0.1 px, and small enough for a millisecond. */
 const LONG_SIDE_PX = 80;
 const TIME_CONSTANT_S = 0.5;
 

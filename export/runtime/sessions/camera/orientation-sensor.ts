@@ -6,7 +6,7 @@ export type OrientationWindow = Pick<Window, 'addEventListener' | 'removeEventLi
 };
 
 export interface OrientationSensor {
-  /** The newest reading; upright before the first. */
+  /** The newest reading; before the first, those of a device held upright. */
   readonly angles: Readonly<DeviceAngles>;
   /** Whether there was a reading. Computers without a sensor report nulls or nothing. */
   readonly present: boolean;

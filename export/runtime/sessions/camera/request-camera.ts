@@ -16,7 +16,7 @@ export interface CameraRequest {
   readonly clock: FrameClock;
   /** Absent or null: frames have no input. */
   readonly inputs?: SessionInputs | null;
-  /** Absent or null: the field of view stays as assumed. */
+  /** Creates the estimation of the field of view; absent or null: the field of view stays as assumed. */
   readonly createLens?: CreateLens | null;
 }
 

@@ -3,26 +3,29 @@ import { beginPress, createPress, endPress, showPhase } from './press.ts';
 import { addPointer, type MutableInput } from './session-input.ts';
 import { writeViewRay } from './view-ray.ts';
 
-/** Unlike those of fingers and the mouse, and of recordings. */
+/** Id of the pointer. Fingers, the mouse and recordings use other ids. */
 const POINTER_ID = 1 << 19;
-/** Sticks rest a little off the center. */
+/** Deflection of the stick that is ignored, because sticks rest a little off the center. */
 const DEAD = 0.2;
-/** Heights of the view per second at full deflection. */
+/** Speed of the cursor at full deflection, in heights of the view per second. */
 const SPEED_PER_S = 0.7;
-/** A press that moves the cursor farther, in heights of the view, is a drag. */
+/** Maximum movement of the cursor during a tap, in heights of the view; a longer one is a drag. */
 const STILL = 0.02;
-/** The cursor vanishes after a rest. */
+/** Time without use after which the cursor disappears, seconds. */
 const REST_S = 4;
-/** A frame that was held up does not throw the cursor across the view. */
+/** Longest time step of a movement, seconds, so that the cursor does not jump across the view after a delayed frame. */
 const MAX_STEP_S = 0.1;
 
 /** A gamepad as a pointer on a canvas with one view: the left stick moves a cursor, A presses. */
 export interface GamepadPointer {
-  /** Once a frame, when the controllers of the input and the view are set. */
+  /** Adds the pointer to the input. Called once per frame, after the controllers of the input and the view are set. */
   fill(input: MutableInput, view: ViewFrame, deltaS: number): void;
 }
 
-/** @param showCursor Called with each place in view UV, origin at the bottom left; null hides it. */
+/**
+ * @param showCursor Called in each frame with the position of the cursor in view UV, origin at the bottom left; a null `u` hides the
+ * cursor.
+ */
 export function createGamepadPointer(showCursor: (u: number | null, v: number) => void): GamepadPointer {
   const press = createPress();
   const { pointer } = press;
@@ -80,7 +83,7 @@ export function createGamepadPointer(showCursor: (u: number | null, v: number) =
   };
 }
 
-/** A ring over the canvas, which shows where the gamepad points. */
+/** Creates the cursor: a ring over the canvas, which shows where the gamepad points. */
 export function createCursor(canvas: HTMLCanvasElement): { show(u: number | null, v: number): void; remove(): void } {
   const ring = canvas.ownerDocument.createElement('div');
   // By properties, because the page's policy forbids style attributes.

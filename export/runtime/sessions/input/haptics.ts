@@ -1,6 +1,6 @@
 import type { Haptics } from '../../../../nodes/kit/session.ts';
 
-/** Gamepad Extensions §3: what headsets have; and Gamepad §9, what browsers of computers have. */
+/** The motor of a gamepad: headsets have `pulse` (Gamepad Extensions §3), browsers of computers `playEffect` (Gamepad §9). */
 interface Actuator {
   pulse?(value: number, durationMs: number): Promise<unknown>;
   playEffect?(type: 'dual-rumble', effect: GamepadEffectParameters): Promise<unknown>;
@@ -11,7 +11,7 @@ type VibratingGamepad = Omit<Gamepad, 'hapticActuators' | 'vibrationActuator'> &
   readonly vibrationActuator?: Actuator | null;
 };
 
-/** Limit of browsers for one effect. */
+/** Maximum duration of one effect in browsers, seconds. */
 const LONGEST_S = 5;
 
 /** @returns A function that gives the motor of a gamepad, null if it has none. The object stays the same as long as the motor does. */
@@ -38,7 +38,7 @@ function hapticsOf(actuator: Actuator): Haptics {
   };
 }
 
-/** Rejects where the browser refuses, also where it throws at once. */
+/** Vibrates. Rejects if the browser refuses the effect, also if the browser throws synchronously. */
 async function played(actuator: Actuator, value: number, durationMs: number): Promise<unknown> {
   if (actuator.pulse) return actuator.pulse(value, durationMs);
   return actuator.playEffect?.('dual-rumble', { duration: durationMs, strongMagnitude: value, weakMagnitude: value });

@@ -1,13 +1,16 @@
 import { MAX_KEYS, type MutableInput, type MutableKeyPress } from './session-input.ts';
 
-/** Keys besides characters. The space bar presses the middle of the view (`page-pointers.ts`); others are the browser's. */
+/**
+ * The keys besides characters that nodes can read. The space bar presses the middle of the view (`page-pointers.ts`); all other keys are
+ * left to the browser.
+ */
 const NAMED: ReadonlySet<string> = new Set(['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'Delete', 'Backspace', 'Escape']);
 
 const isListed = (key: string): boolean => (key.length === 1 && key !== ' ') || NAMED.has(key);
 
-/** Keys on a canvas that has the focus. */
+/** Reads the keys that are pressed while a canvas has the focus. */
 export interface PageKeys {
-  /** Once a frame: lists the keys since the last one, if a node owns them. */
+  /** Lists the keys pressed since the last frame, if a node owns the keys. Called once per frame. */
   fill(input: MutableInput): void;
   /** Whether a node owned the keys when they were last listed. */
   areOwned(): boolean;

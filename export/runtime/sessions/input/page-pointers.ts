@@ -17,7 +17,7 @@ export type PressClaim = 'undecided' | 'claimed' | 'free';
 
 /** Fingers, mouse and pen on a canvas that shows one view. */
 export interface PagePointers {
-  /** Once a frame, when its view is known: lists the pointers with rays through their points of the view. */
+  /** Lists the pointers, with rays through their points of the view. Called once per frame, when its view is known. */
   fill(input: MutableInput, view: ViewFrame): void;
   claimOf(domPointerId: number): PressClaim;
   dispose(): void;
@@ -26,18 +26,18 @@ export interface PagePointers {
 interface PagePress {
   readonly press: Press;
   domId: number;
-  /** In the view: origin at the bottom left. */
+  /** Position in view UV, origin at the bottom left. */
   u: number;
   v: number;
-  /** Start position in the view. */
+  /** Position at the start of the press, in view UV. */
   downU: number;
   downV: number;
-  /** Start position, CSS pixels. */
+  /** Position at the start of the press, CSS pixels. */
   downX: number;
   downY: number;
-  /** It may become a tap. */
+  /** Whether the press may still become a tap. */
   mayTap: boolean;
-  /** A mouse or pen that is over the canvas. */
+  /** Whether it is a mouse or pen that is over the canvas. */
   hovers: boolean;
 }
 
@@ -45,7 +45,10 @@ function createPagePress(domId: number): PagePress {
   return { press: createPress(), domId, u: 0.5, v: 0.5, downU: 0.5, downV: 0.5, downX: 0, downY: 0, mayTap: false, hovers: false };
 }
 
-/** A press that began before the last one was shown to its end has a pointer of its own. */
+/**
+ * Whether another press of the same DOM pointer is in use. A press that begins before the last phase of the previous one was shown gets an
+ * object of its own.
+ */
 function hasOther(presses: readonly PagePress[], { domId, press }: PagePress): boolean {
   for (let i = 0; i < presses.length; i++) {
     const other = presses[i];

@@ -2,20 +2,20 @@ import { createMatrix } from '../matrix.ts';
 import { createPointer, type MutablePointer } from './session-input.ts';
 
 /**
- * A pointer with the events that came since the last frame. Events come at any time; a frame shows one phase, so that a press that begins
- * and ends between two frames is still seen as `start` and then as `end`.
+ * A pointer with the state of its press. Events come at any time, but a frame shows one phase, so that a press that begins and ends between
+ * two frames is still shown as `start` and then as `end`.
  */
 export interface Press {
   readonly pointer: MutablePointer;
-  /** It holds a pointer of this frame, or of the next. */
+  /** Whether the object is in use: its pointer is listed in this frame, or will be in the next. */
   used: boolean;
   began: boolean;
-  /** `start` has been shown. */
+  /** Whether a frame has shown the phase `start`. */
   shown: boolean;
   ended: 'no' | 'end' | 'cancel';
-  /** Its last phase has been shown. */
+  /** Whether a frame has shown the last phase, `end` or `cancel`. */
   over: boolean;
-  /** Whose grip it is while that is tracked. */
+  /** Matrix for the pointer's `worldFromGrip`, which is null while the grip is not tracked. */
   readonly grip: Float32Array;
 }
 
@@ -33,21 +33,21 @@ export function beginPress(press: Press): void {
   press.pointer.tapped = false;
 }
 
-/** Ends it. Without a press nothing happens. */
+/** Ends a press. Does nothing if there is none. */
 export function endPress(press: Press, how: 'end' | 'cancel', tapped: boolean): void {
   if (!press.began || press.ended !== 'no') return;
   press.ended = how;
   press.pointer.tapped = tapped && how === 'end';
 }
 
-/** Forgets a press that nobody has seen. */
+/** Drops a press that no frame has shown. */
 export function dropPress(press: Press): void {
   press.began = false;
   press.ended = 'no';
   press.pointer.tapped = false;
 }
 
-/** Once a frame: the phase that this frame shows. */
+/** Sets the pointer's phase to the one that this frame shows. Called once per frame. */
 export function showPhase(press: Press): void {
   const { pointer } = press;
   if (press.over) {

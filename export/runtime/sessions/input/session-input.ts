@@ -34,7 +34,7 @@ export const MAX_TAPS = 8;
 /** Maximum keys per frame; further ones are dropped. */
 export const MAX_KEYS = 8;
 
-/** @returns Input without taps, keys and pointers, whose controllers are not connected and whose hands are not tracked. */
+/** @returns Input without taps, keys and pointers. Its controllers are not connected, and its hands are not tracked. */
 export function createSessionInput(): MutableInput {
   return {
     pointers: [],
@@ -73,7 +73,7 @@ export function addPointer(input: MutableInput, pointer: MutablePointer): boolea
   return true;
 }
 
-/** The taps among the pointers of this frame, in their order. */
+/** Sets the taps of this frame: the presses that end as a tap, in the order of the pointers. */
 export function deriveTaps(input: MutableInput): void {
   input.tapCount = 0;
   for (let i = 0; i < input.pointerCount; i++) {

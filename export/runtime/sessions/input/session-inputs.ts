@@ -1,7 +1,10 @@
 import { createWebXrInput, type WebXrInput } from '../webxr/webxr-input.ts';
 import { createPageInput, type PageInput } from './page-input.ts';
 
-/** How sessions read input. A page whose program reads none is bundled without it; its frames list no pointers, taps and controllers. */
+/**
+ * Functions by which sessions read input. A page whose program reads no input is bundled without them; its frames list no pointers, taps
+ * and controllers.
+ */
 export interface SessionInputs {
   page(canvas: HTMLCanvasElement): PageInput;
   webXr(session: XRSession, referenceSpace: XRReferenceSpace): WebXrInput;

@@ -1,7 +1,7 @@
 import type { PressClaim } from '../input/page-pointers.ts';
 import type { Orbit } from './orbit-pose.ts';
 
-/** Rotation of a drag over the height of the canvas. */
+/** Rotation by a drag over the whole height of the canvas, radians. */
 const DRAG_RAD = Math.PI;
 const KEY_RAD = 0.1;
 const KEY_ZOOM = 1.1;
@@ -11,7 +11,7 @@ const WHEEL_ZOOM_PER_PX = 0.001;
 /** What gestures control: an orbit or a viewer with a position. */
 export type GestureTarget = Pick<Orbit, 'rotate' | 'zoom' | 'pan' | 'reset' | 'distanceM'>;
 
-/** Gestures on a canvas. Moves of a press wait until it is known whether a node claims it. */
+/** Handles gestures on a canvas. The moves of a press are applied only when it is known that no node claims the press. */
 export interface OrbitGestures {
   /** Applies the moves of presses that no node claimed. Call it at the start of each frame. */
   settle(): void;
@@ -21,19 +21,19 @@ export interface OrbitGestures {
 
 interface Pointer {
   readonly id: number;
-  /** Position up to which its moves are applied, CSS pixels. */
+  /** Position up to which moves of the pointer are applied, CSS pixels. */
   x: number;
   y: number;
-  /** Latest position, CSS pixels. */
+  /** Latest position of the pointer, CSS pixels. */
   toX: number;
   toY: number;
-  /** Its latest move pans and does not rotate. */
+  /** Whether its latest move pans instead of rotating. */
   pans: boolean;
-  /** It is up, and its moves are not applied yet. */
+  /** Whether the pointer is up, but its last moves are not applied yet. */
   lifted: boolean;
 }
 
-/** What nodes of the program use themselves. */
+/** The input that nodes of the program own. */
 export interface OwnedInput {
   /** Whether a node owns the press of a DOM pointer. */
   claimOf(domPointerId: number): PressClaim;
@@ -47,7 +47,7 @@ const NOTHING_OWNED: OwnedInput = { claimOf: () => 'free', ownsKeys: () => false
  * Controls the orbit by mouse, touch and keys. Drag and arrow keys rotate; wheel, pinch, + and − zoom; a drag with the right button, Shift
  * or two fingers pans; Home resets.
  *
- * @param owned - What nodes own. Absent: nothing.
+ * @param owned - Input that nodes own, which controls no orbit. Absent: none.
  */
 export function listenForOrbit(
   canvas: HTMLCanvasElement,
@@ -72,7 +72,10 @@ export function listenForOrbit(
     const perPx = DRAG_RAD / canvas.clientHeight;
     orbit.rotate(-dx * perPx, dy * perPx);
   };
-  /** Applies what `moved` moved since the last time, unless a claim that it depends on is undecided. */
+  /**
+   * Applies the movement of a pointer since the last call, unless it is not yet known whether a node claims the press of this or another
+   * pointer.
+   */
   const apply = (moved: Pointer): void => {
     const claim = claimOf(moved.id);
     if (claim === 'undecided') return;

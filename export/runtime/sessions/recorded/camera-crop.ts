@@ -9,7 +9,7 @@ export interface Crop {
   y1: number;
 }
 
-/** The largest centered part of the image with the aspect ratio of the view. */
+/** Sets `out` to the largest centered part of the image with the aspect ratio of the view. */
 export function setCoverCrop(out: Crop, widthPx: number, heightPx: number, viewWidthPx: number, viewHeightPx: number): void {
   const viewAspect = viewWidthPx / viewHeightPx;
   const width = Math.min(widthPx, heightPx * viewAspect);
@@ -20,15 +20,15 @@ export function setCoverCrop(out: Crop, widthPx: number, heightPx: number, viewW
   out.y1 = (heightPx + height) / 2;
 }
 
-/** Projection of the crop. It is off-axis, because cropping changes the frustum but not the camera. */
+/** Writes the projection of the crop. It is off-axis, because cropping changes the frustum but not the camera. */
 export function setCropProjection(out: Float32Array, crop: Crop, camera: Intrinsics, nearM: number, farM: number): void {
   const { fxPx, fyPx, cxPx, cyPx } = camera;
   setFrustum(out, (crop.x0 - cxPx) / fxPx, (crop.x1 - cxPx) / fxPx, (cyPx - crop.y1) / fyPx, (cyPx - crop.y0) / fyPx, nearM, farM);
 }
 
 /**
- * Writes the map from view UV to UV of an image that `other` took from the pose of `camera`, for a texture whose first row is the top row.
- * View UV → pixel of the crop → ray → pixel of `other`. Column-major 3×3.
+ * Writes the matrix from view UV to texture UV for an image of another camera, `other`, at the pose of `camera`. The first row of the
+ * texture is the top row. View UV → pixel of the crop → ray → pixel of `other`. Column-major 3×3.
  */
 export function setUvFromViewUv(
   out: Float32Array,

@@ -2,8 +2,7 @@ import { HAND_JOINTS } from '../../../../nodes/kit/hand-joints.ts';
 import { isPose } from '../../../../nodes/kit/pose.ts';
 import type { PointerKind, PointerPhase } from '../../../../nodes/kit/session.ts';
 
-/** Checks of values from JSON, whose types are not known. */
-
+/** An object from JSON, whose members have unknown types. */
 type Json = Readonly<Record<string, unknown>>;
 
 const KINDS: Readonly<Record<PointerKind, true>> = {
@@ -17,7 +16,7 @@ const KINDS: Readonly<Record<PointerKind, true>> = {
 };
 const PHASES: Readonly<Record<PointerPhase, true>> = { hover: true, start: true, hold: true, end: true, cancel: true };
 
-/** Adds what is wrong in the recorded input of a frame. `place`: where it is in the file. */
+/** Adds to `problems` what is invalid in the recorded input of a frame. `place` says where the input is in the file. */
 export function checkInput(value: unknown, place: string, problems: string[]): void {
   const input = asObject(value);
   if (!input) {

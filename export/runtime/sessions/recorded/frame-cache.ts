@@ -37,7 +37,7 @@ export function createFrameCache(
   const bytesPerFrame =
     4 * (session.color.widthPx * session.color.heightPx + (session.depth ? session.depth.widthPx * session.depth.heightPx : 0));
   const capacity = Math.max(1, Math.floor(budgetBytes / bytesPerFrame));
-  /** In the order of last use. */
+  /** Decoded frames by index, in the order of their last use. */
   const decoded = new Map<number, DecodedFrame>();
   const pending = new Map<number, Promise<DecodedFrame | null>>();
   const broken = new Set<number>();

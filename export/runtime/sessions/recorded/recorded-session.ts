@@ -53,7 +53,7 @@ export interface RecordedSession extends Session {
    * @throws RangeError if there is no such frame, Error if the session is not manual, ready and started.
    */
   step(index: number): Promise<boolean>;
-  /** As `step`, for the frame at a time. */
+  /** Draws the frame at a time, as `step` does for an index. */
   stepTo(timeS: number): Promise<boolean>;
   /** `clock` only: time of the current frame, or of the next after a seek. */
   readonly playheadS: number;
@@ -80,7 +80,7 @@ const LOOK_AHEAD = 4;
 /** An open recording with its GPU resources. */
 interface OpenRecording extends Recording {
   readonly cache: FrameCache;
-  /** Null if it has no input. */
+  /** Null if the recording has no input. */
   readonly replay: InputReplay | null;
   textures: FrameTextures;
   view: RecordedView;
@@ -94,10 +94,10 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
   let onFrame: ((frame: SessionFrame) => void) | null = null;
   let onEvent: ((event: SessionEvent) => void) | null = null;
   let ended = false;
-  /** Content of the textures. */
+  /** The frame that the textures contain. */
   let shown: DecodedFrame | null = null;
   let isLate = false;
-  /** Null after a seek, so that the time step is 0. */
+  /** Time of the frame delivered last; null after a seek, so that the time step is 0. */
   let deliveredS: number | null = null;
   const problems: string[] = [];
   let input: PageInput | null = null;

@@ -10,22 +10,22 @@ import {
 } from '../input/session-input.ts';
 import type { SessionFile, SessionFileController, SessionFileHand, SessionFilePointer } from '../session-format.ts';
 
-/** The input of a recording. */
+/** Replays the input of a recording. */
 export interface InputReplay {
   /**
-   * Adds the recorded pointers to those of the page, and sets controllers and hands that are recorded. A frame that is shown again
-   * presses nothing again, and one that playback skips is made up for, so no tap is lost or doubled.
+   * Adds the recorded pointers to those of the page, and sets controllers and hands that are recorded. If a frame is shown again, its
+   * presses are not repeated; presses in frames that playback skipped are replayed, so no tap is lost or doubled.
    *
-   * @param number Of the recorded frame, counted on through repeats.
+   * @param number Number of the recorded frame, which continues to increase when the recording repeats.
    */
   fill(input: MutableInput, number: number): void;
-  /** Playback jumped: what is pressed is forgotten. */
+  /** Drops all presses. Called when playback has jumped. */
   reset(): void;
 }
 
-/** Recorded ids are moved, so that they are not those of the page's own pointers. */
+/** Added to recorded ids, so that they differ from those of the page's own pointers. */
 const FIRST_ID = 1 << 20;
-/** More skipped frames are not made up for: playback was held up. */
+/** Maximum number of skipped frames whose input is replayed. If there are more, playback was interrupted, and their input is dropped. */
 const MOST_SKIPPED = 30;
 
 interface Replayed {
@@ -34,7 +34,7 @@ interface Replayed {
   isPresent: boolean;
 }
 
-/** Null if the recording has no input. */
+/** Creates the replay of a recording's input; null if it has none. */
 export function createInputReplay({ frames }: SessionFile): InputReplay | null {
   if (!frames.some(({ input }) => input)) return null;
   const slots: Replayed[] = Array.from({ length: MAX_POINTERS }, () => ({ press: createPress(), id: 0, isPresent: false }));

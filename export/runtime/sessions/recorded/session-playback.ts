@@ -1,26 +1,26 @@
 import type { FrameClock } from '../../clock.ts';
 
-/** The part of a recording to play. Seconds since the first frame; they continue over repeats. */
+/** The part of a recording to play, in seconds since its first frame. Times continue to increase when the recording repeats. */
 export interface PlayRange {
   readonly fromS: number;
-  /** Start of the last frame and end of the range. */
+  /** Start of the last frame in the range, and end of the range. */
   readonly lastS: number;
   readonly endS: number;
   /** Whether playback repeats from `fromS`; otherwise the last frame stays. */
   readonly loop: boolean;
 }
 
-/** The recording that a playback controls. */
+/** The session that a playback controls. */
 export interface PlaybackHost {
-  /** Null before the recording is open. */
+  /** Duration of the recording; null before it is open. */
   readonly durationS: () => number | null;
   /** Shows the recording at `timeS`, if that frame is decoded. */
   readonly show: (timeS: number) => void;
-  /** The recording repeats; its time continues. */
+  /** Called when the recording repeats; its time continues to increase. */
   readonly onRepeat: () => void;
-  /** Playback jumped back to the start of the range. */
+  /** Called when playback jumps back to the start of a range that loops. */
   readonly onLoop: () => void;
-  /** The range ended without loop. Its last frame stays. */
+  /** Called at the end of a range that does not loop. Its last frame stays. */
   readonly onEnd: () => void;
 }
 
@@ -45,13 +45,13 @@ export interface Playback {
 const ROUNDING_S = 1e-6;
 
 export function createPlayback(clock: FrameClock, host: PlaybackHost): Playback {
-  /** Continues over repeats, so it decreases only on seeks and loops. */
+  /** Time of the playhead, seconds. It continues to increase over repeats and decreases only by seeks and loops. */
   let playheadS = 0;
   let aheadS: number | null = null;
   let lastS: number | null = null;
   let handle = 0;
   let range: PlayRange | null = null;
-  /** Handles the end of the range. Returns false if the playhead reached it. */
+  /** Loops or stops if the playhead has reached the end of the range, and then returns false. */
   const staysInRange = (beforeS: number): boolean => {
     // A playhead that was set beyond the end continues there.
     if (range === null || playheadS < range.endS - ROUNDING_S || beforeS >= range.endS - ROUNDING_S) return true;

@@ -61,8 +61,8 @@ export function createAuthoredRoom(gl: WebGL2RenderingContext): AuthoredRoom {
 }
 
 /**
- * `lens`: scale and shift of x and y in the projection, which may be off-axis. Colors are display-referred sRGB. Lines are 16 mm wide and
- * at least one pixel.
+ * Draws the room. `lens` has the scale and shift of x and y in the projection, which may be off-axis. Colors are display-referred sRGB.
+ * Lines are 16 mm wide and at least one pixel.
  */
 const FRAGMENT = `#version 300 es
 precision highp float;

@@ -3,7 +3,7 @@ import { prepareUpload } from '../../gl/upload.ts';
 import type { MutableRoomDepth } from '../session-frame.ts';
 import { setDepthUv } from './depth-uv.ts';
 
-/** Room depth of one view from an array of the browser. */
+/** Converts the room depth of one view from an array of the browser to a texture. */
 export interface CpuDepth {
   update(info: XRCPUDepthInformation, format: XRDepthDataFormat, worldFromView: Float32Array): MutableRoomDepth;
   dispose(): void;

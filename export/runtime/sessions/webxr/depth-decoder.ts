@@ -55,7 +55,10 @@ void main() {
 `;
 }
 
-/** Depth Sensing §2.2: luminance is the low byte, alpha the high one. */
+/**
+ * GLSL that converts a texel to meters, by the content of the texture. In `luminance-alpha`, luminance is the low byte and alpha the high
+ * one (Depth Sensing §2.2).
+ */
 const METERS: Readonly<Record<DepthSource, string>> = {
   'luminance-alpha': 'dot(TEXEL.ra, vec2(255.0, 65280.0)) * scale.x',
   'unsigned-short': 'float(TEXEL.r) * scale.x',

@@ -7,7 +7,7 @@ import type { XrGpuDepthInformation } from './webxr-types.ts';
 
 /** GPU depth of one view, decoded to meters once per frame, so that all readers get the same format. */
 export interface GpuDepth {
-  /** Null if the browser has no valid depth. */
+  /** Decodes the depth of this frame; null if the browser has no valid depth. */
   update(info: XrGpuDepthInformation, format: XRDepthDataFormat, worldFromView: Float32Array): MutableRoomDepth | null;
   dispose(): void;
 }

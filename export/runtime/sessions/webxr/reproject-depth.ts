@@ -116,9 +116,9 @@ export function isSameLens(a: ArrayLike<number>, b: ArrayLike<number>): boolean 
 const LENS: readonly number[] = [0, 5, 8, 9];
 
 /**
- * Places the samples in the view. The outermost samples reach the edge of the image. A mesh whose corners differ by more than `GAP`
- * times the distance spans two surfaces. A mesh with an unknown corner, or one behind the eye, is moved outside the clip volume.
- * Comments stand here because pages ship the text of a shader as it is.
+ * Vertex shader that places the depth samples in the view, as quads. The outermost samples are moved to the edge of the image. A quad whose
+ * corners differ by more than `GAP` times the distance spans two surfaces. A quad with an unknown corner, or one behind the eye, is moved
+ * outside the clip volume. Comments stand here because pages ship the text of a shader as it is.
  */
 const VERTEX = `#version 300 es
 precision highp float;

@@ -77,7 +77,10 @@ export async function requestWebXrSession(request: WebXrRequest): Promise<Result
   }
 }
 
-/** `origin`: the space that the browser resets when the visitor re-centers. `referenceSpace`: the same space, or an offset to the floor. */
+/**
+ * Requests the spaces of a session. `origin` is the space that the browser resets when the visitor re-centers. `referenceSpace` is the same
+ * space, or that space with an offset to the floor.
+ */
 async function requestReferenceSpaces(
   session: XRSession,
 ): Promise<{ readonly origin: XRReferenceSpace; readonly referenceSpace: XRReferenceSpace }> {
@@ -129,7 +132,7 @@ function missing(need: ProgramNeed): Diagnostic {
   return { code: 'SCR055', severity: 'warning', message: `Not available here: ${WORDS[need.capability]}. ${need.without}` };
 }
 
-/** Names of the features for visitors. */
+/** Names of features, as messages for visitors call them. */
 const WORDS: Readonly<Record<Capability, string>> = {
   'camera-image': 'the camera feed',
   depth: 'the depth of the room',

@@ -1,12 +1,14 @@
 import type { Capability } from '../../../../nodes/kit/definition.ts';
 import type { DetectedSurfaces } from '../../../../nodes/kit/session.ts';
 
-/** Devices that know the room report its surfaces sooner. */
+/**
+ * How long to wait for surfaces before a capture of the room is started, seconds. Devices that know the room report its surfaces sooner.
+ */
 const WAIT_S = 5;
 
 /** Asks the device to scan the room if it knows no surface of it. */
 export interface RoomCapture {
-  /** Once a frame. */
+  /** Called once per frame: starts the capture if no surface was reported in time. */
   update(timeS: number, surfaces: DetectedSurfaces): void;
 }
 

@@ -28,7 +28,7 @@ export function rotateHarmonics(out: Float32Array, from: Float32Array, worldFrom
 }
 
 const HALF_ROOT_3 = Math.sqrt(3) / 2;
-/** Indices of the coefficients of x, y and z. */
+/** Indices of the coefficients of band 1 that belong to x, y and z. */
 const VECTOR_AT: readonly number[] = [9, 3, 6];
 
 /** Row-major 3×3. */

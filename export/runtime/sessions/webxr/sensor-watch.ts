@@ -1,12 +1,12 @@
 /** Reports when a sensor stops measuring and when it starts again. */
 export interface SensorWatch {
-  /** To be called once per frame with its time in seconds. */
+  /** Called once per frame with the time of the frame, seconds, and whether the sensor measured in it. */
   update(timeS: number, measured: boolean): void;
 }
 
-/** Delay of the report, because devices skip single frames. */
+/** How long a sensor may measure nothing before this is reported, seconds. Devices skip single frames. */
 export const REPORT_AFTER_S = 2;
-/** Delay before the first measurement, because phones must be moved before they measure depth. */
+/** The same delay before the first measurement, seconds: longer, because phones must be moved before they measure depth. */
 export const FIRST_REPORT_AFTER_S = 6;
 
 export function createSensorWatch(onChange: (working: boolean) => void): SensorWatch {

@@ -3,8 +3,8 @@ import type { ProgramNeed } from '../../../program/needs.ts';
 import { WEBXR_FEATURES, webXrFeatures } from '../../../program/webxr-features.ts';
 
 /**
- * CPU first: phones give 160 × 90 samples, which are fast to copy. Headsets that only have GPU depth use the second preference.
- * `matchDepthView` keeps its default, depth aligned with the view.
+ * Options of room depth. CPU first: phones give 160 × 90 samples, which are fast to copy. Headsets that only have GPU depth use the second
+ * preference. `matchDepthView` keeps its default, depth aligned with the view.
  */
 const DEPTH_PREFERENCES: XRDepthStateInit = {
   usagePreference: ['cpu-optimized', 'gpu-optimized'],

@@ -8,7 +8,7 @@ import type { XrBinding, XrViewWithCamera } from './webxr-types.ts';
 
 /** Depth and camera image of each view, for the features that were granted. */
 export interface ViewSources {
-  /** `seen` is the view with its current matrices. */
+  /** Returns the room depth of a view, or null. `seen` is the view with its current matrices. */
   depth(frame: XRFrame, view: XRView, index: number, seen: TargetView): RoomDepth | null;
   cameraImage(view: XrViewWithCamera, index: number): CameraImage | null;
   dispose(): void;
@@ -70,10 +70,10 @@ export function createViewSources(
   };
 }
 
-/** Raw Camera Access §5.1: the image is aligned with its view. */
+/** UV matrix of camera images: by Raw Camera Access §5.1, an image is aligned with its view. */
 const UPRIGHT = Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
 
-/** Reading `depthUsage` throws if depth was not granted. */
+/** Returns how depth is delivered; null if depth was not granted. Reading `depthUsage` then throws. */
 function depthUsage(session: XRSession): XRDepthUsage | null {
   try {
     return session.depthUsage ?? null;

@@ -9,7 +9,7 @@ export interface SurfaceReader {
 
 type Mutable<T> = { -readonly [K in keyof T]: T[K] };
 
-/** The browser keeps the same object for the same surface (Plane Detection §2.1, Mesh Detection §2.1). */
+/** A plane or mesh of the browser, which keeps the same object for the same surface (Plane Detection §2.1, Mesh Detection §2.1). */
 interface XrSurface {
   readonly lastChangedTime: number;
 }
@@ -18,7 +18,7 @@ interface Tracked<X, S> {
   readonly xr: X;
   readonly surface: Mutable<S>;
   changedMs: number;
-  /** The last frame that contained it. */
+  /** Number of the last frame that contained the surface. */
   frame: number;
 }
 
@@ -111,7 +111,7 @@ function createMesh(id: string): Mutable<DetectedMesh> {
   return { id, version: 0, label: '', worldFromSurface: new Float32Array(16), positions: new Float32Array(0), indices: new Uint32Array(0) };
 }
 
-/** Copies the arrays, because the browser may reuse them. */
+/** Updates a mesh. Its arrays are copied, because the browser may reuse them. */
 function fillMesh(mesh: Mutable<DetectedMesh>, xr: XrMesh): void {
   mesh.label = xr.semanticLabel ?? '';
   mesh.positions = Float32Array.from(xr.vertices);

@@ -3,9 +3,11 @@ import { isPose } from '../../../../nodes/kit/pose.ts';
 import type { MutableHand, MutableInput } from '../input/session-input.ts';
 import type { XrFrameWithJoints } from './webxr-types.ts';
 
-/** Joints of the bare hands of a WebXR session (WebXR Hand Input). */
+/** Reads the joints of the bare hands in a WebXR session (WebXR Hand Input). */
 export interface WebXrHands {
-  /** Once a frame. A hand without `hand-tracking`, or with a joint that has no pose, is not tracked. */
+  /**
+   * Sets the hands of the input. Called once per frame. A hand without `hand-tracking`, or with a joint that has no pose, is not tracked.
+   */
   fill(input: MutableInput, frame: XRFrame): void;
 }
 
@@ -57,5 +59,5 @@ export function createWebXrHands(session: XRSession, referenceSpace: XRReference
   };
 }
 
-/** Of a device that does not measure it: half the thickness of a finger. */
+/** Radius of a joint if the device does not measure it, meters: half the thickness of a finger. */
 const DEFAULT_RADIUS_M = 0.008;

@@ -5,7 +5,10 @@ import { createMatrix } from '../matrix.ts';
 import { createWebXrHands } from './webxr-hands.ts';
 import { createWebXrPointers, isBareHand } from './webxr-pointers.ts';
 
-/** Indices of the `xr-standard` mapping (WebXR Gamepads §3.3), then those that controllers with a thumbstick add (profiles registry). */
+/**
+ * Indices of buttons and axes: those of the `xr-standard` mapping (WebXR Gamepads §3.3), and those of controllers with a thumbstick
+ * (profiles registry).
+ */
 const TRIGGER = 0;
 const SQUEEZE = 1;
 const PRIMARY = 4;
@@ -14,7 +17,9 @@ const STICK = 3;
 const TOUCHPAD_AXIS = 0;
 const THUMBSTICK_AXIS = 2;
 
-/** Pointers and taps by screen, controller or hand, the state of the controllers and the joints of hands. */
+/**
+ * Reads the input of a WebXR session: pointers and taps by screen, controller or hand, the state of controllers, and the joints of hands.
+ */
 export interface WebXrInput {
   /** Fills the input of a frame. Call it once per frame. */
   fill(input: MutableInput, frame: XRFrame): void;
@@ -54,7 +59,7 @@ export function createWebXrInput(session: XRSession, referenceSpace: XRReference
   };
 }
 
-/** What the controller of one side refers to. */
+/** Creates the objects to which the controller of one side refers. */
 function createOwn() {
   return { ray: createMatrix(), grip: createMatrix(), hapticsOf: createHapticsCache() };
 }

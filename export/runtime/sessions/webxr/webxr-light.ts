@@ -2,9 +2,12 @@ import type { MutableLight, MutableReflection } from '../session-frame.ts';
 import { rotateHarmonics } from './rotate-harmonics.ts';
 import type { XrBinding, XrFrameWithLight, XrLightProbe, XrSessionWithLight } from './webxr-types.ts';
 
-/** The estimated light in world space; null without an estimate. */
+/** Reads the estimated light in world space. */
 export interface WebXrLight {
-  /** `binding` belongs to the context that draws; null if the browser has none. */
+  /**
+   * Returns the light of a frame; null without an estimate. `binding` belongs to the context that draws; it is null if the browser has
+   * none.
+   */
   read(frame: XRFrame, referenceSpace: XRReferenceSpace, binding: XrBinding | null): MutableLight | null;
 }
 
@@ -14,12 +17,12 @@ export interface WebXrLight {
 const MIN_ROTATION = 0.002;
 
 /**
- * Reads the light estimate. All of it is in probe space, which differs from world space after the visitor re-centers. Coefficients and
- * direction are rotated to world space in WebXR's order; for the cube map the rotation is passed on.
+ * Creates the reader of the light estimate. WebXR gives it in probe space, which differs from world space after the visitor re-centers.
+ * Coefficients and direction are rotated to world space; with the cube map, the rotation is returned.
  */
 export function createWebXrLight(session: XrSessionWithLight): WebXrLight {
   let probe: XrLightProbe | null = null;
-  /** Binding of the current cube map. A restored context has another one. */
+  /** The binding that returned the current cube map; null if the map must be read again. A restored context has another binding. */
   let reflectedBy: XrBinding | null = null;
   const format = session.preferredReflectionFormat;
   session.requestLightProbe?.(format ? { reflectionFormat: format } : {}).then(
@@ -47,7 +50,7 @@ export function createWebXrLight(session: XrSessionWithLight): WebXrLight {
     reflection = texture === null ? null : { texture, version: (reflection?.version ?? 0) + 1 };
     return reflection;
   };
-  /** Updates the rotation of the cube map, which counts as new content. */
+  /** Updates the rotation of the cube map. A changed rotation counts as new content. */
   const rotateReflection = (rotated: MutableReflection, worldFromProbe: Float32Array): void => {
     rotated.cubeFromWorld ??= Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
     const { cubeFromWorld } = rotated;

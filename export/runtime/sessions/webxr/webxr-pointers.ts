@@ -4,12 +4,15 @@ import type { PointerKind } from '../../../../nodes/kit/session.ts';
 import { beginPress, createPress, dropPress, endPress, type Press, showPhase } from '../input/press.ts';
 import { addPointer, MAX_POINTERS, type MutableInput } from '../input/session-input.ts';
 
-/** Place of the trigger in the `xr-standard` mapping (WebXR Gamepads §3.3). */
+/** Index of the trigger in the `xr-standard` mapping (WebXR Gamepads §3.3). */
 const TRIGGER = 0;
 
-/** Input sources of a WebXR session as pointers. A press on the DOM overlay that the page keeps fires no `selectstart` and is none. */
+/**
+ * Reads the input sources of a WebXR session as pointers. A press that the page keeps for its DOM overlay fires no `selectstart`, so it is
+ * no press here.
+ */
 export interface WebXrPointers {
-  /** Once a frame, after the joints of hands. */
+  /** Adds the pointers to the input. Called once per frame, after the joints of hands are set. */
   fill(input: MutableInput, frame: XRFrame): void;
 }
 
@@ -17,14 +20,14 @@ interface SourcePress {
   readonly press: Press;
   source: XRInputSource | null;
   selected: boolean;
-  /** Its ray is known. */
+  /** Whether the ray of the source is known. */
   aimed: boolean;
-  /** The session still has the source. */
+  /** Whether the session still has the source. */
   present: boolean;
 }
 
 /**
- * Turns `selectstart`, `select` and `selectend` into presses. A press that ends without `select` was taken away by the system.
+ * Turns `selectstart`, `select` and `selectend` into presses. A press that ends without `select` was canceled by the system.
  *
  * @param referenceSpace World space.
  */
@@ -157,7 +160,7 @@ function hasOther(presses: readonly SourcePress[], press: SourcePress): boolean 
   return false;
 }
 
-/** There only while it presses (WebXR Device API §10.1). */
+/** Whether a source exists only during a press (WebXR Device API §10.1). */
 function isTransient({ targetRayMode }: XRInputSource): boolean {
   return targetRayMode === 'screen' || targetRayMode === 'transient-pointer';
 }
@@ -174,7 +177,7 @@ export function isBareHand({ hand, targetRayMode, profiles }: XRInputSource): bo
   return Boolean(hand) || targetRayMode === 'transient-pointer' || profiles.some(isHandProfile);
 }
 
-/** WebXR Input Profiles names hands that are not granted joints so, too. */
+/** Whether a profile is that of a hand. By WebXR Input Profiles, hands whose joints are not granted have such a profile too. */
 function isHandProfile(profile: string): boolean {
   return profile.startsWith('generic-hand');
 }

@@ -1,6 +1,6 @@
 /** Types of WebXR that @types/webxr does not have yet. */
 
-/** WebXR Raw Camera Access §4. */
+/** The size of a camera image (WebXR Raw Camera Access §4). */
 export interface XrCamera {
   readonly width: number;
   readonly height: number;
@@ -10,16 +10,16 @@ export interface XrViewWithCamera extends XRView {
   readonly camera?: XrCamera | null;
 }
 
-/** WebXR Raw Camera Access §4 and Depth Sensing §3.3. */
+/** The members of `XRWebGLBinding` that WebXR Raw Camera Access §4 and Depth Sensing §3.3 define. */
 export interface XrBinding {
   getCameraImage?(camera: XrCamera): WebGLTexture | null;
-  /** WebXR Lighting Estimation §5.1. The browser owns the texture. */
+  /** Returns the reflection cube map of a light probe (WebXR Lighting Estimation §5.1). The browser owns the texture. */
   getReflectionCubeMap?(probe: XrLightProbe): WebGLTexture | null;
   getDepthInformation?(view: XRView): XrGpuDepthInformation | null | undefined;
 }
 
 export interface XrGpuDepthInformation extends Omit<XRWebGLDepthInformation, 'textureType' | 'imageIndex'> {
-  /** Not every browser reports these two. */
+  /** Not every browser reports `textureType` and `imageIndex`. */
   readonly textureType?: XRTextureType;
   readonly imageIndex?: number | null;
   /**

@@ -8,7 +8,7 @@ export type DecoderFiles = (file: DecoderFile) => Promise<ArrayBuffer>;
 /** An open decoder, which may own workers and a few megabytes of memory until it is disposed. */
 export interface ModelDecoder {
   attach(loader: GLTFLoader): void;
-  /** For decoders of images only; takes ownership of the buffer. */
+  /** Decodes an image; absent in decoders of meshes. It takes ownership of the buffer. */
   readonly decodeImage?: (bytes: ArrayBuffer) => Promise<Texture>;
   dispose(): void;
 }

@@ -1,7 +1,7 @@
 import type { DecoderFiles, ModelDecoder } from './decoder.ts';
 import { preloaded } from './preloaded.ts';
 
-/** `KHR_draco_mesh_compression`: Google's WebAssembly decoder, in workers. */
+/** Opens the decoder of `KHR_draco_mesh_compression`: Google's WebAssembly, in workers. */
 export async function openDraco(files: DecoderFiles): Promise<ModelDecoder> {
   const { DRACOLoader } = await import('three/addons/loaders/DRACOLoader.js');
   const draco = new DRACOLoader();

@@ -3,7 +3,7 @@ import type { DecoderFiles, ModelDecoder } from './decoder.ts';
 import { preloaded } from './preloaded.ts';
 import { withoutEval } from './without-eval.ts';
 
-/** `KHR_texture_basisu`: Basis Universal's WebAssembly transcoder, in workers. Textures stay compressed on the GPU. */
+/** Opens the decoder of `KHR_texture_basisu`: Basis Universal's WebAssembly transcoder, in workers. Textures stay compressed on the GPU. */
 export async function openKtx2(files: DecoderFiles, renderer: WebGLRenderer): Promise<ModelDecoder> {
   const { KTX2Loader } = await import('three/addons/loaders/KTX2Loader.js');
   const ktx2 = new KTX2Loader().detectSupport(renderer);

@@ -1,6 +1,8 @@
 import type { ModelDecoder } from './decoder.ts';
 
-/** `EXT_meshopt_compression` and `KHR_meshopt_compression`: a small and fast decoder that needs no files or workers. */
+/**
+ * Opens the decoder of `EXT_meshopt_compression` and `KHR_meshopt_compression`: a small and fast decoder that needs no files or workers.
+ */
 export async function openMeshopt(): Promise<ModelDecoder> {
   const { MeshoptDecoder } = await import('three/addons/libs/meshopt_decoder.module.js');
   return {

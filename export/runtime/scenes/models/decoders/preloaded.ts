@@ -4,7 +4,7 @@ import { Cache } from 'three';
  * Runs `load`, which requests files from three.js' `FileLoader` synchronously, with their contents in its cache. three.js then fetches
  * nothing, so a page can store these files anywhere, even in itself.
  *
- * @param contents By the URL that `load` requests.
+ * @param contents Contents of the files, by the URL that `load` requests.
  */
 export function preloaded(contents: Readonly<Record<string, string | ArrayBuffer>>, load: () => unknown): void {
   const wasEnabled = Cache.enabled;

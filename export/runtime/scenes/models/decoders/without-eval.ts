@@ -32,7 +32,10 @@ const REPLACEMENTS: readonly (readonly [text: string, closure: string])[] = [
   ],
 ];
 
-/** @throws Error if the script does not contain the expected text, such as after an upgrade of three.js. */
+/**
+ * Returns the script of the Basis transcoder with the replacements applied. Throws an `Error` if the script does not contain the expected
+ * text, such as after an upgrade of three.js.
+ */
 export function withoutEval(script: string): string {
   return REPLACEMENTS.reduce((text, [made, closure]) => {
     const [before, after, ...more] = text.split(made);
