@@ -17,7 +17,7 @@ export interface ModelUse {
   readonly glass: boolean;
 }
 
-/** Browsers with WebXR or with ES modules of 2022; no polyfills. */
+/** JavaScript version of the script: that of browsers with WebXR, and of other browsers since 2022. There are no polyfills. */
 const TARGET = 'es2022';
 
 /**

@@ -15,7 +15,7 @@ export interface ExportReport {
   readonly title: string;
   readonly generator: string;
   readonly files: readonly ReportedFile[];
-  /** Without this report, which visitors do not load. */
+  /** Total size of the files, without this report, which visitors do not load. */
   readonly bytes: Sizes & { readonly byKind: Readonly<Partial<Record<FileKind, Sizes>>> };
   /** Content of the script: npm packages and Scrim's folders → minified bytes. */
   readonly script: Readonly<Record<string, number>>;

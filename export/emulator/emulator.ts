@@ -14,7 +14,7 @@ export interface Emulator {
   setFovY(fovYRad: number): void;
   /** Rotates the device or resizes its window: layers have this size from the next frame on, as in Chrome on Android. */
   setSize(sizePx: readonly [width: number, height: number]): void;
-  /** While false, frames come without a viewer pose. */
+  /** Sets whether the device has tracking. Without tracking, frames have no viewer pose. */
   setTracked(tracked: boolean): void;
   /** Sets what depth sensing returns from the next frame on: correct depth, no depth, or the last depth in every frame. */
   setDepth(state: DepthState): void;
@@ -81,9 +81,9 @@ export interface Emulator {
    * @throws Error that names what is wrong in the capture.
    */
   addGesture(name: string, capture: unknown): void;
-  /** While false, the device does not see that bare hand. */
+  /** Sets whether the device sees a bare hand. */
   setHandTracked(side: 'left' | 'right', tracked: boolean): void;
-  /** The last haptic pulse that the page gave a controller; null for none. */
+  /** The last haptic pulse that the page sent to a controller; null for none. */
   lastPulse(side: 'left' | 'right'): { readonly strength: number; readonly durationS: number } | null;
 
   /** Resolves once the page has an immersive session with a layer and has requested a frame. */

@@ -56,7 +56,7 @@ export function chooseDepth(wishes: DepthWishes, profile: DepthProfile): DepthCo
   return usage && format ? { usage, format, matchView: wishes.matchDepthView ?? true } : null;
 }
 
-/** Every usage of a profile works with every format, so they are chosen independently. */
+/** Chooses the usage or the format of depth. Every usage of a profile works with every format, so the two are chosen independently. */
 function choose<T extends string>(preferences: readonly string[], supported: readonly T[]): T | undefined {
   if (preferences.length === 0) return supported[0];
   const wished = preferences.find((preference) => supported.some((value) => value === preference));

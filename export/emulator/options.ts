@@ -52,7 +52,7 @@ export interface EmulatorOptions {
   readonly frameClock?: FrameClock | null;
 }
 
-/** Missing values are those of the device's profile. */
+/** Options of depth sensing. Missing values are those of the device's profile. */
 export interface DepthOptions {
   readonly usages?: readonly DepthUsage[];
   readonly formats?: readonly DepthFormat[];

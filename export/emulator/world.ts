@@ -60,7 +60,7 @@ export interface RoomServices {
   readonly room: Room | null;
   readonly view: RoomView;
   readonly light: () => RoomLight | null;
-  /** Created on first use. */
+  /** The compositor of the device, created on first use. */
   readonly compositor: () => LayerCompositor;
   /** How often `moveLight` was called. */
   readonly lightMoves: number;

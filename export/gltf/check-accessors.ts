@@ -36,7 +36,7 @@ export function checkAccessors(document: GltfDocument): void {
   });
 }
 
-/** All attributes of a primitive must have the same count (§3.7.2.1). */
+/** Rejects a primitive whose attributes have different counts (glTF 2.0, §3.7.2.1). */
 function checkCounts(attributes: readonly number[], accessors: readonly GltfAccessor[], mesh: number): void {
   const counts = new Set(attributes.map((index) => accessors[index]?.count));
   if (counts.size > 1) throw damaged(`the attributes of mesh ${mesh} have different lengths`);

@@ -25,22 +25,25 @@ import type { LinkedShader } from './program.ts';
 export const LOOP_BUDGET = 16_384;
 
 /**
- * Maximum total of loops whose text states their number of iterations: that of a blur over 512 × 512 pixels. They end, and such a number is
- * intended. Beyond it, a draw takes so long that the browser resets the GPU.
+ * Maximum number of iterations of loops that are not bounded, because the text states how many they have: that of a blur over 512 × 512
+ * pixels. Such loops end, and the number is intended. Beyond it, a draw takes so long that the browser resets the GPU.
  */
 export const COUNTED_BUDGET = 262_144;
 
-/** `int` uniform of bounded shaders: another budget; 0, the initial value in GL, means `LOOP_BUDGET`. */
+/** Name of the `int` uniform that sets the budget of a bounded shader; 0, the initial value in GL, means `LOOP_BUDGET`. */
 export const LOOP_BUDGET_UNIFORM = 'scrim_loopBudget';
 
 export const PROBE_ATTACHMENT = 1;
 export const PROBE_SIDE_PX = 16;
 
-/** `int` uniform: 0 always draws, 1 draws only if the probe is all zero, 2 only if it is not. */
+/**
+ * Name of the `int` uniform that decides whether a bounded shader draws: 0 always draws, 1 draws only if the probe is all zero, 2 only if
+ * it is not.
+ */
 export const GATE_UNIFORM = 'scrim_gate';
 export const GATE_SAMPLER = 'scrim_probe';
 
-/** Text for the vertex shader of full-screen triangles. If `scrim_isShut()` is true, all vertices must have the same position. */
+/** GLSL for the vertex shader of full-screen triangles. If `scrim_isShut()` is true, all vertices must have the same position. */
 export const GATE_TEXT = `uniform int ${GATE_UNIFORM};
 uniform highp sampler2D ${GATE_SAMPLER};
 bool scrim_isShut() {

@@ -8,13 +8,13 @@ export interface ProgramNeed {
   readonly nodes: readonly string[];
   readonly why: string;
   readonly without: string;
-  /** Of `depth`: all nodes that read it prefer measured depth to smoothed depth. Absent: smooth is preferred. */
+  /** For the capability `depth`: all nodes that read it prefer measured depth to smoothed depth. Absent: smooth is preferred. */
   readonly depthType?: 'raw';
-  /** Effects of its absence on the nodes for which it is not `without`; absent if there are none. */
+  /** Node → effect of the missing capability there, for nodes where it differs from `without`; absent if there are none. */
   readonly withoutByNode?: Readonly<Record<string, string>>;
 }
 
-/** What one kind of session can play of this program, best first. */
+/** A kind of session that can play the program, with what it lacks. A program lists its tiers best first. */
 export interface Tier {
   readonly id: 'ar-camera' | 'ar' | 'camera' | 'authored-vr' | 'orbit';
   /** Needs that this tier cannot meet, with the effect on the output. */

@@ -167,7 +167,7 @@ export interface TechniqueUniform {
  */
 export type TargetFormat = 'rgba8' | 'scene16f' | 'rgba16f' | 'rgba32f' | 'r32f';
 
-/** Size in pixels: that of the view or of another resource. Each side is scaled or an ISF size expression over slots. */
+/** Size of a target in pixels. An expression for each side computes it from the size of the view or of another resource (`base`). */
 export interface TargetSize {
   readonly base: 'view' | ResourceId;
   readonly width: SizeExpression;
@@ -218,7 +218,7 @@ export interface NodeOperation extends OperationBase {
   readonly multiple: readonly string[];
   /** Input ports of pulses, if any: the node's runtime gets one list per port. */
   readonly pulses?: readonly string[];
-  /** Input ports of poses, if any: another wire at one of them keeps the node and its state. */
+  /** Input ports of poses, if there are any. If one of them gets another wire, the node and its state are kept. */
   readonly poses?: readonly string[];
   /** Whether its inputs are read after the values of the frame are computed, so it may come before operations that it depends on. */
   readonly delay?: true;
@@ -345,7 +345,7 @@ export interface LinkedShader {
   readonly geometry?: 'quad' | 'moved-quad';
   /** Present if the shader's loops are probed but never ended early (`loop-budget.ts`). */
   readonly loops?: 'counted';
-  /** As `sourceMap`, for the lines of an author's vertex shader. */
+  /** The same as `sourceMap` for the lines of an author's vertex shader. */
   readonly vertexMap?: SourceMap;
   /** Printed line (from 0) → author's line. Left out of an export. */
   readonly sourceMap?: SourceMap;
@@ -365,7 +365,7 @@ export interface ProgramAsset {
   readonly kind: AssetKind;
   /** Relative to the project folder in a preview, to the page in an export. */
   readonly path: string;
-  /** Of a panorama in an export: the lamps that its nodes look for, by `lampKey`, so that the page does not search it. */
+  /** For a panorama in an export: the lamps that its nodes look for, by `lampKey`, so that the page does not search it. */
   readonly lamps?: Readonly<Record<string, FoundLamps>>;
 }
 

@@ -19,8 +19,8 @@ const TIERS: readonly { readonly id: Tier['id']; readonly offers: readonly Capab
 ];
 
 /**
- * The tiers that can play the program, with what each lacks. A tier with the camera needs a use for it in the program. Tiers that lack a
- * required capability are left out, except orbit, which needs no permission.
+ * The tiers that can play the program, with what each lacks. Tiers with the camera image are listed only if the program uses that image.
+ * Tiers that lack a required capability are left out, except orbit, which needs no permission.
  */
 export function findTiers(needs: readonly ProgramNeed[], { background }: Pick<Presentation, 'background'>): Tier[] {
   const samplesCamera = needs.some(({ capability }) => capability === 'camera-image');

@@ -25,7 +25,10 @@ export const MAX_FLAT_NODES = 40_000;
 
 export type Instances = { readonly ok: true; readonly list: readonly Instance[] } | { readonly ok: false };
 
-/** All uses of graphs, each before those inside it. Not ok beyond `MAX_FLAT_NODES`. Subgraphs must not be recursive. */
+/**
+ * Lists all uses of graphs, each before those inside it. `ok` is false if there are more nodes than `MAX_FLAT_NODES`. Subgraphs must not be
+ * recursive.
+ */
 export function listInstances(project: ProjectLogic): Instances {
   const main = getOwn(project.graphs, MAIN_GRAPH);
   const list: Instance[] = main ? [{ prefix: '', graph: main, children: new Map() }] : [];

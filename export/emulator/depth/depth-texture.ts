@@ -9,7 +9,7 @@ export interface DepthTexture {
   dispose(): void;
 }
 
-/** Texture formats of WebXR Depth Sensing §2.2. */
+/** The texture format for a depth format (WebXR Depth Sensing §2.2). */
 function glFormat(gl: WebGL2RenderingContext, format: DepthFormat): readonly [internal: GLenum, format: GLenum, type: GLenum] {
   switch (format) {
     case 'luminance-alpha':

@@ -10,7 +10,7 @@ export interface Eye {
   readonly viewport: { readonly x: number; readonly y: number; readonly widthPx: number; readonly heightPx: number };
 }
 
-/** A three.js camera whose matrices are set directly. */
+/** Creates a three.js camera whose matrices the caller sets directly. */
 export function createEyeCamera(): Camera {
   const camera = new Camera();
   camera.matrixAutoUpdate = false;

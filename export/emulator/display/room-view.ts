@@ -87,7 +87,10 @@ export function createRoomView(room: Room | null, antialias: boolean): RoomView 
   };
 }
 
-/** With a gain, seen = room + gain × layer in linear light, which `compositePixels` computes on the CPU. */
+/**
+ * Fragment shader that draws a layer over the room. With a gain, seen = room + gain × layer in linear light, which `compositePixels`
+ * computes on the CPU.
+ */
 const OVERLAY_FRAGMENT = /* glsl */ `
 uniform sampler2D layer;
 uniform sampler2D room;

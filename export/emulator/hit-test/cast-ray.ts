@@ -47,7 +47,7 @@ function castAtPlane(plane: RoomPlane, originWorld: Vector3, directionWorld: Vec
   return { distanceM, pointWorld: at.applyMatrix4(worldFromPlane), normalWorld };
 }
 
-/** Point in polygon by the even–odd rule. */
+/** Whether a point is inside a polygon, by the even–odd rule. */
 export function isInside(x: number, z: number, polygon: readonly (readonly [number, number])[]): boolean {
   let inside = false;
   polygon.forEach(([ax, az], i) => {

@@ -20,7 +20,7 @@ export class EmulatedRay {
     this.direction = unit(direction.x ?? 0, direction.y ?? 0, direction.z ?? 0);
   }
 
-  /** Rigid transform from the ray (origin, −z) to this ray, by the smallest rotation. */
+  /** Rigid transform that moves the ray from the origin along −z to this ray, by the smallest rotation. */
   get matrix(): Float32Array {
     this.#matrix ??= rayMatrix(this.origin, this.direction);
     return this.#matrix;

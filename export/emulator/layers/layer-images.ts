@@ -126,7 +126,9 @@ function plainTexture(gl: Gl, { widthPx, heightPx }: LayerImagesOptions, format:
   return texture;
 }
 
-/** Null without a depth format, and in WebGL 1 without depth textures, as the specification permits. */
+/**
+ * Creates the depth texture of a layer. Null without a depth format, and in WebGL 1 without depth textures, as the specification permits.
+ */
 function depthTexture(gl: Gl, options: LayerImagesOptions): WebGLTexture | null {
   const found = DEPTH_FORMATS.get(options.depthFormat);
   if (!found) return null;

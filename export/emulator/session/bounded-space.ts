@@ -51,7 +51,7 @@ function toPoint({ x, y, z }: Vector3): DOMPointReadOnly {
   return new DOMPointReadOnly(x, y, z, 1);
 }
 
-/** Seen from above, with x to the right and z down. */
+/** Whether corners are in clockwise order, seen from above with x to the right and z down. */
 function isClockwise(corners: readonly DOMPointReadOnly[]): boolean {
   const doubleArea = corners.reduce((sum, { x, z }, i) => {
     const next = corners[(i + 1) % corners.length];

@@ -28,7 +28,7 @@ export class EmulatedBinding {
   readonly #session: EmulatedSession;
   readonly #gl: Gl;
   readonly #images: CameraImages;
-  /** The page owns each cube map and may delete it earlier. */
+  /** Cube maps that the page has received, to be deleted at the end of the session. The page owns them and may delete them earlier. */
   readonly #cubes: WebGLTexture[] = [];
   #depth: DepthTexture | null = null;
 

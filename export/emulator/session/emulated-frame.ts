@@ -36,7 +36,7 @@ export class EmulatedFrame extends XRFrame {
     this[P_FRAME].animationFrame = true;
   }
 
-  /** Null without tracking (WebXR Device API §8.1). */
+  /** The pose and views of the viewer; null without tracking (WebXR Device API §8.1). */
   override getViewerPose(referenceSpace: XRReferenceSpace): XRViewerPose {
     this.#check();
     if (!this[P_FRAME].animationFrame) throw new DOMException(NO_VIEWS, 'InvalidStateError');
@@ -51,7 +51,7 @@ export class EmulatedFrame extends XRFrame {
     return new XRViewerPose(this.getPose(device.viewerSpace, referenceSpace).transform, views, false);
   }
 
-  /** Null for an anchor that the device does not see at present (WebXR Anchors §4.2). */
+  /** The pose of a space in another one; null for an anchor that the device does not see at present (WebXR Anchors §4.2). */
   override getPose(space: XRSpace, baseSpace: XRSpace): XRPose {
     const { world } = this.#session[P_EMULATED];
     if (world.anchorState === 'lost' && this.#isAnchor(space)) return null as unknown as XRPose;

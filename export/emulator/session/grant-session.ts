@@ -72,7 +72,10 @@ function makeInlineSession(world: World, wishes: SessionWishes): EmulatedSession
   return withLocalStorage(() => new EmulatedSession(world, { mode: 'inline', features: ['viewer'], depth: null, overlayRoot: null }));
 }
 
-/** iwer reads stored anchors when it creates a session, which throws in pages without storage, such as sandboxed frames. */
+/**
+ * Calls `make`, with an empty `localStorage` in pages that have none, such as sandboxed frames. iwer reads stored anchors when it creates a
+ * session, which would throw there.
+ */
 function withLocalStorage<T>(make: () => T): T {
   if (hasStorage()) return make();
   const former = Object.getOwnPropertyDescriptor(globalThis, 'localStorage');

@@ -27,7 +27,7 @@ export interface Presentation {
   read(): Uint8Array;
 }
 
-/** Null if the session has no layer. Resizes the base layer to the device's screen. */
+/** Returns what a session presents in this frame; null if it has no layer. Resizes the base layer to the device's screen. */
 export function presentationOf(session: EmulatedSession): Presentation | null {
   const { baseLayer, layers } = session[P_SESSION].renderState as EmulatedRenderState;
   if (layers.length > 0) return presentList(session, layers);

@@ -54,7 +54,10 @@ function accessOf(shader: CheckedShader, passIndex: number): Access {
   return access;
 }
 
-/** Null if an image is passed to a function or a derivative is computed. */
+/**
+ * Counts the pixels that a pass reads of each image. Null if the count is unclear: an image is passed to a function or a derivative is
+ * computed.
+ */
 function countReads(shader: CheckedShader, passIndex: number, positionOf: (expression: Expression) => Position): ReadsByImage | null {
   const known = new Map<FunctionSymbol, ReadsByImage | null>();
   let unclear = false;
@@ -122,7 +125,7 @@ function isHere(call: CallExpression, read: ImageCall, positionOf: (expression: 
   return read.position === 'pixel' && position === 'here-pixel';
 }
 
-/** All calls by function, wherever they are. */
+/** Collects the calls of each function in a shader, except those in branches that the pass cannot take. */
 function collectCalls(shader: CheckedShader, passIndex: number): Map<FunctionSymbol, CallExpression[]> {
   const calls = new Map<FunctionSymbol, CallExpression[]>();
 

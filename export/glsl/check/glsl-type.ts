@@ -12,7 +12,7 @@ const BASES = { vec: 'float', ivec: 'int', uvec: 'uint', bvec: 'bool' } as const
 
 const NUMERICS: ReadonlyMap<GlslType, Numeric> = new Map(allNumerics());
 
-/** Null for structs, samplers, arrays, `void` and unknown types. */
+/** The parts of a numeric type; null for structs, samplers, arrays, `void` and unknown types. */
 export function numericOf(type: GlslType): Numeric | null {
   return NUMERICS.get(type) ?? null;
 }

@@ -48,7 +48,7 @@ function parse(shader: IsfShader): ParsedShader {
   return shader.dialect === 'transition' ? parseTransition(shader) : parseShader(shader.source, macrosOf(shader));
 }
 
-/** `SCRIM_SCENE` tells a shader for either encoding that its layers are linear and unclamped. */
+/** Macros that are predefined for a shader: `SCRIM_SCENE` tells a shader for either encoding that its layers are linear and unclamped. */
 function macrosOf({ readsScene }: IsfShader): Readonly<Record<string, number>> {
   return readsScene ? { SCRIM_SCENE: 1 } : {};
 }

@@ -81,7 +81,7 @@ export function givenSymbols(shader: IsfShader, stage: 'vertex' | 'fragment' = '
   return given;
 }
 
-/** A variable that the host declares. */
+/** Creates the symbol of a variable that the host declares. */
 export function variableOf(name: string, type: string, role: VariableSymbol['role']): VariableSymbol {
   return {
     kind: 'variable',

@@ -216,7 +216,7 @@ function isFatal(error: Mistake): boolean {
   return !HARMLESS.has(error.error);
 }
 
-/** Whether the nesting is limited, because the JSON parser is recursive. */
+/** Whether the nesting of a header is at most `MAX_DEPTH`, because the JSON parser is recursive. */
 function isShallow(text: string): boolean {
   let depth = 0;
   for (const [piece] of text.matchAll(/"(?:[^"\\\r\n]|\\.)*"?|[[\]{}]/g)) {

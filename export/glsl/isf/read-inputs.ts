@@ -4,7 +4,7 @@ import type { Unit } from '../../../nodes/kit/definition.ts';
 import { flagOf, type Header, items, numberOf, property, textOf } from './isf-header.ts';
 import type { IsfInput, IsfInputType } from './isf-shader.ts';
 
-/** Numbers of a value by type; 0 for types that only wires provide, and for curves, whose number varies. */
+/** How many numbers a value of each type has; 0 for types that only wires provide, and for curves, which may have any number of points. */
 const SIZES: Readonly<Record<IsfInputType, number>> = {
   event: 0,
   bool: 1,
@@ -108,7 +108,10 @@ function readInput(header: Header, node: Node): IsfInput | null {
   };
 }
 
-/** The default, clamped to the range, or the value in the range that is nearest to zero. */
+/**
+ * Reads the default of an input, clamped to its range. Without a valid DEFAULT, it is the first choice, or the value in the range that is
+ * nearest to zero (for a color, to opaque black).
+ */
 function readDefault(
   header: Header,
   node: Node,
@@ -162,7 +165,10 @@ function readValue(header: Header, node: Node, key: string, type: IsfInputType, 
   return null;
 }
 
-/** A single number applies to all components of a point; a color may omit its alpha. */
+/**
+ * Completes the numbers of a value: a single number applies to all components of a point, and a color may omit its alpha. Null if their
+ * count is invalid.
+ */
 function expand(type: IsfInputType, numbers: readonly number[]): readonly number[] | null {
   const size = SIZES[type];
   const [first] = numbers;
@@ -193,7 +199,10 @@ function readChoices(header: Header, node: Node, name: string): IsfInput['choice
   return choices;
 }
 
-/** A `long` without VALUES has the integers from MIN to MAX. */
+/**
+ * The choices of a `long` without VALUES: the integers from MIN (default: 0) to MAX (default: as many as there are LABELS). Empty if there
+ * would be more than `MAX_CHOICES`.
+ */
 function rangeChoices(node: Node, labels: readonly string[]): IsfInput['choices'] {
   const min = numberOf(property(node, 'MIN')) ?? 0;
   const max = numberOf(property(node, 'MAX')) ?? (labels.length > 0 ? min + labels.length - 1 : Number.NaN);

@@ -73,7 +73,11 @@ function isWhole(item: NamedSize[number] | undefined, key: string): boolean {
   return typeof item === 'object' && 'op' in item && item.op === key.toLowerCase();
 }
 
-/** Version 1: a list of names, or an object from name to settings. */
+/**
+ * Reads `PERSISTENT_BUFFERS` of version 1: a list of names or of objects with a `NAME`, or an object from name to settings.
+ *
+ * @returns Buffer name → its settings, or null for a name alone.
+ */
 function readPersistentBuffers(header: Header): Map<string, Node | null> {
   const node = property(header.root, 'PERSISTENT_BUFFERS');
   const buffers = new Map<string, Node | null>();

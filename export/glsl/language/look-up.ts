@@ -24,7 +24,7 @@ export interface FoundPlace {
 export interface SignatureHelp {
   readonly signatures: readonly NameSignature[];
   readonly doc: string;
-  /** Index of the signature that matches the number of arguments, and index of the current argument. */
+  /** Index of the first signature that has a parameter for the current argument, and index of that parameter. */
   readonly active: number;
   readonly parameter: number;
 }
@@ -88,7 +88,7 @@ function headerHover(document: ShaderDocument, place: Place): HoverText | null {
   return null;
 }
 
-/** The call around a position. */
+/** The signatures of the function that is called around a position; null outside of calls. */
 export function signatureAt(document: ShaderDocument, place: Place): SignatureHelp | null {
   if (commentAt(document.source, place) !== null) return null;
   const { tokens } = document.outline;

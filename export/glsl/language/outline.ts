@@ -371,7 +371,7 @@ function createReader(source: string, tokens: readonly Token[], given: readonly 
   return { read };
 }
 
-/** `struct Ray {` or `struct {`. */
+/** Whether the brace at `index` opens a struct: `struct Ray {` or `struct {`. */
 function isStructHead(tokens: readonly Token[], index: number): boolean {
   return tokens[index - 1]?.text === 'struct' || tokens[index - 2]?.text === 'struct';
 }

@@ -8,9 +8,9 @@ import { FINITE_TEXT } from './prelude.ts';
 export interface Image {
   readonly name: string;
   readonly kind: 'input' | 'room' | 'buffer' | 'sound' | 'picture' | 'cube' | 'curve' | 'absent';
-  /** Whether it is read by a direction, also if it is absent. */
+  /** Whether the image is a cube, which is read by a direction. Also true if its input is not connected. */
   readonly isCube: boolean;
-  /** Whether it is room depth, also if it is absent. */
+  /** Whether the image is room depth. Also true if its input is not connected. */
   readonly isRoom: boolean;
   /** For buffers: the version in this pass, see `plan-passes.ts`. */
   readonly buffer: string;
@@ -20,7 +20,7 @@ export interface Image {
   readonly hasDepth: boolean;
   /** Whether it repeats beyond its edges. */
   readonly repeat: boolean;
-  /** For sounds, also if absent. */
+  /** How a sound is analyzed, also if its input is not connected; null for other images. */
   readonly sound: LinkedSound | null;
 }
 

@@ -80,7 +80,7 @@ export function imageOf(expression: Expression, images: ReadonlyMap<string, Imag
   return binding.get(expression.symbol) ?? null;
 }
 
-/** As `imageOf`, but throws if it is not an image. */
+/** The image that an expression refers to. Unlike `imageOf`, throws if there is none. */
 export function needImage(
   expression: Expression | undefined,
   at: Expression,

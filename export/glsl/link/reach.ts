@@ -29,7 +29,7 @@ export interface Reach {
   readonly builtins: ReadonlySet<string>;
   readonly images: ReadonlyMap<Image, ReadonlySet<ImageUse>>;
   readonly hasLoops: boolean;
-  /** The version that a call in a function's version refers to. */
+  /** The version of a function that a call refers to. `binding` is that of the version that contains the call. */
   instanceFor(call: CallExpression, symbol: FunctionSymbol, binding: ImageBinding): Instance;
 }
 

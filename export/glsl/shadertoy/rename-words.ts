@@ -13,7 +13,9 @@ export interface Declared {
 
 const LINE_BREAK = /\r\n|\r|\n/;
 
-/** The declarations of `code` after `before`. Code that cannot be parsed has none; the linker reports the mistake. */
+/**
+ * Finds the declarations of `code`, which follows the text `before`. Code that cannot be parsed has none; the linker reports the mistake.
+ */
 export function declaredIn(code: string, before: string): Declared {
   const names = new Set<string>();
   const macros = new Set<string>();

@@ -10,7 +10,9 @@ export interface Macro {
 
 export type MacroTable = Map<string, Macro>;
 
-/** Limit for nested macros, whose expansion can exceed the memory. */
+/**
+ * Maximum number of tokens that all expansions of a source give together, because nested macros can expand to more than the memory holds.
+ */
 const MAX_EXPANDED_TOKENS = 200_000;
 
 /** Maximum nesting of macro uses in arguments. */

@@ -4,8 +4,8 @@ import { createExpansionBudget, type ExpansionBudget, expandMacros, type Macro, 
 import { GlslError, type Token } from './token.ts';
 
 /**
- * Predefined macros. `SCRIM` identifies Scrim among ISF hosts. The version is that of the printed text; older text is converted, so either
- * branch works.
+ * Predefined macros. `SCRIM` identifies Scrim among ISF hosts. `__VERSION__` is that of the printed text, also for older text, which is
+ * converted: both branches of an `#if` over the version work.
  */
 const PREDEFINED: Readonly<Record<string, number>> = {
   SCRIM: 1,

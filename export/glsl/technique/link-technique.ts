@@ -258,7 +258,7 @@ function refuseLights(unit: Unit, vertex: FunctionDeclaration): void {
   }
 }
 
-/** Used inputs, in the header's order. */
+/** The inputs that a technique uses as uniforms, in the header's order. */
 function uniformsOf({ technique, given }: Unit, { params }: Reach, names: Names) {
   return technique.inputs.flatMap(({ name: param, type }) => {
     const symbol = params.has(param) ? given.get(param) : undefined;

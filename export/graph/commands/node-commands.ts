@@ -124,7 +124,7 @@ export function draftLayout(draft: ProjectDraft, graph: string) {
   return draft.layout[graph];
 }
 
-/** Whether `graph` is `used` or is used by it, directly or through other subgraphs. */
+/** Whether the graph `used` is `graph` or uses it, directly or through other subgraphs. */
 export function usesGraph(project: Project, used: string, graph: string): boolean {
   const reached = new Set([used]);
   for (const name of reached) {

@@ -5,7 +5,7 @@ export type JsonObject = Readonly<Record<string, unknown>>;
 /** Migrates a whole document by one version. Steps are never removed, because files of every version exist. */
 export type DocumentStep = (json: JsonObject) => JsonObject;
 
-/** One of the two files of a project folder. */
+/** The format of one of the two files of a project folder. */
 export interface DocumentFormat {
   readonly file: 'project.scrim.json' | 'project.layout.json';
   readonly format: 'scrim-project' | 'scrim-layout';
@@ -13,7 +13,7 @@ export interface DocumentFormat {
   readonly steps: readonly DocumentStep[];
 }
 
-/** Each new step adds a project of the previous version to `tests/compile/archive/`. */
+/** Format of the project file. Whoever adds a step also adds a project of the previous version to `tests/compile/archive/`. */
 export const PROJECT_FORMAT: DocumentFormat = { file: 'project.scrim.json', format: 'scrim-project', steps: [] };
 export const LAYOUT_FORMAT: DocumentFormat = { file: 'project.layout.json', format: 'scrim-layout', steps: [] };
 

@@ -51,7 +51,7 @@ function printScalar(value: string | number | boolean): string {
   return JSON.stringify(value);
 }
 
-/** `Array.isArray` does not narrow readonly arrays. */
+/** `Array.isArray` with a type that also narrows readonly arrays. */
 function isArray(value: object): value is readonly PrintableJson[] {
   return Array.isArray(value);
 }

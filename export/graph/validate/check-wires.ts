@@ -60,7 +60,7 @@ function checkSeveral(check: GraphCheck, wires: readonly Wire[]): void {
   }
 }
 
-/** Each loop needs a delay. A muted delay does not count. */
+/** Reports loops of wires without a delay. A muted delay does not count. */
 export function checkCycles(check: GraphCheck): void {
   const { nodes, wires } = check.graph;
   const successors = new Map<string, string[]>(Object.keys(nodes).map((id) => [id, []]));

@@ -13,7 +13,7 @@ export interface DeviceRow {
   readonly display: DeviceFacts['display'];
   /** What the page loses there, one entry per capability and node. Empty: everything works. */
   readonly lost: readonly DeviceLoss[];
-  /** On additive displays: nodes that only darken, which nobody sees there. */
+  /** On additive displays: nodes whose layers only darken, so that they are invisible there. */
   readonly unseen: readonly string[];
   /** Whether a node requires a feature that the device lacks, so that the page shows nothing of use. */
   readonly worthless: boolean;

@@ -100,7 +100,7 @@ function namesOf(parts: readonly Part[]): SurfaceName[] {
   return [...new Set(parts.map(({ surface }) => surface))];
 }
 
-/** The shell first, then the furniture. */
+/** Converts parts to the solids for light baking: first the shell of the room, then the furniture. */
 function toSolids(parts: readonly Part[], textures: ReadonlyMap<SurfaceName, PaintedTexture>): Solid[] {
   const shell: Solid = { center: [0, HALF[1], 0], half: HALF, yawRad: 0, albedo: [0.6, 0.57, 0.5] };
   const blockers = parts.flatMap(({ blocker, yawRad = 0, surface, tint = [1, 1, 1] }): Solid[] => {
