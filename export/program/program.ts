@@ -134,8 +134,8 @@ export interface TechniqueResource {
   readonly id: ResourceId;
   readonly kind: 'technique';
   /**
-   * Index into `shaders` of a shader that tests whether a driver accepts the text and has its source map. It draws nothing. Null in an
-   * export.
+   * Index into `shaders` of a test shader, which contains the technique's text and source map. It is only compiled, to find out whether a
+   * driver accepts the text. Null in an export.
    */
   readonly trial: number | null;
   /** Text for the vertex and fragment shader of the material; see `export/glsl/technique/interface.ts`. */
@@ -144,7 +144,7 @@ export interface TechniqueResource {
   /** Passes for each object, in order. */
   readonly passes: readonly TechniquePass[];
   readonly uniforms: readonly TechniqueUniform[];
-  /** Colors of layers that it reads, if any; draws with it list them in `reads`. */
+  /** Samplers of the layers that the technique reads, if any. Draws with the technique list these layers in `reads`. */
   readonly samplers?: readonly PassSampler[];
   /** Images that it contains, by uniform name: base64 of a PNG with its mip levels side by side. */
   readonly pictures?: readonly { readonly name: string; readonly data: string }[];

@@ -47,7 +47,7 @@ function referenceFromDepth(view: EmulatedView, { worldFromDepth }: DepthShot): 
   return new XRRigidTransform({ x: position.x, y: position.y, z: position.z, w: 1 }, { x: turn.x, y: turn.y, z: turn.z, w: turn.w });
 }
 
-/** WebXR Depth Sensing §3.2. */
+/** `XRCPUDepthInformation` of WebXR Depth Sensing §3.2. */
 export class EmulatedCpuDepthInformation extends EmulatedDepthInformation {
   readonly #data: ArrayBuffer;
   readonly #format: DepthFormat;
@@ -80,7 +80,7 @@ function toIndex(normalized: number, count: number): number {
   return Math.min(Math.max(Math.trunc(normalized * count), 0), count - 1);
 }
 
-/** WebXR Depth Sensing §3.3. */
+/** `XRWebGLDepthInformation` of WebXR Depth Sensing §3.3. */
 export class EmulatedWebGlDepthInformation extends EmulatedDepthInformation {
   readonly textureType: 'texture' | 'texture-array';
   readonly imageIndex: number | null;

@@ -11,7 +11,7 @@ export interface DepthTransform {
   readonly covers?: { readonly x: number; readonly y: number; readonly width: number; readonly height: number };
 }
 
-/** u' = a·u + c·v + tx, v' = b·u + d·v + ty */
+/** An affine map of UV coordinates: u' = a·u + c·v + tx, v' = b·u + d·v + ty */
 export interface Affine {
   readonly a: number;
   readonly b: number;

@@ -6,7 +6,7 @@ import type { TextRange } from './source-text.ts';
 export interface HeaderName {
   readonly name: string;
   readonly range: TextRange;
-  /** `size`: `$name` in the WIDTH or HEIGHT of a pass. */
+  /** What the place is, such as the name of an input. `size`: `$name` in the WIDTH or HEIGHT of a pass. */
   readonly role: 'input' | 'target' | 'imported' | 'size' | 'unit';
 }
 

@@ -28,7 +28,7 @@ export interface ShaderDocument {
 }
 
 export interface DocumentOptions {
-  /** Text of `chunks/NAME.glsl`. */
+  /** Returns the text of a chunk, `chunks/NAME.glsl`, by its name. */
   readonly chunkOf: (name: string) => string | undefined;
   /** The previous version of the file, whose inputs are used while the header is invalid. */
   readonly before?: ShaderDocument;

@@ -57,7 +57,7 @@ interface Unit {
 }
 
 export interface TechniqueOptions {
-  /** Text of `chunks/NAME.glsl`. */
+  /** Returns the text of a chunk, `chunks/NAME.glsl`, by its name. */
   readonly chunkOf: (name: string) => string | undefined;
   /** Limits the iterations of every invocation, so that endless loops end; for previews. */
   readonly loopBudget: boolean;

@@ -13,7 +13,7 @@ export interface DocumentFormat {
   readonly steps: readonly DocumentStep[];
 }
 
-/** Format of the project file. Whoever adds a step also adds a project of the previous version to `tests/compile/archive/`. */
+/** Format of the project file. Each new step needs a project of the previous version in `tests/compile/archive/`, as a test. */
 export const PROJECT_FORMAT: DocumentFormat = { file: 'project.scrim.json', format: 'scrim-project', steps: [] };
 export const LAYOUT_FORMAT: DocumentFormat = { file: 'project.layout.json', format: 'scrim-layout', steps: [] };
 
