@@ -13,7 +13,7 @@ export interface FrameSource {
   readonly manual: boolean;
 }
 
-/** Frames of the display, with its time. */
+/** Creates a source that runs a frame with each frame of the display, at the display's time. */
 export function createFreeSource(clock: FrameClock): FrameSource {
   return {
     manual: false,
@@ -35,7 +35,10 @@ export function createFreeSource(clock: FrameClock): FrameSource {
   };
 }
 
-/** Frames on `step` only. Frame N of a session has the time N/`framesPerSecond`, so the same script gives the same images. */
+/**
+ * Creates a source that runs frames only when `step` is called. Frame N of a session has the time N/`framesPerSecond`, so the same script
+ * gives the same images.
+ */
 export function createManualSource(framesPerSecond: number): FrameSource {
   const runs = new Map<(timeS: number) => boolean, number>();
   return {

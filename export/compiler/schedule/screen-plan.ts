@@ -51,7 +51,7 @@ export function planScreen(graph: FlatGraph, screen: FlatNode, layers: LayerTabl
   return { leaves, background: readScreen(screen).background, blended };
 }
 
-/** The layers of an `over` that blending can replace, because its params have no other effect; else null. */
+/** The two layers of an `over` that blending can replace, because all its uniform params have their default values; else null. */
 function layersOfOver(node: FlatNode): { readonly top: Source; readonly bottom: Source } | null {
   if (!isOver(node)) return null;
   const [top] = sourcesAt(node, 'top');

@@ -17,7 +17,7 @@ export interface ConvertedShader {
   readonly licence: string;
 }
 
-/** Whether a text is from shadertoy.com: not an ISF file, with its entry function, or its JSON. */
+/** Whether a text is from shadertoy.com: code with the site's entry function that is no ISF file, or the site's JSON. */
 export function isShadertoy(source: string): boolean {
   if (/^\s*\/\*\s*\{/.test(source)) return false;
   return hasMain(source) || /^\s*[[{][\s\S]*"renderpass"\s*:/.test(source);

@@ -109,7 +109,7 @@ function curveAt(lowering: Lowering, node: FlatNode, param: string): ResourceId 
   return known ? id : addResource(lowering, { id, kind: 'curve', slot: lowering.slots.ofParam(node, param) });
 }
 
-/** Slots for the params of a pass. */
+/** Uniforms of a pass: params refer to slots, events to lists of pulses. */
 export function passUniforms({ slots }: Lowering, node: FlatNode, pass: LinkedPass): PassUniform[] {
   return pass.uniforms.map(({ name, type, source }) => ({
     name,
