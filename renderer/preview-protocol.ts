@@ -157,7 +157,7 @@ export type PreviewSource =
   | { readonly kind: 'camera'; readonly assetBaseUrl: string }
   /** A still image in place of the camera. `key` is unique per image. */
   | { readonly kind: 'still'; readonly picture: Blob; readonly key: string; readonly assetBaseUrl: string }
-  /** Only the objects, viewed by orbiting. */
+  /** An orbit session: only the objects, viewed by orbiting. */
   | { readonly kind: 'orbit'; readonly assetBaseUrl: string };
 
 export type FromPreview =

@@ -8,7 +8,7 @@ export interface Command {
   readonly name: string;
   /** Arguments after the name: `PROJECT --out DIR`. */
   readonly usage: string;
-  /** One line for the list of commands. */
+  /** Description in one line, for the list of commands. */
   readonly summary: string;
   /** Description in a few sentences. */
   readonly doc: string;
@@ -23,7 +23,7 @@ export interface Command {
 
 export interface Option {
   readonly type: 'string' | 'boolean';
-  /** One-letter alias. */
+  /** One-letter alias of the option. */
   readonly short?: string;
   /** Placeholder of the value in `--help`: `DIR`. */
   readonly value?: string;
@@ -60,7 +60,7 @@ export interface Context {
 }
 
 export interface Outcome {
-  /** One of `EXIT`. */
+  /** Exit status of the process, one of `EXIT`. */
   readonly status: 0 | 1;
   /** The JSON value on standard output with `--json`; undefined if the command has printed it already. */
   readonly json: unknown;

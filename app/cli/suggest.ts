@@ -1,10 +1,10 @@
-/** Suggests the nearest known word: `exprot` → `, did you mean "export"?`. Empty if none is near enough. */
+/** Text that suggests the nearest known word: `exprot` → ` Did you mean "export"?`. Empty if none is near enough. */
 export function didYouMean(given: string, known: readonly string[]): string {
   const near = nearest(given, known);
   return near === null ? '' : ` Did you mean ${JSON.stringify(near)}?`;
 }
 
-/** Allows one typo in short words, two in longer ones. */
+/** The known word that is nearest to a given word, with at most one typo in short words and two in longer ones; null if there is none. */
 export function nearest(given: string, known: readonly string[]): string | null {
   const ranked = known.map((word) => ({ word, slips: slipsBetween(given.toLowerCase(), word.toLowerCase()) }));
   ranked.sort((a, b) => a.slips - b.slips);

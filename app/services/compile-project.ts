@@ -13,9 +13,9 @@ import { checkAssets } from './check-assets.ts';
 import { checkModels } from './check-models.ts';
 
 export interface CompiledProject {
-  /** Null if the files could not be read as a project. */
+  /** The loaded project; null if the files could not be read as a project. */
   readonly project: Project | null;
-  /** Null after an error. */
+  /** The compiled program; null after an error. */
   readonly program: Program | null;
   readonly diagnostics: readonly Diagnostic[];
 }

@@ -13,7 +13,11 @@ export interface ContentAnswer {
 
 /** Content of the two origins, by path. The hosts (Electron, loopback server) map addresses to it. */
 export interface Content {
-  /** @param path Path of the request, percent-encoded. A query is ignored. */
+  /**
+   * Answers a request for a file.
+   *
+   * @param path Path of the request, percent-encoded. A query is ignored.
+   */
   answer(origin: keyof Origins, method: string, path: string): Promise<ContentAnswer>;
   /** Mounts a folder on the origin of the preview as `/NAME/`. Returns a function that unmounts it. */
   show(name: string, folder: string): () => void;

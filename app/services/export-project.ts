@@ -38,7 +38,7 @@ export interface ExportJob {
 }
 
 export interface ExportOutcome {
-  /** Null if nothing was written. */
+  /** Report of the export; null if nothing was written. */
   readonly report: ExportReport | null;
   readonly diagnostics: readonly Diagnostic[];
 }

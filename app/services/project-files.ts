@@ -78,7 +78,7 @@ async function readShaders(root: string): Promise<Record<string, string>> {
   return sources;
 }
 
-/** Hash of all texts. */
+/** The revision of a project: a hash of all texts. */
 export function revisionOf({ project, layout, sources }: ProjectFiles): string {
   const shaders = Object.entries(sources).sort(([a], [b]) => (a < b ? -1 : 1));
   return createHash('sha256')
@@ -127,7 +127,7 @@ export async function listAssets(root: string): Promise<OpenProject['assetFiles'
   return found.sort((a, b) => (a.path < b.path ? -1 : 1));
 }
 
-/** `shaders/chunks` and its subfolders, without links. */
+/** Lists the folder `shaders/chunks` and its subfolders, without links. */
 export async function listChunkFolders(root: string): Promise<string[]> {
   const folders: string[] = [];
   if (await isRealFolder(join(root, CHUNKS_FOLDER))) folders.push(CHUNKS_FOLDER);

@@ -151,7 +151,7 @@ async function breakIfLeft(root: string, files: FileLayer): Promise<boolean> {
 }
 
 interface SeenLock {
-  /** Null if the file is not a lock: a pipe, a link, a folder, or too long. */
+  /** Content of the lock file; null if the file is not a lock: a pipe, a link, a folder, or too long. */
   readonly text: string | null;
   readonly touchedMs: number;
 }

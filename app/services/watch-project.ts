@@ -94,7 +94,7 @@ function emptyFiles({ project, layout, sources }: ProjectFiles): string[] {
   return texts.filter(([, text]) => text === '').map(([path]) => path);
 }
 
-/** Null if the folder is missing or the system has no watchers left. The project opens anyway. */
+/** Watches a folder; null if the folder is missing or the system has no watchers left. The project opens anyway. */
 function watchFolder(path: string, onChange: () => void): FSWatcher | null {
   try {
     const watcher = watch(path, { persistent: false }, onChange);

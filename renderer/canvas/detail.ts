@@ -1,6 +1,6 @@
 import { createContext, useContext } from 'react';
 
-/** How nodes are drawn. `overview`: nothing in a node is legible, so each one is a colored rectangle. */
+/** How nodes are drawn. `whole`: with all their content. `overview`: as colored rectangles, because nothing in a node is legible. */
 export type Detail = 'whole' | 'overview';
 
 const DetailContext = createContext<Detail>('whole');
@@ -11,9 +11,9 @@ export function useDetail(): Detail {
   return useContext(DetailContext);
 }
 
-/** At this zoom titles are 6 px high. */
+/** Zoom below which a large graph is drawn as an overview. At this zoom titles are 6 px high. */
 const OVERVIEW_ZOOM = 0.3;
-/** Up to this many nodes are drawn whole at any zoom without a dropped frame. */
+/** Number of nodes up to which a graph is drawn whole at any zoom. So many cost no dropped frame. */
 const OVERVIEW_NODES = 150;
 
 export function detailOf(zoom: number, nodeCount: number): Detail {

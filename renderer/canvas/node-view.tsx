@@ -14,7 +14,7 @@ import { NodeCost } from './performance-overlay.tsx';
 import type { CanvasNode, NodeData } from './project-canvas.ts';
 import './node-view.css';
 
-/** One node. A large canvas holds three thousand of them, so it mounts only visible elements. */
+/** A node on the canvas. Mounts only visible elements, because a large canvas holds three thousand nodes. */
 export const NodeView = memo(function NodeView({ id, data, selected }: NodeProps<CanvasNode>) {
   const overview = useDetail() === 'overview';
   return overview ? <OverviewNode id={id} data={data} selected={selected} /> : <FullNode id={id} data={data} selected={selected} />;

@@ -14,7 +14,7 @@ interface PaletteProps {
   readonly definitions: readonly NodeDefinition[];
   /** The free end of a wire, if the palette was opened by dropping one. */
   readonly end: OpenEnd | null;
-  /** Where it opens, in client pixels; clamped to the window. */
+  /** Where the palette opens, in client pixels; clamped to the window. */
   readonly at: { readonly x: number; readonly y: number };
   /** Placeholder of the search field; null when the choice adds a plain new node. */
   readonly purpose?: string | null;

@@ -34,7 +34,7 @@ function CostLine({ costs, id }: { readonly costs: ReadonlyMap<string, Cost>; re
   return <span className={isFree ? 'node-cost node-cost-free' : 'node-cost'}>{costWords(cost)}</span>;
 }
 
-/** Total cost against the budget of a device. */
+/** Panel with the total cost of the program, compared with the budget of a device. */
 export function PerformancePanel() {
   const editor = useEditor();
   const costs = useContext(CostsContext);

@@ -19,7 +19,7 @@ export interface NodeData extends Record<string, unknown> {
   /** Current values of the params shown as ports, as text; connected params have none. */
   readonly values: Readonly<Record<string, string>>;
   readonly muted: boolean;
-  /** The node is an instance of a subgraph. */
+  /** Whether the node is an instance of a subgraph. */
   readonly subgraph: boolean;
   readonly known: boolean;
   readonly expanded: boolean;
@@ -31,7 +31,7 @@ export type CanvasNode = Node<NodeData, 'scrim'>;
 export interface CanvasInput extends WiresInput {
   readonly selectedNodes: ReadonlySet<string>;
   readonly expanded: ReadonlySet<string>;
-  /** Nodes show thumbnails of their layers. */
+  /** Whether nodes show thumbnails of their layers. */
   readonly hasThumbnail?: boolean;
   /** Positions of dragged nodes, in canvas units. */
   readonly dragged: Readonly<Record<string, { readonly x: number; readonly y: number }>>;

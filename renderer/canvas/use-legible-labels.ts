@@ -7,9 +7,9 @@ export const FAR_ZOOM = 0.6;
 const LEGIBLE_PX = 11;
 /** Height of labels at zoom 1, in CSS pixels. */
 const LABEL_PX = 12;
-/** Labels grow in steps, so that a zoom lays out the nodes only a few times. */
+/** Number of steps per unit of the label scale. Labels grow in steps, so that a zoom lays out the nodes only a few times. */
 const STEPS_PER_UNIT = 10;
-/** At this scale a word of nine letters is as wide as a node. */
+/** Maximum label scale. At this scale a word of nine letters is as wide as a node. */
 const MAX_SCALE = 2.6;
 
 /** Enlarges the texts of nodes while the canvas is zoomed out, so that they stay legible: sets `--label-scale` on the canvas. */

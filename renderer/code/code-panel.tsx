@@ -6,7 +6,7 @@ import { soleNode } from '../state/editor/selection.ts';
 import './code-panel.css';
 import { ShaderView } from './shader-view.tsx';
 
-/** Source of the last selected node that has a shader. It stays while nodes without one are selected. */
+/** Panel with the source of the last selected node that has a shader. The source stays while nodes without a shader are selected. */
 export function CodePanel() {
   const { selection } = useEditor();
   const selected = useStore(selection, soleNode);

@@ -24,7 +24,7 @@ const CONFIGURATION: languages.LanguageConfiguration = {
   indentationRules: { increaseIndentPattern: /[{[(]\s*$/, decreaseIndentPattern: /^\s*[}\])]/ },
 };
 
-/** Tokenizer: the JSON header in the first comment, then GLSL ES 3.00 with the names of ISF. */
+/** Token rules for highlighting: the JSON header in the first comment, then GLSL ES 3.00 with the names of ISF. */
 const TOKENS: languages.IMonarchLanguage = {
   defaultToken: '',
   keywords: [...KEYWORDS, 'flat', 'smooth', 'layout'].filter((word) => !TYPES.has(word)),

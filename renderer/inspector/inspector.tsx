@@ -7,7 +7,7 @@ import { NodeInspector } from './node-inspector.tsx';
 import { ProjectInspector } from './project-inspector.tsx';
 import { SelectionInspector } from './selection-inspector.tsx';
 
-/** Inspector of the selection, or of the project if nothing is selected. Built from definitions alone. */
+/** Inspector of the selection, or of the project if nothing is selected. It is built from node definitions alone. */
 export function Inspector() {
   const { selection } = useEditor();
   const node = useStore(selection, soleNode);

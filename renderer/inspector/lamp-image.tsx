@@ -107,7 +107,7 @@ function LampMark({ id, lamp, found, isChosen, onChoose }: LampMarkProps) {
   );
 }
 
-/** Where a lamp is pinned; null if it is not, or if its direction moves. */
+/** The position where a lamp is pinned; null if it is not pinned, or if its direction follows a track or expression. */
 function usePinned(id: string, lamp: number): PanoramaPlace | null {
   const text = useDocument((state) => {
     const params = nodeOf(state, id)?.params ?? {};

@@ -13,7 +13,11 @@ export interface Captures {
 const VIDEO_TYPES = ['video/mp4;codecs=avc3.42E01E', 'video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'];
 const BITS_PER_PIXEL_S = 4;
 
-/** @param wake Requests another frame, also while the preview is paused. */
+/**
+ * Creates the screenshots and videos of the preview.
+ *
+ * @param wake Requests another frame, also while the preview is paused.
+ */
 export function createCaptures(send: (message: FromPreview) => void, wake: () => void): Captures {
   /**
    * State of the requested screenshot. An emulated device composites its image after the frame, so the screenshot is taken before the

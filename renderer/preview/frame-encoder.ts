@@ -17,12 +17,16 @@ export interface FrameEncoderOptions {
 /** Codecs in order of preference: AVC plays everywhere, VP8 can be encoded by every Chromium. */
 const KINDS = ['avc', 'vp9', 'vp8'] as const;
 
-/** Twice the bit rate that video sites recommend, because renders are edited further. */
+/** Bit rate of videos, in bits per pixel. Twice what video sites recommend, because renders are edited further. */
 const BITS_PER_PIXEL = 0.25;
 const LEAST_BITS_PER_S = 1_000_000;
 const KEY_FRAME_S = 1;
 
-/** @throws If the browser cannot encode videos of this size. */
+/**
+ * Creates an encoder for a canvas.
+ *
+ * @throws If the browser cannot encode videos of this size.
+ */
 export async function createFrameEncoder({ canvas, widthPx, heightPx, frameRateHz }: FrameEncoderOptions): Promise<FrameEncoder> {
   const bitrate = Math.max(LEAST_BITS_PER_S, Math.round(widthPx * heightPx * frameRateHz * BITS_PER_PIXEL));
   const kind = await firstOf(KINDS, (codec) => canEncodeVideo(codec, { width: widthPx, height: heightPx, bitrate }));

@@ -7,7 +7,11 @@ export interface Keys {
   dispose(): void;
 }
 
-/** @param isOurs Whether the preview currently uses the key itself. */
+/**
+ * Starts to forward keys.
+ *
+ * @param isOurs Whether the preview currently uses the key itself.
+ */
 export function createKeys(page: Window, send: (message: FromPreview) => void, isOurs: (event: KeyboardEvent) => boolean): Keys {
   let keybindings: ReadonlySet<string> = new Set();
   let mac = false;

@@ -22,10 +22,10 @@ import { createWalk } from './walk.ts';
 
 /** A session of the preview, with the control of its time. */
 export interface OpenSession {
-  /** Null if it could not be opened; see `diagnostics`. */
+  /** The session; null if it could not be opened, as `diagnostics` says. */
   readonly session: Session | null;
   readonly diagnostics: readonly Diagnostic[];
-  /** Null unless the session is a recording. */
+  /** Controls the time of a recording; null if the session is not a recording. */
   readonly recording: RecordingTransport | null;
   rewind(): void;
   /** Resizes the screen of an emulated device from the next frame on; null restores the size. No effect on other sessions. */

@@ -44,13 +44,20 @@ export interface PlayerHostOptions {
   readonly send: (message: FromPreview) => void;
 }
 
-/** Inspects every model as a phantom. Whether it is one depends on the program, so the controller filters the findings later. */
+/**
+ * Checks every model for problems as if it were a phantom. Whether a model is a phantom depends on the program, so the controller filters
+ * the findings later.
+ */
 const inspect = (gltf: Gltf, path: string, fileBytes: number) => findingsOf(gltf, path, fileBytes, true);
 
 /** The seed of exported pages, so that equal programs draw equal frames. */
 const SEED = 1;
 
-/** @throws If the browser does not support WebGL 2. */
+/**
+ * Creates a canvas with a context and a player.
+ *
+ * @throws If the browser does not support WebGL 2.
+ */
 export function createPlayerHost({ parent, program, assetBaseUrl, clock, onDiagnostics, onContext, send }: PlayerHostOptions): PlayerHost {
   const canvas = document.createElement('canvas');
   canvas.id = 'picture';

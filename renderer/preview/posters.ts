@@ -44,7 +44,11 @@ const QUALITY = 0.82;
 /** Background of exported pages, shown where the image is transparent. */
 const GROUND = '#14161a';
 
-/** @param wake Requests another frame, also while the preview is paused. */
+/**
+ * Creates the posters of the preview.
+ *
+ * @param wake Requests another frame, also while the preview is paused.
+ */
 export function createPosters(send: (message: FromPreview, transfer?: Transferable[]) => void, wake: () => void): Posters {
   let pending: PendingPoster | null = null;
   const answer = ({ request }: PosterRequest, bytes: Uint8Array<ArrayBuffer> | null) =>

@@ -63,7 +63,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
 
   let host: PlayerHost | null = null;
   let open: OpenSession | null = null;
-  /** `sessionKey` of `open`. */
+  /** The key of the open session, by `sessionKey`. */
   let openKey = '';
   let lost = false;
   /** Whether a frame of the program has been drawn. */

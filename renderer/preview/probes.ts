@@ -16,7 +16,11 @@ export interface Probes {
   afterFrame(player: Pick<Player, 'inspect'>, frame: SessionFrame, place: CaptureSource | null): void;
 }
 
-/** @param wake Requests a frame, also while the preview is paused. */
+/**
+ * Creates the handler of probe requests.
+ *
+ * @param wake Requests a frame, also while the preview is paused.
+ */
 export function createProbes(send: (message: FromPreview) => void, wake: () => void): Probes {
   let question: Question | null = null;
   /** Result without the color. An emulated device shows its image only after the frame. */

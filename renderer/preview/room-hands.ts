@@ -49,7 +49,11 @@ const scratchAim = new Vector3();
 const scratchMatrix = new Matrix4();
 const UP = new Vector3(0, 1, 0);
 
-/** @param hint Shows the keys. */
+/**
+ * Creates the hands and controllers of an emulated device.
+ *
+ * @param hint Element that shows the keys.
+ */
 export function createRoomHands(emulator: Controls, screen: HTMLElement, hint: HTMLElement, clock: FrameClock): RoomHands {
   const { device } = emulator;
   let mode: keyof typeof HINTS = 'controllers';

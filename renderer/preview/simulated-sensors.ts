@@ -9,7 +9,7 @@ import { type GeoPlace, setGeoPlace } from '../../nodes/kit/wgs84.ts';
  * phone, turn north, and remove the location.
  */
 export interface SimulatedSensors {
-  /** Installs the sensors before a program that needs them is played; removes them for others. */
+  /** Called before a program is played. Installs the sensors if the program needs them, else removes them. */
   follow(program: Program): void;
   beforeFrame(frame: SessionFrame): void;
   /** Whether the key drives the sensors at the moment. */
@@ -36,7 +36,11 @@ const SHAKES = 4;
 /** Devices give a position once a second. */
 const FIX_PERIOD_S = 1;
 
-/** @param hint Shows the keys. */
+/**
+ * Creates the sensors; `follow` installs them.
+ *
+ * @param hint Element that shows the keys.
+ */
 export function createSimulatedSensors(page: Window, hint: HTMLElement): SimulatedSensors {
   let sensors: EmulatedSensors | null = null;
   let northRad = 0;

@@ -8,7 +8,10 @@ export interface Thumbnails {
   setPorts(ports: readonly string[], heightPx: number): void;
   /** Marks all thumbnails as outdated, also while time stands still. */
   invalidate(): void;
-  /** The same, but layers that have a thumbnail wait for a pause, because more changes are likely, as while someone types. */
+  /**
+   * Marks all thumbnails as outdated. If every layer already has a thumbnail, waits for a pause first, because more changes are likely, as
+   * while someone types.
+   */
   invalidateAfterPause(): void;
   /** Returns the seconds until another frame is needed for outdated thumbnails; null if none is. */
   afterFrame(player: Pick<Player, 'inspect'>): number | null;
@@ -16,10 +19,12 @@ export interface Thumbnails {
 
 /** Maximum fraction of time for reading pixels back, which waits for the GPU. */
 const SHARE = 0.1;
-/** The same fraction for the first thumbnail of a layer, because a node without one looks empty. */
+/**
+ * Maximum fraction of time for reading the first thumbnail of a layer. Higher than `SHARE`, because a node without a thumbnail looks empty.
+ */
 const FIRST_SHARE = 0.5;
 
-/** Each thumbnail needs a frame, which would delay the image after the next key. */
+/** Pause before thumbnails are updated after a change. Each thumbnail needs a frame, which would delay the image after the next key. */
 const PAUSE_S = 0.25;
 
 type Send = (message: FromPreview, transfer: Transferable[]) => void;

@@ -14,7 +14,7 @@ export interface TrialCompiler {
 
 const POLL_S = 0.004;
 
-/** Uses its own context, because there may be no player, and a player disposes its context. */
+/** Creates a trial compiler. It uses a GL context of its own, because there may be no player, and a player disposes its context. */
 export function createTrialCompiler(clock: FrameClock, send: (message: FromPreview) => void): TrialCompiler {
   let objects: GlObjects | null = null;
   let newest: Trials | null = null;
@@ -41,7 +41,7 @@ export function createTrialCompiler(clock: FrameClock, send: (message: FromPrevi
   };
 }
 
-/** Null if the browser does not support WebGL 2, which the player reports. */
+/** Creates a GL context; null if the browser does not support WebGL 2, which the player reports. */
 function createContext(): GlObjects | null {
   const canvas = document.createElement('canvas');
   canvas.width = 1;

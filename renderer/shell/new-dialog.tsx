@@ -20,7 +20,7 @@ export function NewDialog({ chosen, onClose }: NewDialogProps) {
   const templates = useStore(editor.document, (state) => state.templates);
   const [template, setTemplate] = useState(chosen ?? templates[0]?.name ?? '');
   const [name, setName] = useState('My effect');
-  /** Null while the folder follows the name. */
+  /** The folder that the user typed; null while the folder follows the name. */
   const [typedPath, setTypedPath] = useState<string | null>(null);
   const path = typedPath ?? suggestFolder(editor, name);
   const [busy, setBusy] = useState(false);

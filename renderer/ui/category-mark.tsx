@@ -4,7 +4,7 @@ import { Icon, type IconName } from './icon.tsx';
 
 interface CategoryLook {
   readonly icon: IconName;
-  /** Has a contrast of at least 3:1 on nodes in both themes. */
+  /** Color of the icon. It has a contrast of at least 3:1 on nodes in both themes. */
   readonly color: `#${string}`;
 }
 

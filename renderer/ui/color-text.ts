@@ -1,7 +1,7 @@
-/** Display-referred sRGB, straight alpha, [0, 1]. */
+/** A color in display-referred sRGB with straight alpha, each component in [0, 1]. */
 export type Rgba = readonly [number, number, number, number];
 
-/** `#rrggbb`, without alpha. */
+/** Converts a color to `#rrggbb`, without alpha. */
 export function hexFromColor([r, g, b]: Rgba): string {
   const channel = (value: number) =>
     Math.round(Math.min(Math.max(value, 0), 1) * 255)

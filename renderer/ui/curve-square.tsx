@@ -48,7 +48,7 @@ export function hitRadiusPx({ pointerType }: PointerEvent): number {
 interface CurveHandleProps {
   readonly at: CurvePoint;
   readonly label: string;
-  /** Allowed distance below 0 and above 1 in y. */
+  /** How far the point may lie below 0 and above 1 in y. */
   readonly beyond?: number;
   readonly chosen?: boolean;
   /** Takes the focus first in a popover. */

@@ -8,7 +8,7 @@ interface DialogProps {
   /** Buttons; the default action is last. */
   readonly actions?: ReactNode;
   readonly wide?: boolean;
-  /** Larger than other dialogs. */
+  /** `large` makes the dialog larger than other dialogs. */
   readonly size?: 'large';
 }
 

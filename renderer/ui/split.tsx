@@ -2,12 +2,12 @@ import { type KeyboardEvent, type PointerEvent, type ReactNode, useRef } from 'r
 import './split.css';
 
 export interface SplitProps {
-  /** `columns`: side by side. `rows`: one above the other. */
+  /** How the panes are arranged. `columns`: side by side. `rows`: one above the other. */
   readonly direction: 'columns' | 'rows';
   readonly first: ReactNode;
-  /** Null gives all space to the first. */
+  /** Content of the second pane. Null gives all space to the first. */
   readonly second: ReactNode;
-  /** Which of the two keeps its size when the window changes. */
+  /** Which pane keeps its size when the window changes. */
   readonly fixed: 'first' | 'second';
   /** Draws the second pane before the first. */
   readonly reversed?: boolean;

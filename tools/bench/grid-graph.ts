@@ -5,7 +5,7 @@ export interface GridGraph {
   readonly places: Readonly<Record<string, readonly [x: number, y: number]>>;
 }
 
-/** Nodes per column. Distances are those of automatic layout. */
+/** Nodes per column, and distances between them, as in automatic layout. */
 export const GRID_ROWS = 25;
 const SPACING = { x: 264, y: 120 };
 const FILTERS = ['filter/sepia', 'filter/threshold', 'filter/gaussian-blur', 'filter/color-temperature'];

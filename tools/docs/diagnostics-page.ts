@@ -11,7 +11,7 @@ const GROUPS = [
   ['Command line and host', 70],
 ] as const;
 
-/** `docs/diagnostics.md`: every code with what it means and what to do. */
+/** Text of `docs/diagnostics.md`: every code, what it means and what to do. */
 export function diagnosticsPage(): string {
   const codes = Object.keys(DIAGNOSTICS).sort() as DiagnosticCode[];
   const sections = GROUPS.map(([title, from], index) => {

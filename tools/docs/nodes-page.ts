@@ -2,7 +2,7 @@ import { categoryLabel } from '../../nodes/kit/categories.ts';
 import type { InputPort, NodeDefinition, OutputPort, ParamDefinition } from '../../nodes/kit/definition.ts';
 import { canBeWired, inputFacts, needFacts, outputFacts, paramFacts } from '../../nodes/kit/facts.ts';
 
-/** `docs/nodes.md`: the reference of all node types, from their definitions. */
+/** Text of `docs/nodes.md`: the reference of all node types, from their definitions. */
 export function nodesPage(definitions: readonly NodeDefinition[]): string {
   const sorted = [...definitions].sort((a, b) => compare(a.type, b.type));
   const categories = [...new Set(sorted.map(({ type }) => categoryLabel(type)))];

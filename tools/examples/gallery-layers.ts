@@ -127,7 +127,7 @@ const ABOVE = [
   [0.3, 0.6, 0.85, 1],
 ] as const;
 /**
- * In meters: distance between the centers of neighboring strips, and of neighboring bars; and by how much the bars are longer than all
+ * Distances in meters: between the centers of neighboring strips, and of neighboring bars; and by how much the bars are longer than all
  * strips are wide. The strips extend beyond the bars by half as much.
  */
 export const BLEND_FIELD = { stripM: 0.076, barM: 0.034, reachM: 0.03 } as const;

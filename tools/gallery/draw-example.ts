@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import process from 'node:process';
 
 export interface DrawnExample {
-  /** Null if it cannot be drawn. */
+  /** The rendered frame as PNG; null if it cannot be drawn. */
   readonly png: Uint8Array | null;
   /** Output of `scrim render`, without the path of the result. */
   readonly said: string;

@@ -13,7 +13,7 @@ export interface NodeFolder {
 
 /** A shader text with its name in `lowering.shader`. */
 export interface ShaderFile {
-  /** `filters/sepia.fs` in the library, `layer/depth-occlusion/occlusion.fs` in a node’s folder. */
+  /** Name such as `filters/sepia.fs` for the library, or `layer/depth-occlusion/occlusion.fs` for a node’s folder. */
   readonly name: string;
   readonly text: string;
 }
@@ -70,7 +70,9 @@ function readShaders(base: string, names: readonly string[]): Promise<ShaderFile
   return Promise.all(names.map(async (name) => ({ name, text: await readFile(join(base, name), isPicture(name) ? 'base64' : 'utf8') })));
 }
 
-/** `.vs` is the vertex shader of the ISF file of the same name; `.glsl` are techniques and chunks. */
+/**
+ * Whether a file is a shader: `.fs` is an ISF file, `.vs` the vertex shader of the ISF file of the same name, `.glsl` a technique or chunk.
+ */
 function isShader(path: string): boolean {
   return path.endsWith('.fs') || path.endsWith('.vs') || path.endsWith('.glsl');
 }

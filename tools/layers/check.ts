@@ -16,7 +16,7 @@ const TRANSLATIONS: Readonly<Record<string, string>> = {
   ',': '|',
 };
 
-/** `path:line: message`, ready to print. */
+/** A violation as text to print: `path:line: message`. */
 export type Problem = string;
 
 export interface InputFile {
@@ -155,7 +155,7 @@ function packageProblem(layer: Layer, specifier: string, typeOnly: boolean): str
   return `${layer.name} may not import ${name === 'node:*' ? specifier : name}.`;
 }
 
-/** `three/addons/x.js` → `three`; `node:fs` → `node:*`. */
+/** Name of the package in an import: `three/addons/x.js` → `three`; `node:fs` → `node:*`. */
 function packageName(specifier: string): string {
   if (specifier.startsWith('node:')) return 'node:*';
   return specifier

@@ -100,7 +100,7 @@ function withDefinition(library: NodeLibrary, added: ReturnType<Template['defini
   };
 }
 
-/** `depth-fog` → `Depth fog`. */
+/** Makes a title from a name: `depth-fog` → `Depth fog`. */
 function titleOf(name: string): string {
   const words = name.replaceAll('-', ' ');
   return words.slice(0, 1).toUpperCase() + words.slice(1);

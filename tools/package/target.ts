@@ -18,7 +18,11 @@ export const USAGE = `Usage: npm run package -- [--platform ${PLATFORMS.join('|'
 Makes the app's folder, of this system unless told otherwise, in dist/app. --electron names a folder with an unpacked Electron
 of that system, for machines that cannot fetch it.`;
 
-/** @throws Error with a message for the user */
+/**
+ * Reads the target from the command line.
+ *
+ * @throws Error with a message for the user
+ */
 export function readTarget(args: readonly string[]): Target {
   const text = { type: 'string' } as const;
   const { values } = parseArgs({ args: [...args], options: { platform: text, arch: text, electron: text, out: text } });

@@ -9,7 +9,11 @@ export interface DepthImage {
   readonly meters: Float32Array;
 }
 
-/** @throws Error if the PNG is not a 16-bit image with one channel */
+/**
+ * Decodes a depth image; `metresPerUnit` is the depth of one unit in meters.
+ *
+ * @throws Error if the PNG is not a 16-bit image with one channel
+ */
 export function decodeDepthPng(png: Uint8Array, metresPerUnit: number): DepthImage {
   const { width, height, data, depth, channels } = decode(png);
   if (depth !== 16 || channels !== 1) throw new Error(`a depth picture has one channel of 16 bits; this one has ${channels} of ${depth}`);
@@ -43,7 +47,7 @@ export interface SurfacePoint {
  * millimeter.
  */
 const REACH = 1 / 130;
-/** On a plane, 1 / depth changes linearly between pixels. A larger deviation is an edge. */
+/** Relative deviation of 1 / depth above which a pixel counts as an edge. On a plane, 1 / depth changes linearly between pixels. */
 const MAX_BEND = 0.01;
 
 /** Points with normals on a grid of every `stridePx` pixels, except at edges and unknown depth. */

@@ -147,6 +147,6 @@ function toUnits(base64: string): Uint16Array {
 }
 
 declare global {
-  /** In the browser: the exports of `studio.page.ts`. */
+  /** The exports of `studio.page.ts`, as a global of the page in the browser. */
   var studio: typeof import('./studio.page.ts');
 }

@@ -18,7 +18,7 @@ export interface PosedFrame {
   readonly timeS: number;
   readonly color: string;
   readonly depth: string;
-  /** In the world space of the recording, with the camera axes of sessions: looking along −z, y up. */
+  /** Pose of the camera in the world space of the recording, with the camera axes of sessions: looking along −z, y up. */
   readonly worldFromCamera: Matrix;
 }
 

@@ -6,8 +6,8 @@ import type { ToolContext } from '../lib/tool.ts';
 import { findPhrases } from './phrases.ts';
 
 /**
- * `npm run spell [FILE…]`: American spelling by cspell (`cspell.json`, with `docs/words.txt` for the terms of the field), and
- * phrases that a reader has to read twice.
+ * `npm run spell [FILE…]`: checks American spelling by cspell (`cspell.json`, with `docs/words.txt` for the terms of the field), and
+ * reports phrases that a reader has to read twice.
  */
 export async function main(args: readonly string[], { root }: ToolContext): Promise<number> {
   const problems = await checkPhrases(root, args);
@@ -17,7 +17,7 @@ export async function main(args: readonly string[], { root }: ToolContext): Prom
   return problems.length === 0 && spelling === 0 ? 0 : 1;
 }
 
-/** `path:line: …` for each banned phrase in code, comments and docs. */
+/** Finds banned phrases in code, comments and docs. Returns a message `path:line: …` for each. */
 export async function checkPhrases(root: string, only: readonly string[] = []): Promise<string[]> {
   const paths = only.length > 0 ? only : await listFiles(root, (folder) => folder === 'nodes/generated' || folder === 'tests/output');
   const problems: string[] = [];

@@ -1,6 +1,6 @@
 import { children, isNode, parseFile, type SyntaxNode } from '../layers/syntax.ts';
 
-/** Where the table is committed; its diff is reviewed like that of a rendered image. */
+/** Path of the committed table of strings. Its diff is reviewed like that of a rendered image. */
 export const STRINGS_TABLE = 'docs/strings.tsv';
 
 /**

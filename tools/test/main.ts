@@ -17,7 +17,7 @@ const USAGE = `Usage: npm test
 
 SCRIM_REQUIRE=electron,data makes tests fail that are else skipped where there is no Electron or no real data.`;
 
-/** `Requirement` of tests/support/required.ts. */
+/** Names of requirements, as `Requirement` of tests/support/required.ts lists them. */
 const REQUIREMENTS = ['electron', 'data'];
 
 /**

@@ -17,7 +17,7 @@ const OPENERS: Readonly<Partial<Record<NodeJS.Platform, readonly string[]>>> = {
 /** Default port. It is fixed, because browsers store preferences by origin. */
 const USUAL_PORT = 17_246;
 
-/** If Electron exits within this time, it has failed to start, for example because a library is missing. */
+/** Time within which an exit of Electron means that it failed to start, for example because a library is missing. */
 const STARTED_MS = 5_000;
 
 export const openCommand: Command = {
@@ -116,7 +116,7 @@ const OPENED_TWICE: Diagnostic = {
 };
 
 interface Ports {
-  /** Null if the option is absent. */
+  /** Port of the option; null if the option is absent. */
   readonly port: number | null;
   readonly previewPort: number | null;
 }

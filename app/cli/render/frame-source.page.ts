@@ -13,13 +13,13 @@ const ROOM_POSE: HeadPose = { position: [0, 1.5, 1], quaternion: [-Math.sin(0.07
 /** Source of the frames. URLs are relative to the page. */
 export type RenderSession =
   | { readonly kind: 'recorded'; readonly url: string }
-  /** `captureUrl` is null for the emulator’s built-in room. */
+  /** An emulated room. `captureUrl` is the URL of a capture; null for the emulator’s built-in room. */
   | { readonly kind: 'room'; readonly captureUrl: string | null; readonly sizePx: readonly [number, number] };
 
 /** A session that produces frames on request. */
 export interface FrameSource {
   readonly session: Session;
-  /** Null if the session has no end. */
+  /** Number of frames; null if the session has no end. */
   readonly frameCount: number | null;
   /** Plays the frame; if `frameCount` is null, the next one. Returns false if there is no such frame. */
   step(index: number): Promise<boolean>;

@@ -9,14 +9,22 @@ import type { ImageHead } from './render.page.ts';
 
 /** Collects images in a temporary folder until all are complete, so that a failed render leaves nothing. */
 export interface FrameWriter {
-  /** @param bytes Premultiplied RGBA, or depth in meters as 32-bit floats. */
+  /**
+   * Encodes an image and writes it to the temporary folder.
+   *
+   * @param bytes Premultiplied RGBA, or depth in meters as 32-bit floats.
+   */
   add(index: number, head: ImageHead, bytes: Uint8Array): Promise<void>;
   /** Moves the images to their destination. Returns their paths. */
   finish(): Promise<readonly string[]>;
   dispose(): Promise<void>;
 }
 
-/** @throws SCR060 if `out` cannot be written, before anything is rendered */
+/**
+ * Creates a frame writer and its temporary folder.
+ *
+ * @throws SCR060 if `out` cannot be written, before anything is rendered
+ */
 export async function createFrameWriter(out: string, isFile: boolean, isDepth: boolean): Promise<FrameWriter> {
   const folder = isFile ? dirname(resolve(out)) : resolve(out);
   const refuse = (error: unknown): never => {

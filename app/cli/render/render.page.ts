@@ -33,7 +33,7 @@ export type Subject =
   | { readonly kind: 'depth'; readonly tap: string };
 
 export interface OpenedJob {
-  /** Null if the session has no end. */
+  /** Number of frames; null if the session has no end. */
   readonly frameCount: number | null;
   readonly shaderErrors: readonly ShaderError[];
   readonly diagnostics: readonly Diagnostic[];

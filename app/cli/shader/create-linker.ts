@@ -17,6 +17,8 @@ export interface Linker {
 const WORKER_ENTRY = 'app/cli/shader/link-worker.ts';
 
 /**
+ * Creates a linker.
+ *
  * @param root Folder with the sources of Scrim.
  * @param limitS Time limit per file. A file that exceeds it or crashes the linker gets a diagnostic.
  */

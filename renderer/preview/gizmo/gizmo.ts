@@ -34,7 +34,11 @@ interface Drag {
   readonly read: ReadParam;
 }
 
-/** @param wake Requests a frame, also while the preview is paused. */
+/**
+ * Creates the gizmo over the preview.
+ *
+ * @param wake Requests a frame, also while the preview is paused.
+ */
 export function createGizmo(parent: HTMLElement, send: (message: FromPreview) => void, wake: () => void): Gizmo {
   let gizmo: PreviewGizmo | null = null;
   let picking = false;

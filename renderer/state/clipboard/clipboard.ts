@@ -185,7 +185,11 @@ function withoutSecondOutput(editor: Editor, clipping: Clipping): Clipping {
   return { ...clipping, nodes: Object.fromEntries(Object.entries(clipping.nodes).filter(([id]) => !screens.includes(id))) };
 }
 
-/** @param wired Whether the copies also get the incoming wires of the originals from other nodes. */
+/**
+ * Copies the selected nodes within the graph. Returns false if none is selected.
+ *
+ * @param wired Whether the copies also get the incoming wires of the originals from other nodes.
+ */
 export function duplicateSelection(editor: Editor, { wired = false } = {}): boolean {
   const clipping = clipSelection(editor);
   if (clipping === null) return false;

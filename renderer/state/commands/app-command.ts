@@ -13,6 +13,6 @@ export interface AppCommand {
   readonly byEvent?: true;
   /** Whether the keys work while a text field has the focus. */
   readonly whileTyping?: true;
-  /** `time`: the keys work only while the timeline or the preview has the focus. */
+  /** Where the keys work. `time`: only while the timeline or the preview has the focus or the pointer. Absent: everywhere. */
   readonly where?: 'time';
 }

@@ -14,7 +14,7 @@ export interface CompileAnswer {
   readonly revision: number;
   readonly program: Program | null;
   readonly diagnostics: readonly Diagnostic[];
-  /** Without a program: texts above mistakes, for a driver; see `Compiled`. */
+  /** If there is no program: the shader texts above the mistakes, which a driver can still compile; see `Compiled`. */
   readonly above: readonly ShaderAbove[];
   readonly tookMs: number;
 }
@@ -32,7 +32,11 @@ export interface CompilerLink {
   dispose(): void;
 }
 
-/** @param onAnswer Called with each answer; `more` is true if a newer request has already started. */
+/**
+ * Connects the editor to the compiler worker.
+ *
+ * @param onAnswer Called with each answer; `more` is true if a newer request has already started.
+ */
 export function createCompilerLink(worker: CompilerWorker, onAnswer: (answer: CompileAnswer, more: boolean) => void): CompilerLink {
   let running = false;
   let waiting: CompileRequest | null = null;

@@ -4,15 +4,16 @@ import type { Editor } from '../editor/editor.ts';
 import { endGesture } from './apply.ts';
 import { editShader, editSource, projectFileOf, shaderOf } from './edit-shader.ts';
 
-/** Pause after which new problems are marked. */
+/** Pause in typing after which new problems are marked. */
 const REST_MS = 300;
 
 /**
- * If the last compile was faster than this, each key press compiles at once. Else typing waits for a pause as long as that compile.
+ * Limit for the duration of the last compile. If it took less, each key press compiles at once; else typing waits for a pause as long as
+ * that compile.
  */
 const AT_ONCE_MS = 30;
 
-/** Longest wait during continuous typing. A crash loses at most five seconds of work, of which autosave takes four. */
+/** Longest wait for a pause during continuous typing. A crash loses at most five seconds of work, of which autosave takes four. */
 const TYPING_AT_MOST_MS = 900;
 
 /** Buffers typed shader text until it is applied to the document. */

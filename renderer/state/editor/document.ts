@@ -11,7 +11,7 @@ import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 export type OpenInfo = Pick<OpenProject, 'handle' | 'displayPath' | 'revision' | 'assetBaseUrl' | 'assetFiles'>;
 
 export interface DocumentState {
-  /** Null if no project is open. */
+  /** The open project; null if there is none. */
   readonly open: OpenInfo | null;
   readonly project: Project;
   /** Name of the open graph, which the canvas shows. */

@@ -4,7 +4,7 @@ import type { GizmoTarget } from './gizmo-target.ts';
 
 /** Options and state of the gizmo in the preview. */
 export interface GizmoState {
-  /** Null hides the gizmo and disables selection by click. */
+  /** Mode of the gizmo. Null hides the gizmo and disables selection by click. */
   readonly mode: GizmoMode | null;
   readonly space: 'local' | 'world';
   readonly snap: boolean;

@@ -15,11 +15,11 @@ export interface RecentProject {
 export interface Preferences {
   readonly theme: Theme;
   readonly motion: Motion;
-  /** One of `SCALES`. */
+  /** UI scale, one of `SCALES`. */
   readonly scale: number;
   /** Keybindings that differ from the defaults, by command. An empty list removes the default. */
   readonly keybindings: Readonly<Record<string, readonly string[]>>;
-  /** Newest first. */
+  /** Recent projects, newest first. */
   readonly recent: readonly RecentProject[];
 }
 

@@ -28,7 +28,7 @@ export const DEFAULT_SIZES: PanelSizes = {
 export const DOCKS = ['right', 'left', 'below'] as const;
 export type Dock = (typeof DOCKS)[number];
 
-/** `panel`: beside the graph. `full`: the preview fills the window. `overlay`: so it does, with the graph over it. */
+/** `panel`: beside the graph. `full`: the preview fills the window. `overlay`: the preview fills the window, with the graph over it. */
 export type PreviewExtent = 'panel' | 'full' | 'overlay';
 
 export type BottomTab = 'code' | 'timeline' | 'problems';
@@ -179,7 +179,11 @@ export function revealNodes(store: UiStore, nodes: readonly string[], how: Revea
   store.setState(({ reveal }) => ({ reveal: { serial: (reveal?.serial ?? 0) + 1, nodes, how } }));
 }
 
-/** @param file A chunk that the technique of the selected node includes, or its vertex shader; null for the shader itself. */
+/**
+ * Opens the code panel at a position of the selected node's shader.
+ *
+ * @param file A chunk that the technique of the selected node includes, or its vertex shader; null for the shader itself.
+ */
 export function revealCode(store: UiStore, line: number, column: number, file: string | null = null): void {
   store.setState(({ codePosition }) => ({
     bottom: 'code',

@@ -18,10 +18,10 @@ import type { Place } from '../editor/canvas-state.ts';
 export interface Recipe {
   /** Palette entry. Its type is `combination/NAME`; its ports are the keys of `ports`. */
   readonly definition: NodeDefinition;
-  /** Nodes by a name inside the recipe. The first is placed at the chosen position and selected. */
+  /** Nodes of the recipe by name. Names are valid only inside the recipe. The first node is placed at the chosen position and selected. */
   readonly nodes: Readonly<Record<string, RecipeNode>>;
   readonly wires: readonly (readonly [from: string, to: string])[];
-  /** `node.port` inside the recipe, by port of the entry. */
+  /** Ports of the palette entry: for each, the port `node.port` inside the recipe. */
   readonly ports: Readonly<Record<string, string>>;
 }
 

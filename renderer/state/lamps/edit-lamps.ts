@@ -24,7 +24,7 @@ export function directionOf({ towards: [x, y, z] }: Pick<FoundLamp, 'towards'>):
   return { azimuthRad: Math.atan2(x, z), elevationRad: Math.asin(Math.min(1, Math.max(-1, y))) };
 }
 
-/** Where a direction is on the panorama, whose center is -z. */
+/** Converts a direction to a point of the panorama, whose center is -z. */
 export function placeOf({ azimuthRad, elevationRad }: LampDirection): PanoramaPlace {
   const right = Math.PI - azimuthRad;
   const part = right / (2 * Math.PI) + 0.5;

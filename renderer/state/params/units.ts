@@ -25,7 +25,7 @@ export function shownUnit(unit: Unit | undefined): ShownUnit {
 }
 
 export interface NumberRange {
-  /** In stored units. */
+  /** Least value, in stored units; undefined if there is no limit. */
   readonly min: number | undefined;
   readonly max: number | undefined;
   readonly step: number;

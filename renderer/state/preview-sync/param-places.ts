@@ -6,7 +6,7 @@ import type { ParamEdit } from './changes.ts';
 /** A param of the running program. `node` is its id there: `outer/inner` within subgraphs. */
 export type PlacedEdit = Pick<ParamEdit, 'node' | 'param' | 'value'>;
 
-/** Above this number of values, a recompile is faster. */
+/** Maximum number of values to set in the running program. For more, a recompile is faster. */
 const MAX_USES = 2000;
 
 /**

@@ -17,7 +17,11 @@ export interface ViewerSync {
   dispose(): void;
 }
 
-/** @param compile Recompiles the project. A program keeps only the viewed layers, so a change of these needs another program. */
+/**
+ * Creates the viewer sync.
+ *
+ * @param compile Recompiles the project. A program keeps only the viewed layers, so a change of these needs another program.
+ */
 export function createViewerSync(editor: Editor, post: (message: ToPreview) => void, compile: () => void): ViewerSync {
   let compiled = '';
   const taps = () => {

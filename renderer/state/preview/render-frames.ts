@@ -14,7 +14,7 @@ export interface FrameRenderOptions {
   readonly range: FrameRange;
   readonly widthPx: number;
   readonly heightPx: number;
-  /** Null: the frames of the recording. Rooms need a frame rate. */
+  /** Frame rate of the render. Null renders the frames of the recording; rooms need a frame rate. */
   readonly frameRateHz: number | null;
   /** Folder for images. Videos are saved to the downloads. */
   readonly out: string;
@@ -24,7 +24,7 @@ interface PlannedFrame {
   readonly timeS: number;
   /** Number in the file name. */
   readonly number: number;
-  /** False for frames before the range, which are drawn only for stateful nodes. */
+  /** Whether the frame is returned. False for frames before the range, which are drawn only for stateful nodes. */
   readonly keep: boolean;
 }
 
