@@ -164,7 +164,10 @@ export type FromPreview =
   | { readonly kind: 'ready' }
   /** The program of this revision is now on screen. */
   | { readonly kind: 'playing'; readonly revision: number }
-  /** Premultiplied RGBA, rows from the top; null if the request asked for no pixels. */
+  /**
+   * The answer to `render-begin` and `render-frame`. `frame`: premultiplied RGBA, rows from the top; null if the request asked for no
+   * pixels.
+   */
   | { readonly kind: 'frame-rendered'; readonly frame: Uint8Array<ArrayBuffer> | null }
   | { readonly kind: 'render-finished'; readonly file: Blob | null }
   | { readonly kind: 'render-failed'; readonly diagnostic: Diagnostic }
@@ -206,7 +209,7 @@ export type FromPreview =
   | { readonly kind: 'panorama'; readonly state: 'taken' | 'failed'; readonly text: string }
   /** Sent twice a second while measuring is on. */
   | { readonly kind: 'costs'; readonly costs: readonly OperationCost[] }
-  /** Null if nothing is shown. */
+  /** The answer to `poster`. `bytes`: the JPEG; null if nothing is shown. */
   | { readonly kind: 'poster'; readonly request: number; readonly bytes: Uint8Array<ArrayBuffer> | null };
 
 /** Cost of one operation of the program in one frame, all views together. */

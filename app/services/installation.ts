@@ -7,14 +7,14 @@ export interface Installation {
   readonly version: string;
   /** Folder with the sources and `node_modules`, from which exported pages are bundled. */
   readonly root: string;
-  /** Built pages of the editor and the preview. */
+  /** Folders of the built pages of the editor and the preview. */
   readonly pages: { readonly editor: string; readonly preview: string };
   readonly examplesDir: string;
-  /** Template projects. */
+  /** Folder with the template projects. */
   readonly templatesDir: string;
-  /** Recorded sessions that come with Scrim. */
+  /** Folder with the recorded sessions that come with Scrim. */
   readonly sessionsDir: string;
-  /** Captures of emulated rooms. */
+  /** Folder with the captures of emulated rooms. */
   readonly roomsDir: string;
   /** Folder for the projects of the user. */
   readonly projectsDir: string;

@@ -97,7 +97,7 @@ function endsOf({ source, wires, before, to }: Stretch): readonly [string, strin
   ];
 }
 
-/** Handles of a reroute. */
+/** Ids of the handles at which wires enter and leave a reroute. */
 export const REROUTE_IN = 'in';
 export const REROUTE_OUT = 'through';
 

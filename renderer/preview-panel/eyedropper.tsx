@@ -9,7 +9,7 @@ import './eyedropper.css';
 /** Number of pixels that the magnifier shows on each side of the center: 11 in a row, each 10 CSS pixels wide. */
 const AROUND_PX = 5;
 const SIDE_PX = 2 * AROUND_PX + 1;
-/** Step with Shift, in pixels. */
+/** Step of the arrow keys with Shift, in pixels. */
 const LONG_STEP_PX = 10;
 
 /** Fractions of the preview size, from the top left. */

@@ -142,7 +142,7 @@ function Transport() {
   );
 }
 
-/** A component of its own, because it rerenders ten times a second. */
+/** Session time and frame number. They are a component of their own, because they rerender ten times a second. */
 function TransportTime() {
   const { preview } = useEditor();
   const known = useStore(preview, ({ status }) => status !== null);

@@ -1,7 +1,7 @@
 import type { FromPreview } from '../preview-protocol.ts';
 import type { CaptureSource } from './posters.ts';
 
-/** Screenshots and videos of the preview. */
+/** Takes screenshots and records videos of the preview. */
 export interface Captures {
   screenshot(place: CaptureSource | null): void;
   record(on: boolean, place: CaptureSource | null): void;
@@ -14,7 +14,7 @@ const VIDEO_TYPES = ['video/mp4;codecs=avc3.42E01E', 'video/webm;codecs=vp9', 'v
 const BITS_PER_PIXEL_S = 4;
 
 /**
- * Creates the screenshots and videos of the preview.
+ * Creates the object that takes screenshots and videos.
  *
  * @param wake Requests another frame, also while the preview is paused.
  */

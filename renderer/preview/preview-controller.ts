@@ -28,7 +28,7 @@ export interface PreviewControllerOptions {
   readonly parent: HTMLElement;
   /** The element in which an emulated device shows its image. */
   readonly screen: HTMLElement;
-  /** Shows the keys of simulated sensors. */
+  /** Element that shows the keys of simulated sensors. */
   readonly sensorHint: HTMLElement;
   readonly clock: FrameClock;
   readonly send: (message: FromPreview, transfer?: Transferable[]) => void;

@@ -20,8 +20,8 @@ const IDLE_S = 0.25;
 const MAX_STEP_S = 0.5;
 
 /**
- * Follows `base` while playing. While paused, it calls back at a low rate with the same time. `beforeFrame` runs before the callbacks
- * of each frame.
+ * Creates a clock. While playing, it follows `base`. While paused, it calls back at a low rate with the same time. `beforeFrame` runs
+ * before the callbacks of each frame.
  */
 export function createTransportClock(base: FrameClock, beforeFrame: () => void): TransportClock {
   let playing = true;

@@ -8,7 +8,7 @@ type Trials = Extract<ToPreview, { kind: 'trials' }>;
 
 /** Compiles shaders only for the errors of the driver. */
 export interface TrialCompiler {
-  /** Answers only the newest request. */
+  /** Compiles shaders and sends the errors of the driver. Answers only the newest request. */
   compile(trials: Trials): void;
 }
 

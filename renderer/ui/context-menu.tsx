@@ -5,7 +5,7 @@ import './menu.css';
 
 interface ContextMenuProps {
   readonly label: string;
-  /** Client pixels, clamped to the window. */
+  /** Position in client pixels, clamped to the window. */
   readonly at: { readonly x: number; readonly y: number };
   readonly items: readonly MenuItem[];
   readonly onClose: () => void;

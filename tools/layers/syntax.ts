@@ -40,7 +40,7 @@ export function* children(node: SyntaxNode): Generator<readonly [key: string, ch
   }
 }
 
-/** Line number, from 1. */
+/** Line number of an offset in a text, from 1. */
 export function lineOf(text: string, offset: number): number {
   let line = 1;
   for (let at = text.indexOf('\n'); at !== -1 && at < offset; at = text.indexOf('\n', at + 1)) line++;

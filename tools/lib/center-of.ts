@@ -1,6 +1,6 @@
 import type { Locator } from 'playwright-core';
 
-/** Client pixels. */
+/** A point in client pixels. */
 export interface Point {
   readonly x: number;
   readonly y: number;

@@ -8,7 +8,7 @@ export interface NewcomerOptions {
   readonly page: Page;
   /** Path of the model that is dropped. */
   readonly model: string;
-  /** Folders that do not exist yet. */
+  /** Folders for the project and for the exported page. They do not exist yet. */
   readonly project: string;
   readonly exportTo: string;
   readonly onDone?: (done: Interaction) => Promise<void>;

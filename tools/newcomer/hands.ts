@@ -6,7 +6,7 @@ import { centerOf, type Point } from '../lib/center-of.ts';
 /** An interaction as a user counts it: a click, a drag, or a field with its Enter. */
 export interface Interaction {
   readonly kind: 'click' | 'drag' | 'type';
-  /** Description for readers. */
+  /** What the user does, as a caption for readers of the documentation. */
   readonly what: string;
   /** Position of the pointer in client pixels. */
   readonly at: Point;

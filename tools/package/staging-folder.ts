@@ -96,7 +96,7 @@ async function copyEsbuildProgram(root: string, target: string, name: string): P
   await cp(from, join(target, name), { recursive: true });
 }
 
-/** Copies the files of a folder except hidden ones. Returns their paths. */
+/** Copies the files of a folder, except hidden ones and those that `isNeedless` accepts. Returns their paths. */
 async function copyFolder(
   from: string,
   to: string,

@@ -18,9 +18,9 @@ export interface StudioCamera {
 }
 
 export interface StudioFrame {
-  /** Base64. */
+  /** Color image: a JPEG as base64. */
   readonly jpeg: string;
-  /** Base64 of 32-bit floats: meters, rows from the top, 0 for nothing. */
+  /** Depth image: 32-bit floats as base64, in meters, rows from the top, 0 for nothing. */
   readonly meters: string;
 }
 

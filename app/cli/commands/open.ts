@@ -64,7 +64,7 @@ function readPort(option: string, text: string | null): number | null {
   throw new UsageError(`${option} ${text} is not a port. Enter a number from 1 to 65535.`);
 }
 
-/** Resolves when the window is closed; to false if Electron could not start. */
+/** Opens the editor in Electron. Resolves to true when its window is closed; to false if Electron could not start. */
 function runElectron(path: string, { installation }: Context, project: string | null): Promise<boolean> {
   const { NODE_OPTIONS: _, ELECTRON_RUN_AS_NODE: __, ...env } = process.env;
   const args = [

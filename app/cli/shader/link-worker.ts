@@ -1,7 +1,7 @@
 import { parentPort } from 'node:worker_threads';
 import { linkFile } from './link-file.ts';
 
-/** Message of `create-linker.ts`. */
+/** Message that `create-linker.ts` sends to the worker: a file to link. */
 export interface LinkQuestion {
   readonly source: string;
   readonly file: string;
@@ -10,7 +10,7 @@ export interface LinkQuestion {
 
 parentPort?.postMessage({ ready: true });
 
-/** Always answers, even if the linker throws, so that the worker stays usable. */
+/** Links the file of a message. Always answers, even if the linker throws, so that the worker stays usable. */
 parentPort?.on('message', ({ source, file, vertex }: LinkQuestion) => {
   try {
     parentPort?.postMessage({ linked: linkFile(source, file, vertex) });

@@ -50,7 +50,7 @@ export async function readCopiedFiles(editor: Editor, brought: CopiedDependencie
   return files;
 }
 
-/** Other errors have their own message. */
+/** Returns null if the error says that a file is missing. Rethrows other errors, which have their own message. */
 function nullWhereMissing(error: unknown): null {
   if (error instanceof HostError && error.diagnostic.code === 'SCR004') return null;
   throw error;

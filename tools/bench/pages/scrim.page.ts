@@ -23,7 +23,7 @@ export async function open(program: Program, assetsUrl: string, widthPx: number,
   stage = { gl, measured, draw: clock.advance };
 }
 
-/** Replaces the program. */
+/** Replaces the program that is measured. */
 export async function show(program: Program): Promise<void> {
   const result = await stage?.measured.player.replaceProgram(program);
   if (result?.outcome !== 'playing') throw new Error(`The program is not played: ${JSON.stringify(result)}`);

@@ -33,7 +33,7 @@ interface Arm {
   /** Width of the palm in pixels. */
   readonly sizePx: number;
   readonly turnRad: number;
-  /** -1 for a left hand. */
+  /** 1 for a right hand, -1 for a left hand. */
   readonly side: 1 | -1;
   readonly skin: Color;
   readonly cloth: Color;
