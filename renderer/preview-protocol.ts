@@ -102,7 +102,7 @@ export interface FrameRenderRequest {
   readonly assetBaseUrl: string;
   readonly widthPx: number;
   readonly heightPx: number;
-  /** Null: each frame is returned as pixels. */
+  /** Options of the video; null if each frame is returned as pixels. */
   readonly video: { readonly frameRateHz: number } | null;
 }
 

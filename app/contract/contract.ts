@@ -81,7 +81,7 @@ const thumbnailUrl = z.string().startsWith('data:image/jpeg;base64,').optional()
 /** The poster as JPEG of `POSTER_SIZE`; null or absent if the preview shows nothing. */
 const poster = z.instanceof(Uint8Array).refine(isPosterJpeg, 'not a JPEG, or too large');
 
-/** Checks the first bytes of every JPEG (ISO 10918-1, B.1.1.3). */
+/** Whether the bytes begin like every JPEG (ISO 10918-1, B.1.1.3), and are not too many. */
 function isPosterJpeg(bytes: Uint8Array): boolean {
   return bytes.length <= MAX_POSTER_BYTES && bytes[0] === 0xff && bytes[1] === 0xd8 && bytes[2] === 0xff;
 }

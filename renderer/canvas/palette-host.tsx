@@ -64,7 +64,7 @@ export function PaletteHost({ toCanvas, canvas }: PaletteHostProps) {
   );
 }
 
-/** Definitions on offer: no subgraph that would contain itself; for a wire or a swap, only those with matching ports. */
+/** The node types that the palette offers: no subgraph that would contain itself; for a wire or a swap, only types with matching ports. */
 function offered(editor: Editor, { wire, swap }: PaletteRequest, all: readonly NodeDefinition[]): readonly NodeDefinition[] {
   const state = editor.document.getState();
   const possible = all.filter(({ type }) => {

@@ -167,7 +167,7 @@ export function createTuning(view: editor.IStandaloneCodeEditor, { onStart, onEn
     return view.getOption(editor.EditorOption.readOnly);
   }
 
-  /** Alt-drag changes a number. */
+  /** Starts an Alt-drag, which changes a number. */
   function onPointerDown(event: PointerEvent): void {
     if (!event.altKey || event.button !== 0 || event.shiftKey) return;
     const position = view.getTargetAtClientPoint(event.clientX, event.clientY)?.position;

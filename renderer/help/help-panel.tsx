@@ -14,7 +14,10 @@ import { DocText } from '../ui/doc-text.tsx';
 import { ImageCard } from '../ui/image-card.tsx';
 import './help-panel.css';
 
-/** Docs of the selected node beside the graph, from its definition like the palette and `docs/nodes.md`. */
+/**
+ * Panel with the docs of the selected node, beside the graph. The docs come from the definition of the node, as in the palette and in
+ * `docs/nodes.md`.
+ */
 export function HelpPanel() {
   const { ui, selection } = useEditor();
   const node = useStore(selection, soleNode);

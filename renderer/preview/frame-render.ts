@@ -21,7 +21,7 @@ import { type OpenRenderSource, openRenderSource } from './render-source.ts';
  * and is then discarded.
  */
 export interface FrameRender {
-  /** Returns false for messages that are not for the frame render. */
+  /** Handles a message of the editor. Returns false if it is not for the frame render. */
   receive(message: ToPreview): boolean;
 }
 

@@ -100,7 +100,7 @@ async function openRoom(
   return { output: { draw, read, onCanvas: false }, diagnostics: asWarnings(diagnostics) };
 }
 
-/** Missing features of the emulated device are warnings and do not stop the render. */
+/** Turns diagnostics into warnings, because missing features of the emulated device do not stop the render. */
 function asWarnings(diagnostics: readonly Diagnostic[]): Diagnostic[] {
   return diagnostics.map((diagnostic) => ({ ...diagnostic, severity: 'warning' }));
 }

@@ -10,7 +10,7 @@ export interface TransportClock extends FrameClock {
   wake(): void;
 }
 
-/** Frame interval of a paused clock without changes. It shows what finishes loading late and saves power. */
+/** Frame interval of a paused clock without changes. Frames still follow, to show what finishes loading late, but slowly, to save power. */
 const IDLE_S = 0.25;
 
 /**

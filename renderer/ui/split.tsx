@@ -30,7 +30,7 @@ export function Split(props: SplitProps) {
   const drag = useRef<{ from: number; sizePx: number } | null>(null);
   const columns = direction === 'columns';
   const isFixedBefore = (fixed === 'first') !== reversed;
-  /** A drag toward the end grows the pane before the handle and shrinks the one after it. */
+  /** Sign of the size change: a drag toward the end grows a fixed pane before the handle and shrinks one after it. */
   const sign = isFixedBefore ? 1 : -1;
 
   const resize = (wanted: number) => {

@@ -76,7 +76,7 @@ async function openRoom(
   return { output: { session: output, frameCount: null, step, seen: emulator.readComposite }, diagnostics: asWarnings(diagnostics) };
 }
 
-/** Missing features of the emulated device are warnings and do not stop the render. */
+/** Turns diagnostics into warnings, because missing features of the emulated device do not stop the render. */
 function asWarnings(diagnostics: readonly Diagnostic[]): Diagnostic[] {
   return diagnostics.map((diagnostic) => ({ ...diagnostic, severity: 'warning' }));
 }

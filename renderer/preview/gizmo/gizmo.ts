@@ -204,7 +204,7 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
   };
 }
 
-/** The values of the params at the start of a drag. Later values would follow the drag itself. */
+/** Reads the params once, at the start of a drag. Later values would follow the drag itself. */
 function freezeParams({ handles }: PreviewGizmo, read: ReadParam): ReadParam {
   const values = new Map(Object.values(handles).map((param) => [param, read(param)]));
   return (param) => values.get(param) ?? null;

@@ -58,7 +58,7 @@ export type DialogRequest =
   | { readonly kind: 'save-as' }
   | { readonly kind: 'export' }
   | { readonly kind: 'render' }
-  /** Unsaved changes would be lost; `proceed` continues the action. */
+  /** Asks about unsaved changes that an action would discard; `proceed` continues the action. */
   | { readonly kind: 'unsaved'; readonly proceed: () => void }
   | { readonly kind: 'recovery'; readonly files: ProjectFiles }
   | { readonly kind: 'changed-outside' }

@@ -76,7 +76,7 @@ function endsOf(editor: Editor, { source, wires, before, to }: Stretch): readonl
 export interface Branch {
   /** The output that the wires of the reroute come from. */
   readonly from: PortAddress;
-  /** The route from there up to the reroute, included. */
+  /** The reroutes from that output up to this reroute, included. */
   readonly route: readonly string[];
 }
 
