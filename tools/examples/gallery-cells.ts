@@ -11,9 +11,9 @@ export interface Cell {
   readonly nodes: Readonly<Record<string, readonly [type: string, params?: Params]>>;
   readonly wires: readonly string[];
   /**
-   * What shows an output (`name.port`) of the cell: the height of a ball on its rail, from 0 at the foot to 1 at the top; the position of a
-   * ball relative to the center of the cell, in rail heights; the color of a box; or objects of the cell, also in rail heights around its
-   * center.
+   * How the cell shows one of its outputs (`name.port`). `height`: as the height of a ball on its rail, from 0 at the foot to 1 at the top.
+   * `place`: as the position of a ball relative to the center of the cell, in rail heights. `color`: as the color of a box. `things`: the
+   * output has objects of its own, also in rail heights around the center.
    */
   readonly shows: readonly ['height' | 'place' | 'color' | 'things', string];
 }

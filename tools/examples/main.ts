@@ -26,7 +26,7 @@ import { makeSky } from './sky.ts';
 /** WebCodecs requires a secure origin. No request reaches this address. */
 const ADDRESS = 'https://film.invalid/';
 
-/** Projects are self-contained folders, so each has its own copy of the model. */
+/** Paths of the robot model. Projects are self-contained folders, so each has its own copy. */
 const ROBOT_PATHS = [
   'examples/first-light/assets/robot.glb',
   'examples/templates/occlusion/assets/robot.glb',

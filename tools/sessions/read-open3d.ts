@@ -94,7 +94,7 @@ function text(value: unknown): string | null {
   return typeof value === 'string' && value !== '' ? value : null;
 }
 
-/** A path inside the folder. Copied files must not lie outside. */
+/** Reads a path, which must lie inside the folder of the recording, because its files are copied. */
 function path(value: unknown, what: string): string {
   if (typeof value !== 'string' || value === '' || /^[/\\]|\\|:/.test(value) || value.split('/').includes('..')) {
     throw new Error(`${what} has to be the path of a file inside the folder`);
