@@ -102,9 +102,7 @@ export type Resource =
       readonly samples: 1 | 4;
       /** `persistent` targets keep the previous frame: an operation that reads and writes one reads the previous content. */
       readonly lifetime: 'frame' | 'persistent';
-      /**
-       * An equal target whose texture this target uses too, because no operation needs the other target any more when this one is drawn.
-       */
+      /** An equal target whose texture this target shares: no operation reads the other target after this one is drawn. */
       readonly shares?: ResourceId;
     }
   /** A texture of a source: image, video or camera. */
