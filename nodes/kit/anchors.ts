@@ -1,9 +1,11 @@
 import type { Hit } from './hit-test.ts';
 
-/** Poses that stay at their point of the room. Types only; the runtime is in `export/runtime/spatial`. */
+/**
+ * Creates and restores anchors: poses that stay at their point of the real room. Types only; the runtime is in `export/runtime/spatial`.
+ */
 export interface AnchorService {
   /**
-   * Asks the session for an anchor. Returns at once; promises resolve inside.
+   * Asks the session for an anchor. Returns at once: the anchor's `state` changes when the session answers.
    *
    * @param at A hit of this frame, or a pose in world space: column-major 4×4, rigid.
    * @returns An anchor, which the caller deletes.
@@ -12,27 +14,27 @@ export interface AnchorService {
    */
   create(at: Hit | ArrayLike<number>, keepAs?: string): Anchor;
   /**
-   * Asks for the anchor that was kept under a name, in this visit or an earlier one.
+   * Asks the device for the anchor that was kept under a name, in this visit or an earlier one.
    *
    * @returns An anchor without a pose until it is `tracked`, and `deleted` if the device no longer has it; null if none is kept, or the
    * session keeps none.
    */
   restore(name: string): Anchor | null;
-  /** Keeps no anchor under that name any more. One that is in use stays until it is deleted. */
+  /** Stops keeping the anchor of that name. An anchor in use stays until it is deleted. */
   forget(name: string): void;
 }
 
 /**
- * Whether the device keeps an anchor for later visits: it was not asked, it has not answered, it does, or it refused or keeps no
- * anchors at all.
+ * Whether the device keeps an anchor for later visits. `not-asked`: nothing asked it to. `pending`: it has not answered. `kept`: it does.
+ * `refused`: it refused, or keeps no anchors at all.
  */
 export type AnchorKeeping = 'not-asked' | 'pending' | 'kept' | 'refused';
 
 /**
- * - `pending`: the device has not confirmed it yet.
+ * - `pending`: the device has not confirmed the anchor yet.
  * - `tracked`: `worldFromAnchor` is of this frame.
  * - `lost`: the device does not see it at present; the last pose stays.
- * - `deleted`: it is gone, by the node, the device or the end of the session; the last pose stays.
+ * - `deleted`: the node, the device or the end of the session has removed it; the last pose stays.
  * - `unsupported`: the session has no anchors, or refused this one; the pose is the one it was created with.
  */
 export type AnchorState = 'pending' | 'tracked' | 'lost' | 'deleted' | 'unsupported';
@@ -46,6 +48,6 @@ export interface Anchor {
   readonly keeping: AnchorKeeping;
   /** How many older anchors the device had to forget to keep this one. */
   readonly evicted: number;
-  /** Safe to call twice. */
+  /** Deletes the anchor. Safe to call twice. */
   delete(): void;
 }

@@ -27,7 +27,7 @@ export const ARITHMETIC = {
   '?:': 3,
 } as const;
 
-/** An operation of expressions of params and of size expressions of shaders; only sizes have `log2`. */
+/** The name of an operation in expressions of params and in size expressions of shaders. `log2` occurs only in the latter. */
 export type ArithmeticOperation = keyof typeof ARITHMETIC;
 
 /**

@@ -28,7 +28,7 @@ export interface AssetService {
   createEnvironment(pixels: PanoramaPixels): DerivedEnvironment;
 }
 
-/** One node's claim on an asset. Every handle must be released, in the node's `dispose`. */
+/** One node's reference to a shared asset. The node must release each of its handles in its `dispose`. */
 export interface AssetHandle<T> {
   readonly kind: AssetKind;
   /** Null until the asset has loaded, and if loading fails. A failure is reported once, at the node. */
@@ -48,8 +48,8 @@ export interface ImageAsset {
 /** A decoded glTF model, in meters, y up. */
 export interface ModelAsset {
   /**
-   * Creates a subtree with its own bones; geometries, materials and textures are shared. `normals`: how meshes without normals in the file
-   * are shaded; absent: flat, as glTF demands.
+   * Creates an instance of the model, with its own bones; geometries, materials and textures are shared. `normals`: the shading of meshes
+   * that have no normals in the file; absent: flat, as glTF demands.
    */
   instantiate(normals?: 'flat' | 'smooth'): Object3D;
   readonly clips: readonly AnimationClip[];
@@ -65,9 +65,9 @@ export interface EnvironmentAsset {
    * them to a worker.
    */
   readPixels(): PanoramaPixels;
-  /** Lamps that were found when the page was exported, by `lampKey`. */
+  /** The lamps that were found when the page was exported; the keys come from `lampKey`. */
   readonly lamps?: Readonly<Record<string, FoundLamps>>;
-  /** Finds lamps at once, for renders. Exported pages leave it out: they have stored lamps or a worker. */
+  /** Finds lamps synchronously, for renders. Exported pages leave the function out: they use stored lamps or a worker. */
   findLamps?(options: LampOptions): FoundLamps;
   /**
    * Creates a copy in which the pixels of lamps are filled from their surroundings, filtered for lighting.
@@ -79,7 +79,7 @@ export interface EnvironmentAsset {
   withoutLamps(runs: readonly number[], size: { readonly widthPx: number; readonly heightPx: number }): DerivedEnvironment;
 }
 
-/** A panorama that a node made of another. */
+/** A panorama that a node has created or derived from another. */
 export interface DerivedEnvironment extends EnvironmentAsset {
   dispose(): void;
 }
@@ -109,7 +109,7 @@ export interface VideoPlayback {
    * @param loop Whether playback continues from the end to the start.
    */
   follow(timeS: number, rate: number, loop: boolean): void;
-  /** See `NodeRuntime.settle`. */
+  /** Resolves when the requested frame is available (see `NodeRuntime.settle`); null if it is available already. */
   settle(): Promise<void> | null;
   dispose(): void;
 }

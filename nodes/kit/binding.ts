@@ -6,7 +6,7 @@ import type { NumberView, ToggleView, VectorView, Writable } from './value-views
  * the compiler creates their operations and writes `config`.
  */
 export interface BindingContext {
-  /** `value` is the value of the param. */
+  /** The outputs of the operation; its only output, `value`, is the value of the bound param. */
   readonly outputs: Readonly<Record<string, unknown>>;
   readonly config: Readonly<Record<string, unknown>>;
   readonly clock: Pick<Clock, 'timeS' | 'frame'>;

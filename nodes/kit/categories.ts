@@ -1,4 +1,7 @@
-/** Labels of the categories that differ from the first part of their node types, which projects store. */
+/**
+ * The labels of categories whose label differs from the first part of their node types. Node types cannot follow, because projects store
+ * them.
+ */
 const LABELS: Readonly<Record<string, string>> = {
   operator: 'composite',
   technique: 'material',

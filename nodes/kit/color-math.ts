@@ -138,7 +138,10 @@ function hueOf(r: number, g: number, b: number, most: number, chroma: number): n
   return most === g ? (b - r) / chroma / 6 + 1 / 3 : (r - g) / chroma / 6 + 2 / 3;
 }
 
-/** Each channel is a trapezoid function of the hue; the channels are a third of a turn apart. */
+/**
+ * Writes the color of a hue at a chroma, on top of `base`. Each channel is a trapezoid function of the hue; the functions are a third of a
+ * turn apart.
+ */
 function writeHue(out: Triple, hue: number, chroma: number, base: number): void {
   for (let i = 0; i < 3; i++) {
     const turn = hue - i / 3;

@@ -1,10 +1,10 @@
 import type { LightShadow } from './light-shadow.ts';
 import type { DirectionalLightItem, LightList } from './scene-lists.ts';
 
-/** The shadow of ambient light where objects touch, besides the shadow of a light itself. */
+/** The contact shadow of a light: the shadow of ambient light where objects touch, in addition to the light's own shadow. */
 export interface ContactShadow {
   /**
-   * Call it once per frame.
+   * Updates the contact shadow. Call it once per frame.
    *
    * @param strength Ambient light as a fraction of the light itself; 0 removes the contact shadow.
    * @param areaM Side of the square that the shadow map covers, meters; the same as that of the light's own shadow.
@@ -13,9 +13,9 @@ export interface ContactShadow {
   update(strength: number, areaM: number, radiance: Float32Array): void;
 }
 
-/** The edges are wide, so a larger map would not be visible. */
+/** Size of the shadow map. A larger map would make no visible difference, because the shadow's edges are wide. */
 const MAP_SIZE_PX = 512;
-/** The part of the sky that is taken into account: 80°. With a wider angle the samples of the filter are too far apart. */
+/** Angular diameter of the light that stands for the sky: 80°. With a wider one, the samples of the shadow filter are too far apart. */
 const SOURCE_RAD = 1.4;
 const BIAS_PX = 1;
 

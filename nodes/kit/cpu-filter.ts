@@ -22,18 +22,18 @@ export type CpuParams<D extends NodeDefinition> = {
   readonly [K in keyof NodeContext<D>['params']]: NodeContext<D>['params'][K] extends { readonly value: infer V } ? V : never;
 } & NodeContext<D>['config'];
 
-/** The text of a worker, which `npm run gen` bundles from `worker.ts`. */
+/** The bundled code of a node's worker, as text. `npm run gen` bundles it from `worker.ts`. */
 export interface WorkerModule {
   readonly worker: string;
 }
 
-/** The module that plays a node: a runtime in the page, which may have a worker, or a worker alone. */
+/** The module by which the player plays a node: a runtime in the page, which may have a worker, or only a worker. */
 export type PlayedModule = (NodeModule & Partial<WorkerModule>) | WorkerModule;
 
 /** The message to the worker; `buffer` is transferred. */
 export interface CpuTask {
   readonly view: number;
-  /** Returned with the answer, so that answers from before a reset can be dropped. */
+  /** A number that the answer repeats, so that answers to tasks from before a reset can be dropped. */
   readonly turn: number;
   readonly buffer: ArrayBuffer;
   readonly widthPx: number;
@@ -41,7 +41,7 @@ export interface CpuTask {
   readonly params: Readonly<Record<string, unknown>>;
 }
 
-/** The message from the worker; the same buffer, transferred back. */
+/** The message from the worker, with the buffer of the task transferred back. */
 export interface CpuAnswer {
   readonly view: number;
   readonly turn: number;

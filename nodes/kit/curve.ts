@@ -107,14 +107,14 @@ export function findSlopes(curve: ArrayLike<number>, slopes: Float64Array): numb
   return last + 1;
 }
 
-/** The padding begins with the first point whose x does not increase. */
+/** The number of points without padding. Padding begins at the first point whose x does not increase. */
 function countPoints(curve: ArrayLike<number>): number {
   let count = 1;
   while (2 * count < curve.length && width(curve, count - 1) > 0) count++;
   return count;
 }
 
-/** The distance along x from one point to the next. */
+/** The distance along x from point `i` to the next. */
 function width(curve: ArrayLike<number>, i: number): number {
   return (curve[2 * i + 2] ?? 0) - (curve[2 * i] ?? 0);
 }
@@ -123,7 +123,10 @@ function steepness(curve: ArrayLike<number>, i: number): number {
   return ((curve[2 * i + 3] ?? 0) - (curve[2 * i + 1] ?? 0)) / width(curve, i);
 }
 
-/** The harmonic mean of both sides, weighted by their widths; level at a peak, in a trough and beside a level part. */
+/**
+ * The slope at an inner point: the harmonic mean of the slopes on both sides, weighted by their widths; 0 at a peak, in a trough and beside
+ * a level part.
+ */
 function slopeBetween(widthBefore: number, widthAfter: number, before: number, after: number): number {
   if (before * after <= 0) return 0;
   const a = 2 * widthAfter + widthBefore;
@@ -131,7 +134,7 @@ function slopeBetween(widthBefore: number, widthAfter: number, before: number, a
   return (a + b) / (a / before + b / after);
 }
 
-/** The slope of the parabola through the three points at an end, limited so that the curve does not overshoot. */
+/** The slope at an end point: that of the parabola through the three points at this end, limited so that the curve does not overshoot. */
 function slopeAtEnd(widthHere: number, widthNext: number, here: number, next: number): number {
   const slope = ((2 * widthHere + widthNext) * here - widthHere * next) / (widthHere + widthNext);
   if (Math.sign(slope) !== Math.sign(here)) return 0;

@@ -36,44 +36,50 @@ export interface NodeDefinition {
   readonly params: Readonly<Record<string, ParamDefinition>>;
   readonly lowering: Lowering;
   /**
-   * The outputs depend only on inputs of earlier frames. The runtime reads the inputs in `remember`, after all nodes have updated, so
-   * wires may form a loop through the node. Every loop needs such a node.
+   * Marks a node whose outputs depend only on inputs of earlier frames. The runtime reads the inputs in `remember`, after all nodes have
+   * updated, so wires may form a loop through the node. Every loop needs such a node.
    */
   readonly delay?: true;
   /**
-   * The outputs depend on frames before the previous one, so a render has to play all earlier frames. Absent: they do not. An `image`
-   * lowering with `access: 'persistent'` is stateful too.
+   * Says when the outputs depend on frames before the previous one, so that a render has to play all earlier frames. Absent: they never do.
+   * An `image` lowering with `access: 'persistent'` is stateful too.
    */
   readonly stateful?: Stateful;
   /**
-   * A control on the visitor's screen. The node needs params of these names: `label` (structure text) and `place` (structure number);
-   * `value` (uniform number or toggle), except buttons, which have `presses` (uniform number); sliders also `min`, `max` and `step`
-   * (structure numbers); choices also `options` (structure text, separated by commas), whose value is the index from 0.
+   * Makes the node a control on the visitor's screen, of this kind. The node needs params of these names: `label` (structure text) and
+   * `place` (structure number); `value` (uniform number or toggle), except buttons, which have `presses` (uniform number); sliders also
+   * `min`, `max` and `step` (structure numbers); choices also `options` (structure text, separated by commas), whose value is the index
+   * from 0.
    */
   readonly control?: 'slider' | 'toggle' | 'button' | 'choice';
-  /** Uniform params that are controls on the visitor's screen if the structure toggle `by` is on. */
+  /** Uniform params that become controls on the visitor's screen if the structure toggle that `by` names is on. */
   readonly visitorParams?: { readonly by: string; readonly params: readonly VisitorParam[] };
   readonly needs?: readonly Need[];
   /**
-   * An input port whose sources the node changes, as a world moves bodies: the node is played if a source of the port is, even if the
-   * output does not depend on it otherwise.
+   * The name of an input port whose source nodes this node changes, as a physics world moves bodies. The node is then played if such a
+   * source is, even if the output does not depend on this node.
    */
   readonly actsOn?: string;
-  /** The visitor notices it otherwise than on the screen, as a sound: it is played if its required inputs are connected. */
+  /** Marks a node that the visitor notices other than on the screen, as by a sound. It is played if its required inputs are connected. */
   readonly heard?: true;
-  /** A graph contains at most one node of the type (SCR027). */
+  /** Marks a type of which a graph may contain only one node (SCR027). */
   readonly single?: true;
-  /** Its runtime starts a worker of its own, `worker.ts`, whose text `npm run gen` bundles. */
+  /** Marks a node whose runtime starts a worker, from `worker.ts` in its folder; `npm run gen` bundles the worker's text. */
   readonly worker?: true;
-  /** Its runtime reads `SessionFrame.input`: pages without such a node, hit tests and controls listen to no input. */
+  /**
+   * Marks a node whose runtime reads `SessionFrame.input`. A page that has no such node, no hit test and no controls listens to no input.
+   */
   readonly readsInput?: true;
   /** Element `i` migrates saved params from version `i + 1` to `i + 2`. */
   readonly migrations?: readonly Migration[];
-  /** Migrations of shader files, which contain no code (`SCRIM_RENAMED` in a header): element `i` renames params. */
+  /**
+   * Migrations of shader files, which contain no code (`SCRIM_RENAMED` in a header): element `i` renames params from version `i + 1` to `i
+   * + 2`.
+   */
   readonly renamed?: readonly Readonly<Record<string, Renamed>>[];
   /** The author, shown in the docs and in the credits of exported pages. */
   readonly credit?: string;
-  /** The license, if it is not that of Scrim; shown in the same places. */
+  /** The license, if it is not that of Scrim; shown where `credit` is shown. */
   readonly licence?: string;
 }
 
@@ -94,16 +100,17 @@ export interface InputPort {
   readonly type: WireType;
   readonly label: string;
   readonly doc: string;
-  /** A required input that is not connected is an error; for an optional one, `doc` says what happens then. */
+  /** Whether the input must be connected: if it is not, a required input is an error; for an optional one, `doc` says what happens. */
   readonly required: boolean;
-  /** Accepts several wires, in the order of the document. */
+  /** Whether the input accepts several wires; their order is that of the document. */
   readonly multiple?: boolean;
   /**
-   * Of `depth`: the node measures, as physics does, and is wrong on smoothed surfaces between near and far. A session is asked for raw
-   * depth where all readers of depth say so; others, such as occlusion, flicker with it.
+   * Only for inputs of type `depth`. `raw`: the node measures with the depth, as physics does, and would be wrong on the smoothed surfaces
+   * between near and far. A session is asked for raw depth only if all readers of depth say `raw`, because other uses, such as occlusion,
+   * flicker with it.
    */
   readonly depthType?: 'raw';
-  /** Of layers: the encoding that the node reads. `either`: all inputs with this word get the same. Default: `display`. */
+  /** Only for layer inputs: the encoding that the node reads. All inputs with `either` get the same encoding. Default: `display`. */
   readonly encoding?: LayerEncoding | 'either';
 }
 
@@ -112,16 +119,19 @@ export interface OutputPort {
   readonly type: WireType;
   readonly label: string;
   readonly doc: string;
-  /** Of layers; `same` is the domain of the first layer input. */
+  /** Only for layer outputs: the domain. `same`: that of the first layer input. */
   readonly domain?: LayerDomain | 'same';
-  /** Of layers: whether the layer has depth; `same` is that of the first layer input. */
+  /** Only for layer outputs: whether the layer has depth. `same`: if the first layer input has. */
   readonly depth?: boolean | 'same';
   /**
-   * Of layers; `same` is that of the first input with `either`. A param: the value of this structure choice, whose options are the two
-   * encodings. Default: `display`.
+   * Only for layer outputs: the encoding. `same`: that of the first input with `either`. `param`: the value of this structure choice, whose
+   * options are the two encodings. Default: `display`.
    */
   readonly encoding?: LayerEncoding | 'same' | { readonly param: string };
-  /** The runtime computes it only if something reads it; otherwise it is absent from `ctx.outputs`. Of nodes that are played. */
+  /**
+   * Whether the runtime computes this output only if something reads it. If nothing does, the output is absent from `ctx.outputs`. Only for
+   * nodes with a `runtime.ts`.
+   */
   readonly whenRead?: true;
 }
 
@@ -156,7 +166,7 @@ export type Handle = 'position' | 'rotation' | 'scale' | 'aim' | 'azimuth' | 'el
 export interface NumberParam extends ParamBase {
   readonly type: 'number';
   readonly stage: 'uniform' | 'structure';
-  /** Only of uniform params. */
+  /** The part of the gizmo that changes the param. Only for uniform params. */
   readonly handle?: 'scale' | 'azimuth' | 'elevation';
   readonly default: number;
   readonly min?: number;
@@ -169,7 +179,7 @@ export interface NumberParam extends ParamBase {
 export interface VectorParam extends ParamBase {
   readonly type: 'vector2' | 'vector3' | 'vector4';
   readonly stage: 'uniform';
-  /** Only of `vector3`. */
+  /** The part of the gizmo that changes the param. Only for `vector3`. */
   readonly handle?: 'position' | 'rotation' | 'scale' | 'aim';
   readonly default: readonly number[];
   readonly min?: readonly number[];
@@ -213,14 +223,17 @@ export interface ChoiceParam extends ParamBase {
   readonly options: readonly { readonly value: string | number; readonly label: string }[];
 }
 
-/** A curve over the unit square (`curve.ts`). It takes effect at once, but cannot be bound to a wire, a track or an expression. */
+/**
+ * A param whose value is a curve over the unit square (`curve.ts`). A change takes effect at once, but a curve cannot be bound to a wire, a
+ * track or an expression.
+ */
 export interface CurveParam extends ParamBase {
   readonly type: 'curve';
   readonly stage: 'uniform';
   readonly default: Curve;
 }
 
-/** The id of an entry of the project's asset table; empty means none. */
+/** A param whose value is the id of an entry of the project's asset table; empty means none. */
 export interface AssetParam extends ParamBase {
   readonly type: 'asset';
   readonly stage: 'asset';
@@ -258,7 +271,10 @@ export type Lowering =
       readonly kind: 'image';
       readonly shader: string;
       readonly access: Access;
-      /** If the input is a Scene, the compiler can get the same result by discarding fragments while drawing it (ADR 26). */
+      /**
+       * For a filter that hides parts of a layer: if its input is a Scene, the compiler can get the same result by discarding fragments
+       * while the scene is drawn (ADR 26).
+       */
       readonly early?: 'occlusion';
     }
   /** Pixels of one layer, changed on the CPU in a worker (`worker.ts` of the node); the output is one frame late (ADR 21). */
@@ -276,7 +292,7 @@ export type Lowering =
   /** The Output node; one per graph. */
   | { readonly kind: 'present' };
 
-/** The ports that determine the shadow maps of a node; nodes with equal wires share the maps. */
+/** What determines the shadow maps of a node: its ports of `casters` and `lights`. Nodes with equal wires at these ports share the maps. */
 export interface ShadowMapUse {
   readonly casters: readonly string[];
   readonly lights: string;
@@ -304,17 +320,17 @@ export type Capability =
 export interface Need {
   readonly capability: Capability;
   /**
-   * Required: without the feature no session starts. Optional: the session starts, with the effect of `without`. `alone`: required if
-   * the output shows only layers of such nodes.
+   * `true`: without the feature no session starts. `false`: the session starts, with the effect that `without` describes. `alone`: required
+   * only if the output shows only layers of such nodes.
    */
   readonly required: boolean | 'alone';
-  /** `sampled`: only if a node reads the layer as an image, not if it is only the background. */
+  /** `sampled`: the feature is needed only if a node reads the layer as an image, not if the layer is only the background. */
   readonly when: 'always' | 'sampled';
-  /** Only if a structure param has this value. */
+  /** The feature is needed only if a structure param has this value. */
   readonly where?: { readonly param: string; readonly is: string | number | boolean };
-  /** Only if something is connected to this input. */
+  /** The feature is needed only if something is connected to the input of this name. */
   readonly wired?: string;
-  /** Of `depth` that the node reads without an input, as in `InputPort`. */
+  /** Only for `depth` that the node reads without an input: the kind of depth, as in `InputPort`. */
   readonly depthType?: 'raw';
   /** The purpose, shown to the visitor before the browser asks: “to …”. */
   readonly why: string;

@@ -3,7 +3,7 @@ import { createVersionWatch } from './version-watch.ts';
 
 const NOTHING: readonly ObjectList[] = [];
 
-/** An output list that follows the lists it is derived from. */
+/** An output list whose items are copies of the items of input lists, kept up to date. */
 export interface DerivedObjects {
   /** Call it once per frame: copies added and removed items, and the matrices and flags of all items. `shown: false` empties the list. */
   update(inputs: readonly ObjectList[], shown?: boolean): void;

@@ -10,7 +10,7 @@ export interface DeviceAngles {
   screenRad: number;
 }
 
-/** Orientation of a device held upright with the screen towards the viewer: it looks horizontally along −z. */
+/** Writes the orientation of a device that is held upright with its screen towards the viewer: its camera looks horizontally along −z. */
 export function setUpright(out: DeviceAngles): void {
   out.alphaRad = 0;
   out.betaRad = Math.PI / 2;
@@ -54,7 +54,7 @@ export function setDeviceRotation(out: Float32Array, { alphaRad, betaRad, gammaR
   out[15] = 1;
 }
 
-/** Rotates about the vertical axis of the world. */
+/** Rotates a matrix in place about the vertical axis of the world. */
 export function turnAboutVertical(m: Float32Array, yawRad: number): void {
   const s = Math.sin(yawRad);
   const c = Math.cos(yawRad);
@@ -66,7 +66,10 @@ export function turnAboutVertical(m: Float32Array, yawRad: number): void {
   }
 }
 
-/** Yaw that makes a rotation look along −z. If it looks straight up or down, the direction of its top counts. */
+/**
+ * The yaw by which `turnAboutVertical` makes a rotation look along −z. If the rotation looks straight up or down, the direction of the
+ * device's top counts instead.
+ */
 export function yawToFront(m: Float32Array): number {
   let x = -(m[8] ?? 0);
   let z = -(m[10] ?? 0);
@@ -100,7 +103,7 @@ export function clockwiseTurn(to: ArrayLike<number>, from: ArrayLike<number>): n
 }
 
 /**
- * Writes the angles of a device with this rotation, the page upright on it: the inverse of `setDeviceRotation`.
+ * Writes the angles of a device that has this rotation, with the page upright on it: the inverse of `setDeviceRotation`.
  *
  * @param rotation Column-major 4×4, y up, north at -z.
  *
@@ -123,7 +126,10 @@ export function setDeviceAngles(out: DeviceAngles, rotation: ArrayLike<number>):
   out.alphaRad = Math.atan2(-side * at(4), -side * at(6));
 }
 
-/** How far the page is rotated on the device, radians. Safari before 16.4 has only `window.orientation`, with the sign of clockwise. */
+/**
+ * The angle by which the page is rotated on the device, radians: `screen.orientation.angle`. Safari before 16.4 has only
+ * `window.orientation`, which is the same angle, but -90° instead of 270°.
+ */
 export function screenAngle(page: { readonly screen: Screen; readonly orientation?: number }): number {
   return ((page.screen.orientation?.angle ?? page.orientation ?? 0) * Math.PI) / 180;
 }

@@ -82,7 +82,7 @@ function bezier(t: number, first: number, second: number): number {
   return 3 * rest * rest * t * first + 3 * rest * t * t * second + t * t * t;
 }
 
-/** Enough bisections for full precision, should Newton's method leave the range. */
+/** The most iterations: as many bisections as reach full precision if Newton's method leaves the range. */
 const MOST_STEPS = 60;
 const CLOSE = 1e-9;
 

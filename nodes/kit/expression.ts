@@ -47,7 +47,7 @@ export const EXPRESSION_OPERATORS = ['+', '-', '*', '/', '%', '^', '<', '<=', '>
 /** A binary operator. */
 export type ExpressionOperator = (typeof EXPRESSION_OPERATORS)[number];
 
-/** A word of the postfix notation, other than numbers and the names of the node. */
+/** A word of the postfix notation that is neither a number nor a name of the node's own. */
 export type ExpressionWord =
   | ClockWord
   | ExpressionOperator

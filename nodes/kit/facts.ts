@@ -77,7 +77,7 @@ export function paramFacts(param: ParamDefinition): readonly string[] {
 }
 
 /**
- * Facts about a need, for its reader: whether it is required or optional, and under which conditions.
+ * Facts about a need in a few words each: whether it is required or optional, and under which conditions.
  *
  * @param definition The definition that contains the need.
  *
@@ -117,7 +117,10 @@ const SUFFIX: Readonly<Record<Unit, string>> = {
   none: '',
 };
 
-/** `scaledBy` converts the value without showing the unit, for the start of a range. */
+/**
+ * Formats a value as the inspector shows it, with its unit. With `unit` undefined and `scaledBy` given, the value is converted but has no
+ * unit, for the start of a range.
+ */
 function quantity(value: number, unit: Unit | undefined, scaledBy: Unit | undefined = unit): string {
   const shown = scaledBy === 'rad' ? (value * 180) / Math.PI : value;
   return `${Number(shown.toPrecision(6))}${unit === undefined ? '' : SUFFIX[unit]}`;

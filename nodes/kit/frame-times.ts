@@ -6,11 +6,11 @@ export interface FrameTimes {
   readonly durationS: number;
 }
 
-/** More than the rounding error of summed frame times, and less than the distance of any two frames. */
+/** Tolerance in comparing times: more than the rounding error of summed frame times, and less than the time between any two frames. */
 const ROUNDING_S = 1e-6;
 
 /**
- * When a frame begins. The recording loops, so numbers beyond its end continue in the next iteration.
+ * The time at which a frame begins. The recording loops, so numbers beyond its end continue in the next iteration.
  *
  * @param times The recording.
  * @param number Frame number, from 0.
@@ -25,7 +25,7 @@ export function timeOfFrame({ timesS, durationS }: FrameTimes, number: number): 
 }
 
 /**
- * The frame that is shown at a time, counted on through the iterations of the loop.
+ * The frame that is shown at a time; frame numbers continue through the iterations of the loop.
  *
  * @param times The recording.
  * @param timeS Seconds since the first frame.

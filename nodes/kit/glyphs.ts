@@ -1,10 +1,10 @@
 /**
- * Outlines of a font as text, of which a program contains the glyphs that its texts may show. The first line has the height of a capital
- * letter, the ascender and the descender; each other line a character, its advance and its path in the commands M, L, Q, C and Z of SVG.
- * Fields are separated by tabs. Numbers are in font units, y up.
+ * Outlines of a font, stored as text. A program contains only the glyphs that its texts may show. The first line has the height of a
+ * capital letter, the ascender and the descender. Each other line has a character, its advance, and its path in the commands M, L, Q, C
+ * and Z of SVG. Fields are separated by tabs. Numbers are in font units, y up.
  */
 
-/** The glyphs of a program. */
+/** Outlines of glyphs after reading, and the metrics of their font. */
 export interface Glyphs {
   readonly capitalHeight: number;
   readonly ascender: number;
@@ -58,7 +58,7 @@ export function readGlyphs(outlines: string): Glyphs {
 }
 
 /**
- * The characters of a text as a font has them: composed (NFC), one per code point.
+ * Splits a text into the characters that a font has: composed (NFC), one per code point.
  *
  * @example
  * charactersOf('e\u0301'); // ['é']

@@ -30,7 +30,7 @@ export const HAND_JOINTS = [
   'pinky-finger-tip',
 ] as const;
 
-/** A number of its own, so that pages that read no hands leave out the names. */
+/** The number of joints. A constant of its own, so that pages that read no hands do not contain the names of the joints. */
 export const HAND_JOINT_COUNT = 25;
 
 export type HandJoint = (typeof HAND_JOINTS)[number];

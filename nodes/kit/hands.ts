@@ -1,6 +1,6 @@
 import type { Hand } from './session.ts';
 
-/** Index of a joint in `Hand.worldFromJoints` and `Hand.radiiM`. */
+/** Indices of joints in `Hand.worldFromJoints` and `Hand.radiiM`. */
 const THUMB_TIP = 4;
 const INDEX_TIP = 9;
 const MIDDLE_METACARPAL = 10;
@@ -8,17 +8,17 @@ const MIDDLE_PROXIMAL = 11;
 /** The metacarpals of the four fingers that close to a fist; each is followed by the other joints of its finger. */
 const FINGERS = [5, 10, 15, 20] as const;
 
-/** Distance of the tips of thumb and index finger at which a pinch is closed, and at which it is open. */
+/** Distances between the tips of thumb and index finger at which a pinch is fully closed, and at which it is open. */
 const PINCH_CLOSED_M = 0.01;
 const PINCH_OPEN_M = 0.06;
 
-/** Sum of the bends of the three joints of a finger: of a relaxed hand, and of a fist. */
+/** The sum of the bend angles of a finger's three joints, in a relaxed hand and in a fist. */
 const RELAXED_RAD = (90 * Math.PI) / 180;
 const FIST_RAD = (180 * Math.PI) / 180;
 
 /**
- * How far a pinch of thumb and index finger is closed: 1 where the tips are 1 cm apart or less, because joints lie inside the finger,
- * and 0 from 6 cm on.
+ * How far a pinch of thumb and index finger is closed: 1 where the joints of the tips are at most 1 cm apart, because they lie inside the
+ * fingers, and 0 from 6 cm on.
  *
  * @returns In [0, 1]; 0 for a hand that is not tracked.
  *
@@ -31,8 +31,8 @@ export function pinchStrength({ tracked, worldFromJoints }: Hand): number {
 }
 
 /**
- * How far the hand is closed to a fist, by the finger that is bent least, so that pointing is no grab: 0 where the three joints of that
- * finger bend by 90° in sum, as in a relaxed hand, and 1 from 180° on. The thumb does not count.
+ * How far the hand is closed to a fist, measured at the finger that is bent least, so that pointing is no grab: 0 where the three joints of
+ * that finger bend by at most 90° in sum, as in a relaxed hand, and 1 from 180° on. The thumb does not count.
  *
  * @returns In [0, 1]; 0 for a hand that is not tracked.
  *
@@ -47,8 +47,8 @@ export function grabStrength({ tracked, worldFromJoints }: Hand): number {
 }
 
 /**
- * Writes the pose of the palm: the middle of the middle finger's metacarpal bone, as OpenXR's palm joint (`XR_HAND_JOINT_PALM_EXT`), with
- * the axes of that bone: -z to the fingers, -y out of the palm.
+ * Writes the pose of the palm: the center of the middle finger's metacarpal bone, where OpenXR has its palm joint
+ * (`XR_HAND_JOINT_PALM_EXT`), with the axes of that bone: -z to the fingers, -y out of the palm.
  *
  * @param out Receives the column-major 4×4, world space.
  *
@@ -61,7 +61,7 @@ export function writePalm(out: Float32Array, { worldFromJoints: m }: Hand): void
 }
 
 /**
- * Writes the pose of a pinch: the middle between the tips of thumb and index finger, with the axes of the index finger's tip.
+ * Writes the pose of a pinch: the midpoint between the tips of thumb and index finger, with the axes of the index finger's tip.
  *
  * @param out Receives the column-major 4×4, world space.
  *
@@ -80,7 +80,7 @@ function bendOf(m: Float32Array, metacarpal: number): number {
   return sum;
 }
 
-/** Between the bone that ends at a joint and the one that begins there, radians; 0 where one has no length. */
+/** The angle at a joint between the bone that ends there and the one that begins there, radians; 0 if a bone has no length. */
 function angleAt(m: Float32Array, joint: number): number {
   let dot = 0;
   let before = 0;

@@ -4,12 +4,12 @@
  */
 
 /**
- * What answered: the device's own hit test, a detected plane, a detected mesh, room depth, or the floor at y = 0. They are asked in this
- * order, and the first that has a hit answers.
+ * The source of a hit: the device's own hit test, a detected plane, a detected mesh, room depth, or the floor at y = 0. The sources are
+ * asked in this order, and the first that has a hit answers.
  */
 export type HitSource = 'session' | 'plane' | 'mesh' | 'depth' | 'floor';
 
-/** A ray in some space; its direction may have any length. Reused: fill it, use it, keep none. */
+/** A ray as six numbers, in a space that its user defines; the direction may have any length. Such objects are reused: do not keep one. */
 export interface Ray {
   ox: number;
   oy: number;
@@ -19,14 +19,20 @@ export interface Ray {
   dz: number;
 }
 
-/** `viewer`: the middle of the view. `left`, `right`: controllers or hands. `pointers`: everything that presses or hovers. */
+/**
+ * Where a hit test casts its rays from. `viewer`: the middle of the view. `left`, `right`: controllers or hands. `pointers`: everything
+ * that presses or hovers.
+ */
 export type RayOrigin = 'viewer' | 'left' | 'right' | 'pointers';
 
 export interface HitTestOptions {
   readonly from: RayOrigin;
-  /** Column-major 4×4, rigid: the ray in the space of its origin, along its -z axis. Default: the origin's own -z axis. Not for `pointers`. */
+  /**
+   * The ray relative to its origin: column-major 4×4, rigid; it points along its own -z axis. Default: the origin's -z axis. Ignored for
+   * `pointers`.
+   */
   readonly offsetRay?: ArrayLike<number> | null;
-  /** Sources that may answer. Default: all. */
+  /** The sources whose answers are accepted. Default: all. */
   readonly sources?: readonly HitSource[];
 }
 
@@ -36,11 +42,11 @@ export interface HitTestOptions {
 export interface HitTest {
   /** The hits of this frame: of one ray nearest first, of `pointers` the nearest of each. The same object every frame. */
   read(): HitList;
-  /** Frees what the device holds for it; safe to call twice. */
+  /** Releases what the device holds for the hit test. Safe to call twice. */
   close(): void;
 }
 
-/** Reused from frame to frame: read it during the frame, keep no hit. */
+/** The hits of one frame. The object is reused from frame to frame: read it during the frame, keep no hit. */
 export interface HitList {
   readonly count: number;
   /**
@@ -56,10 +62,10 @@ export interface Hit {
    * z points down. x is to the right as the viewer sees it.
    */
   readonly worldFromHit: Float32Array;
-  /** From the ray's origin. */
+  /** Distance from the ray's origin. */
   readonly distanceM: number;
   readonly source: HitSource;
-  /** The device can anchor it. Other hits are anchored as poses. */
+  /** Whether the device can anchor this hit itself. Other hits are anchored as poses. */
   readonly anchorable: boolean;
   /** Semantic label of the plane or mesh, or empty. */
   readonly label: string;
@@ -69,7 +75,7 @@ export interface Hit {
   readonly frame: number;
 }
 
-/** Where a ray that no device follows is answered; owned by the caller. */
+/** A hit that its owner creates once, and that `SessionService.castRay` fills. */
 export interface HitRecord extends Hit {
   distanceM: number;
   source: HitSource;
@@ -79,7 +85,11 @@ export interface HitRecord extends Hit {
   frame: number;
 }
 
-/** @returns An empty record for `SessionService.castRay`. */
+/**
+ * Creates an empty record for `SessionService.castRay`.
+ *
+ * @returns An empty record for `SessionService.castRay`.
+ */
 export function createHit(): HitRecord {
   return {
     worldFromHit: Float32Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1),

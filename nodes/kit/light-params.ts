@@ -13,7 +13,9 @@ export const LOCAL_LIGHT_RANGE_M = {
   unit: 'm',
 } as const;
 
-/** Whether a spot, point or panorama light casts shadows. The limit in the text is that of `export/runtime/scenes/lights/light-limits.ts`. */
+/**
+ * Whether a spot, point or panorama light casts shadows. The limit in the text is that of `export/runtime/scenes/lights/light-limits.ts`.
+ */
 export const LOCAL_LIGHT_CASTS_SHADOW = {
   type: 'toggle',
   stage: 'uniform',
@@ -136,7 +138,7 @@ const CONTACT_SHADOW = {
 } as const;
 
 /**
- * All shadow params of a directional light; `createSunShadow` reads them.
+ * All shadow params of a directional light. `createSunShadow` reads their values.
  *
  * @example
  * params: { castShadow: …, ...SUN_SHADOW },

@@ -8,7 +8,7 @@ export type ShadowFilter = 'basic' | 'pcf' | 'soft' | 'vsm' | 'pcss';
 interface AnyShadow {
   /** Side of the map; a point light has six maps. */
   mapSizePx: number;
-  /** Absent: `soft`. Point lights support the first three. */
+  /** How receivers sample the map. Absent: `soft`. Point lights support only `basic`, `pcf` and `soft`. */
   filter?: ShadowFilter;
 }
 
@@ -20,7 +20,7 @@ export interface LightShadow extends AnyShadow {
   bias: number;
   /** Offset of receivers along their normal, against shadow acne. */
   normalBiasM: number;
-  /** Of `pcss`: the angular diameter of the light. */
+  /** Only for `pcss`: the angular diameter of the light. */
   sourceRad?: number;
 }
 
@@ -28,6 +28,6 @@ export interface LightShadow extends AnyShadow {
 export interface LocalLightShadow extends AnyShadow {
   /** Offset of receivers along their normal, in pixels of the map at their distance. */
   biasPx: number;
-  /** Of `pcss`: diameter of the light, meters. */
+  /** Only for `pcss`: the diameter of the light, meters. */
   sourceM?: number;
 }

@@ -1,5 +1,5 @@
 /**
- * Links a program from shaders that are known to compile. Errors are not checked.
+ * Compiles two shaders and links them to a GL program. Errors are not checked: the texts must be known to compile.
  *
  * @param vertexText GLSL ES 3.00.
  * @param fragmentText GLSL ES 3.00.

@@ -1,4 +1,4 @@
-/** 3 × 3, column-major: an image that is aligned with the view. */
+/** The 3×3 identity matrix, column-major: the UV matrix of an image that is aligned with the view. */
 export const IDENTITY: Float32Array = Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
 
 /**

@@ -14,11 +14,11 @@ export interface PoseFilter {
    * @param beta How much the cutoff rises with the speed, Hz per m/s, and per rad/s of the rotation: higher lags less.
    */
   apply(pose: Float32Array, deltaS: number, minCutoffHz: number, beta: number): void;
-  /** The next pose is not filtered, as after a jump. */
+  /** Makes the filter pass the next pose unchanged and start again from it, as after a jump. */
   restart(): void;
 }
 
-/** Cutoff of the filter of the speed, as the authors set it. */
+/** Cutoff frequency of the low-pass filter of the speed; the value is that of the authors. */
 const SPEED_CUTOFF_HZ = 1;
 
 /**
@@ -32,7 +32,7 @@ export function createPoseFilter(): PoseFilter {
   const position = new Float64Array(3);
   const rotation = new Float64Array(4);
   const next = new Float64Array(4);
-  /** Filtered: m/s by axis, and rad/s. */
+  /** The filtered speed: m/s along each axis, and rad/s. */
   const speed = new Float64Array(3);
   let turnSpeed = 0;
   let isRunning = false;
@@ -73,7 +73,7 @@ export function createPoseFilter(): PoseFilter {
   };
 }
 
-/** The share of a new value that a low-pass filter of first order takes in: 1 / (1 + τ / Δt) with τ = 1 / (2 π f). */
+/** The weight of a new value in a first-order low-pass filter: 1 / (1 + τ / Δt) with τ = 1 / (2 π f). */
 function partOf(cutoffHz: number, deltaS: number): number {
   return 1 / (1 + 1 / (2 * Math.PI * Math.max(cutoffHz, 1e-6) * deltaS));
 }

@@ -9,37 +9,37 @@
 export interface BodyList {
   version: number;
   readonly bodies: PhysicsBody[];
-  /** The room that all bodies of the world collide with, if one was measured. */
+  /** The room that all bodies of the world collide with; absent if none is measured. */
   room?: PhysicsRoom;
 }
 
-/** A room that depth images build. The world takes the frames. */
+/** The shape of the real room, which the physics world builds from depth images as a voxel grid. */
 export interface PhysicsRoom {
   settings: VoxelSettings;
   friction: number;
   restitution: number;
-  /** Raised with each change of the fields above, and to begin with an empty grid. */
+  /** Raised with each change of the fields above, and to start again with an empty grid. */
   version: number;
-  /** Depth since the last frame; the world empties the list. */
+  /** Depth images since the last frame; the world reads them and empties the list. */
   readonly frames: DepthFrame[];
 }
 
-/** How a grid follows depth; the letters are those of equation 1 of the mixed-reality paper (section 3.6). */
+/** Settings of the voxel grid that depth images fill; the letters are those of equation 1 of the mixed-reality paper (section 3.6). */
 export interface VoxelSettings {
   readonly edgeM: number;
   /** T: voxels of at least this weight are occupied. */
   readonly threshold: number;
   /** U at 30 depth frames per second. */
   readonly speed: number;
-  /** Depth further away is ignored. */
+  /** Depth beyond this distance is ignored. */
   readonly farM: number;
-  /** Bodies meet a smooth surface through the voxels instead of their sides. */
+  /** Whether bodies collide with a smooth surface through the voxels instead of with the sides of the cubes. */
   readonly isSmooth?: boolean;
 }
 
-/** A depth image with what maps its texels to space. */
+/** A depth image with the pose and rays of its texels. */
 export interface DepthFrame {
-  /** Along the axis of the view, rows from the bottom; 0 is unknown. */
+  /** Depth along the axis of the view, rows from the bottom; 0 is unknown. */
   readonly meters: ArrayLike<number>;
   readonly widthPx: number;
   readonly heightPx: number;
@@ -47,7 +47,7 @@ export interface DepthFrame {
   readonly worldFromDepth: ArrayLike<number>;
   /** The ray (x, y, -1) of a texel (i, j): x = r0 i + r1 j + r2, y = r3 i + r4 j + r5. */
   readonly rayFromTexel: ArrayLike<number>;
-  /** Seconds since the depth frame before. */
+  /** Seconds since the previous depth frame. */
   readonly deltaS: number;
 }
 
@@ -69,15 +69,15 @@ export interface BodyDescription {
   readonly mode: BodyMode;
   /** The parts of a rigid body. Their frame is that of the body, whose origin need not be the center of mass. */
   readonly shapes: readonly BodyShape[];
-  /** Kilograms; 0: by density. */
+  /** Mass in kilograms. At 0 the mass follows from the density. */
   readonly massKg: number;
   /** Kilograms per cubic meter. */
   readonly densityKgPerM3: number;
   /** Coulomb coefficient; the coefficient of a contact is the geometric mean of both bodies. */
   readonly friction: number;
-  /** Rolling resistance as a lever arm, meters; of a contact, that of the body with more. */
+  /** Rolling resistance as a lever arm, meters. A contact has the greater value of both bodies. */
   readonly rollingM: number;
-  /** In [0, 1]; of a contact, that of the bouncier body. */
+  /** Bounciness, in [0, 1]. A contact has the greater value of both bodies. */
   readonly restitution: number;
   /** The part of the velocity that is lost in a second, in [0, 1). */
   readonly linearDamping: number;
@@ -86,76 +86,76 @@ export interface BodyDescription {
   readonly gravityFactor: number;
 }
 
-/** A body as nodes share it. The world reads the first part and writes the second. */
+/** A body as nodes and the physics world share it. The world reads the fields up to `acceleration`, and `joints`, and writes the others. */
 export interface PhysicsBody {
   /** Unique within the graph: node id and key of the object. */
   readonly key: string;
   description: BodyDescription;
-  /** Raised with each new description. */
+  /** Raised whenever `description` is replaced. */
   version: number;
   /**
-   * Where the body begins; for kinematic bodies where it shall be at the end of this frame. Column-major 4×4, rigid.
-   * A matrix that is not finite is ignored.
+   * The initial pose of the body; for a kinematic body, the pose that it shall have at the end of this frame. Column-major 4×4, rigid. A
+   * matrix that is not finite is ignored.
    */
   readonly worldFromTarget: Float64Array;
-  /** Raised to move the body to `worldFromTarget` at once, with `targetVelocity`. */
+  /** Raised to move the body to `worldFromTarget` at once; it then has `targetVelocity`. */
   jumps: number;
-  /** Meters per second, world space, with which a dynamic body begins and continues after a jump. */
+  /** The velocity of a dynamic body at its start and after a jump, meters per second, world space. */
   readonly targetVelocity: Float64Array;
   /** Impulses since the last frame; the world empties the list. */
   readonly impulses: ImpulseList;
-  /** Of force fields, meters per second squared, world space, for the next step; the world sets it to 0. */
+  /** Acceleration by force fields in the next step, meters per second squared, world space; the world resets it to 0. */
   readonly acceleration: Float64Array;
 
-  /** Column-major 4×4, rigid: the pose of the step before. Written by the world, before the node that owns the body updates. */
+  /** The pose of the body after the last step: column-major 4×4, rigid. The world writes it before the node that owns the body updates. */
   readonly worldFromBody: Float64Array;
-  /** World space, meters and radians per second. */
+  /** Velocity in meters per second and angular velocity in radians per second, world space. */
   readonly velocity: Float64Array;
   readonly angularVelocity: Float64Array;
   isAsleep: boolean;
-  /** It has fallen out of the room that depth has shown. */
+  /** Whether the body has fallen out of the room that depth has shown. */
   isLost: boolean;
-  /** Contacts that began in the step before. */
+  /** Contacts that began in the last step. */
   readonly touches: TouchList;
-  /** Joints whose `a` is this body. Nodes add and remove them; the world reads them. */
+  /** The joints whose first body (`a`) is this one. Nodes add and remove them; the world reads them. */
   readonly joints: PhysicsJoint[];
   /** The world that simulates the body; null until one does. */
   world: BodyWorld | null;
 }
 
-/** A world, as the nodes of its bodies see it. */
+/** The physics world, as far as the nodes of its bodies use it. */
 export interface BodyWorld {
-  /** Copies the result of the step before to all bodies, once per frame. Nodes with bodies call it first in `update`. */
+  /** Copies the result of the last step to all bodies, at most once per frame. Nodes with bodies call it first in `update`. */
   applyPoses(): void;
 }
 
-/** Impulses and forces of a frame, in a buffer that is reused. */
+/** The impulses and forces on a body in a frame, in a buffer that is reused. */
 export interface ImpulseList {
   count: number;
   /** Per entry: impulse x, y, z (newton seconds), angular impulse x, y, z (newton meter seconds), point x, y, z (world space). */
   readonly values: Float64Array;
 }
 
-/** Contacts of a frame, in a buffer that is reused. */
+/** The contacts of a body that began in a frame, in a buffer that is reused. */
 export interface TouchList {
   count: number;
   readonly entries: Touch[];
 }
 
-/** A contact that began. */
+/** A contact that began in the last step. */
 export interface Touch {
   /** Key of the other body; empty for the room. */
   otherKey: string;
-  /** World space; the normal points towards this body. */
+  /** Where the bodies touch and the normal of the contact, world space; the normal points towards this body. */
   readonly pointWorld: Float64Array;
   readonly normalWorld: Float64Array;
-  /** Newton seconds. */
+  /** The impulse of the contact, newton seconds. */
   impulseNs: number;
 }
 
-/** Entries that an impulse list holds at most. */
+/** The most entries of an impulse list. */
 export const MAX_IMPULSES = 16;
-/** Contacts of a body that a frame reports at most, as pulses. */
+/** The most contacts of a body per frame that are reported as pulses. */
 export const MAX_TOUCHES = 16;
 
 /** A link between two bodies, or a body and a pose. */
@@ -163,31 +163,31 @@ export interface PhysicsJoint {
   readonly key: string;
   readonly kind: 'hinge' | 'spring' | 'rope' | 'lock' | 'drag';
   readonly a: PhysicsBody;
-  /** Null: the joint is to the pose. */
+  /** The second body. Null: the joint links `a` to the pose `worldFromTarget`. */
   readonly b: PhysicsBody | null;
   readonly description: JointDescription;
-  /** Where the joint holds `a` if there is no `b`; column-major 4×4, rigid. */
+  /** The pose to which the joint links `a` if there is no `b`; column-major 4×4, rigid. */
   readonly worldFromTarget: Float64Array;
-  /** Bodies are free while it is off. */
+  /** Whether the joint acts. While it is off, the bodies are free. */
   isOn: boolean;
   /** Raised with each change of the description. */
   version: number;
 }
 
-/** The numbers of a joint; each kind reads some of them. */
+/** The settings of a joint. Each kind of joint reads some of them. */
 export interface JointDescription {
-  /** In the axes of each body, or of the target. */
+  /** Where the joint is attached to each body, in the axes of that body, or of the target if there is no `b`. */
   anchorA: Triple;
   anchorB: Triple;
-  /** Of a hinge: unit vector in the axes of `a`, and of `b` or the target. */
+  /** Only for hinges: the axis as a unit vector, in the axes of `a`, and in those of `b` or the target. */
   axisA: Triple;
   axisB: Triple;
-  /** Of a rope, the most; of a spring, at rest. */
+  /** The greatest length of a rope, or the length of a spring at rest. */
   lengthM: number;
-  /** Of springs and drags: oscillations per second, and the fraction of critical damping. */
+  /** Only for springs and drags: oscillations per second, and damping as a fraction of critical damping. */
   frequencyHz: number;
   dampingRatio: number;
-  /** Of drags and locks; 0: unlimited. */
+  /** Only for drags and locks: the greatest force; 0 is unlimited. */
   maxForceN: number;
 }
 

@@ -1,7 +1,7 @@
 import { ARITHMETIC, type ArithmeticOperation, calculate } from './arithmetic.ts';
 import { type ClockWord, EXPRESSION_CLOCK, EXPRESSION_FUNCTIONS, type ExpressionWord } from './expression.ts';
 
-/** The values of `time` and `frame`; `NodeContext.clock` is one. */
+/** The clock that an expression reads: the values of `time` and `frame`. `NodeContext.clock` is such an object. */
 export interface ExpressionClock {
   readonly timeS: number;
   readonly frame: number;
@@ -41,7 +41,7 @@ const MOST_OPERANDS = 3;
  */
 export function playExpression(postfix: string, numbers: Readonly<Record<string, { readonly value: number }>> = {}): PlayedExpression {
   const words = postfix.split(' ');
-  /** The literals, and the values of the clock, which change. */
+  /** The value of each word that is a literal or reads the clock; the latter change every frame. */
   const known = Float64Array.from(words, Number);
   const views = words.map((word) => (Object.hasOwn(numbers, word) ? numbers[word] : undefined));
   const places = (name: string) => words.flatMap((word, i) => (word === name ? [i] : []));

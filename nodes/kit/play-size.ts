@@ -1,9 +1,15 @@
 import { ARITHMETIC, type ArithmeticOperation, calculate } from './arithmetic.ts';
 
-/** Index of the first number of a stack. The entries below it are empty, so that an operation without operands stays inside the stack. */
+/**
+ * Index of the first number of a stack. The entries below it are unused, so that an operation that lacks its operands still reads inside
+ * the stack.
+ */
 export const SIZE_STACK_BOTTOM = 3;
 
-/** Writes the value of a name into the stack. Returns nothing, because an engine makes a heap object of a fraction that it returns. */
+/**
+ * A function that writes the value of a name into the stack. It does not return the value, because JavaScript engines allocate a heap
+ * object for a fraction that a function returns.
+ */
 export type PutNamed<Name, Values> = (name: Name, values: Values, stack: Float64Array, at: number) => void;
 
 /**

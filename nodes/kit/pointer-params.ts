@@ -1,6 +1,6 @@
 /** Params of nodes that read pointers: the same choice has the same words in each of them. */
 
-/** Which pointers count, without the choices. */
+/** The param that chooses which pointers a node reads; the node adds its options. */
 export const POINTERS_BY = {
   type: 'choice',
   stage: 'structure',
@@ -9,7 +9,7 @@ export const POINTERS_BY = {
   default: 'any',
 } as const;
 
-/** The choices that come first; a node adds those that tell controllers and hands apart. */
+/** The first choices of the param; a node adds further ones that distinguish controllers and hands. */
 export const ANY_OR_SCREEN = [
   { value: 'any', label: 'Anything' },
   { value: 'screen', label: 'Screen and mouse' },

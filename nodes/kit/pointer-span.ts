@@ -1,11 +1,14 @@
 import { handOf } from './pointers.ts';
 import type { Pointer, ViewFrame } from './session.ts';
 
-/** From one of two pointers to the other. */
+/** The line from one pointer to another: its length and its angle. */
 export interface PointerSpan {
-  /** Of fingers in the plane 1 m in front of the eye, of hands in the room; meters. */
+  /** Length, meters. For fingers on the screen it is measured in the plane 1 m in front of the eye; for hands, in the room. */
   lengthM: number;
-  /** Of fingers on the screen, of hands about the vertical or the y axis of a surface; counterclockwise, radians. */
+  /**
+   * Angle, counterclockwise, radians. For fingers it is measured on the screen; for hands, about the vertical or about the y axis of a
+   * surface.
+   */
   angleRad: number;
 }
 
@@ -18,7 +21,7 @@ interface Rotation {
 }
 
 const UPRIGHT: Rotation = { x: 0, y: 0, z: 0, w: 1 };
-/** Shorter spans have no angle. */
+/** A shorter span counts as none, because it has no clear angle. */
 const LEAST_M = 1e-3;
 
 // Filled and read within one call.
@@ -77,14 +80,14 @@ export function writePointerSpan(out: PointerSpan, a: Pointer, b: Pointer, view:
   return true;
 }
 
-/** The angle of a vector about the y axis of a rotation, from its x axis to its -z axis. */
+/** The angle of a vector about the y axis of a rotated frame, from the frame's x axis to its -z axis. */
 function angleAboutY({ x: p, y: q, z: r, w }: Rotation, x: number, y: number, z: number): number {
   const alongX = (1 - 2 * (q * q + r * r)) * x + 2 * (p * q + r * w) * y + 2 * (p * r - q * w) * z;
   const alongZ = 2 * (p * r + q * w) * x + 2 * (q * r - p * w) * y + (1 - 2 * (p * p + q * q)) * z;
   return Math.atan2(-alongZ, alongX);
 }
 
-/** Where a ray from the eye meets the plane 1 m in front of it: x to the right, y up. */
+/** Writes the point where a pointer's ray meets the plane 1 m in front of the eye: x to the right, y up. */
 function writeScreenPoint(out: Float64Array, { worldFromRay: ray }: Pointer, { worldFromView: view }: ViewFrame): void {
   const depth = along(view, 8, ray);
   out[0] = -along(view, 0, ray) / depth;

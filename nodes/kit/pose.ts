@@ -11,20 +11,25 @@ export interface PoseView {
   readonly jumps: number;
 }
 
-/** Written by the node whose output it is, in its `update`. */
+/** A pose output, written in `update` by the node that owns it. */
 export interface PoseOutput {
   readonly worldFromPose: Float32Array;
   valid: boolean;
   jumps: number;
 }
 
-/** @returns An identity pose that is not valid. */
+/**
+ * Creates an identity pose that is not valid.
+ *
+ * @returns An identity pose that is not valid.
+ */
 export function createPose(): PoseOutput {
   return { worldFromPose: Float32Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1), valid: false, jumps: 0 };
 }
 
 /**
- * Writes a pose, and rejects what is no pose: a matrix with a number that is not finite makes the pose invalid and keeps the last one.
+ * Writes a pose to an output. A matrix with a number that is not finite is not written: the output becomes invalid and keeps its last
+ * matrix.
  *
  * @param worldFromPose Column-major 4×4, rigid; null for no pose.
  *

@@ -1,6 +1,6 @@
 /** Rotations and rigid transforms. Matrices are column-major 4×4; quaternions are x, y, z, w, of length 1. */
 
-/** Of a direction: below this length it has none. */
+/** A vector that is shorter counts as having no direction. */
 const TINY = 1e-6;
 
 /**
@@ -25,8 +25,8 @@ export function setFromAngles(out: Float32Array, position: ArrayLike<number>, ro
 }
 
 /**
- * Turns a pose so that its z axis points along a direction, with y as far up as that allows. The position stays. A direction straight
- * up or down keeps the x axis of the pose as far as possible; a direction without length changes nothing.
+ * Turns a pose so that its z axis points along a direction, with y as far up as that allows. The position stays. If the direction is
+ * straight up or down, the x axis of the pose is kept as far as possible; a direction without length changes nothing.
  *
  * @param matrix Rigid; changed in place.
  * @param x, y, z The direction, of any length.

@@ -18,7 +18,7 @@ import type { WireType } from './wire-types.ts';
 export const PULSE_CAPACITY = 16;
 
 /**
- * The module of a node's `runtime.ts`, as the player loads it. This file contains only types.
+ * The module of a node's `runtime.ts`, as the player loads it.
  *
  * @example
  * export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
@@ -30,9 +30,9 @@ export interface NodeModule {
   create(ctx: NodeContext<NodeDefinition>): NodeRuntime;
 }
 
-/** A running node. */
+/** A running node: the functions that the player calls. */
 export interface NodeRuntime {
-  /** Once per frame, in program order, before anything is drawn. Allocates nothing. */
+  /** Computes the outputs of the node. Called once per frame, in program order, before anything is drawn. Must allocate nothing. */
   update(frame: SessionFrame): void;
   /**
    * For value nodes and behaviors that output objects: called once before the first frame, instead of `update`. Lists the objects that
@@ -40,8 +40,8 @@ export interface NodeRuntime {
    */
   prepare?(): void;
   /**
-   * For nodes whose content loads asynchronously, such as a frame of a video. Called only while the clock is held (`Clock.held`); the
-   * frame is drawn after the promise resolves.
+   * Waits for content that loads asynchronously, such as a frame of a video. Called only while the clock is held (`Clock.held`); the frame
+   * is drawn after the promise resolves.
    *
    * @returns Resolves when the content that the last `update` requested is available; null if it is available already.
    */
@@ -53,16 +53,16 @@ export interface NodeRuntime {
   remember?(): void;
   /** For nodes that draw: called once per view, with the target bound and cleared. */
   draw?(view: DrawView): void;
-  /** Returns to the initial state: playback was reset, or poses are no longer valid. */
+  /** Returns to the initial state. Called when playback was reset or poses are no longer valid. */
   reset?(): void;
-  /** Keeps its state while a recording repeats, because the visitor has made it in the room. */
+  /** True if the node keeps its state while a recording repeats, because the visitor has created that state in the room. */
   readonly staysOnRepeat?: true;
   /** Releases all that `create` and later calls have acquired. */
   dispose(): void;
 }
 
 /**
- * What a runtime reads and writes. The types of ports and params are derived from the definition.
+ * What a runtime reads and writes: its inputs, outputs, params and services. The types of ports and params are derived from the definition.
  *
  * @example
  * export function create(ctx: NodeContext<typeof definition>): NodeRuntime { … }
@@ -70,7 +70,7 @@ export interface NodeRuntime {
 export interface NodeContext<D extends NodeDefinition> {
   /** Id of the node in the graph, for messages. */
   readonly node: string;
-  /** Null, or an empty list, where no wire is connected. */
+  /** The inputs by name. An unconnected input is null, or an empty list if it takes several wires. */
   readonly inputs: { readonly [K in keyof D['inputs']]: InputView<D['inputs'][K]> };
   /** Outputs with `whenRead` are absent while nothing reads them. */
   readonly outputs: { readonly [K in keyof D['outputs']]: OutputView<D['outputs'][K]['type']> | AbsentOutput<D['outputs'][K]> };
@@ -137,6 +137,8 @@ export interface PulseOutput extends PulseList {
 /** A pulse that was just emitted. */
 export interface NewPulse extends Writable<Omit<Pulse, 'worldFromPose'>> {
   /**
+   * Gives the pulse a pose.
+   *
    * @param worldFromPose Column-major 4×4; copied.
    */
   setPose(worldFromPose: ArrayLike<number>): void;
@@ -144,7 +146,7 @@ export interface NewPulse extends Writable<Omit<Pulse, 'worldFromPose'>> {
 
 // --- What other wires carry -------------------------------------------------------------------------------------------
 
-/** The layer of a source. View domain: one entry per view. Image domain: entry 0 is for all views. */
+/** The layer that a source node outputs. View domain: one entry per view. Image domain: entry 0 is for all views. */
 export interface LayerOutput {
   readonly views: readonly Writable<LayerTexture>[];
 }
@@ -225,7 +227,10 @@ export interface Clock {
   readonly deltaS: number;
   /** The number of frames since the session began. */
   readonly frame: number;
-  /** Frames are drawn one by one, independent of real time, as in a frame render: asynchronous content is awaited (`NodeRuntime.settle`). */
+  /**
+   * True while frames are drawn one by one, independent of real time, as in a frame render. Asynchronous content is then awaited
+   * (`NodeRuntime.settle`).
+   */
   readonly held: boolean;
 }
 
@@ -242,10 +247,10 @@ export interface WorkerService {
   start(listener: WorkerListener): NodeWorker;
 }
 
-/** Hears a worker. */
+/** The functions that receive what a worker sends. */
 export interface WorkerListener {
   onMessage(data: unknown): void;
-  /** The worker has ended, and answers no more. */
+  /** Called when the worker has ended because of an error; it answers no more. */
   onFailure(reason: string): void;
 }
 
@@ -265,9 +270,12 @@ export interface SessionService {
    * not visible, as in headsets, and in renders; absent in the preview, whose frames show everything. Such nodes draw objects instead.
    */
   readonly overlay?: HTMLElement | null;
-  /** Raised when another session begins, whose world space and room are others. Compare it to forget what belongs to the room. */
+  /**
+   * A number that is raised when another session begins, with another world space and room. Compare it to forget what belongs to the old
+   * room.
+   */
   readonly sessions: number;
-  /** What the visitor has taken for `source/panorama-capture`; null until then. Another object is another panorama. */
+  /** The panorama that the visitor has taken for `source/panorama-capture`; null until then. A new panorama is another object. */
   readonly panorama: TakenPanorama | null;
   /** How the display mixes the image with the world: `additive` displays cannot darken, and black is transparent on them. */
   readonly blend: Session['blend'];
@@ -299,8 +307,8 @@ export interface SessionService {
    */
   castRay(worldFromRay: ArrayLike<number>, out: HitRecord, sources?: readonly HitSource[]): boolean;
   /**
-   * Room depth of a view on the CPU: of this frame, or what was last read back from the GPU. Only for nodes whose definition needs
-   * `hit-test`.
+   * The newest room depth of a view that is available on the CPU: that of this frame, or the last one that was read back from the GPU. Only
+   * for nodes whose definition needs `hit-test`.
    *
    * @returns Null while there is none.
    *
@@ -308,18 +316,18 @@ export interface SessionService {
    * const picture = ctx.session.depthImage(0);
    */
   depthImage(viewIndex: number): DepthImage | null;
-  /** Only for nodes whose definition needs `anchors`. */
+  /** Creates and restores anchors. Only for nodes whose definition needs `anchors`. */
   readonly anchors: AnchorService;
 }
 
-/** What is under a layer while it is drawn, for glass in it. */
+/** The image behind a layer while the layer is drawn, which glass objects in the layer show. */
 export interface UnderLayer {
   /** What glass shows where the layer has no objects; null: nothing, or `color`. */
   readonly texture: WebGLTexture | null;
   /** Column-major 3×3: texture UV from view UV. */
   readonly uvFromViewUv: Readonly<Float32Array>;
   readonly encoding: LayerEncoding;
-  /** Instead of a texture: display-referred sRGB, premultiplied. */
+  /** A color that takes the place of the texture: display-referred sRGB, premultiplied. */
   readonly color: Readonly<Float32Array> | null;
   /** Whether the target already contains what is visible through the layer, so that glass must not replace it. */
   readonly isInTarget: boolean;
@@ -330,7 +338,7 @@ export interface DrawView {
   readonly view: ViewFrame;
   readonly viewIndex: number;
   readonly framebuffer: WebGLFramebuffer | null;
-  /** Absent or null: nothing is under the layer. */
+  /** The image behind the layer. Absent or null: there is none. */
   readonly under?: UnderLayer | null;
   readonly viewport: { readonly x: number; readonly y: number; readonly widthPx: number; readonly heightPx: number };
 }
@@ -346,13 +354,13 @@ export interface SceneService {
   /**
    * Creates a scene of flat proxies (ADR 6).
    *
-   * @param look What each object is drawn with.
+   * @param look How objects are drawn.
    * @returns The caller disposes it.
    */
   createScene(look: SceneLook): DrawnScene;
 }
 
-/** A scene of proxies for object lists. */
+/** A three.js scene of flat proxies, which draws object lists. */
 export interface DrawnScene {
   /** Updates the proxies from the lists. Call it once per frame. */
   update(objects: readonly ObjectList[], lights: readonly LightList[]): void;

@@ -32,14 +32,15 @@ export interface ObjectItem {
   castsShadow: boolean;
   receivesShadow: boolean;
   /**
-   * Not drawn, casts no shadow and cannot be picked, but its materials are compiled: showing it later compiles nothing. Absent: it is shown.
+   * Not drawn, casts no shadow and cannot be picked, but its materials are compiled: showing it later compiles nothing. Absent: it is
+   * shown.
    */
   hidden?: boolean;
-  /** False: Pick does not meet it, as with a reticle. Absent: it can be picked. */
+  /** False if the node Pick ignores the object, as a reticle. Absent: it can be picked. */
   pickable?: false;
-  /** The node that claims presses on the object, as Place does to move it. Nodes that tell of presses tell of these too. */
+  /** The node that claims presses on the object, as Place does to move it. Other nodes that report presses still report these. */
   claimant?: object;
-  /** Custom materials instead of its own. */
+  /** Custom materials that replace the object's own. */
   techniques?: readonly AppliedTechnique[];
 }
 
@@ -59,7 +60,7 @@ export type DirectLightItem = DirectionalLightItem | PointLightItem | SpotLightI
 export interface DirectionalLightItem {
   key: string;
   readonly kind: 'directional';
-  /** The light only casts shadows on real objects, and does not light anything. */
+  /** True if the light only casts shadows on real objects, and lights nothing. */
   readonly onlyShadows?: true;
   /** Linear-sRGB color times intensity, in the lux-like units of three.js. */
   readonly radiance: Float32Array;
@@ -89,7 +90,7 @@ export interface SpotLightItem {
   readonly positionWorld: Float32Array;
   /** Unit vector from the target towards the light, world space. */
   readonly towardsLightWorld: Float32Array;
-  /** As `PointLightItem.rangeM`. */
+  /** Distance at which the light has faded to 0, meters, as in `PointLightItem`. 0: unlimited. */
   rangeM: number;
   /** Angle from the axis of the cone to its edge, less than π / 2. */
   halfAngleRad: number;
@@ -104,11 +105,11 @@ export interface EnvironmentLightItem {
   readonly kind: 'environment';
   /** Null until it has loaded. */
   environment: EnvironmentAsset | null;
-  /** Factor on its radiance. */
+  /** Factor on the radiance of the panorama. */
   intensity: number;
   /** Rotation about the y axis of world space. At 0 the center of the panorama is towards -z. */
   rotationRad: number;
-  /** Whether it is visible behind the objects. */
+  /** Whether the panorama is visible behind the objects. */
   visible: boolean;
 }
 
@@ -118,7 +119,7 @@ export interface ProbeLightItem {
   readonly kind: 'probe';
   /** 9 coefficients × RGB, coefficient by coefficient: linear-sRGB radiance in world space (WebXR Lighting Estimation §3.2). */
   readonly sphericalHarmonics: Float32Array;
-  /** The reflections of shiny surfaces; null: the coefficients. */
+  /** The cube map that shiny surfaces reflect; null: they reflect the light of the coefficients. */
   reflection: ReflectionCube | null;
   /** Factor on the radiance. */
   intensity: number;
@@ -126,9 +127,9 @@ export interface ProbeLightItem {
 
 /** The output of a Panorama node. */
 export interface EnvironmentOutput {
-  /** Null until it has loaded, and if none is chosen. */
+  /** The panorama. Null until it has loaded, and if none is chosen. */
   asset: EnvironmentAsset | null;
-  /** Factor on its radiance. */
+  /** Factor on the radiance of the panorama. */
   intensity: number;
   /** Rotation about the y axis of world space. At 0 the center of the panorama is towards -z. */
   rotationRad: number;

@@ -10,11 +10,11 @@ export type SceneLook =
    * environment; at 1, the default, it alone renders a white matte surface as white. `encoding` is that of the layer: display if absent.
    */
   | { readonly kind: 'shaded'; readonly ambient?: NumberView; readonly encoding?: LayerEncoding }
-  /** Only the shadows on objects: one color, with alpha where light is blocked. */
+  /** Draws only the shadows on objects: one color, whose alpha is the part of the light that is blocked. */
   | ShadowCatcherLook
   /**
-   * Virtual objects in flat white where `shows` returns true for the object and the part; all others, and phantoms, only as depth.
-   * `shows` is called when a list has changed.
+   * Draws virtual objects in flat white where `shows` returns true for the object and its part; all others, and phantoms, only into the
+   * depth buffer. `shows` is called when a list has changed.
    */
   | { readonly kind: 'mask'; readonly shows: (item: ObjectItem, part: Object3D) => boolean };
 
@@ -27,7 +27,7 @@ export interface ShadowCatcherLook {
   readonly on?: 'phantoms' | 'everything';
   /** The casters, to draw with shadow volumes; absent: the shadow maps of the operation are used. */
   readonly volumesOf?: readonly ObjectList[];
-  /** While it is on, draws light around objects, which shadows interrupt, instead of shadows. Only with shadow maps. */
+  /** While `glow.on` is true, light is drawn around objects instead of shadows; shadows interrupt this light. Only with shadow maps. */
   readonly glow?: ShadowGlow;
   /**
    * Room depth, and how far behind it a receiver may be and still receive shadows. Real surfaces receive shadows of shadow maps where
@@ -36,21 +36,27 @@ export interface ShadowCatcherLook {
   readonly room?: { readonly depth: RoomDepthOutput; readonly toleranceM: NumberView };
 }
 
-/** The most spots of a glow: an object in a light has one. */
+/** The most spots of a glow. There is one spot per object and light. */
 export const MAX_GLOW_SPOTS = 16;
 
-/** Light on the surfaces under objects, for displays that cannot darken. Its writer changes it in every frame. */
+/**
+ * Spots of light on the surfaces under objects, which show shadows as gaps on displays that cannot darken. The node that owns the glow
+ * changes it every frame.
+ */
 export interface ShadowGlow {
   /** Whether light is drawn instead of shadows. */
   on: boolean;
   /** Display-referred sRGB, straight alpha. */
   readonly color: VectorView;
-  /** The part of the radius over which the light fades to nothing at its border, in (0, 1]. */
+  /** The part of a spot's radius over which the light fades to nothing at its border, in (0, 1]. */
   readonly border: NumberView;
   /** The number of spots. */
   count: number;
-  /** Of each spot: x and z of its center, and of the unit vector along its longer axis; world space. */
+  /** For each spot: x and z of its center, and x and z of the unit vector along its longer axis; world space. */
   readonly places: Float32Array;
-  /** Of each spot: its two semi-axes, its height, and the distance above and below that at which it has faded; meters. */
+  /**
+   * For each spot: its two semi-axes, the height of the surface, and the distance above and below that height at which the light has faded;
+   * meters.
+   */
   readonly sizes: Float32Array;
 }

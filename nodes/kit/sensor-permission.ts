@@ -1,7 +1,7 @@
-/** `absent`: the browser has no sensors for pages. */
+/** The answer to the request for motion sensors. `absent`: the browser gives pages no sensors. */
 export type SensorAnswer = 'granted' | 'denied' | 'absent';
 
-/** An interface of sensor events, which asks the visitor in Safari on iOS. */
+/** The class of a sensor event. In Safari on iOS it has a function that asks the visitor for permission. */
 type SensorEvents = { readonly requestPermission?: () => Promise<string> } | undefined;
 
 const GESTURES = ['pointerup', 'keyup'] as const;
@@ -9,7 +9,7 @@ const GESTURES = ['pointerup', 'keyup'] as const;
 /**
  * Calls `act` at the visitor's touches and key presses, because browsers let pages ask for permissions only then.
  *
- * @returns Ends it.
+ * @returns A function that stops listening.
  *
  * @example
  * const stop = onGestures(ask);
@@ -25,8 +25,8 @@ export function onGestures(act: () => void): () => void {
  * Asks for the sensors of motion and orientation, at the visitor's first touch where the browser shows a question, else at once. One
  * permission covers both.
  *
- * @param onAnswer Called once; not after the end.
- * @returns Ends it.
+ * @param onAnswer Called once, but not after the request was ended.
+ * @returns A function that ends the request.
  *
  * @example
  * const stop = askForSensors((answer) => { if (answer === 'granted') listen(); });

@@ -7,7 +7,7 @@ export interface WorkerScope {
 }
 
 /**
- * Runs a CPU filter in a worker: processes one image after the other, each in the buffer of its message.
+ * Runs a CPU filter in a worker: for each message, processes the image in the message's buffer and answers with the same buffer.
  *
  * @param scope The global scope of the worker.
  * @param process Changes the image in place. An error that it throws is returned with the answer.

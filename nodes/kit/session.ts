@@ -10,11 +10,14 @@ import type { Capability } from './definition.ts';
 export interface Session {
   readonly kind: 'webxr' | 'recorded' | 'camera' | 'orbit';
   readonly capabilities: ReadonlySet<Capability>;
-  /** `device`: the display shows the world behind transparent pixels. `image`: the runtime draws the camera image of each view. */
+  /**
+   * Where the image of the real world comes from. `device`: the display shows the world behind transparent pixels. `image`: the runtime
+   * draws the camera image of each view. `none`: nowhere.
+   */
   readonly world: 'device' | 'image' | 'none';
-  /** `additive` displays cannot darken: black is transparent. */
+  /** How the display mixes the image with the world. `additive` displays cannot darken: black is transparent on them. */
   readonly blend: 'opaque' | 'alpha' | 'additive';
-  /** The page is not visible during the session, as in headsets, which have no DOM overlay. */
+  /** True if the page is not visible during the session, as in headsets without DOM overlay. */
   readonly hidesPage?: boolean;
   /** Starts to call `onFrame` for each frame and `onEvent` for each event, until `end`. */
   start(onFrame: (frame: SessionFrame) => void, onEvent: (event: SessionEvent) => void): void;
@@ -43,37 +46,43 @@ export type SessionEvent =
 
 /** One frame of a session. */
 export interface SessionFrame {
-  /** Of a recording: the recorded frame, counted on through its loops; otherwise a counter. A frame that is drawn again keeps it. */
+  /**
+   * Number of the frame. In a recording it is the number of the recorded frame, which continues through the loops; elsewhere it is a
+   * counter. A frame that is drawn again keeps its number.
+   */
   readonly index: number;
   /** Seconds since the session began. */
   readonly timeS: number;
   /** Seconds since the previous frame. */
   readonly deltaS: number;
-  /** One or two; only the first `viewCount` entries of `views` are valid. */
+  /** The number of views, one or two. Only the first `viewCount` entries of `views` are valid. */
   readonly viewCount: number;
   readonly views: readonly ViewFrame[];
-  /** The final target; null is the canvas. */
+  /** The framebuffer that the final image is drawn into; null is the canvas. */
   readonly framebuffer: WebGLFramebuffer | null;
   readonly framebufferWidthPx: number;
   readonly framebufferHeightPx: number;
   readonly light: LightEstimate | null;
-  /** Absent or null if the session does not detect surfaces. */
+  /** The detected surfaces. Absent or null if the session does not detect surfaces. */
   readonly surfaces?: DetectedSurfaces | null;
   readonly input: SessionInput;
-  /** Raised when world space moves against the room, as at re-centering: filters of poses restart. */
+  /** A number that is raised when world space moves relative to the room, as at re-centering. Filters of poses restart then. */
   readonly jumps: number;
-  /** The WebXR frame behind it, for the runtime's own hit tests and anchors; null or absent in other sessions. Nodes do not read it. */
+  /**
+   * The WebXR frame from which this frame was made, for the runtime's own hit tests and anchors; null or absent in other sessions. Nodes do
+   * not read it.
+   */
   readonly xr?: XrAccess | null;
 }
 
 /** What the runtime needs of WebXR. The objects are those of the browser: `XRSession`, `XRFrame`, `XRReferenceSpace`. */
 export interface XrAccess {
   readonly session: object;
-  /** Valid until the callback of the frame ends. */
+  /** The `XRFrame`, valid until its callback ends. */
   readonly frame: object;
-  /** World space. */
+  /** The `XRReferenceSpace` that is world space. */
   readonly referenceSpace: object;
-  /** What the session granted. */
+  /** The features that the session has granted. */
   readonly capabilities: ReadonlySet<Capability>;
 }
 
@@ -87,18 +96,18 @@ export interface DetectedSurfaces {
 export interface DetectedSurface {
   /** Unique within the session. */
   readonly id: string;
-  /** Increased when its shape changes; its pose can change in every frame. */
+  /** A number that is increased when the surface's shape changes. Its pose can change in every frame without that. */
   readonly version: number;
   /** WebXR's semantic label (`floor`, `wall`, `table`, …), or empty. */
   readonly label: string;
-  /** Column-major 4×4, rigid. */
+  /** The pose of the surface: column-major 4×4, rigid. */
   readonly worldFromSurface: Float32Array;
 }
 
 /** A flat part of a real surface. Its y axis is the normal; its outline is in its x–z plane. */
 export interface DetectedPlane extends DetectedSurface {
   readonly orientation: 'horizontal' | 'vertical' | 'other';
-  /** Corners in order, alternating x and z, meters. */
+  /** Corners of the outline in order, alternating x and z, meters. */
   readonly outlineXZ: Float32Array;
 }
 
@@ -106,7 +115,7 @@ export interface DetectedPlane extends DetectedSurface {
 export interface DetectedMesh extends DetectedSurface {
   /** x, y, z of each vertex, meters. */
   readonly positions: Float32Array;
-  /** Three per triangle; the winding is not specified. */
+  /** Indices of vertices, three per triangle; the winding is not specified. */
   readonly indices: Uint32Array;
 }
 
@@ -127,7 +136,7 @@ export interface SessionInput {
   /** Controllers of a headset, or the halves of a gamepad. */
   readonly left: Controller;
   readonly right: Controller;
-  /** Joints of bare hands. They are tracked only if a node of the program needs `hands` and the session grants it. */
+  /** Joints of the bare hands. Hands are tracked only if a node of the program needs `hands` and the session grants it. */
   readonly leftHand: Hand;
   readonly rightHand: Hand;
   /**
@@ -140,9 +149,9 @@ export interface SessionInput {
   keyOwner: object | null;
 }
 
-/** A key that went down, or repeats. */
+/** A press of a key, or a repeat while the key is held. */
 export interface KeyPress {
-  /** As `KeyboardEvent.key`; letters in lower case. */
+  /** The name of the key, as in `KeyboardEvent.key`; letters in lower case. */
   readonly key: string;
   readonly shift: boolean;
   /** Control, or Command on a Mac. */
@@ -161,21 +170,27 @@ export interface Pointer {
   readonly phase: PointerPhase;
   /** Column-major 4×4, rigid: its origin is the eye or the hand, its -z axis points along the ray. */
   readonly worldFromRay: Float32Array;
-  /** Where the hand holds something (WebXR's grip space); null for screens, mouse and gaze, and while it is not tracked. */
+  /** The pose of the hand where it holds something (WebXR's grip space). Null for screens, mouse and gaze, and while it is not tracked. */
   readonly worldFromGrip: Float32Array | null;
   /** How far a pinch or trigger is closed, in [0, 1]; 1 while a screen or mouse is pressed. */
   readonly pinch: number;
-  /** Of the phase `end`: the press was a tap, click or selection, not a drag. */
+  /** Whether the press was a tap, click or selection, not a drag. Valid in the phase `end`. */
   readonly tapped: boolean;
   /** The browser's `XRInputSource`, for the runtime's own hit tests; null in other sessions. Nodes do not read it. */
   readonly xrSource: object | null;
-  /** Who claimed it at its start; null while nobody did. Written by `claimPointer` alone. */
+  /** The object that has claimed the pointer, usually the context of a node; null while none has. Written by `claimPointer` alone. */
   owner: object | null;
-  /** How far along the ray the owner met what it claimed. Written by `claimPointer` alone; without meaning where nobody claimed it. */
+  /**
+   * The distance along the ray to what the owner has claimed, meters. Written by `claimPointer` alone; without meaning while `owner` is
+   * null.
+   */
   ownerDistanceM: number;
 }
 
-/** `hover`: nothing is pressed. `cancel`: the system took the press away, which is to be undone. */
+/**
+ * `hover`: nothing is pressed. `start`: the press begins in this frame. `hold`: it continues. `end`: it ends. `cancel`: the system has
+ * ended the press, so its effects are to be undone.
+ */
 export type PointerPhase = 'hover' | 'start' | 'hold' | 'end' | 'cancel';
 
 export type PointerKind = 'screen' | 'mouse' | 'left' | 'right' | 'left-hand' | 'right-hand' | 'gaze';
@@ -190,31 +205,33 @@ export interface Tap {
 /** The current state of a controller. */
 export interface Controller {
   readonly connected: boolean;
-  /** x to the right and y up, in [-1, 1]. */
+  /** The position of the thumbstick: x to the right and y up, in [-1, 1]. */
   readonly stick: Float32Array;
-  /** In [0, 1]. */
+  /** How far the trigger and the grip button are pressed, in [0, 1]. */
   readonly trigger: number;
   readonly squeeze: number;
   /** The lower button: A on the right, X on the left. */
   readonly primary: boolean;
   /** The upper button: B on the right, Y on the left. */
   readonly secondary: boolean;
-  /** The thumbstick is pressed down. */
+  /** Whether the thumbstick is pressed down. */
   readonly stickPressed: boolean;
-  /** As `Tap.worldFromRay`; null for gamepads, and while the controller is not tracked. */
+  /** The ray along which the controller points, as in `Tap`. Null for gamepads, and while the controller is not tracked. */
   readonly worldFromRay: Float32Array | null;
-  /** WebXR's grip space: the origin is in the palm that holds the controller, -z points along its handle. Null as `worldFromRay`. */
+  /**
+   * WebXR's grip space: the origin is in the palm that holds the controller, -z points along its handle. Null whenever `worldFromRay` is.
+   */
   readonly worldFromGrip: Float32Array | null;
-  /** A bare hand, which some browsers list as a controller whose trigger is the pinch. */
+  /** True for a bare hand, which some browsers list as a controller whose trigger is the pinch. */
   readonly bare: boolean;
-  /** Null if it cannot vibrate. */
+  /** The motor that vibrates the controller; null if it has none. */
   readonly haptics: Haptics | null;
 }
 
 /** The motor of a controller. */
 export interface Haptics {
   /**
-   * Vibrates once. A pulse replaces the one before it. Nothing happens where the browser refuses.
+   * Vibrates once. A vibration replaces the one before it. Nothing happens where the browser refuses.
    *
    * @param strength In [0, 1].
    * @param durationS Seconds; browsers limit it to 5.
@@ -224,11 +241,11 @@ export interface Haptics {
 
 /** A bare hand. `nodes/kit/hand-joints.ts` has the names of the joints, `nodes/kit/hands.ts` what is computed from them. */
 export interface Hand {
-  /** All joints have a pose in this frame. While false, the arrays keep the last poses. */
+  /** True if all joints have a pose in this frame. While false, the arrays keep the last poses. */
   readonly tracked: boolean;
   /**
-   * Column-major 4×4 of each joint, rigid, in the order of `HAND_JOINTS`. -z points along the bone to the fingertip, y out of the back
-   * of the hand.
+   * The pose of each joint: column-major 4×4, rigid, in the order of `HAND_JOINTS`. -z points along the bone to the fingertip, y out of the
+   * back of the hand.
    */
   readonly worldFromJoints: Float32Array;
   /** Distance from each joint to the skin, meters. */
@@ -244,7 +261,7 @@ export interface ViewFrame {
   readonly viewFromWorld: Float32Array;
   readonly nearM: number;
   readonly farM: number;
-  /** In the framebuffer, pixels, origin bottom left. */
+  /** The part of the framebuffer that the view covers. */
   readonly viewport: Viewport;
   readonly cameraImage: CameraImage | null;
   readonly depth: RoomDepth | null;
@@ -276,7 +293,7 @@ export interface RoomDepth {
   readonly uvFromViewUv: Float32Array;
   /** Pose of the view that the depth is aligned with; column-major 4×4. */
   readonly worldFromDepth: Float32Array;
-  /** True: readers interpolate the four nearest samples that are known. Otherwise they read the nearest sample. */
+  /** How readers interpolate. True: between the known ones of the four nearest samples. Otherwise they read the nearest sample. */
   readonly interpolate?: boolean;
   /** The same samples on the CPU, rows in the order of the texture; null or absent where they are on the GPU alone. */
   readonly meters?: Float32Array | null;
@@ -284,7 +301,7 @@ export interface RoomDepth {
 
 /** Room depth on the CPU, with the view that it was taken for. */
 export interface DepthImage {
-  /** Along the view's axis, meters, 0 where unknown; rows as in the texture. */
+  /** Depth along the view's axis, meters, 0 where unknown; rows as in the texture. */
   readonly meters: Float32Array;
   readonly widthPx: number;
   readonly heightPx: number;
@@ -292,7 +309,7 @@ export interface DepthImage {
   readonly uvFromViewUv: Float32Array;
   readonly clipFromView: Float32Array;
   readonly worldFromView: Float32Array;
-  /** Index of the frame that it was taken in. */
+  /** Index of the frame in which the depth was measured. */
   readonly frame: number;
 }
 
@@ -302,9 +319,9 @@ export interface LightEstimate {
   readonly sphericalHarmonics: Float32Array;
   /** Unit vector in world space, from the scene towards the light. */
   readonly primaryDirectionWorld: Float32Array;
-  /** Linear-sRGB, not normalized. */
+  /** Color and intensity of the primary light: linear sRGB, not normalized. */
   readonly primaryIntensity: Float32Array;
-  /** The reflections of the room; absent or null if the session provides none. */
+  /** The reflections of the room as a cube map. Absent or null if the session provides none. */
   readonly reflection?: ReflectionCube | null;
 }
 
@@ -313,6 +330,6 @@ export interface ReflectionCube {
   readonly texture: WebGLTexture;
   /** Increased when the texture, its content or its orientation changes. */
   readonly version: number;
-  /** Column-major 3×3, a rotation of directions. Absent: the identity. */
+  /** The rotation from directions of world space to directions of the cube map, column-major 3×3. Absent: the identity. */
   readonly cubeFromWorld?: Float32Array;
 }

@@ -1,4 +1,4 @@
-/** The number of samples of a level: 21 ms at 48 kHz. */
+/** The number of samples from which a level is computed: 21 ms at 48 kHz. */
 const LEVEL_SAMPLES = 1024;
 
 /** The newest samples of a sound. Only the node that outputs it writes it, and then increases `version`. */
@@ -15,7 +15,7 @@ export interface SoundOutput {
 export interface AudioAsset {
   readonly durationS: number;
   readonly sampleRateHz: number;
-  /** One or two, of equal length, in [-1, 1]. */
+  /** The samples of one or two channels of equal length, in [-1, 1]. */
   readonly channels: readonly Float32Array[];
 }
 
@@ -33,8 +33,8 @@ export function silence(output: SoundOutput): void {
 }
 
 /**
- * Fills an audio output with the samples of a file up to a position. Before the start of the file there is silence, or its end if it
- * loops.
+ * Fills an audio output with the samples of a file up to a position. Samples before the start of the file are silent, or those of its end
+ * if it loops.
  *
  * @param timeS Position in the file, seconds.
  * @param loop Whether the file loops.

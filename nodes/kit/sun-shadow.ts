@@ -3,7 +3,7 @@ import type { LightShadow, ShadowFilter } from './light-shadow.ts';
 import type { DirectionalLightItem, LightList } from './scene-lists.ts';
 import type { Writable } from './value-views.ts';
 
-/** The parts of a node context that the shadow reads and writes; the params are `SUN_SHADOW` and `castShadow`. */
+/** The parts of a node context that `createSunShadow` uses; the node has the params of `SUN_SHADOW` and `castShadow`. */
 interface SunShadowContext {
   readonly params: Readonly<Record<'areaM' | 'biasPx' | 'sourceRad' | 'contact', { readonly value: number }>> & {
     readonly castShadow: { readonly value: boolean };
@@ -14,7 +14,7 @@ interface SunShadowContext {
 
 /** The shadow of a directional light, with its contact shadow. */
 export interface SunShadow {
-  /** Call it once per frame, after the radiance of the light has been set. */
+  /** Updates both shadows. Call it once per frame, after the radiance of the light has been set. */
   update(light: DirectionalLightItem): void;
 }
 

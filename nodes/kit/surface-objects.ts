@@ -2,14 +2,14 @@ import type { Matrix4, Object3D } from 'three';
 import type { ObjectItem, ObjectList } from './scene-lists.ts';
 import type { DetectedSurface } from './session.ts';
 
-/** An object list that follows the surfaces that a session detects. */
+/** An object list with one object per surface that a session detects. */
 export interface SurfaceObjects<S extends DetectedSurface> {
-  /** Call it once per frame: adds and removes items, updates poses, and rebuilds changed shapes. */
+  /** Adds and removes items, updates poses, and rebuilds changed shapes. Call it once per frame. */
   update(surfaces: readonly S[]): void;
   dispose(): void;
 }
 
-/** How a node makes objects from surfaces. */
+/** The functions by which a node turns detected surfaces into objects. */
 export interface SurfaceBuilder<S extends DetectedSurface> {
   /**
    * Creates the object of a surface; called again when its shape changes.
@@ -23,7 +23,7 @@ export interface SurfaceBuilder<S extends DetectedSurface> {
   adjust(item: ObjectItem): void;
 }
 
-/** The object of a surface. */
+/** The object that a node has made of a surface. */
 export interface BuiltSurface {
   readonly root: Object3D;
   readonly worldFromObject: Matrix4;

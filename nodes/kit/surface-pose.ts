@@ -1,6 +1,8 @@
 /** Poses on surfaces: their axes, and which way a surface faces. */
 
-/** Of the angle between a normal and the vertical: up to it a surface lies level, and up to it from the horizontal a surface stands upright. */
+/**
+ * A surface whose normal is within this angle of the vertical is level; one whose normal is within this angle of the horizontal is upright.
+ */
 const LEVEL_RAD = (20 * Math.PI) / 180;
 const COS_LEVEL = Math.cos(LEVEL_RAD);
 const SIN_UPRIGHT = Math.sin(LEVEL_RAD);
@@ -9,7 +11,8 @@ const COS_45 = Math.SQRT1_2;
 export type SurfaceOrientation = 'floor' | 'wall' | 'ceiling' | 'sloped';
 
 /**
- * Which way a surface faces: up within 20° is `floor` (tables too), down within 20° `ceiling`, level with the horizon within 20° `wall`.
+ * Which way a surface faces, by its normal: `floor` (tables too) if the normal points up within 20°, `ceiling` if it points down within
+ * 20°, `wall` if it is horizontal within 20°, otherwise `sloped`.
  *
  * @param worldFromHit Column-major 4×4, rigid, whose y axis is the normal.
  *
@@ -24,8 +27,8 @@ export function surfaceOrientation(worldFromHit: ArrayLike<number>): SurfaceOrie
 }
 
 /**
- * Writes the pose of a point on a surface: y along the normal, turned towards the viewer's side. On surfaces that lie level within 45°,
- * z points to the viewer; on steeper ones z points down along the surface. x is to the right as the viewer sees it.
+ * Writes the pose of a point on a surface: y along the normal, flipped to the side from which the ray comes. On surfaces that lie level
+ * within 45°, z points to the viewer; on steeper ones z points down along the surface. x is to the right as the viewer sees it.
  *
  * @param out Receives the column-major 4×4.
  * @param px, py, pz The point, world space, meters.

@@ -3,25 +3,28 @@ import type { NumberView, ToggleView, VectorView } from './value-views.ts';
 /** A custom material on an object. If several match a material, the last one applies. */
 export interface AppliedTechnique {
   readonly technique: TechniqueView;
-  /** Names of the materials that it replaces; null for all. */
+  /** Names of the materials that the technique replaces; null for all. */
   readonly materials: readonly string[] | null;
 }
 
 /** A technique of the running program. */
 export interface TechniqueView {
-  /** Increased when its text or passes change: rebuild what is derived from them. */
+  /** A number that is increased when the text or the passes of the technique change: rebuild what is derived from them. */
   readonly version: number;
-  /** Unique among all techniques for this text. */
+  /** A key that is unique among all techniques with another text. */
   readonly key: string;
-  /** GLSL for a shader that provides the interface of `export/glsl/technique/interface.ts`. */
+  /** GLSL to include in a vertex shader that provides the interface of `export/glsl/technique/interface.ts`. */
   readonly vertex: string;
-  /** Likewise, for the fragment shader. */
+  /** GLSL to include in a fragment shader that provides the same interface. */
   readonly fragment: string;
-  /** The passes of each object, in order; `object`: the sides that its own material shows. */
+  /**
+   * The passes in which each object is drawn, in order, with the sides of its surface that a pass shows. `object`: those that its own
+   * material shows.
+   */
   readonly passes: readonly { readonly side: 'object' | 'front' | 'back' | 'both' }[];
-  /** Live values: read them every frame. Colors are display-referred sRGB, as in params. */
+  /** The uniforms with their live values: read them every frame. Colors are display-referred sRGB, as in params. */
   readonly uniforms: readonly TechniqueUniformView[];
-  /** The layers and images that its text reads, by the name of their uniform. */
+  /** The layers and images that the technique reads, by the name of their uniform. */
   readonly images: readonly TechniqueImageView[];
 }
 
@@ -29,18 +32,18 @@ export interface TechniqueView {
 export interface TechniqueImageView {
   readonly name: string;
   /**
-   * The image for a view, valid until the next call. Its pixels are available while the objects are drawn, not before.
+   * Returns the image for a view, valid until the next call. Its pixels are available while the objects are drawn, not before.
    *
    * @param viewWidthPx Width of the view; `viewHeightPx` is its height.
    */
   at(viewIndex: number, viewWidthPx: number, viewHeightPx: number): TechniqueImage;
 }
 
-/** A texture with its transform. */
+/** An image as a technique samples it: a texture and its UV matrix. */
 export interface TechniqueImage {
-  /** Null: transparent. */
+  /** The texture; null: the image is transparent. */
   readonly texture: WebGLTexture | null;
-  /** Column-major 3×3: texture UV from view UV, for layers. */
+  /** The matrix from view UV to texture UV, column-major 3×3. Only for layers. */
   readonly uvFromViewUv: Readonly<Float32Array>;
   readonly widthPx: number;
   readonly heightPx: number;

@@ -1,4 +1,4 @@
-/** Factors from meters, radians and ratios, and what follows the number. */
+/** The units that a placeholder can name: the factor from meters, radians or ratios, and the text after the number. */
 const UNITS: Readonly<Record<string, { readonly factor: number; readonly suffix: string }>> = {
   mm: { factor: 1000, suffix: ' mm' },
   cm: { factor: 100, suffix: ' cm' },
@@ -17,7 +17,7 @@ const NOT_A_NUMBER = '–';
 /** A piece of a template: words, the text input, or a number. */
 export type Piece = { readonly kind: 'words'; readonly words: string } | { readonly kind: 'text' } | NumberPiece;
 
-/** A number in a template. */
+/** A placeholder for a number, and how the number is written. */
 export interface NumberPiece {
   readonly kind: 'number';
   readonly name: string;
@@ -26,18 +26,19 @@ export interface NumberPiece {
   readonly suffix: string;
 }
 
-/** A template in pieces, and the placeholders that cannot be read, which stay as they are. */
+/** A template split into pieces. `unknown` lists the placeholders that cannot be read; they stay in the text unchanged. */
 export interface Template {
   readonly pieces: readonly Piece[];
   readonly unknown: readonly string[];
 }
 
 /**
- * Reads a template of texts and numbers. With the names `a` and `b`: `{a}`, `{a:2}` (two decimals), `{a:cm}`, `{a:2 cm}` (a length in meters
- * as centimeters with the unit), `{text}`, and `{{` for a brace. Units: mm, cm, m, km, in and ft of meters, ° of radians, % of ratios.
+ * Reads a template of texts and numbers. With the names `a` and `b`: `{a}`, `{a:2}` (two decimals), `{a:cm}`, `{a:2 cm}` (a length in
+ * meters as centimeters with the unit), `{text}`, and `{{` for a brace. Units: mm, cm, m, km, in and ft of meters, ° of radians, % of
+ * ratios.
  *
- * @param names What stands for a number.
- * @param decimals Digits where a placeholder names none.
+ * @param names The names that stand for a number.
+ * @param decimals Digits after the decimal mark if a placeholder does not say how many.
  *
  * @example
  * readTemplate('{a:1 cm}', ['a'], 2).pieces; // one number piece: factor 100, one decimal, ' cm'
@@ -61,22 +62,25 @@ export function readTemplate(template: string, names: readonly string[], decimal
   return { pieces, unknown };
 }
 
-/** Writes the texts of a template; `createTextWriter`. */
+/** Fills the numbers and the text input into a template; `createTextWriter` creates it. */
 export interface TextWriter {
-  /** Placeholders that are not known. They stay as they are. */
+  /** Placeholders that cannot be read. They stay in the text unchanged. */
   readonly unknown: readonly string[];
-  /** Rounds the numbers as they are written. Allocates nothing. Returns whether one of them is written differently than before. */
+  /**
+   * Takes the current numbers, and rounds them as they will be written. Returns whether the text of one of them has changed. Allocates
+   * nothing.
+   */
   round(numberOf: (name: string) => number): boolean;
-  /** The text with the numbers of the last `round`. */
+  /** Returns the template with the numbers of the last `round` and the text input. */
   write(text: string): string;
 }
 
 /**
  * Creates a writer of numbers into a template. Numbers have no group separators, and those that are not finite are written as –.
  *
- * @param names What stands for a number.
- * @param decimals Digits where a placeholder names none.
- * @param language BCP 47, of the decimal mark; undefined is the visitor's.
+ * @param names The names that stand for a number.
+ * @param decimals Digits after the decimal mark if a placeholder does not say how many.
+ * @param language The language whose decimal mark is used (BCP 47); undefined is the visitor's.
  *
  * @example
  * const writer = createTextWriter('{a:2 m}', ['a'], 2, 'en');

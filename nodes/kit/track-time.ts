@@ -2,7 +2,8 @@
 export type Repeat = 'once' | 'loop' | 'mirror';
 
 /**
- * Maps a time to the time of the track. `loop` restarts at the first keyframe when the last is reached; `mirror` reverses at both.
+ * Maps a time to the time of the track. `loop` restarts at the first keyframe when the last is reached; `mirror` reverses the direction at
+ * the first and at the last keyframe.
  *
  * @param timeS Seconds since the session began.
  * @param times Times of the keyframes, seconds, ascending.

@@ -1,4 +1,4 @@
-/** Detects changes of lists (`ObjectList`, `LightList`). */
+/** Detects whether lists such as `ObjectList` or `LightList` have changed since the last call. */
 export interface VersionWatch {
   /**
    * Whether the lists, their number or their versions differ from those of the previous call.

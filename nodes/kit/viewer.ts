@@ -1,7 +1,7 @@
 import type { SessionFrame } from './session.ts';
 
 /**
- * Writes the position of the viewer: that of the screen's camera, or the middle between two eyes.
+ * Writes the position of the viewer: that of the screen's camera, or the midpoint between the two eyes.
  *
  * @param out Receives three numbers, world space, meters.
  * @returns False without a view; `out` then keeps what it held.

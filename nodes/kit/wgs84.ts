@@ -1,15 +1,15 @@
 /**
- * Places on the ellipsoid WGS 84, which satellite navigation uses, in a local frame of east, north and up (NGA Standard
+ * A place on the ellipsoid WGS 84, which satellite navigation uses, and its conversion to a local frame of east, north and up (NGA Standard
  * 0036, §4). Angles are in degrees, as browsers give them.
  */
 export interface GeoPlace {
   latitudeDeg: number;
   longitudeDeg: number;
-  /** Above the ellipsoid, meters. */
+  /** Height above the ellipsoid, meters. */
   altitudeM: number;
 }
 
-/** Meters east, north and up of the origin of a local frame. */
+/** An offset from the origin of a local frame, in meters to the east, to the north and up. */
 export interface EastNorthUp {
   eastM: number;
   northM: number;
@@ -24,7 +24,7 @@ const ECCENTRICITY_2 = FLATTENING * (2 - FLATTENING);
 const scratchOrigin = new Float64Array(3);
 const scratchPlace = new Float64Array(3);
 
-/** Writes the coordinates fixed to the earth (x to 0°, 0°; z to the north pole), meters. */
+/** Writes the earth-centered, earth-fixed coordinates of a place, meters: x points to latitude 0°, longitude 0°; z to the north pole. */
 function setEarthFixed(out: Float64Array, { latitudeDeg, longitudeDeg, altitudeM }: Readonly<GeoPlace>): void {
   const [latitude, longitude] = [radians(latitudeDeg), radians(longitudeDeg)];
   const sine = Math.sin(latitude);
@@ -36,7 +36,7 @@ function setEarthFixed(out: Float64Array, { latitudeDeg, longitudeDeg, altitudeM
 }
 
 /**
- * Writes where a place is, seen from an origin: in the plane that touches the earth there.
+ * Writes the offset of a place from an origin, in the plane that touches the ellipsoid at the origin.
  *
  * @example
  * setEastNorthUp(offset, here, target);

@@ -68,7 +68,7 @@ export type WireType = keyof typeof WIRE_TYPES;
 /** Wire types that carry plain values; they are stored in value slots and can be bound to params. */
 export type ValueType = 'number' | 'vector2' | 'vector3' | 'vector4' | 'color' | 'toggle' | 'text';
 
-/** How many numbers a value of each type takes in the program's slots; a text takes one entry of the text table. */
+/** The number of slots that a value of each type takes in the program; a text takes one entry of the text table instead. */
 export const VALUE_SIZES = {
   number: 1,
   vector2: 2,

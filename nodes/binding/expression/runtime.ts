@@ -4,7 +4,7 @@ import type { NodeRuntime } from '../../kit/runtime.ts';
 
 interface Config {
   readonly postfix: string;
-  /** Values of the param without its binding, within its limits; they replace results that are not finite, such as 0 / 0. */
+  /** The values that the param has without the expression, within its limits. They replace results that are not finite, such as 0 / 0. */
   readonly otherwise: readonly number[];
 }
 

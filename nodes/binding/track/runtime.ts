@@ -10,12 +10,14 @@ interface Config {
   readonly values: readonly number[];
   /** The easing of each keyframe: a name, or control points separated by commas. */
   readonly easings: string;
-  /** Present if an easing overshoots: minimum and maximum of each number. */
+  /** The param's minimum and maximum for each number. Present only if an easing overshoots, because only then can a result exceed them. */
   readonly limits?: readonly number[];
   readonly repeat: Repeat;
 }
 
-/** Before the first keyframe and after the last, a track keeps the value of that keyframe. */
+/**
+ * Plays a keyframe track. Before the first keyframe the param has the value of that keyframe; `repeat` decides what follows the last one.
+ */
 export function create({ outputs, config: made, clock }: BindingContext): NodeRuntime {
   const config = made as unknown as Config;
   const bound = outputs.value as BoundValue;

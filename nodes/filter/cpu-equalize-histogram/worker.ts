@@ -1,7 +1,10 @@
 import type { CpuParams, Pixels } from '../../kit/cpu-filter.ts';
 import type { definition } from './definition.ts';
 
-/** The histogram of the 256 values, and then the new value of each. Shared by all calls: a worker processes one image at a time. */
+/**
+ * Holds the number of pixels at each of the 256 brightness values, and then the new value for each. All calls share the array: a worker
+ * processes one image at a time.
+ */
 const scratchCounts = new Uint32Array(256);
 const scratchTable = new Uint8Array(256);
 
@@ -34,7 +37,7 @@ export function process({ data }: Pixels, { amount, spread }: CpuParams<typeof d
   }
 }
 
-/** Computes the table from the pixels that are not transparent. */
+/** Computes the table of new values from the histogram of the pixels that are not transparent. */
 function equalize(data: Uint8Array, valueAt: (data: Uint8Array, i: number) => number): void {
   scratchCounts.fill(0);
   let total = 0;
@@ -65,7 +68,7 @@ function straight(data: Uint8Array, i: number, alpha: number): number {
   return alpha === 255 || alpha === 0 ? value : Math.min((value * 255) / alpha, 255);
 }
 
-/** Clamps a channel and multiplies it with alpha again. */
+/** Clamps a straight channel value, multiplies it by alpha again and stores it. */
 function write(data: Uint8Array, i: number, value: number, alpha: number): void {
   data[i] = Math.round((Math.min(Math.max(value, 0), 255) * alpha) / 255);
 }

@@ -1,10 +1,10 @@
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
-/** The param is a count, not an event, so that no press between two frames is lost. */
+/** Plays the Button node. Its param counts presses, so that no press between two frames is lost. */
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { presses } = ctx.params;
-  /** Null before the first frame: earlier presses do not count. */
+  /** The count in the previous frame. Null before the first frame: presses before it do not count. */
   let seen: number | null = null;
   let pressed = 0;
   return {

@@ -1,14 +1,14 @@
 import { screenAngle } from '../../kit/device-orientation.ts';
 import type { ShakeDetector } from './shake.ts';
 
-/** Readings along the axes of the screen: x right, y up, z to the visitor. */
+/** The newest readings of the motion sensors of a device, along the axes of the screen: x right, y up, z towards the visitor. */
 export interface MotionSensor {
   readonly present: boolean;
-  /** Without gravity, m/s². */
+  /** Acceleration without gravity, m/s². */
   readonly acceleration: Float64Array;
   /** Radians per second, counterclockwise seen from the tip of the axis. */
   readonly rotationRate: Float64Array;
-  /** Unit vector away from the ground. */
+  /** Unit vector that points away from the ground. */
   readonly up: Float64Array;
   dispose(): void;
 }
@@ -20,18 +20,21 @@ interface Axes {
 }
 
 const RAD_PER_DEG = Math.PI / 180;
-/** Share of a new reading in the mean that stands for gravity where the device does not tell it apart: about half a second at 60 Hz. */
+/**
+ * Weight of a new reading in the running mean of accelerations, which stands for gravity on devices that do not report gravity separately.
+ * The mean follows in about half a second at 60 Hz.
+ */
 const GRAVITY_SHARE = 0.03;
 
 /**
- * Listens to `devicemotion` and `deviceorientation`. iPhones give accelerations with the opposite sign; which sign a device has shows in
- * gravity, whose direction the orientation tells.
+ * Listens to the events `devicemotion` and `deviceorientation`. iPhones report accelerations with the opposite sign. The sign of a device
+ * is found by comparing the measured gravity with the orientation.
  */
 export function listenForMotion(shake: ShakeDetector): MotionSensor {
   const acceleration = new Float64Array(3);
   const rotationRate = new Float64Array(3);
   const up = Float64Array.of(0, 1, 0);
-  /** In the axes of the device, which do not turn with the page. */
+  /** `up` in the axes of the device, which do not rotate with the page. */
   const deviceUp = Float64Array.of(0, 1, 0);
   const gravity = new Float64Array(3);
   const scratch = new Float64Array(3);
@@ -39,7 +42,7 @@ export function listenForMotion(shake: ShakeDetector): MotionSensor {
   let hasOrientation = false;
   let hasGravity = false;
 
-  /** Writes a vector of the device along the axes of the page. */
+  /** Converts a vector from the axes of the device to the axes of the screen. */
   function toScreen(out: Float64Array, x: number, y: number, z: number): void {
     const angle = screenAngle(window);
     const [sine, cosine] = [Math.sin(angle), Math.cos(angle)];
@@ -55,7 +58,7 @@ export function listenForMotion(shake: ShakeDetector): MotionSensor {
     hasOrientation = true;
     present = true;
   }
-  /** -1 where accelerations have the opposite sign. */
+  /** Whether the device reports accelerations with the standard sign (1) or with the opposite sign (-1). */
   function signOf(total: Axes): 1 | -1 {
     if (!hasOrientation) return 1;
     return (total.x ?? 0) * (deviceUp[0] ?? 0) + (total.y ?? 0) * (deviceUp[1] ?? 0) + (total.z ?? 0) * (deviceUp[2] ?? 0) < 0 ? -1 : 1;

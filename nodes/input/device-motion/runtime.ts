@@ -4,7 +4,10 @@ import type { definition } from './definition.ts';
 import { listenForMotion, type MotionSensor } from './motion-sensor.ts';
 import { createShakeDetector } from './shake.ts';
 
-/** Computers have the events, and no sensor: after this time without a reading there is none. */
+/**
+ * Time without a reading after which the device counts as having no motion sensor. Desktop browsers support the events but send no
+ * readings.
+ */
 const SILENT_S = 2;
 const STILL = Float64Array.of(0, 0, 0);
 const UPRIGHT = Float64Array.of(0, 1, 0);
@@ -36,7 +39,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   // A render has no device that is moved, and must be reproducible.
   const stop = ctx.clock.held ? null : askForSensors(answered);
 
-  /** Moves an output towards a reading. */
+  /** Moves an output towards a reading, by the smoothing of the params. */
   function follow(out: Float64Array, to: Float64Array): void {
     const { value: smoothingS } = params.smoothingS;
     const share = isFresh || smoothingS <= 0 ? 1 : 1 - Math.exp(-ctx.clock.deltaS / smoothingS);

@@ -1,19 +1,19 @@
-/** Finds out that a device is shaken: moved strongly one way and back. */
+/** Detects that a device is shaken: accelerated strongly in alternating directions. */
 export interface ShakeDetector {
-  /** Accelerations below it are no shaking, m/s². */
+  /** Threshold, m/s²: weaker accelerations are no part of a shake. */
   fromMPerS2: number;
-  /** Takes an acceleration without gravity. */
+  /** Passes the next reading to the detector: an acceleration without gravity, m/s². */
   feel(acceleration: ArrayLike<number>, timeS: number): void;
-  /** The strongest acceleration of a shake since the last call, m/s²; 0 for none. */
+  /** Returns the strongest acceleration of a shake that was detected since the last call, m/s²; 0 if there was none. */
   take(): number;
   reset(): void;
 }
 
-/** Strong accelerations, each against the one before, that are a shake. */
+/** How many strong accelerations make a shake. Each must be opposite to the one before. */
 const TURNS = 3;
-/** All of them happen within it. */
+/** The longest time that the accelerations of one shake may take. */
 const WITHIN_S = 1;
-/** After a shake, a rest, so that a long shake is not many. */
+/** Time after a shake in which no other is detected, so that a long shake counts once. */
 const REST_S = 0.6;
 
 export function createShakeDetector(fromMPerS2: number): ShakeDetector {

@@ -3,7 +3,10 @@ import type { NodeContext, NodeRuntime, PulseOutput } from '../../kit/runtime.ts
 import type { Controller } from '../../kit/session.ts';
 import type { definition } from './definition.ts';
 
-/** Two thresholds (hysteresis), so that a finger that rests in the middle does not trigger repeatedly. */
+/**
+ * How far the trigger must be pulled to count as pulled; it then counts as released only below `LET_GO`. Two thresholds (hysteresis)
+ * prevent that a finger at rest in the middle triggers repeatedly.
+ */
 const PULLED = 0.5;
 const LET_GO = 0.4;
 
@@ -14,13 +17,13 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   let hadPrimary = false;
   let hadSecondary = false;
   let hadStick = false;
-  /** Whose poses were given last, and how often that has changed. */
+  /** The controller whose poses the outputs had last; `changes` counts how often it has changed. */
   let lastPosed: Controller | null = null;
   let changes = 0;
 
   const push = ({ stick }: Controller): number => Math.hypot(stick[0] ?? 0, stick[1] ?? 0);
 
-  /** Rescales the stick so that it is 0 at the edge of the dead zone and 1 at the end. */
+  /** Writes the stick to the outputs, rescaled to be 0 at the edge of the dead zone and 1 at the end. */
   function writeStick(controller: Controller): void {
     const pushed = push(controller);
     const dead = Math.min(Math.max(ctx.params.deadZone.value, 0), 0.99);

@@ -3,12 +3,20 @@ import type { Pointer, ViewFrame } from '../../kit/session.ts';
 
 /** How far a press has moved since its start. */
 export interface PressMotion {
-  /** To the right and up, radians: of fingers on the screen, of hands as seen in the view in which they started. */
+  /**
+   * Angles to the right and up, radians. For fingers on the screen they are relative to the current view; for other pointers, to the view
+   * in which the press started.
+   */
   readonly turnRad: Float64Array;
-  /** Meters, world space. */
+  /** Movement in meters, world space. */
   readonly moveM: Float64Array;
   begin(pointer: Pointer, view: ViewFrame): void;
-  /** @param distanceM Of the point on the ray that moves, where the pointer is no tracked hand. */
+  /**
+   * Measures the movement in this frame.
+   *
+   * @param distanceM Distance along the ray of the point whose movement is measured. Not used for a pointer with a grip, such as a tracked
+   * hand: its grip is measured.
+   */
   update(pointer: Pointer, view: ViewFrame, distanceM: number): void;
 }
 
@@ -53,7 +61,7 @@ function pointAt(ray: ArrayLike<number>, axis: number, distanceM: number): numbe
   return (ray[12 + axis] ?? 0) - (ray[8 + axis] ?? 0) * distanceM;
 }
 
-/** The direction of a ray in a view: to the right of its axis, and above its horizon. */
+/** Writes the direction of a ray relative to a view, radians: to the right of the view's axis, and above its horizon. */
 function writeAngles(out: Float64Array, ray: ArrayLike<number>, view: ArrayLike<number>): void {
   const along = (column: number): number => {
     const dot = (view[column] ?? 0) * (ray[8] ?? 0) + (view[column + 1] ?? 0) * (ray[9] ?? 0) + (view[column + 2] ?? 0) * (ray[10] ?? 0);

@@ -7,7 +7,8 @@ import { createPressMotion } from './press-motion.ts';
 import { createSpanMotion } from './span-motion.ts';
 
 /**
- * `waiting`: pressed, and “Active” may still turn on. `spent`: it was a long press or part of a pinch, and may only drag on.
+ * The state of the gesture. `waiting`: a press has started, and “Active” may still turn on. `spent`: the press was a long press or part of
+ * a pinch, so it is no tap; it may still become a drag.
  */
 type State = 'none' | 'waiting' | 'pressed' | 'spent' | 'dragging' | 'pinching';
 
@@ -17,14 +18,14 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const motion = createPressMotion();
   const span = createSpanMotion();
   let state: State = 'none';
-  /** Ids of the pointers; 0 for none. */
+  /** Ids of the pointers of the gesture, `first` and `second`; 0 for none. */
   let first = 0;
   let second = 0;
   let startS = 0;
   let jumps = 0;
   const startRay = new Float32Array(16);
 
-  /** Sums over past gestures. */
+  /** Sums of the drags, scales and twists of past gestures. */
   const keptRad = new Float64Array(2);
   const keptM = new Float64Array(3);
   let keptScale = 1;
@@ -114,7 +115,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     }
   }
 
-  /** A press or drag of one pointer. */
+  /** Updates a press or drag of one pointer, and emits its pulses. */
   function follow(pointer: Pointer, view: ViewFrame): void {
     motion.update(pointer, view, params.distanceM.value);
     const isDrag = Math.hypot(motion.turnRad[0] ?? 0, motion.turnRad[1] ?? 0) > params.moveRad.value;

@@ -1,12 +1,19 @@
 import { type PointerSpan, writePointerSpan } from '../../kit/pointer-span.ts';
 import type { Pointer, ViewFrame } from '../../kit/session.ts';
 
-/** How two pointers have moved against each other since their start. */
+/**
+ * How two pointers have moved relative to each other since both were pressed: the ratio of their distances, and the angle by which the line
+ * between them has turned.
+ */
 export interface SpanMotion {
   scale: number;
   twistRad: number;
   begin(): void;
-  /** @param pinchFrom, twistFromRad Changes below them do not count. */
+  /**
+   * Measures the movement in this frame.
+   *
+   * @param pinchFrom, twistFromRad Thresholds: smaller changes do not count.
+   */
   update(a: Pointer, b: Pointer, view: ViewFrame, pinchFrom: number, twistFromRad: number): void;
 }
 
@@ -14,7 +21,7 @@ export function createSpanMotion(): SpanMotion {
   const last: PointerSpan = { lengthM: 0, angleRad: 0 };
   const now: PointerSpan = { lengthM: 0, angleRad: 0 };
   let hasLast = false;
-  /** Since the start, whether they count or not. */
+  /** The total since the start, until the threshold is passed; then the total since that moment. */
   let scale = 1;
   let twistRad = 0;
   let scales = false;

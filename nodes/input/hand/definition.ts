@@ -10,7 +10,7 @@ const FINGERS: Readonly<Record<string, string>> = {
   pinky: 'Little finger',
 };
 
-/** Ends of WebXR's names, in words that need no anatomy. */
+/** Plain labels for the parts of WebXR's joint names, for users who do not know anatomy. */
 const PARTS: Readonly<Record<string, string>> = {
   metacarpal: 'base',
   'phalanx-proximal': 'knuckle',

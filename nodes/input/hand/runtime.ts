@@ -4,7 +4,10 @@ import { writePose } from '../../kit/pose.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
-/** Two thresholds (hysteresis): the tips touch at 1.5 cm, because joints lie inside the fingers, and part at 3 cm. */
+/**
+ * A pinch starts at this strength and ends below `OPEN`. Two thresholds (hysteresis): fingertips touch when their joints are 1.5 cm apart,
+ * because joints lie inside the fingers, and a pinch ends at 3 cm.
+ */
 const CLOSED = 0.9;
 const OPEN = 0.6;
 
@@ -14,7 +17,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const joint = 16 * jointIndex(ctx.config.joint);
   const worldFromPalm = new Float32Array(16);
   const worldFromPinch = new Float32Array(16);
-  /** The joint's part of `worldFromJoints`, made once for each array. */
+  /** A view of the chosen joint's matrix in `worldFromJoints`; created again only if that array is another one. */
   let worldFromJoint: Float32Array | null = null;
   let isPinching = false;
 

@@ -7,12 +7,12 @@ import { castAtTree, type Sides, type TriangleHit } from './triangle-tree.ts';
 
 /** The object that a ray meets first. Owned by the caller. */
 export interface ObjectHit {
-  /** Null while nothing is met. */
+  /** The object; null if the ray meets none. */
   item: ObjectItem | null;
   mesh: Object3D | null;
-  /** Index of its list. */
+  /** Index of the object list that contains the item. */
   list: number;
-  /** Which of the instances of a mesh, from 0. */
+  /** Index of the instance of an instanced mesh; 0 for other meshes. */
   copy: number;
   distanceM: number;
   /** Normal of the triangle, world space, of any length. */
@@ -34,7 +34,7 @@ const scratchWorldFromCopy = new Matrix4();
 const scratchMeshFromWorld = new Matrix4();
 const scratchSphere = new Sphere();
 
-/** Skinned and morphed meshes. Entries vanish with their meshes. */
+/** The posed triangles of skinned and morphed meshes. An entry is garbage-collected with its mesh. */
 const posed = new WeakMap<Mesh, { readonly of: GeometryTriangles; readonly triangles: PosedTriangles }>();
 
 /**
@@ -86,7 +86,7 @@ function castAtMesh(out: ObjectHit, item: ObjectItem, mesh: Mesh): boolean {
   return found;
 }
 
-/** Instanced meshes are neither skinned nor morphed here. */
+/** Casts the ray at one mesh, or at one instance of a mesh. Skinning and morphing of instanced meshes are ignored. */
 function castAtPlaced(out: ObjectHit, item: ObjectItem, mesh: Mesh, worldFromMesh: Matrix4, copy: number, sides: Sides): boolean {
   const isPosed = 'isSkinnedMesh' in mesh || (mesh.morphTargetInfluences?.length ?? 0) > 0;
   if (!isPosed && !meetsBounds(mesh, worldFromMesh, out.distanceM)) return false;

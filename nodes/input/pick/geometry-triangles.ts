@@ -1,11 +1,11 @@
 import type { BufferGeometry } from 'three';
 import { buildTriangleTree, type TriangleTree } from './triangle-tree.ts';
 
-/** Triangles of a geometry as indices of vertices. Computed once per geometry, and again after a change of its buffers. */
+/** The triangles of a geometry. They are computed once per geometry, and again after a change of its buffers. */
 export interface GeometryTriangles {
-  /** Three per triangle. */
+  /** Indices of vertices, three per triangle. */
   readonly vertices: Uint32Array;
-  /** At rest: without skinning and morphing. */
+  /** A tree for casting rays at the triangles in rest position: without skinning and morphing. */
   readonly tree: TriangleTree;
 }
 
@@ -22,7 +22,7 @@ interface Buffers {
   readonly count: number;
 }
 
-/** Of all Pick nodes. Entries vanish with their geometries. */
+/** The triangles of each geometry, shared by all Pick nodes. An entry is garbage-collected with its geometry. */
 const kept = new WeakMap<BufferGeometry, Kept>();
 
 /**
@@ -66,7 +66,7 @@ function buffersOf({ attributes, index, drawRange }: BufferGeometry): Buffers {
   };
 }
 
-/** Interleaved attributes share the version of their buffer. */
+/** The version of an attribute's data. Interleaved attributes have that of the buffer they share. */
 function versionOf(attribute: NonNullable<BufferGeometry['attributes'][string]>): number {
   return 'data' in attribute ? attribute.data.version : attribute.version;
 }

@@ -3,20 +3,20 @@ import type { SessionFrame } from '../../kit/session.ts';
 import { setSurfacePose } from '../../kit/surface-pose.ts';
 import type { ObjectHit } from './cast-objects.ts';
 
-/** What a ray met, kept beyond the frame. Reused. */
+/** What a ray has met, in a form that may be kept after the frame. The object is reused. */
 export interface Picked {
   isMet: boolean;
-  /** Id of the pointer; 0 for other rays. */
+  /** Id of the pointer whose ray it was; 0 for other rays. */
   pointer: number;
-  /** Index of the list. */
+  /** Index of the object list, which is that of its wire. */
   wire: number;
   key: string;
   part: string;
   copy: number;
   distanceM: number;
-  /** `ObjectItem.claimant`. */
+  /** The `claimant` of the object (`ObjectItem.claimant`). */
   claimant: object | undefined;
-  /** Column-major 4×4, rigid; y is the normal. */
+  /** The pose of the point that was met: column-major 4×4, rigid; y is the normal of the surface. */
   readonly worldFromPoint: Float32Array;
 }
 
@@ -41,7 +41,7 @@ export function isSameObject(a: Picked, b: Picked): boolean {
   return a.isMet === b.isMet && a.wire === b.wire && a.key === b.key && a.copy === b.copy;
 }
 
-/** Writes what a ray met. Nothing happens where it met nothing. */
+/** Copies the result of casting a ray to `out`. Does nothing if the ray has met no object. */
 export function writePicked(out: Picked, hit: ObjectHit, worldFromRay: ArrayLike<number>, pointer: number, frame: SessionFrame): void {
   const { item, normal, distanceM } = hit;
   if (!item) return;
@@ -71,7 +71,7 @@ export function writePicked(out: Picked, hit: ObjectHit, worldFromRay: ArrayLike
   );
 }
 
-/** The name of the mesh or of the nearest parent that has one. */
+/** The name of the mesh, or of its nearest named parent within the object; empty if none has a name. */
 function partOf(mesh: Object3D | null, root: Object3D): string {
   for (let object = mesh; object; object = object === root ? null : object.parent) if (object.name !== '') return object.name;
   return '';

@@ -3,15 +3,15 @@ import type { Ray } from '../../kit/hit-test.ts';
 import type { GeometryTriangles } from './geometry-triangles.ts';
 import { castAtTriangle, entryOf, type Sides, type TriangleHit } from './triangle-tree.ts';
 
-/** Triangles of a mesh that is skinned or morphed, as it is posed now. */
+/** The triangles of a skinned or morphed mesh in its current pose. */
 export interface PosedTriangles {
-  /** As `castAtTree`, in the space of the mesh. The world matrices of the mesh and its bones are current. */
+  /** Casts a ray as `castAtTree` does, in the space of the mesh. The world matrices of the mesh and of its bones must be current. */
   cast(out: TriangleHit, ray: Ray, sides: Sides): boolean;
 }
 
-/** Triangles of one cluster: neighbors at rest, so that few bones move them. */
+/** Number of triangles per cluster. The triangles of a cluster are neighbors at rest, so that few bones move them. */
 const CLUSTER = 64;
-/** Of quantized weights, whose sum is not quite 1. */
+/** Tolerance for the sum of quantized skin weights, which is not exactly 1. */
 const ROUNDING = 0.01;
 
 const EMPTY_BOX = [...Array<number>(3).fill(Number.POSITIVE_INFINITY), ...Array<number>(3).fill(Number.NEGATIVE_INFINITY)];
@@ -22,9 +22,10 @@ const scratchBounds = new Float64Array(6);
 const scratchCorners = new Float64Array(9);
 
 /**
- * A vertex that bones move stays in the convex hull of the places to which each of its bones alone would move it. So a cluster lies within
- * the boxes that its bones carry, and only the triangles of clusters that the ray may meet are posed. Nothing is computed while no ray is
- * cast.
+ * Prepares casting rays at a skinned or morphed mesh. Triangles are grouped in clusters with bounding boxes per bone, so that only the
+ * triangles of clusters that the ray may meet are posed. This is correct because a skinned vertex stays within the convex hull of the
+ * places to which each of its bones alone would move it, so a cluster stays within the boxes that its bones move. Nothing is computed while
+ * no ray is cast.
  */
 export function createPosedTriangles(mesh: Mesh, { vertices, tree: { order } }: GeometryTriangles): PosedTriangles {
   const skinned = 'isSkinnedMesh' in mesh ? (mesh as SkinnedMesh) : null;
@@ -32,14 +33,14 @@ export function createPosedTriangles(mesh: Mesh, { vertices, tree: { order } }: 
   const morphs = mesh.geometry.morphAttributes.position ?? [];
   const isRelative = mesh.geometry.morphTargetsRelative;
   const bones = skinned?.skeleton.bones.length ?? 1;
-  /** Mesh from the mesh at rest, of each bone. */
+  /** For each bone, the 4×4 matrix from the mesh at rest to the posed mesh. */
   const palette = new Float64Array(16 * bones);
   const reach = morphs.map((_, i) => reachOf(i));
   const rest = new Float64Array(3);
   const clusters: Cluster[] = [];
   for (let from = 0; from < order.length; from += CLUSTER) clusters.push(clusterOf(from, Math.min(from + CLUSTER, order.length)));
 
-  /** The farthest that a morph target moves a vertex along an axis. */
+  /** The greatest distance by which a morph target moves a vertex along an axis. */
   function reachOf(target: number): number {
     let farthest = 0;
     for (let vertex = 0; vertex < (position?.count ?? 0); vertex++) {
@@ -52,7 +53,9 @@ export function createPosedTriangles(mesh: Mesh, { vertices, tree: { order } }: 
     return isRelative ? shifted : shifted - (position?.getComponent(vertex, axis) ?? 0);
   }
 
-  /** Where a vertex is before it is skinned, in the space of the mesh; the targets add up as in three.js. */
+  /**
+   * Writes the position of a vertex after morphing and before skinning, in the space of the mesh. Morph targets are added as in three.js.
+   */
   function writeRest(vertex: number, isMorphed: boolean): void {
     for (let axis = 0; axis < 3; axis++) {
       let value = position?.getComponent(vertex, axis) ?? 0;
@@ -168,10 +171,13 @@ export function createPosedTriangles(mesh: Mesh, { vertices, tree: { order } }: 
 }
 
 interface Cluster {
-  /** Positions in the order of the tree. */
+  /** The cluster has the triangles `from` up to, but not including, `to`, in the order of the tree. */
   readonly from: number;
   readonly to: number;
-  /** The bones that move its vertices, and for each the box around those vertices at rest: least x, y, z, greatest x, y, z. */
+  /**
+   * The bones that move the cluster's vertices. `boxes` has for each bone the box around the vertices that it moves, at rest: least x, y,
+   * z, greatest x, y, z.
+   */
   readonly bones: Uint16Array;
   readonly boxes: Float32Array;
 }

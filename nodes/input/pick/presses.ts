@@ -1,27 +1,27 @@
 import { copyPicked, createPicked, type Picked } from './picked.ts';
 
-/** Presses that started on an object. */
+/** The presses that started on an object and have not ended. */
 export interface Presses {
   readonly all: readonly Press[];
   begin(picked: Picked, worldFromRay: Float32Array): void;
-  /** Whether a pointer presses an object, or may. */
+  /** Whether a pointer has a press on an object, `held` or still `asked`. */
   has(pointer: number): boolean;
   isHeld(): boolean;
   clear(): void;
 }
 
 export interface Press {
-  /** `asked`: it started in the last frame, and another node may have claimed it since. */
+  /** `asked`: the press started in the last frame. It becomes `held` in the next, unless another node has claimed it. */
   state: 'none' | 'asked' | 'held';
-  /** What was met when it started. */
+  /** What the ray met when the press started. */
   readonly picked: Picked;
   /** The ray when it started. */
   readonly startRay: Float32Array;
-  /** It has turned too far for a tap. */
+  /** Whether the ray has turned too far since the start for a tap. */
   isDrag: boolean;
 }
 
-/** As many as there are pointers in a frame. */
+/** The most presses at a time: as many as a frame has pointers. */
 const MOST = 8;
 
 export function createPresses(): Presses {

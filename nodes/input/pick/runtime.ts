@@ -16,7 +16,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const met = createObjectHit();
   const roomHit = createHit();
   const presses = createPresses();
-  /** What was met in the last frame, and what the outputs told in the previous one. */
+  /** `current`: what the ray met at the end of the last frame. `before`: what the outputs reported in the previous update. */
   const current = createPicked();
   const before = createPicked();
   const candidate = createPicked();
@@ -38,7 +38,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     }
   }
 
-  /** Meets the first virtual object along a ray, unless a phantom or the room hides it. */
+  /** Casts a ray at the virtual objects and returns the first hit. Returns null if a phantom or the room hides it. */
   function meet(worldFromRay: ArrayLike<number>): ObjectHit | null {
     castAtObjects(met, worldFromRay, inputs.objects);
     if (met.item?.role !== 'virtual') return null;

@@ -1,26 +1,26 @@
 import type { Ray } from '../../kit/hit-test.ts';
 
 /**
- * A tree of boxes around the triangles of a geometry, in which a ray finds the first triangle without looking at all. Built once per
- * geometry, by splitting at the median along the longest axis. In flat arrays, so that casting allocates nothing and a page carries 1 kB
- * for it (three-mesh-bvh, with which the tests compare it: 15 kB).
+ * A tree of bounding boxes around triangles, in which a ray finds the first triangle without testing all. It is built once per geometry, by
+ * splitting at the median along the longest axis. It consists of flat arrays, so that casting allocates nothing and a page needs only 1 kB
+ * of code for it (three-mesh-bvh, with which the tests compare it: 15 kB).
  */
 export interface TriangleTree {
   /** Six numbers per box: least x, y, z, greatest x, y, z. The first child of a box follows it. */
   readonly bounds: Float32Array;
-  /** Of an inner box: the index of its second child. Of a leaf: the complement (`~`) of its first triangle. */
+  /** For an inner box, the index of its second child. For a leaf, the complement (`~`) of the index of its first triangle. */
   readonly links: Int32Array;
-  /** Triangles of a leaf; 0 for an inner box. */
+  /** The number of triangles of a leaf; 0 for an inner box. */
   readonly counts: Uint8Array;
-  /** Nine numbers per triangle, in the order of the leaves. */
+  /** The vertex positions of the triangles: nine numbers per triangle, in the order of the leaves. */
   readonly corners: Float32Array;
-  /** The index that each triangle had before. */
+  /** For each triangle of the tree, its index in the array that the tree was built from. */
   readonly order: Uint32Array;
 }
 
 /** The first triangle that a ray meets. */
 export interface TriangleHit {
-  /** In lengths of the ray's direction. */
+  /** Distance along the ray, as a multiple of the length of its direction. */
   along: number;
   /** Normal of the triangle, towards its front, of any length. */
   nx: number;
@@ -32,14 +32,16 @@ export interface TriangleHit {
 export type Sides = 1 | -1 | 0;
 
 const LEAF = 8;
-/** Deeper than the tree of 2³² triangles. */
+/** Size of the stack of boxes; no tree can be deeper, even one of 2³² triangles. */
 const DEPTH = 64;
-/** Of barycentric coordinates: rays through a shared edge meet one of its triangles. */
+/** Tolerance of barycentric coordinates, so that a ray through a shared edge meets at least one of the two triangles. */
 const SLACK = 1e-9;
-/** Instead of 0 in directions, so that slabs have finite distances. */
+/** Replaces 0 in ray directions, so that the distances to the planes of a box are finite. */
 const TINY = 1e-30;
 
 /**
+ * Builds the tree of triangles.
+ *
  * @param corners Nine numbers per triangle. Triangles with a number that is not finite are left out.
  */
 export function buildTriangleTree(corners: Float32Array): TriangleTree {
@@ -161,7 +163,7 @@ const scratchStack = new Int32Array(DEPTH);
 /**
  * Finds the first triangle that a ray meets.
  *
- * @param out Its `along` is the limit: what lies farther is not met. It is as it was where nothing is met.
+ * @param out On input, its `along` is the greatest distance that counts. Unchanged if no triangle is met.
  * @returns Whether a triangle is met.
  */
 export function castAtTree(out: TriangleHit, { bounds, links, counts, corners }: TriangleTree, ray: Ray, sides: Sides): boolean {
@@ -211,7 +213,10 @@ export function entryOf(bounds: ArrayLike<number>, box: number, { ox, oy, oz, dx
   return enter <= leave + 1e-12 * Math.abs(leave) ? enter : Number.POSITIVE_INFINITY;
 }
 
-/** Möller and Trumbore 1997, with the sides told apart by the sign of the determinant. `at` is the index of the first number. */
+/**
+ * Intersects a ray with one triangle (Möller and Trumbore 1997); the sign of the determinant tells front from back. `at` is the index of
+ * the triangle's first number in `c`.
+ */
 export function castAtTriangle(out: TriangleHit, c: ArrayLike<number>, at: number, { ox, oy, oz, dx, dy, dz }: Ray, sides: Sides): boolean {
   const ax = c[at] ?? 0;
   const ay = c[at + 1] ?? 0;

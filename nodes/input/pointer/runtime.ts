@@ -9,7 +9,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { outputs } = ctx;
   /** Id of the pointer that is followed; 0 for none. */
   let followed = 0;
-  /** How often another pointer was followed. */
+  /** How many times the node has changed to another pointer; each change raises `jumps` of its poses. */
   let switches = 0;
 
   function matters(pointer: Pointer): boolean {

@@ -6,7 +6,7 @@ export interface BrightRegion {
   /** Indices of its pixels in the grid. */
   readonly pixels: readonly number[];
   readonly iteration: number;
-  /** Irradiance of a surface that faces it, as a vector: the sum of luminance × solid angle × direction, in panorama space. */
+  /** The irradiance of a surface that faces the region, as a vector: the sum of luminance × solid angle × direction, in panorama space. */
   readonly vector: readonly [x: number, y: number, z: number];
   /** The sum of luminance × solid angle. */
   readonly flux: number;
@@ -14,18 +14,26 @@ export interface BrightRegion {
 
 /** A lamp is at least this many times brighter than the mean over all directions. */
 const ABOVE_MEAN = 4;
-/** The part of the brightest pixel that bounds a lamp, so that the sun is told from the glow around it. */
+/**
+ * A region ends where the luminance is below this fraction of the brightest pixel, so that the sun is separated from the glow around it.
+ */
 const OF_PEAK = 0.02;
-/** Weaker regions are no lamps: part of all light. */
+/** Regions with less than this fraction of the light of the whole panorama are no lamps. */
 const MIN_FLUX = 0.004;
 const ITERATIONS = 6;
-/** A region that spreads farther around its center, root mean square, is too wide for one direction. Its brighter parts are taken instead, */
+/**
+ * The greatest spread of a region (root mean square angle around its center) that one direction can represent. Of a wider region, the
+ * brighter parts are taken instead.
+ */
 export const MAX_SPREAD_RAD = 0.18;
-/** above a threshold that is raised by this factor. */
+/** Factor by which the threshold is raised to find the brighter parts of a wide region. */
 const RAISE = 1.5;
-/** A region whose brighter parts have less than this part of its light is evenly bright, as a window: it is one lamp, */
+/**
+ * If the brighter parts of a wide region have less than this fraction of its light, the region is evenly bright, as a window, and is one
+ * lamp.
+ */
 const MIN_KEPT = 0.5;
-/** unless it is wider than that: a disk of 42°. */
+/** The greatest spread of an evenly bright region that is one lamp: that of a disk of 42°. */
 const MAX_EVEN_SPREAD_RAD = 0.26;
 
 /**
@@ -62,7 +70,7 @@ export function* brightRegionsOf(grid: SphereGrid): Generator<undefined, BrightR
   return regions.sort((a, b) => b.flux - a.flux);
 }
 
-/** The region around a pixel, or its brighter parts. All its pixels are marked. */
+/** Returns the region around a pixel, or its brighter parts if it is too wide. Marks all pixels of the region as taken. */
 function narrowRegions(grid: SphereGrid, taken: Uint8Array, start: number, threshold: number, iteration: number): BrightRegion[] {
   const region = measure(grid, collect(grid, taken, start, threshold), iteration);
   if (spreadRad(region) <= MAX_SPREAD_RAD) return [region];
@@ -75,14 +83,14 @@ function narrowRegions(grid: SphereGrid, taken: Uint8Array, start: number, thres
 }
 
 /**
- * How far energy spreads around its mean direction: root mean square angle, radians. If the mean of unit vectors has the length r, then
- * 1 - r ≈ angle² / 2.
+ * How far the light of a region spreads around its mean direction: root mean square angle, radians. If the mean of unit vectors has the
+ * length r, then 1 - r ≈ angle² / 2.
  */
 export function spreadRad({ vector, flux }: Pick<BrightRegion, 'vector' | 'flux'>): number {
   return Math.sqrt(2 * Math.max(0, 1 - Math.hypot(...vector) / flux));
 }
 
-/** Marks and returns the connected pixels above the threshold. */
+/** Collects the pixels above the threshold that are connected to the start, and marks them as taken. */
 function collect({ luminance, widthPx, heightPx }: SphereGrid, taken: Uint8Array, start: number, threshold: number): number[] {
   const pixels = [start];
   taken[start] = 1;

@@ -3,7 +3,10 @@ import { projectDirection, type ShotPoint, type ShotPose } from './shot.ts';
 /** Unit vector in world space. */
 export type Direction = readonly [x: number, y: number, z: number];
 
-/** Rows of targets: elevation in degrees and how many there are around. Together 34, as in the ARPAS paper. */
+/**
+ * The rows of targets: the elevation in degrees, and how many targets are evenly spaced around at that elevation. Together there are 34, as
+ * in the ARPAS paper.
+ */
 const ROWS: readonly (readonly [elevationDeg: number, count: number])[] = [
   [0, 10],
   [36, 8],
@@ -13,13 +16,13 @@ const ROWS: readonly (readonly [elevationDeg: number, count: number])[] = [
   [90, 1],
   [-90, 1],
 ];
-/** Visitors stop within this angle of a target, so that the edges of a photo cannot be counted on. */
+/** How exactly visitors aim: a photo may be off its target by this angle, so the edges of its planned image cannot be relied on. */
 export const AIM_RAD = (4 * Math.PI) / 180;
-/** Directions that are tested for holes: about 3° apart. */
+/** The number of directions that are tested for holes; they are about 3° apart. */
 const SAMPLES = 4096;
-/** Holes up to this share of the sphere are filled from their surroundings. */
+/** Holes of up to this fraction of the sphere need no further photos: they are filled from their surroundings. */
 const HOLES_LEFT = 0.002;
-/** A narrow lens would need hundreds of photos, which no one takes. */
+/** The most targets. A narrow lens would need hundreds of photos, which no one takes. */
 export const MOST_TARGETS = 96;
 
 /**
@@ -39,7 +42,7 @@ export function captureTargets(clipFromView: Float32Array): Direction[] {
   return [...targets, ...targetsForHoles(planned, lens, MOST_TARGETS - targets.length)];
 }
 
-/** Further directions for what photos do not show. They are as few as possible, the one with the most to show first. */
+/** Finds further targets for the directions that no photo shows: as few as possible, first the one that shows most of them. */
 export function targetsForHoles(shots: readonly ShotPose[], clipFromView: Float32Array, most: number): Direction[] {
   const samples = sphereSamples(SAMPLES);
   let open = samples.filter((sample) => !shots.some((shot) => shows(shot, sample)));
@@ -60,15 +63,15 @@ export function targetsForHoles(shots: readonly ShotPose[], clipFromView: Float3
   return added;
 }
 
-/** The parts of the sphere that photos show, by solid angle. */
+/** How much of the sphere the photos show, as fractions of its solid angle. */
 export interface Coverage {
-  /** Shown by one photo or more. */
+  /** The fraction that one photo or more show. */
   readonly seenPart: number;
-  /** Shown by two photos or more. */
+  /** The fraction that two photos or more show. */
   readonly overlapPart: number;
 }
 
-/** Measures which directions photos show. */
+/** Measures how much of the sphere photos show. */
 export function coverageOf(shots: readonly ShotPose[]): Coverage {
   let seen = 0;
   let twice = 0;
@@ -81,7 +84,7 @@ export function coverageOf(shots: readonly ShotPose[]): Coverage {
   return { seenPart: seen / SAMPLES, overlapPart: twice / SAMPLES };
 }
 
-/** Directions of equal solid angle: a Fibonacci spiral (González 2010, “Measurement of areas on a sphere”). */
+/** Evenly spaced directions, which stand for equal solid angles: a Fibonacci spiral (González 2010, “Measurement of areas on a sphere”). */
 export function sphereSamples(count: number): Direction[] {
   const golden = Math.PI * (3 - Math.sqrt(5));
   return Array.from({ length: count }, (_, i) => {
@@ -101,7 +104,11 @@ export function uprightPose([x, y, z]: Direction): Float32Array {
   return new Float32Array([rightX, 0, rightZ, 0, ...up, 0, -x, -y, -z, 0, 0, 0, 0, 1]);
 }
 
-/** @param headingRad To the right of −z. */
+/**
+ * The direction with a heading and an elevation.
+ *
+ * @param headingRad Angle to the right of −z.
+ */
 function directionOf(headingRad: number, elevationRad: number): Direction {
   const level = Math.cos(elevationRad);
   return [Math.sin(headingRad) * level, Math.sin(elevationRad), -Math.cos(headingRad) * level];
@@ -113,7 +120,7 @@ function shows(shot: ShotPose, [x, y, z]: Direction): boolean {
   return projectDirection(scratchPoint, shot, x, y, z);
 }
 
-/** A lens that shows less by the aim at each edge. */
+/** Returns the projection of a lens whose field of view is smaller by `AIM_RAD` at each edge. */
 function narrowed(clipFromView: Float32Array): Float32Array {
   const lens = clipFromView.slice();
   for (const i of [0, 5]) {

@@ -7,12 +7,15 @@ export type Gain = readonly [red: number, green: number, blue: number];
 
 export const NO_GAIN: Gain = [1, 1, 1];
 
-/** Directions at which photos are compared: about 2° apart. */
+/** The number of directions at which photos are compared; they are about 2° apart. */
 const SAMPLES = 8192;
-/** Bytes that are clipped or lost in noise tell nothing. */
+/** Only bytes between these two are compared: darker ones are lost in noise, brighter ones are clipped. */
 const DARKEST = 12;
 const BRIGHTEST = 245;
-/** Weight of “no change” for each photo, in samples: it keeps the mean of all photos, and those without overlap. */
+/**
+ * Weight of the wish that a photo does not change, in samples. It keeps the mean brightness of all photos, and leaves photos without
+ * overlap unchanged.
+ */
 const PRIOR = 2;
 
 /**
@@ -21,7 +24,7 @@ const PRIOR = 2;
  */
 export function evenGains(shots: readonly PanoramaShot[]): Gain[] {
   const count = shots.length;
-  /** Per pair: how many samples, and the sums of the logarithms of first over second. */
+  /** For each pair of photos, the number of compared samples, and the sums of the logarithm of the first over the second, per channel. */
   const pairs = new Map<number, [samples: number, red: number, green: number, blue: number]>();
   const colors = shots.map(() => [0, 0, 0] as [number, number, number]);
   const shown: number[] = [];
@@ -87,7 +90,10 @@ function solve(matrix: readonly Float64Array[], count: number): Float64Array {
 
 const scratchPoint: ShotPoint = { x: 0, y: 0 };
 
-/** False where the photo does not show the direction, or too dark or bright. */
+/**
+ * Writes the logarithms of a photo's linear color in a direction. Returns false if the photo does not show the direction, or is too dark or
+ * too bright there.
+ */
 function readLogarithms(out: [number, number, number], shot: PanoramaShot, [x, y, z]: Direction): boolean {
   if (!projectDirection(scratchPoint, shot, x, y, z)) return false;
   const column = Math.min(Math.floor(((scratchPoint.x + 1) / 2) * shot.widthPx), shot.widthPx - 1);

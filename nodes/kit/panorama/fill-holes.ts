@@ -13,7 +13,10 @@ export function fillHoles(sums: Float32Array, widthPx: number, heightPx: number)
   fillFromCoarser(sums, widthPx, heightPx);
 }
 
-/** Colors are multiplied by their weight, which is 0 to 1. */
+/**
+ * Fills the holes of one level of the pyramid from the next coarser level, which it computes. Colors are multiplied by their weight, from 0
+ * to 1.
+ */
 function fillFromCoarser(fine: Float32Array, widthPx: number, heightPx: number): void {
   if (widthPx <= 1 && heightPx <= 1) return;
   const [coarseWidth, coarseHeight] = [Math.ceil(widthPx / 2), Math.ceil(heightPx / 2)];
@@ -39,7 +42,7 @@ function fillFromCoarser(fine: Float32Array, widthPx: number, heightPx: number):
   }
 }
 
-/** Adds what a pixel lacks of weight 1 from four pixels of the coarser level. */
+/** Fills a pixel whose weight is less than 1 up to weight 1, from the four nearest pixels of the coarser level. */
 function addMissing(fine: Float32Array, at: number, coarse: Float32Array, width: number, height: number, x: number, y: number): void {
   const missing = 1 - (fine[at + 3] ?? 0);
   if (missing <= 0) return;

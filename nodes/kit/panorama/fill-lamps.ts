@@ -8,8 +8,9 @@ export interface FillTarget {
 }
 
 /**
- * Fills the pixels of lamps from their surroundings, so that their energy is not counted again by what remains. Each pixel becomes the mean
- * of the next pixels outside lamps to the left, right, top and bottom, weighted by 1 / distance. The seam of the panorama is no border.
+ * Fills the pixels of lamps from their surroundings, so that the panorama without its lamps does not contain their light a second time.
+ * Each pixel becomes the mean of the next pixels outside lamps to the left, right, top and bottom, weighted by 1 / distance. The seam of
+ * the panorama is no border.
  *
  * @param runs Pixels of an image of `size`, as `[y, first x, last x + 1, …]`.
  * @param size Size of the image that `runs` refers to; that of the target may be a multiple.

@@ -15,7 +15,7 @@ export function findLamps(pixels: PanoramaPixels, options: LampOptions): Generat
 }
 
 /**
- * Runs a search to its end.
+ * Runs a search to its end and returns its result.
  *
  * @param onPart Receives the part that is done, in [0, 1], a few times. It is estimated from the number of steps.
  *
@@ -37,12 +37,12 @@ export function searchWhole(
   }
 }
 
-/** Finds the lamps of a panorama at once, with what a page needs of the result. */
+/** Finds the lamps of a panorama synchronously, and returns the parts of the result that a page needs. */
 export function findLampsAtOnce(pixels: PanoramaPixels, options: LampOptions): FoundLamps {
   return storedLamps(searchWhole(findLamps(pixels, options)));
 }
 
-/** What a page needs of a result: without the images and contours that the editor shows. */
+/** Reduces a result to what a page needs: drops the images and contours, which only the editor shows. */
 export function storedLamps(found: FoundLamps): FoundLamps {
   return { ...found, lamps: found.lamps.map((lamp) => ({ ...lamp, contour: [] })), steps: [] };
 }

@@ -6,16 +6,16 @@ export interface FoundLamp {
   readonly towards: readonly [x: number, y: number, z: number];
   /** Linear-sRGB irradiance of a surface that faces the lamp; π renders a white matte surface as white. */
   readonly irradiance: readonly [red: number, green: number, blue: number];
-  /** Angular diameter of a disk of the same solid angle. */
+  /** Angular diameter of a disk with the solid angle of the lamp. */
   readonly sizeRad: number;
-  /** Pixels of the analyzed image; its size is `FoundLamps.widthPx`. */
+  /** Area in pixels of the analyzed image, whose size is `FoundLamps.widthPx` × `heightPx`. */
   readonly areaPx: number;
-  /** Center of area, pixels from the top left; pixel centers are at integers. */
+  /** Center of the lamp's area, pixels from the top left; pixel centers are at integers. */
   readonly centerPx: readonly [x: number, y: number];
   readonly contour: Contour;
   /** The iteration that found it, from 0. */
   readonly iteration: number;
-  /** The part of its pixels that are clipped to white, so that its true brightness is unknown. */
+  /** The fraction of the lamp's pixels that are clipped to white, so that their true brightness is unknown. */
   readonly clippedPart: number;
 }
 
@@ -24,7 +24,7 @@ export type NoLamps = 'black' | 'bright-all-over' | 'too-much-above' | 'lost-in-
 
 /** One iteration of the paper's method, for the editor. */
 export interface LampStep {
-  /** Pixels per level of gray that are not masked. */
+  /** For each level of gray, the number of pixels that are not masked. */
   readonly histogram: Uint32Array;
   readonly max: number;
   readonly mean: number;
@@ -32,7 +32,7 @@ export interface LampStep {
   readonly threshold: number;
   /** Pixels above the threshold, as a part of those that are not masked. */
   readonly abovePart: number;
-  /** Bright pixels, and those that the median leaves; rows from the top. */
+  /** Masks, rows from the top: `bright` has the pixels above the threshold, `smooth` is its median. */
   readonly bright: Uint8Array;
   readonly smooth: Uint8Array;
   /** Outer contours, including those without area. */
@@ -50,7 +50,7 @@ export interface FoundLamps {
   readonly none: NoLamps | null;
   /** The pixels of the lamps, as `[y, first x, last x + 1, …]` in the analyzed image. */
   readonly runs: readonly number[];
-  /** The light of the rest on a floor, as that of one wide lamp above; null if it was not measured. */
+  /** The light that the rest of the panorama gives a floor, as that of one wide lamp above; null if it was not measured. */
   readonly rest: Pick<FoundLamp, 'towards' | 'irradiance'> | null;
   /** Pixels whose radiance is not a number, infinite or negative. */
   readonly damaged: number;

@@ -11,7 +11,7 @@ export interface GrayImage {
   readonly damaged: number;
 }
 
-/** The part of the pixels that is not brighter than white after exposure; the rest is clipped. */
+/** The exposure is chosen so that this fraction of the pixels is not brighter than white; the rest is clipped. */
 const EXPOSED_PART = 0.999;
 
 /** Weights of BT.601 in 15 bits, as `cv::cvtColor` has them. */
@@ -62,7 +62,7 @@ function* grayOfRadiance(pixels: PanoramaPixels): Generator<undefined, GrayImage
   return { widthPx, heightPx, gray, damaged: rows.damaged };
 }
 
-/** Encodes linear light to a byte of sRGB. The power is computed only near the limit between two bytes. */
+/** Creates a function that encodes linear light to a byte of sRGB. It computes a power only near the limit between two bytes. */
 function createEncoder(): (linear: number) => number {
   const steps = 16384;
   const table = Uint8Array.from({ length: steps + 1 }, (_, i) => encode(i / steps));
@@ -79,8 +79,8 @@ function encode(linear: number): number {
 }
 
 /**
- * The quantile of numbers that are not negative, interpolated between neighbors as `numpy.percentile` does. The bits of such floats have
- * the order of the floats, so counting their upper and then their lower halves replaces sorting.
+ * A quantile of numbers that are not negative, interpolated between neighbors as in `numpy.percentile`. The bits of such floats, as
+ * integers, have the same order as the floats, so counting their upper and then their lower halves replaces sorting.
  */
 function* quantile(values: Float32Array, part: number): Generator<undefined, number> {
   const bits = new Uint32Array(values.buffer, values.byteOffset, values.length);

@@ -3,11 +3,11 @@ export interface LampOptions {
   readonly method: 'paper' | 'solid-angle';
   /** Maximum number of lamps. */
   readonly lamps: number;
-  /** Of `paper`: how often the search repeats. */
+  /** Only for the method `paper`: how often the search repeats. */
   readonly iterations: number;
-  /** Of `paper`. */
+  /** Only for the method `paper`: how the intensities of lamps are chosen, see `PaperOptions`. */
   readonly intensities: 'ranks' | 'area';
-  /** Of `solid-angle`: the part of all light that clipped pixels give. */
+  /** Only for the method `solid-angle`: the fraction of all light that clipped pixels are assumed to give. */
   readonly clippedShare: number;
 }
 
@@ -27,7 +27,7 @@ export function lampOptionsOf(values: Readonly<Record<keyof LampOptions, unknown
   };
 }
 
-/** The name of a result among those of a panorama: equal for options that give equal results. */
+/** The key under which a result of a panorama is stored: equal for options that give equal results. */
 export function lampKey({ method, lamps, iterations, intensities, clippedShare }: LampOptions): string {
   return method === 'paper' ? `paper ${lamps} ${iterations} ${intensities}` : `solid-angle ${lamps} ${clippedShare}`;
 }

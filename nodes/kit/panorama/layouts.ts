@@ -4,7 +4,7 @@
  */
 export type PanoramaLayout = 'equirectangular' | 'ball' | 'cross' | 'cross-upright' | 'strip' | 'strip-upright';
 
-/** The layouts by width over height. */
+/** The layouts with their aspect ratios, width over height. */
 const ASPECTS: readonly (readonly [aspect: number, layout: PanoramaLayout])[] = [
   [2, 'equirectangular'],
   [1, 'ball'],
@@ -13,7 +13,7 @@ const ASPECTS: readonly (readonly [aspect: number, layout: PanoramaLayout])[] = 
   [6, 'strip'],
   [1 / 6, 'strip-upright'],
 ];
-/** Exports are a few pixels off at times. */
+/** Tolerance of the aspect ratio: exported images are sometimes a few pixels off. */
 const TOLERANCE = 0.015;
 /**
  * The layout of an image by its shape.
@@ -28,7 +28,7 @@ export function layoutOf(widthPx: number, heightPx: number): PanoramaLayout | nu
   return ASPECTS.find(([wanted]) => Math.abs(aspect / wanted - 1) <= TOLERANCE)?.[1] ?? null;
 }
 
-/** What to do about an image that is no panorama, as a sentence for users. */
+/** Describes what to do with an image whose shape is that of no panorama, as a sentence for users. */
 export function wrongShape(widthPx: number, heightPx: number): string {
   const size = `It has ${widthPx} × ${heightPx} pixels`;
   const wanted =
@@ -39,21 +39,27 @@ export function wrongShape(widthPx: number, heightPx: number): string {
   return `${size}, and none of the known shapes. ${wanted}. Crop or export it again.`;
 }
 
-/** A pixel to read: coordinates from the upper left, in pixels whose centers are at halves. */
+/** A point of an image to sample: `x` and `y` from the upper left; pixel centers are at halves. */
 export interface ImagePoint {
   x: number;
   y: number;
-  /** The part of the image that may be read for it, so that faces do not mix: edges in pixels. */
+  /** The rectangle that interpolation may read, as edges in pixels, so that the faces of a cube do not mix. */
   left: number;
   top: number;
   right: number;
   bottom: number;
 }
 
-/** Column and row of each face, and whether it is turned by half. Faces are named by the direction that they show. */
+/**
+ * For each face of a cube, its column and row in the image, and whether it is rotated by 180°. Faces are named by the direction that they
+ * show.
+ */
 type Faces = Readonly<Record<'px' | 'nx' | 'py' | 'ny' | 'pz' | 'nz', readonly [column: number, row: number, turned?: true]>>;
 
-/** Seen from inside: ahead (−z) in the middle of the arms of a cross, left (−x) before it, right (+x) after it, then behind (+z). */
+/**
+ * Where each layout has the faces, as seen from inside the cube: the arms of a cross show left (−x), ahead (−z), right (+x) and behind
+ * (+z), in this order.
+ */
 const CUBES: Readonly<Record<Exclude<PanoramaLayout, 'equirectangular' | 'ball'>, Faces>> = {
   cross: { nx: [0, 1], nz: [1, 1], px: [2, 1], pz: [3, 1], py: [1, 0], ny: [1, 2] },
   // The lowest face is behind, upside down, as HDR Shop writes it.
@@ -63,7 +69,7 @@ const CUBES: Readonly<Record<Exclude<PanoramaLayout, 'equirectangular' | 'ball'>
   'strip-upright': { px: [0, 0], nx: [0, 1], py: [0, 2], ny: [0, 3], nz: [0, 4], pz: [0, 5] },
 };
 
-/** Faces from left to right and from top to bottom. */
+/** The number of columns and rows of faces in each layout. */
 const GRIDS: Readonly<Record<keyof typeof CUBES, readonly [columns: number, rows: number]>> = {
   cross: [4, 3],
   'cross-upright': [3, 4],
@@ -72,7 +78,7 @@ const GRIDS: Readonly<Record<keyof typeof CUBES, readonly [columns: number, rows
 };
 
 /**
- * Where an image shows a direction of panorama space.
+ * Writes the point of an image at which it shows a direction of panorama space.
  *
  * @example
  * placeOf(point, 'ball', 512, 512, 0, 0, -1); // on the rim
@@ -90,8 +96,8 @@ export function placeOf(out: ImagePoint, layout: PanoramaLayout, widthPx: number
 }
 
 /**
- * Debevec 1998, “Rendering Synthetic Objects into Real Scenes”: the normal of the ball is halfway between the direction and the camera,
- * which is far away in the direction +z. What is behind the ball is at its rim.
+ * Finds the point of a mirror ball that reflects a direction (Debevec 1998, “Rendering Synthetic Objects into Real Scenes”): the normal
+ * there is halfway between the direction and the camera, which is far away in the direction +z. What is behind the ball is at its rim.
  */
 function placeOnBall(out: ImagePoint, widthPx: number, heightPx: number, x: number, y: number, z: number): void {
   const length = Math.hypot(x, y, z + 1);

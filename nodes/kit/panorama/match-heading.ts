@@ -3,11 +3,11 @@ import type { PanoramaShot } from './shot.ts';
 import { luminanceOf } from './sphere-grid.ts';
 import { linearTable } from './stitch.ts';
 
-/** How a panorama is turned, as far as camera images tell. */
+/** The heading of a panorama that fits camera images best, and how well it fits. */
 export interface HeadingMatch {
   /** Rotation of the panorama about y, counterclockwise seen from above. */
   readonly headingRad: number;
-  /** Correlation of images and panorama there, up to 1. */
+  /** Correlation of the images with the panorama at this heading, at most 1. */
   readonly score: number;
   /** The best correlation of any heading more than 20° away. */
   readonly nextScore: number;
@@ -20,13 +20,13 @@ export interface HeadingSearch {
   reset(): void;
 }
 
-/** Columns of the panorama that are compared: half a degree each. */
+/** The number of columns of the reduced panorama, half a degree each; `ROWS` likewise. */
 const COLUMNS = 720;
 const ROWS = COLUMNS / 2;
-/** Pixels of an image that are compared, along each side. */
+/** The number of points along each side of an image that are compared. */
 const GRID = 40;
 const APART_RAD = (20 * Math.PI) / 180;
-/** More images would only repeat what is known. */
+/** The number of images that count. With each further image, the older ones lose weight. */
 const MOST_SHOTS = 12;
 
 /** A match above this correlation, and this much above all others, is certain. */
@@ -35,11 +35,9 @@ export function isCertain({ score, nextScore }: HeadingMatch): boolean {
 }
 
 /**
- * @param panorama Holes that were filled count as well.
+ * Creates a search that compares camera images with a panorama.
  *
- * @example
- * const match = createHeadingSearch(panorama).add(shot);
- * if (isCertain(match)) setPanoramaPose(pose, match.headingRad, at);
+ * @param panorama Holes that were filled count as well.
  */
 export function createHeadingSearch(panorama: PanoramaPixels): HeadingSearch {
   const map = reduce(panorama);
@@ -63,7 +61,10 @@ export function createHeadingSearch(panorama: PanoramaPixels): HeadingSearch {
   };
 }
 
-/** Logarithms of luminance, because the exposure of a camera changes. Each is the mean of what it covers. */
+/**
+ * Reduces an image to the logarithm of its luminance in `COLUMNS` × `ROWS` cells; each is the mean of its cell. Logarithms make a change of
+ * exposure a constant offset.
+ */
 function reduce({ data, widthPx, heightPx, channels, fromBottom = false }: PanoramaPixels): Float32Array {
   const map = new Float32Array(COLUMNS * ROWS);
   const inBytes = data.BYTES_PER_ELEMENT === 1;
@@ -90,7 +91,7 @@ function logarithm(luminance: number): number {
   return Math.log(Math.min(Math.max(luminance, 0), 1) + 0.02);
 }
 
-/** Adds the normalized correlation of an image with the panorama to each heading. */
+/** For each heading, adds the normalized correlation of an image with the panorama to `totals`. */
 function correlate(totals: Float64Array, map: Float32Array, shot: PanoramaShot): void {
   const { columns, rows, values } = pointsOf(shot);
   const mean = meanOf(values);
@@ -112,7 +113,7 @@ function correlate(totals: Float64Array, map: Float32Array, shot: PanoramaShot):
   }
 }
 
-/** What an image shows, on a grid: column and row of the panorama at heading 0. */
+/** Samples an image on a grid. For each point: its column and row in the panorama if the heading is 0, and its value. */
 function pointsOf({ data, widthPx, heightPx, clipFromView: p, worldFromView: m }: PanoramaShot) {
   const columns: number[] = [];
   const rows: number[] = [];

@@ -1,6 +1,6 @@
-/** Half the width of the window. */
+/** Half the width of the window, without its center. */
 const REACH_PX = 2;
-/** More than half of its 25 pixels. */
+/** The smallest majority of the window's 25 pixels. */
 const MAJORITY = 13;
 
 /**
@@ -15,7 +15,7 @@ const MAJORITY = 13;
  */
 export function medianOf(image: Uint8Array, widthPx: number, heightPx: number): Uint8Array {
   const result = new Uint8Array(image.length);
-  /** Ones in the five rows around the current one, per column. */
+  /** For each column, the number of ones in the five rows around the current one. */
   const column = new Uint8Array(widthPx);
   const rowAt = (y: number): number => Math.min(Math.max(y, 0), heightPx - 1) * widthPx;
   for (let y = -REACH_PX; y <= REACH_PX; y++) addRow(column, image, rowAt(y), 1);

@@ -5,7 +5,7 @@ export type Contour = readonly number[];
 const DX = [1, 1, 0, -1, -1, -1, 0, 1] as const;
 const DY = [0, -1, -1, -1, 0, 1, 1, 1] as const;
 
-/** Labels of border pixels; with `RIGHT_EDGE`, the pixel to the right was found to be outside. */
+/** Labels of border pixels. `RIGHT_EDGE` marks a border pixel whose right neighbor is outside the region. */
 const BORDER = 2;
 const RIGHT_EDGE = -2;
 
@@ -43,7 +43,7 @@ export function outerContours(image: Uint8Array, widthPx: number, heightPx: numb
   return contours;
 }
 
-/** Follows an outer border from its top left pixel, and labels it. */
+/** Follows an outer border from its top left pixel, labels its pixels and returns them. */
 function follow(labels: Int8Array, start: number, stride: number, steps: readonly number[]): Contour {
   const points: number[] = [];
   const add = (at: number): void => void points.push((at % stride) - 1, Math.floor(at / stride) - 1);
@@ -82,7 +82,7 @@ function follow(labels: Int8Array, start: number, stride: number, steps: readonl
   }
 }
 
-/** Area and center of the polygon through the pixels of a contour. */
+/** The area and the center of the polygon through the pixels of a contour. */
 export interface ContourMoments {
   /** Square pixels. */
   readonly areaPx: number;

@@ -9,19 +9,19 @@ import { isDisplayReferred, type PanoramaPixels, ROWS_PER_STEP } from './pixels.
 export interface PaperOptions {
   /** Maximum number of lamps. */
   readonly lamps: number;
-  /** How often the search repeats, each time without the lamps of before. */
+  /** How often the search repeats; each iteration ignores the lamps of the iterations before. */
   readonly iterations: number;
-  /** `ranks`: 100 %, 70 % and 40 % (table 1). `area`: in proportion to the area in pixels. */
+  /** Relative intensities of the lamps. `ranks`: 100 %, 70 % and 40 %, by rank (table 1). `area`: in proportion to the area in pixels. */
   readonly intensities: 'ranks' | 'area';
 }
 
-/** Equation 1: the brightest pixel is this many times brighter than the mean. */
+/** Equation 1: an image has lamps only if its brightest pixel is at least this many times brighter than the mean. */
 const MIN_RATIO = 1.5;
-/** Figure 7: a lamp is brighter than this part of the spectrum, */
+/** Figure 7: the threshold of lamps is this fraction of the spectrum of gray levels. */
 const DARK_PART = 0.93;
-/** which must cover this part of the pixels. */
+/** Lamps are accepted only if at least this fraction of the pixels is below the threshold. */
 const MIN_DARK_PIXELS = 0.98;
-/** Table 1. Further lamps have the last. */
+/** Table 1: intensities by rank. Further lamps have the last one. */
 const RANKS = [1, 0.7, 0.4] as const;
 const CLIPPED = 250;
 
@@ -76,7 +76,7 @@ export function* findByPaper(pixels: PanoramaPixels, options: PaperOptions): Gen
 interface Search {
   readonly step: LampStep | null;
   readonly none: NoLamps | null;
-  /** Contours with an area. */
+  /** The contours that have an area. */
   readonly contours: readonly Contour[];
 }
 
@@ -109,7 +109,7 @@ function* searchOnce({ gray, widthPx, heightPx }: GrayImage, masked: Uint8Array)
   return { step, none: areas.length === 0 ? 'lost-in-median' : null, contours: areas };
 }
 
-/** The next iteration finds neither what this one found nor the rim around it. */
+/** Masks the lamps that an iteration has found, with the bright rim around them, so that the next iteration finds other lamps. */
 function mask(masked: Uint8Array, step: LampStep | null): void {
   if (!step) return;
   for (let i = 0; i < masked.length; i++) if (step.bright[i] !== 0 || step.smooth[i] !== 0) masked[i] = 1;
@@ -135,7 +135,7 @@ function lampOf({ contour, iteration }: Found, { widthPx, heightPx }: GrayImage,
   };
 }
 
-/** The pixels of one region: those connected to its contour. */
+/** The pixels of the region that a contour bounds, as runs `[y, first x, last x + 1, …]`. */
 function runsWithin(contour: Contour, smooth: Uint8Array | undefined, widthPx: number): number[] {
   const runs: number[] = [];
   const spans = new Map<number, number[]>();

@@ -1,19 +1,19 @@
 import { linearFromSrgb } from '../color-math.ts';
 
 /**
- * The pixels of an equirectangular panorama, rows from the top, with 1, 3 or 4 channels side by side; one is gray. Floats, and halves as 16-bit integers,
- * are linear-sRGB radiance. Bytes are display-referred sRGB, and 255 means that brightness or more.
+ * The pixels of an equirectangular panorama, rows from the top, with 1, 3 or 4 channels side by side; one is gray. Floats, and halves as
+ * 16-bit integers, are linear-sRGB radiance. Bytes are display-referred sRGB, and 255 means that brightness or more.
  */
 export interface PanoramaPixels {
   readonly widthPx: number;
   readonly heightPx: number;
   readonly channels: 1 | 3 | 4;
   readonly data: Float32Array | Uint16Array | Uint8Array | Uint8ClampedArray;
-  /** The first row of `data` is the lowest of the image. */
+  /** True if the first row of `data` is the lowest of the image. */
   readonly fromBottom?: boolean;
 }
 
-/** Rows between two yields of the analysis, about a millisecond of work at 1024 pixels a row. */
+/** Number of rows that an analysis processes between two yields: about a millisecond of work with 1024 pixels per row. */
 export const ROWS_PER_STEP = 32;
 
 /** The largest half float; infinite radiance counts as this much. */
@@ -24,14 +24,17 @@ export function isDisplayReferred({ data }: PanoramaPixels): boolean {
   return data.BYTES_PER_ELEMENT === 1;
 }
 
-/** Index of the first number of a row that is counted from the top. */
+/** Index in `data` of the first number of row `y`, counted from the top of the image. */
 export function startOfRow({ widthPx, heightPx, channels, fromBottom = false }: PanoramaPixels, y: number): number {
   return (fromBottom ? heightPx - 1 - y : y) * widthPx * channels;
 }
 
 /** Reads rows as linear-sRGB radiance, three numbers per pixel. */
 export interface RowReader {
-  /** Pixels so far with a channel that is not a number, infinite or negative. They count as 0, the largest half float and 0. */
+  /**
+   * The number of pixels read so far that have a channel that is not a number, infinite or negative. Such channels are read as 0, the
+   * largest half float and 0.
+   */
   readonly damaged: number;
   read(y: number, into: Float32Array): void;
 }
@@ -66,12 +69,12 @@ export function createRowReader(pixels: PanoramaPixels): RowReader {
   return reader;
 }
 
-/** Radiance of each byte: IEC 61966-2-1. */
+/** A table of the linear radiance of each byte of sRGB (IEC 61966-2-1). */
 function linearTable(): Float32Array {
   return Float32Array.from({ length: 256 }, (_, byte) => linearFromSrgb(byte / 255));
 }
 
-/** The number of each half float: IEEE 754 binary16. */
+/** A table of the value of each half float (IEEE 754 binary16), by its bits. */
 function halfTable(): Float32Array {
   return Float32Array.from({ length: 0x10000 }, (_, bits) => {
     const sign = bits < 0x8000 ? 1 : -1;

@@ -47,7 +47,7 @@ export function projectDirection(
   return out.x >= -1 && out.x <= 1 && out.y >= -1 && out.y <= 1;
 }
 
-/** Cosine of the angle between the axis of a photo and its farthest corner; -1 for lenses that see more than half of all directions. */
+/** Cosine of the angle between a photo's axis and its farthest corner; -1 for lenses that see more than half of all directions. */
 export function cosineOfReach({ clipFromView: p }: Pick<ShotPose, 'clipFromView'>): number {
   let tangent = 0;
   for (const x of [-1, 1]) {
@@ -58,12 +58,14 @@ export function cosineOfReach({ clipFromView: p }: Pick<ShotPose, 'clipFromView'
   return Number.isFinite(tangent) ? Math.cos(Math.atan(tangent)) : -1;
 }
 
-/** How much a point counts, from 1 in the center to 0 at the edges. Photos fade into each other where the weights are alike. */
+/**
+ * The weight of a point of a photo, from 1 in the center to 0 at the edges. Photos blend into each other where their weights are similar.
+ */
 export function edgeWeight({ x, y }: ShotPoint): number {
   return ((1 - x * x) * (1 - y * y)) ** 3;
 }
 
-/** The angle by which a rotation about y turns panorama space in world space. */
+/** The heading of a panorama: the rotation about y from panorama space to world space. */
 export function headingOf(worldFromPanorama: ArrayLike<number>): number {
   return Math.atan2(worldFromPanorama[8] ?? 0, worldFromPanorama[0] ?? 1);
 }

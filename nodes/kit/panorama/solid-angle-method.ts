@@ -10,22 +10,22 @@ export interface SolidAngleOptions {
   /** Maximum number of lamps. */
   readonly lamps: number;
   /**
-   * The part of all light that comes from pixels that are clipped to white, in [0, 1); they are brightened to that part. Only for
-   * display-referred panoramas, and 0 changes nothing.
+   * The fraction of all light that pixels clipped to white are assumed to give, in [0, 1): they are brightened until they do. 0 changes
+   * nothing. Only for display-referred panoramas.
    */
   readonly clippedShare: number;
 }
 
-/** More regions are not joined one by one; the weakest are left in the rest. */
+/** The most regions that are joined with each other; weaker ones are not lamps, so that their light stays in the rest. */
 const MAX_REGIONS = 64;
-/** A single white pixel is no lamp that lights a room. */
+/** The greatest factor by which clipped pixels are brightened: a single white pixel is no lamp that lights a room. */
 const MAX_GAIN = 2000;
 
 /**
- * Finds lamps on the sphere. Each pixel counts by its solid angle, so lamps near the zenith are not enlarged, and lamps that the seam of the
- * panorama cuts are whole. Direction, color and irradiance of a lamp are those of its vector irradiance, the sum of radiance × solid angle ×
- * direction, which is exact for surfaces that see all of it. Neighboring regions are joined (Ward 1963) until there are no more than the
- * wanted number of lamps.
+ * Finds lamps on the sphere. Each pixel counts by its solid angle, so lamps near the zenith are not enlarged, and lamps that the seam of
+ * the panorama cuts are whole. Direction, color and irradiance of a lamp are those of its vector irradiance, the sum of radiance × solid
+ * angle × direction, which is exact for surfaces that see all of it. Neighboring regions are joined (Ward 1963) until there are no more
+ * than the wanted number of lamps.
  *
  * It yields after about a millisecond of work, so that the caller can draw a frame, or abandon the search.
  *
@@ -52,7 +52,10 @@ export function* findBySolidAngle(pixels: PanoramaPixels, options: SolidAngleOpt
   return { widthPx, heightPx, lamps, none, runs, rest: lightFromAbove(grid, rest), damaged, steps: [] };
 }
 
-/** White in an image may have been any brightness above. Measured indoors and outdoors, clipped lamps give about half of all light. */
+/**
+ * Brightens clipped pixels until they give `share` of all light, because white in an image may stand for any brightness above. Measured
+ * indoors and outdoors, clipped lamps give about half of all light.
+ */
 function brightenClipped(grid: SphereGrid, clipped: Float32Array, share: number): void {
   let [whole, white] = [0, 0];
   for (let i = 0; i < clipped.length; i++) {
@@ -80,7 +83,10 @@ interface Group {
   readonly flux: number;
 }
 
-/** Joins the pair that adds the least spread, as long as there are too many groups and one does not become too wide. */
+/**
+ * Joins regions to groups until there are at most `count`: always the pair that adds the least spread, while the result is not too wide.
+ * Returns the strongest groups.
+ */
 function join(regions: readonly BrightRegion[], count: number): Group[] {
   const groups: Group[] = [...regions];
   while (groups.length > count) {
@@ -100,7 +106,7 @@ function join(regions: readonly BrightRegion[], count: number): Group[] {
   return groups.sort((a, b) => b.flux - a.flux).slice(0, count);
 }
 
-/** Flux × mean square angle that joining adds; infinite if the result is too wide. */
+/** The cost of joining two groups: flux × mean square angle that it adds; infinite if the result is too wide. */
 function addedSpread(a: Group, b: Group): number {
   const whole = sumOf(a, b);
   const spread = spreadRad(whole);
@@ -116,7 +122,7 @@ function sumOf({ vector: a, flux }: Group, { vector: b, flux: more }: Group): Pi
   return { vector: [a[0] + b[0], a[1] + b[1], a[2] + b[2]], flux: flux + more };
 }
 
-/** The lamp is what is brighter than the rest, so that the energy is counted once. */
+/** Measures a lamp. Only light above the brightness of the rest counts, so that no light is counted twice. */
 function lampOf(grid: SphereGrid, rest: Float32Array, group: Group): FoundLamp {
   const { widthPx, heightPx } = grid;
   const length = Math.hypot(...group.vector);
@@ -148,7 +154,7 @@ function lampOf(grid: SphereGrid, rest: Float32Array, group: Group): FoundLamp {
   };
 }
 
-/** The vector irradiance of the upper half, which is exact for a floor. */
+/** The vector irradiance of the upper half of a panorama, which is exact for a floor, as one lamp. */
 function lightFromAbove(grid: SphereGrid, radiance: Float32Array): FoundLamps['rest'] {
   const { widthPx, heightPx, pixelSr } = grid;
   const vector: [number, number, number] = [0, 0, 0];

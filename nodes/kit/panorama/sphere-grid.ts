@@ -1,23 +1,23 @@
 import { linearFromSrgb } from '../color-math.ts';
 import { createRowReader, isDisplayReferred, type PanoramaPixels, ROWS_PER_STEP } from './pixels.ts';
 
-/** A panorama of at most 1024 × 512 pixels whose rows are weighted by solid angle. */
+/** A panorama scaled to at most 1024 × 512 pixels, with the solid angle of its pixels. */
 export interface SphereGrid {
   readonly widthPx: number;
   readonly heightPx: number;
   /** Linear-sRGB radiance, rows from the top. */
   readonly radiance: Float32Array;
   readonly luminance: Float32Array;
-  /** Solid angle of a pixel of each row, steradians. */
+  /** For each row, the solid angle of one of its pixels, steradians. */
   readonly pixelSr: Float64Array;
-  /** The part of each pixel that is clipped to white; null for panoramas of radiance. */
+  /** For each pixel, the fraction of its area that is clipped to white; null for panoramas of radiance. */
   readonly clipped: Float32Array | null;
   readonly damaged: number;
 }
 
-/** At 0.35° per pixel, the sun still covers a pixel. More would not change directions or energy. */
+/** Greatest width: at 0.35° per pixel, the sun still covers a pixel. A larger grid would change neither directions nor energy. */
 const MAX_WIDTH_PX = 1024;
-/** Bytes of sRGB from here on are clipped; compression leaves white at a little less than 255. */
+/** Bytes of sRGB from this value on count as clipped, because compression lowers white to a little less than 255. */
 const CLIPPED_BYTE = 250;
 /** Rec. 709 luminance of linear sRGB. */
 const [RED, GREEN, BLUE] = [0.2126, 0.7152, 0.0722] as const;

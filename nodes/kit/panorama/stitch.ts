@@ -5,24 +5,27 @@ import { fillHoles } from './fill-holes.ts';
 import type { PanoramaPixels } from './pixels.ts';
 import { cosineOfReach, edgeWeight, type PanoramaShot, projectDirection, type ShotPoint } from './shot.ts';
 
-/** A panorama that was made of photos. */
+/** A panorama that was stitched from photos. */
 export interface StitchedPanorama extends PanoramaPixels {
   readonly channels: 4;
   /** Display-referred sRGB, rows from the top. Alpha is 255 where a photo shows something, and 0 where a hole was filled. */
   readonly data: Uint8ClampedArray<ArrayBuffer>;
   /** The part of the sphere that no photo shows, by solid angle. */
   readonly holesPart: number;
-  /** The part that two photos or more show. */
+  /** The part of the sphere that two photos or more show, by solid angle. */
   readonly overlapPart: number;
-  /** Whether the exposure of the photos was evened. */
+  /** Whether the exposure of the photos was adjusted to each other. */
   readonly evened: boolean;
 }
 
-/** With less overlap, the exposure of a photo cannot be told from what it shows. */
+/**
+ * The exposure of photos is adjusted only if at least this part of the sphere is shown by two photos: with less overlap, exposure and
+ * content cannot be told apart.
+ */
 export const LEAST_OVERLAP = 0.25;
-/** A photo in which a point is clipped to white or black counts this much less than others. */
+/** Factor on the weight of a photo at points where it is clipped to white or black. */
 const CLIPPED_WEIGHT = 0.02;
-/** Bytes of sRGB from here on are clipped, as in `sphere-grid.ts`. */
+/** Bytes of sRGB from this value on count as clipped to white, as in `sphere-grid.ts`. */
 const WHITE = 250;
 const ROWS_PER_STEP = 16;
 
@@ -43,7 +46,7 @@ export function* stitch(shots: readonly PanoramaShot[], widthPx: number): Genera
   const gains = evened ? evenGains(shots) : shots.map(() => NO_GAIN);
   const light = linearTable();
   const reach = shots.map((shot) => Math.max(cosineOfReach(shot), 0));
-  /** Red, green, blue and weight. */
+  /** Per pixel: red, green and blue times weight, and the sum of weights. */
   const sums = new Float32Array(widthPx * heightPx * 4);
   const [sines, cosines] = anglesOf(widthPx);
   const point: ShotPoint = { x: 0, y: 0 };
@@ -103,7 +106,7 @@ function addSample(
   sums[at + 3] = (sums[at + 3] ?? 0) + weight;
 }
 
-/** Sine and cosine of the longitude of each column: to the right of −z. */
+/** Sine and cosine of the longitude of each column, measured to the right of −z. */
 function anglesOf(widthPx: number): [sines: Float64Array, cosines: Float64Array] {
   const angles = Float64Array.from({ length: widthPx }, (_, x) => ((x + 0.5) / widthPx) * 2 * Math.PI - Math.PI);
   return [angles.map(Math.sin), angles.map(Math.cos)];

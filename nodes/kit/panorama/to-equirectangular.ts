@@ -4,7 +4,7 @@ import { type PanoramaPixels, startOfRow } from './pixels.ts';
 /** The largest half float; infinite radiance counts as this much. */
 const MAX_RADIANCE = 65504;
 
-/** Pixels in an array that interpolation can write. */
+/** Panorama pixels whose array interpolation can write: no half floats. */
 export type PlainPixels = PanoramaPixels & { readonly data: Float32Array | Uint8Array | Uint8ClampedArray };
 
 /**
@@ -35,7 +35,10 @@ export function toEquirectangular(pixels: PlainPixels, layout: PanoramaLayout, m
   return { widthPx, heightPx, channels, data };
 }
 
-/** A face of a cube shows a quarter of the horizon; half of a ball's width shows what its camera sees in a mirror of 90°. */
+/**
+ * The width of an equirectangular panorama as sharp as the image: four times that of a cube's face, which shows a quarter of the horizon;
+ * that of a ball's image, whose middle half shows a mirrored view of 90°.
+ */
 function widthFor(layout: PanoramaLayout, { widthPx, heightPx }: PanoramaPixels): number {
   const faces = { equirectangular: widthPx, ball: widthPx, cross: widthPx, 'cross-upright': heightPx, strip: (widthPx / 6) * 4 };
   const wanted = layout === 'strip-upright' ? (heightPx / 6) * 4 : faces[layout];
@@ -56,7 +59,10 @@ function interpolate(data: Float32Array | Uint8ClampedArray, to: number, pixels:
   }
 }
 
-/** One pixel that is infinite or not a number must not spread to its neighbors. */
+/**
+ * Reads a number of the image. Infinity becomes the largest half float and other invalid numbers 0, so that one such pixel does not spread
+ * to its neighbors.
+ */
 function read({ data }: PlainPixels, i: number): number {
   const value = data[i] ?? 0;
   return Number.isFinite(value) ? value : value > 0 ? MAX_RADIANCE : 0;

@@ -4,17 +4,20 @@ import type { ObjectItem } from '../scene-lists.ts';
 /** The copies of one object. */
 export interface CopiedObject {
   readonly source: ObjectItem;
-  /** The items of the output list: one that draws all copies as instances, or one per copy. They stay the same. */
+  /** The items to put into the output list: one that draws all copies as instances, or one per copy. They stay the same objects. */
   readonly items: readonly ObjectItem[];
   /**
    * Updates poses, flags and transforms. Call it once per frame.
    *
-   * @param places World from the space of the source, of each copy; null for a copy that is not shown. As many as there are copies.
+   * @param places For each copy, the matrix from the space of the source to world space; null if the copy is not shown.
    */
   update(places: readonly (Matrix4 | null)[]): void;
-  /** The parts can be drawn as instances now, or no longer: as where a material has become transparent. The caller copies anew. */
+  /**
+   * Whether the way of drawing no longer fits the parts: because a material has become transparent or opaque, instances are impossible or
+   * have become possible. The caller then creates the copies again.
+   */
   isOutdated(): boolean;
-  /** Frees the buffers of instances. */
+  /** Disposes the instance buffers. */
   dispose(): void;
 }
 
@@ -25,7 +28,7 @@ const scratchMatrix = new Matrix4();
  * Copies an object: several copies as instances if its parts allow it, else as one item per copy, with the key `key/index`. Instances are
  * for subtrees of meshes without skinning and morphing, and without transparency, which needs sorting by distance.
  *
- * @param source Its geometries and materials are shared, and its flags are followed.
+ * @param source The object to copy. Copies share its geometries and materials, and follow its flags.
  * @param key Unique within the output list.
  * @param count Number of copies, shown or not.
  * @returns The caller disposes it.
@@ -102,7 +105,7 @@ function createInstances(source: ObjectItem, key: string, count: number): Copied
   };
 }
 
-/** Whether a matrix changed, compared as 32-bit floats, as it is stored. */
+/** Writes the matrix of an instance. Returns whether it has changed, compared as the 32-bit floats that are stored. */
 function setInstance(into: { [index: number]: number }, index: number, { elements }: Matrix4): boolean {
   let changed = false;
   for (let c = 0; c < 16; c++) {

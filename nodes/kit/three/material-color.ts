@@ -1,7 +1,7 @@
 import type { Color, Material, MeshStandardMaterial } from 'three';
 
 /**
- * Sets color and opacity of a material, which is transparent only with an alpha below 1.
+ * Sets the color and the opacity of a material. The material is transparent only if alpha is below 1.
  *
  * @param color Display-referred sRGB, straight alpha.
  *

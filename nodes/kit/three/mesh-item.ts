@@ -2,9 +2,10 @@ import { Matrix4, type Mesh } from 'three';
 import type { ObjectItem } from '../scene-lists.ts';
 
 /**
- * Makes an object of one mesh. The node writes the mesh's place within the object to `mesh.matrixWorld`, which three.js leaves alone.
+ * Creates an object that consists of one mesh. The node writes the mesh's place within the object to `mesh.matrixWorld`, which three.js
+ * leaves alone.
  *
- * @param flags Default: it casts and receives no shadow.
+ * @param flags Which shadows the object casts and receives. Default: none.
  *
  * @example
  * const item = createMeshItem('line', mesh);

@@ -3,9 +3,9 @@ import type { ObjectItem, ObjectList } from '../../kit/scene-lists.ts';
 import { createVersionWatch } from '../../kit/version-watch.ts';
 import type { BoundingCylinder } from './glow-spots.ts';
 
-/** Upright cylinders around the objects of lists that are shown and cast shadows. */
+/** Computes upright cylinders around those objects of lists that are shown and cast shadows. */
 export interface BoundingCylinders {
-  /** Call it once per frame. Skinned and morphed objects have those of their rest position. */
+  /** Returns the cylinders of this frame. Call it once per frame. Skinned and morphed objects have the cylinders of their rest position. */
   update(lists: readonly ObjectList[]): readonly BoundingCylinder[];
 }
 

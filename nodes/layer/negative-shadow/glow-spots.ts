@@ -3,30 +3,32 @@ import { MAX_GLOW_SPOTS, type ShadowGlow } from '../../kit/scene-look.ts';
 
 /** An upright cylinder around an object, in world space. */
 export interface BoundingCylinder {
-  /** Center of its base. */
+  /** Center of the cylinder's base. */
   readonly baseWorld: Float32Array;
   radiusM: number;
   heightM: number;
 }
 
-/** How the light around an object is shaped. */
+/** Settings for the light that is drawn around objects. */
 export interface GlowShape {
-  /** How much larger it is than the object and its shadow, as a fraction. */
+  /** How much larger the light is than the object and its shadow, as a fraction. */
   readonly margin: number;
-  /** Maximum length of a shadow that it follows. */
+  /** The greatest length of a shadow that the light extends along, meters. */
   readonly maxStretchM: number;
 }
 
-/** At this height above the base and below, relative to the radius, the light has faded; so a floor below a table stays dark. */
+/**
+ * The height above and below an object's base at which the light has faded, relative to the radius; so the floor below a table stays dark.
+ */
 const REACH = 0.6;
 const MIN_REACH_M = 0.1;
-/** Lights below this sine of their elevation cast no useful shadow on the ground: 3°. */
+/** Sine of the lowest elevation (3°) of lights that have a spot: shadows of lower lights are too long to be useful. */
 const MIN_SINE = 0.05;
 
 // Written and read within one call.
 const scratchTowards = new Float32Array(3);
 
-/** Whether a light casts shadows of its own direction: not the ambient part of another. */
+/** Whether a light casts its own shadow; false for the light that only casts the contact shadow of another. */
 export function isShadowLight(light: LightItem): light is DirectLightItem {
   return light.kind !== 'environment' && light.kind !== 'probe' && !(light.kind === 'directional' && light.onlyShadows);
 }

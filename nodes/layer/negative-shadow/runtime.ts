@@ -21,7 +21,7 @@ const TOO_FAINT = {
   fix: 'Choose a brighter “Base” or a greater “Depth of shadow”.',
 } as const;
 
-/** Fewer levels of 8 bits are not seen. */
+/** A shadow that is fewer levels (of 256) darker than the light around it is invisible. */
 const MIN_LEVELS = 2;
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
@@ -78,11 +78,12 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   };
 }
 
-/** White of the display, relative to white of the room, as additive displays in rooms have it. */
+/** Brightness of white on the display relative to white in the room, typical of additive displays in rooms. */
 const DISPLAY_GAIN = 2;
 
 /**
- * By how many levels of 8 bits a shadow is darker than the light around it, where light adds up: room + gain × display.
+ * By how many of 256 levels a shadow looks darker than the light around it on an additive display, which the eye sees as room + gain ×
+ * display.
  *
  * @param base Display-referred sRGB.
  * @param roomLinear Mean linear color of the room; null if no camera sees it, which counts as dark.

@@ -4,7 +4,7 @@ import type { DirectionalLightItem } from '../../kit/scene-lists.ts';
 import { createSunShadow } from '../../kit/sun-shadow.ts';
 import type { definition } from './definition.ts';
 
-/** A matte surface reflects 1/π of the irradiance, so this irradiance renders a white one as white. */
+/** The irradiance that renders a white matte surface as white: such a surface reflects 1/π of the irradiance. */
 const WHITE_ON_WHITE = Math.PI;
 
 // Filled and read within one call.

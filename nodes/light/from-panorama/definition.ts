@@ -3,7 +3,7 @@ import { LOCAL_LIGHT_CASTS_SHADOW, SUN_SHADOW } from '../../kit/light-params.ts'
 
 const NTH = ['first', 'second', 'third'] as const;
 
-/** The params of one lamp, which the editor shows at the lamp. The numbers begin at 1, the strongest lamp. */
+/** Creates the params that change lamp `n` alone, which the editor shows at the lamp. Lamp 1 is the strongest. */
 function ofLamp<const N extends 1 | 2 | 3>(n: N) {
   const which = NTH[n - 1];
   return {

@@ -4,20 +4,20 @@ import type { NumberView } from '../../kit/value-views.ts';
 import type { definition } from './definition.ts';
 import type { LampKind } from './lamp-items.ts';
 
-/** What a designer has changed of one lamp. */
+/** The settings of one lamp that differ from those of all lamps. */
 export interface LampChange {
   readonly pinned: { readonly value: boolean };
   readonly azimuthRad: NumberView;
   readonly elevationRad: NumberView;
-  /** 0: as all lamps; else the kind + 1. */
+  /** 0: the kind of all lamps. Otherwise the index of the kind, plus 1. */
   readonly kind: NumberView;
-  /** 0: as all lamps. */
+  /** 0: the distance of all lamps. Otherwise meters. */
   readonly distanceM: NumberView;
 }
 
 const KINDS: readonly LampKind[] = ['directional', 'spot', 'point'];
 
-/** The changes of the lamps that have params of their own: the strongest three. */
+/** Collects the changes of the lamps that have params of their own: the strongest three. */
 export function lampChanges(params: NodeContext<typeof definition>['params']): readonly LampChange[] {
   return ([1, 2, 3] as const).map((n) => ({
     pinned: params[`lamp${n}Pinned`],
@@ -28,7 +28,7 @@ export function lampChanges(params: NodeContext<typeof definition>['params']): r
   }));
 }
 
-/** The kind of a lamp: its own, or that of all. */
+/** The kind of a lamp: its own if it has one, otherwise that of all lamps. */
 export function kindOf(all: number, change: LampChange | undefined): LampKind {
   const own = change ? choiceIndex(change.kind.value, KINDS.length + 1) : 0;
   return KINDS[own > 0 ? own - 1 : choiceIndex(all, KINDS.length)] ?? 'directional';

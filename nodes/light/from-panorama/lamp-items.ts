@@ -6,15 +6,15 @@ import type { Writable } from '../../kit/value-views.ts';
 /** The kinds of lights, in the order of the param. */
 export type LampKind = 'directional' | 'spot' | 'point';
 
-/** What all lamps depend on in a frame. */
+/** The values of a frame that apply to all lamps. */
 export interface LampSetting {
   intensity: number;
-  /** Rotation from panorama to world space about y. */
+  /** The rotation from panorama space to world space, about y. */
   rotationRad: number;
   distanceM: number;
   centerWorld: ArrayLike<number>;
   castShadow: boolean;
-  /** Factor on the size. */
+  /** Factor on the size of the lamps. */
   softness: number;
   areaM: number;
   biasPx: number;
@@ -24,7 +24,7 @@ export interface LampSetting {
 export type LampLight = Pick<FoundLamp, 'irradiance' | 'sizeRad'> & { readonly towards: Direction };
 type Direction = Readonly<[x: number, y: number, z: number]>;
 
-/** A light in the list. */
+/** A light of the output list that stands for a lamp. */
 export interface LampItem {
   readonly item: DirectLightItem;
   update(setting: LampSetting): void;
@@ -36,7 +36,7 @@ export interface LampShadow {
   readonly filter: ShadowFilter;
 }
 
-/** Creates the light of a lamp. */
+/** Creates the light that stands for a lamp. */
 export function createLampItem(key: string, kind: LampKind, lamp: LampLight, map: LampShadow): LampItem {
   switch (kind) {
     case 'directional':
@@ -48,7 +48,7 @@ export function createLampItem(key: string, kind: LampKind, lamp: LampLight, map
   }
 }
 
-/** A directional light; with `onlyShadows`, for the shadow of the rest. */
+/** Creates a directional light; with `onlyShadows`, the light that casts only the shadow of the rest of the panorama. */
 export function directional(
   key: string,
   { towards, irradiance, sizeRad }: LampLight,
@@ -77,7 +77,10 @@ export function directional(
   };
 }
 
-/** Wider filters sample too far apart (`nodes/kit/contact-shadow.ts`). */
+/**
+ * The greatest angular diameter of a lamp. With a wider one, the samples of the shadow filter are too far apart
+ * (`nodes/kit/contact-shadow.ts`).
+ */
 export const MAX_SIZE_RAD = 1.4;
 
 function spot(key: string, { towards, irradiance, sizeRad }: LampLight, { mapSizePx, filter }: LampShadow): LampItem {
@@ -143,7 +146,7 @@ function scale(into: Float32Array, irradiance: readonly [number, number, number]
   for (let c = 0; c < 3; c++) into[c] = (irradiance[c] ?? 0) * factor;
 }
 
-/** Rotates counterclockwise seen from above, as `EnvironmentLightItem.rotationRad` does. */
+/** Rotates a direction about y, counterclockwise seen from above, as `EnvironmentLightItem.rotationRad` does. */
 export function turn(into: Float32Array, [x, y, z]: readonly [number, number, number], angleRad: number): void {
   const [cos, sin] = [Math.cos(angleRad), Math.sin(angleRad)];
   into[0] = x * cos + z * sin;

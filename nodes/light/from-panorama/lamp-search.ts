@@ -4,12 +4,12 @@ import { type LampOptions, lampKey } from '../../kit/panorama/lamp-options.ts';
 import type { NodeWorker, WorkerService } from '../../kit/runtime.ts';
 import type { SearchAnswer, SearchMessage } from './worker.ts';
 
-/** A search for the lamps of a panorama that never blocks the picture. */
+/** A search for the lamps of a panorama that never blocks a frame. */
 export interface LampSearch {
   /**
-   * Call it once per frame.
+   * Asks for the result. Call it once per frame.
    *
-   * @returns The result; null while the search goes on.
+   * @returns The result; null while the search is running.
    * @throws Error if the search has failed, with a reason for users.
    */
   take(): FoundLamps | null;
@@ -18,8 +18,8 @@ export interface LampSearch {
 }
 
 /**
- * Starts a search. A result that the program stores is taken at once. In a render, where every frame has to be complete, the panorama is
- * searched at once too. Otherwise a worker searches it.
+ * Starts a search. A result that the program stores is used at once. In a render, where every frame has to be complete, the panorama is
+ * searched synchronously. Otherwise a worker searches it.
  */
 export function startLampSearch(environment: EnvironmentAsset, options: LampOptions, workers: WorkerService, held: boolean): LampSearch {
   const stored = environment.lamps?.[lampKey(options)];

@@ -1,18 +1,21 @@
 import { createHit, type HitSource } from '../../kit/hit-test.ts';
 import type { SessionService } from '../../kit/runtime.ts';
 
-/** How far away the room is in the directions of lamps. */
+/** Measures how far away the room is in the directions of lamps. */
 export interface RoomDistances {
   /**
-   * @param index The lamp, by which distances are kept.
-   * @returns Meters; null where the ray meets nothing, or the room is not asked.
+   * Returns the distance to the room along a direction.
+   *
+   * @param index The lamp; its last distance is kept between measurements.
+   *
+   * @returns Meters; null if the ray meets nothing, or if the node does not measure the room.
    */
   along(index: number, fromWorld: ArrayLike<number>, towardsWorld: ArrayLike<number>): number | null;
 }
 
-/** Surfaces that were measured; an assumed floor is none. */
+/** The sources whose hits count: measured surfaces, not an assumed floor. */
 const SOURCES: readonly HitSource[] = ['mesh', 'plane', 'depth'];
-/** Lamps do not move, and rooms are scanned slowly: a ray is cast once in so many frames. */
+/** The number of frames between two rays for the same lamp. Lamps do not move, and a room is scanned slowly. */
 const FRAMES_BETWEEN = 30;
 
 export function createRoomDistances(session: SessionService, isAsked: boolean): RoomDistances {
@@ -42,7 +45,7 @@ export function createRoomDistances(session: SessionService, isAsked: boolean): 
   };
 }
 
-/** A rigid matrix with the origin of the ray, whose -z axis is its direction. */
+/** Writes a rigid matrix for a ray: its origin is the ray's, its -z axis the ray's direction. */
 function writeRay(into: Float32Array, from: ArrayLike<number>, towards: ArrayLike<number>): void {
   const [x = 0, y = 0, z = 0] = [towards[0], towards[1], towards[2]];
   // Any axis across the ray: that across y, or across x for a ray straight up.

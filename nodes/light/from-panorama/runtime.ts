@@ -9,10 +9,10 @@ import { createLampItem, directional, type LampItem, type LampKind, type LampSet
 import { type LampSearch, startLampSearch } from './lamp-search.ts';
 import { createRoomDistances } from './room-distances.ts';
 
-/** A wide light needs no large map. */
+/** The shadow map of the rest of the panorama, which is a wide light and needs no large map. */
 const REST_MAP = { mapSizePx: 512, filter: 'pcss' } as const;
 
-/** A lamp in the list, where it was found, and where it is. */
+/** A lamp of the output list, with its direction in the panorama and its current one. */
 interface Listed {
   readonly kind: LampKind;
   readonly found: readonly number[];
@@ -86,7 +86,10 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     listLamps();
   }
 
-  /** The result of the search, once; null while there is none. A search that fails is reported, and the whole panorama lights the scene. */
+  /**
+   * Returns the result of the search when it is there, null before. If the search has failed, reports that; the whole panorama then lights
+   * the scene.
+   */
   function arrived(): FoundLamps | null {
     try {
       return search?.take() ?? null;

@@ -3,13 +3,13 @@ import type { FoundLamps } from '../../kit/panorama/found-lamps.ts';
 import type { LampOptions } from '../../kit/panorama/lamp-options.ts';
 import type { PanoramaPixels } from '../../kit/panorama/pixels.ts';
 
-/** What the runtime sends its worker: one search. Ending the worker cancels it. */
+/** The message from the runtime to its worker: one search. To cancel a search, the runtime ends the worker. */
 export interface SearchMessage {
   readonly pixels: PanoramaPixels;
   readonly options: LampOptions;
 }
 
-/** What the worker answers. */
+/** The message from the worker. */
 export type SearchAnswer = { readonly found: FoundLamps } | { readonly failure: string };
 
 /** The part of a worker's global scope that is used. */
@@ -18,7 +18,7 @@ export interface WorkerScope {
   postMessage(answer: SearchAnswer): void;
 }
 
-/** Searches panoramas in a worker: one answer for each message. */
+/** Searches panoramas in a worker: answers each message with its result. */
 export function serve(scope: WorkerScope): void {
   scope.onmessage = ({ data: { pixels, options } }) => {
     try {

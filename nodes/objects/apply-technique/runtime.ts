@@ -12,7 +12,10 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   let listed = -1;
   const derived = deriveObjects(output, () => {});
 
-  /** Earlier techniques remain, because they apply to materials that this one does not match. */
+  /**
+   * Applies the technique to all items. Techniques that they already have remain, because they apply to materials that this one does not
+   * match.
+   */
   function applyToAll(): void {
     if (applied) for (const item of output.items) item.techniques = [...(item.techniques ?? []), applied];
   }

@@ -1,21 +1,28 @@
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage } from 'three';
 
-/** Looks round at arm's length. */
+/** The number of sides of the round parts: enough to look round at arm's length. */
 const SEGMENTS = 32;
-/** Two rings for each of: end cap, shaft, back of the head, head. They share no vertices, because edges between them are sharp. */
+/**
+ * The number of rings of vertices: two for each of end cap, shaft, back of the head, and head. Parts share no vertices, because the edges
+ * between them are sharp.
+ */
 const RINGS = 8;
 
-/** Lengths along the arrow and radii, meters. A shaft that tapers has the same width on the screen at both ends. */
+/** Lengths along the arrow, and radii, meters. The shaft tapers so that it has the same width on the screen at both ends. */
 export interface ArrowShape {
   lengthM: number;
   headLengthM: number;
-  /** Of the shaft, at its start and at the head. */
+  /** Radii of the shaft, at its start and at the head. */
   startRadiusM: number;
   neckRadiusM: number;
   headRadiusM: number;
 }
 
-/** @returns An arrow without size. */
+/**
+ * Creates the shape of an arrow without size.
+ *
+ * @returns An arrow without size.
+ */
 export function createArrowShape(): ArrowShape {
   return { lengthM: 0, headLengthM: 0, startRadiusM: 0, neckRadiusM: 0, headRadiusM: 0 };
 }
@@ -38,7 +45,7 @@ export function createArrowGeometry(): BufferGeometry {
   return geometry;
 }
 
-/** Writes the vertices and bounds. Allocates nothing after the first call. */
+/** Writes the vertices and bounds of an arrow. Allocates nothing after the first call. */
 export function setArrowShape(geometry: BufferGeometry, shape: ArrowShape): void {
   const { lengthM, headLengthM, startRadiusM, neckRadiusM, headRadiusM } = shape;
   const neckM = lengthM - headLengthM;
@@ -54,7 +61,7 @@ export function setArrowShape(geometry: BufferGeometry, shape: ArrowShape): void
   geometry.computeBoundingBox();
 }
 
-/** Writes two rings, whose normals are at right angles to the line between them. */
+/** Writes two rings of vertices, with the normals of the cone between them. */
 function writePair(
   positions: Float32Array,
   normals: Float32Array,

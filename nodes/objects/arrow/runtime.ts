@@ -6,7 +6,7 @@ import { createMeshItem } from '../../kit/three/mesh-item.ts';
 import { createArrowGeometry, createArrowShape, setArrowShape } from './arrow-geometry.ts';
 import type { definition } from './definition.ts';
 
-/** Shorter arrows have no direction. */
+/** A shorter arrow counts as none, because it has no direction. */
 const LEAST_M = 1e-6;
 const ROUGHNESS = 0.6;
 
@@ -37,7 +37,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     objects.version++;
   }
 
-  /** Writes `start`, `end` and `along`; false where there is no arrow. */
+  /** Writes `start`, `end` and `along`; returns false if there is no arrow. */
   function findEnds(): boolean {
     const { from, to } = ctx.inputs;
     if (!from?.valid || (to && !to.valid)) return false;
@@ -52,12 +52,12 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     return along.lengthSq() > LEAST_M ** 2;
   }
 
-  /** Diameter of the shaft at a point of the world, meters. */
+  /** Diameter of the shaft at a point in world space, meters. */
   function widthAt(point: Vector3, view: ViewFrame | undefined): number {
     return widthIn === 'world' ? widthM.value : view ? widthOfView.value * viewHeightM(point, view) : 0;
   }
 
-  /** Lays the arrow; false where there is none. */
+  /** Sets the pose and the shape of the arrow; returns false if there is none. */
   function lay({ views }: SessionFrame): boolean {
     if (!findEnds()) return false;
     const [view] = views;
@@ -103,7 +103,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
 
 const SIZES = ['lengthM', 'headLengthM', 'startRadiusM', 'neckRadiusM', 'headRadiusM'] as const;
 
-/** Height of the view at the depth of a point, meters. */
+/** Height that the view covers at the depth of a point, meters. */
 function viewHeightM({ x, y, z }: Vector3, { viewFromWorld: m, clipFromView, nearM }: ViewFrame): number {
   const depthM = -((m[2] ?? 0) * x + (m[6] ?? 0) * y + (m[10] ?? 0) * z + (m[14] ?? 0));
   return (2 * Math.max(nearM, depthM)) / (clipFromView[5] || 1);

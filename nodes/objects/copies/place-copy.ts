@@ -50,7 +50,10 @@ function place(into: Matrix4, x: number, y: number, z: number, turnRad: number, 
   return into.makeScale(size, size, size).premultiply(scratchTurn.makeRotationY(turnRad)).setPosition(x, y, z);
 }
 
-/** A hash in [0, 1). It does not depend on the number of copies, so existing copies keep their places (lowbias32, Wellons 2018). */
+/**
+ * A pseudorandom number in [0, 1): a hash of the arguments. It does not depend on the number of copies, so existing copies keep their
+ * places (lowbias32, Wellons 2018).
+ */
 function chance(seed: number, index: number, which: number): number {
   let bits = (Math.imul(seed | 0, 0x9e3779b1) ^ Math.imul(index * 4 + which + 1, 0x85ebca6b)) | 0;
   bits = Math.imul(bits ^ (bits >>> 16), 0x7feb352d);

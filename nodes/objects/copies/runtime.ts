@@ -6,7 +6,7 @@ import { createVersionWatch } from '../../kit/version-watch.ts';
 import type { definition } from './definition.ts';
 import { placeCopy } from './place-copy.ts';
 
-/** The maximum of the definition; a wire can carry more. */
+/** The greatest number of copies: the maximum of the param, which a wire could exceed. */
 const MOST = 2000;
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
@@ -40,7 +40,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     objects.version++;
   }
 
-  /** Whether a material has become transparent or opaque. */
+  /** Whether a material of the source has become transparent or opaque since the copies were made. */
   function changedKind(): boolean {
     for (let i = 0; i < copied.length; i++) if (copied[i]?.isOutdated()) return true;
     return false;

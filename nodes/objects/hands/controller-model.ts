@@ -1,15 +1,22 @@
 import { type BufferGeometry, CapsuleGeometry, CylinderGeometry, Group, type Material, Mesh, SphereGeometry } from 'three';
 
-/** A plain controller in grip space: the handle along z through the palm, the head in front at -z with its two buttons and stick on top. */
+/**
+ * The model of a plain controller, in grip space: the handle along z through the palm, the head in front at -z with its two buttons and
+ * stick on top.
+ */
 export interface ControllerModel {
   readonly root: Group;
   dispose(): void;
 }
 
-/** Of the head against the handle, as of controllers of headsets. */
+/** Angle by which the head is tilted relative to the handle, as in controllers of headsets. */
 const TILT_RAD = 0.6;
 
-/** @param material Of all parts; the caller disposes it. */
+/**
+ * Creates the model.
+ *
+ * @param material The material of all parts; the caller disposes it.
+ */
 export function createControllerModel(isLeft: boolean, material: Material): ControllerModel {
   const geometries: BufferGeometry[] = [];
   const part = (geometry: BufferGeometry, x: number, y: number, z: number): Mesh => {

@@ -8,9 +8,9 @@ import { BufferGeometry, Float32BufferAttribute, Uint16BufferAttribute } from 't
 
 /** A coordinate frame that moves vertices. */
 export interface HandFrame {
-  /** Joint at whose position it is, and whose radius is its unit. */
+  /** Index of the joint at whose position the frame is; the joint's radius is the unit of its vertices. */
   readonly joint: number;
-  /** z points from the first to the second joint. */
+  /** Indices of two joints: z points from the first to the second. */
   readonly from: number;
   readonly to: number;
 }
@@ -21,7 +21,10 @@ const MIDDLE_METACARPAL = 10;
 const MIDDLE_PROXIMAL = 11;
 const WRIST = 0;
 
-/** Joints around each plate of the palm, from the thumb's side: metacarpal and knuckle of a finger, knuckle and metacarpal of the next. */
+/**
+ * For each plate of the palm, the joints at its corners, from the thumb's side: metacarpal and knuckle of a finger, knuckle and metacarpal
+ * of the next.
+ */
 const PLATES = [
   [1, 2, 6, 5],
   [5, 6, 11, 10],
@@ -31,7 +34,7 @@ const PLATES = [
 
 /** Half the thickness of a plate, in radii of its joints. */
 const PLATE = 0.8;
-/** Vertices around a capsule, and rings of each of its ends. */
+/** The number of vertices around a capsule, and of rings in each of its ends. */
 const AROUND = 12;
 const RINGS = 4;
 
@@ -43,7 +46,7 @@ export const BONES: readonly (readonly [from: number, to: number])[] = FINGER_ST
 
 const PALM_JOINTS: readonly number[] = [...new Set(PLATES.flat())];
 
-/** All frames: two per bone, then one per joint of the palm. */
+/** All coordinate frames that move vertices: two per bone, then one per joint of the palm. */
 export const HAND_FRAMES: readonly HandFrame[] = [
   ...BONES.flatMap(([from, to]) => [
     { joint: from, from, to },
@@ -59,7 +62,11 @@ interface Builder {
   readonly indices: number[];
 }
 
-/** @param isLeft Whether the thumb is on the +x side of a palm that faces down. */
+/**
+ * Creates the surface of a hand.
+ *
+ * @param isLeft Whether the thumb is on the +x side of a palm that faces down.
+ */
 export function createHandGeometry(isLeft: boolean): BufferGeometry {
   const builder: Builder = { positions: [], normals: [], frames: [], indices: [] };
   BONES.forEach((_, bone) => {
@@ -88,14 +95,21 @@ export function createHandGeometry(isLeft: boolean): BufferGeometry {
   return geometry;
 }
 
-/** @returns Index of the vertex. */
+/**
+ * Adds a vertex.
+ *
+ * @returns Its index.
+ */
 function addVertex({ positions, normals, frames }: Builder, frame: number, p: readonly number[], n: readonly number[]): number {
   positions.push(...p);
   normals.push(...n);
   return frames.push(frame) - 1;
 }
 
-/** From the pole behind the first joint over the rings of both ends to the pole beyond the second. `frame`: that of the first joint. */
+/**
+ * Adds the capsule of a bone, from the pole behind its first joint over the rings of both ends to the pole beyond its second joint. `frame`
+ * is the index of the first joint's frame.
+ */
 function addCapsule(builder: Builder, frame: number): void {
   const { indices } = builder;
   const rings: number[][] = [];
@@ -124,7 +138,9 @@ function addCapsule(builder: Builder, frame: number): void {
   }
 }
 
-/** A prism over four joints. Its side walls are within capsules; they close it, for shadow volumes. */
+/**
+ * Adds the plate between four joints, as a prism. Its side walls are hidden within capsules, but are needed to close it for shadow volumes.
+ */
 function addPlate(builder: Builder, joints: readonly number[], isLeft: boolean): void {
   const frames = joints.map((joint) => 2 * BONES.length + PALM_JOINTS.indexOf(joint));
   const corners = (y: number) => frames.map((frame) => addVertex(builder, frame, [0, y * PLATE, 0], [0, y, 0]));

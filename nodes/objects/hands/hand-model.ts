@@ -5,16 +5,16 @@ import { createHandGeometry, HAND_FRAMES } from './hand-geometry.ts';
 
 /** A hand whose skin follows the joints. */
 export interface HandModel {
-  /** The origin is the wrist. */
+  /** The skinned mesh. Its origin is the wrist. */
   readonly root: SkinnedMesh;
-  /** Sets the skin, and the pose of the wrist, from a hand that is tracked. */
+  /** Sets the bones of the mesh and the pose of its wrist from a tracked hand. */
   follow(hand: Hand, worldFromObject: Matrix4): void;
   dispose(): void;
 }
 
-/** A hand reaches no further from its wrist, meters. */
+/** Radius of the bounding sphere around the wrist: no part of a hand is farther away, meters. */
 const REACH_M = 0.35;
-/** A bone that is shorter has no direction, meters. */
+/** A shorter bone counts as having no direction, meters. */
 const LEAST_M = 1e-5;
 
 // Filled and read within one call.
@@ -68,7 +68,10 @@ export function createHandModel(isLeft: boolean, material: Material): HandModel 
   };
 }
 
-/** From `scratchZ`, and `scratchY` as far as it is perpendicular, else `scratchX`. */
+/**
+ * Writes a matrix with position, scale and axes: z is `scratchZ`; y is `scratchY` made perpendicular to z, or any perpendicular axis if the
+ * two are parallel.
+ */
 function setBasis(out: Matrix4, at: Vector3, radiusM: number): void {
   scratchX.crossVectors(scratchY, scratchZ);
   // If the bone lies along y of its joint, any perpendicular is right, because capsules are round.

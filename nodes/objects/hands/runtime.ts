@@ -8,11 +8,11 @@ import { createControllerModel } from './controller-model.ts';
 import type { definition } from './definition.ts';
 import { createHandModel } from './hand-model.ts';
 
-/** A model of the node, which is listed while it is tracked. */
+/** The model of one hand or controller, which is in the output list while it is tracked. */
 interface Part {
   readonly item: ObjectItem;
   isListed: boolean;
-  /** Moves the item; false while it is not tracked. */
+  /** Moves the model with the hand or controller; returns false while that is not tracked. */
   follow(input: SessionInput): boolean;
   dispose(): void;
 }

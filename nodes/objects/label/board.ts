@@ -1,7 +1,7 @@
 import type { SessionService } from '../../kit/runtime.ts';
 import type { SessionFrame } from '../../kit/session.ts';
 
-/** A rectangle on the screen in heights of the view, from its center, y up. */
+/** A rectangle on the screen. Units are heights of the view; the origin is its center, y up. */
 export interface ScreenBox {
   left: number;
   right: number;
@@ -9,53 +9,58 @@ export interface ScreenBox {
   top: number;
 }
 
-/** A label among the others. */
+/** A label as the board sees it, which arranges it among the others. */
 export interface BoardLabel {
-  /** What the label does where a nearer one is in its place. */
+  /** What happens to the label if a nearer one covers it. */
   readonly overlap: 'hide' | 'move' | 'allow';
-  /** Whether it looks for what hides it, at `mayLook`. */
+  /** Whether the label checks if the room hides it, in frames in which `mayLook` is true. */
   readonly looks: boolean;
-  /** Finds out where the label is in this frame: writes the fields below. */
+  /** Computes where the label is in this frame, and writes `wants`, `distanceM`, `atMost` and `box`. */
   prepare(frame: SessionFrame): void;
-  /** False while it has no pose or text, or is out of view. */
+  /** Whether the label wants to be shown: false while it has no pose or text, or is out of view. */
   wants: boolean;
   distanceM: number;
-  /** The label is hidden while this many nearer ones are shown. */
+  /** The label is hidden while this many nearer labels are shown. */
   atMost: number;
   readonly box: ScreenBox;
-  /** The result: whether it is shown, and how far up it is moved, in heights of the view. */
+  /** The result of the board: whether the label is shown, and how far up it is moved, in heights of the view. */
   shown: boolean;
   moved: number;
-  /** Whether it may look for what hides it in this frame. Rays through depth images are dear, so labels take turns. */
+  /**
+   * Whether the label may check in this frame if the room hides it. Casting rays through depth images is expensive, so labels take turns.
+   */
   mayLook: boolean;
-  /** Frames since it last looked; infinite for a label that has just appeared. */
+  /** Number of frames since the label last checked; infinite for a label that has just appeared. */
   unseenFrames: number;
 }
 
-/** All labels of a player. */
+/** The board of a player: arranges all labels so that they do not cover each other. */
 export interface Board {
   add(label: BoardLabel): void;
   remove(label: BoardLabel): void;
-  /** Called by each label in its update; the first call of a frame arranges all. */
+  /** Called by each label in its update. The first call of a frame arranges all labels. */
   arrange(label: BoardLabel, frame: SessionFrame): void;
 }
 
-/** Farther than this a label is not moved; it is hidden. Heights of the view. */
+/** The farthest that a label is moved up, in heights of the view; a label that would have to move farther is hidden. */
 const MAX_MOVE = 0.25;
 const GAP = 0.006;
-/** Labels that look in a frame: with twenty of them, each looks twelve times a second. */
+/** How many labels may check per frame if the room hides them: with twenty labels, each checks twelve times a second. */
 const LOOKS_PER_FRAME = 4;
 
 const boards = new WeakMap<SessionService, Board>();
 
-/** The board of a player, of which there is one session service. */
+/** Returns the board of a player; the session service, of which each player has one, identifies it. */
 export function boardOf(session: SessionService): Board {
   const board = boards.get(session) ?? createBoard();
   boards.set(session, board);
   return board;
 }
 
-/** Nearest first: a label keeps its place from all that are farther. Values and poses have been computed when the first label updates. */
+/**
+ * Creates a board. It arranges the nearest label first, so that a label keeps its place whatever is farther. Values and poses have been
+ * computed when the first label updates.
+ */
 export function createBoard(): Board {
   const labels: BoardLabel[] = [];
   const updated = new Set<BoardLabel>();
@@ -91,7 +96,7 @@ function arrangeSorted(labels: readonly BoardLabel[]): void {
   }
 }
 
-/** Lets the labels look that have waited longest; of several, the nearest. */
+/** Chooses the labels that may check if the room hides them: those that have waited longest; of several, the nearest. */
 function takeTurns(labels: readonly BoardLabel[]): void {
   for (const label of labels) {
     label.mayLook = false;
@@ -108,7 +113,7 @@ function takeTurns(labels: readonly BoardLabel[]): void {
   }
 }
 
-/** Moves the label up over nearer ones that are in its place; false if there is no room. */
+/** Moves the label up until it covers no nearer one; returns false if there is no room. */
 function findRoom(label: BoardLabel, labels: readonly BoardLabel[], count: number): boolean {
   if (label.overlap === 'allow') return true;
   let blocking = blockerOf(label, labels, count);
@@ -131,7 +136,10 @@ function blockerOf({ box, moved }: BoardLabel, labels: readonly BoardLabel[], co
   return null;
 }
 
-/** Insertion sort: from frame to frame the order hardly changes, and nothing is allocated. */
+/**
+ * Sorts the labels in place, nearest first. Insertion sort, because the order hardly changes from frame to frame and nothing may be
+ * allocated.
+ */
 function sortByDistance(labels: BoardLabel[]): void {
   for (let i = 1; i < labels.length; i++) {
     const label = labels[i];

@@ -1,4 +1,4 @@
-/** Icons of labels: outlines of a square of 24 by 24, as SVG path data, drawn with a line of `ICON_LINE`. */
+/** Side of the square that contains an icon. Icons are outlines as SVG path data, drawn with a line of width `ICON_LINE`. */
 export const ICON_SIDE = 24;
 export const ICON_LINE = 2;
 

@@ -8,20 +8,20 @@ import { createLabelPainter, type LabelColors, type LabelPainter } from './paint
 const NAMES = ['a', 'b'] as const;
 const DECIMALS = 2;
 
-/** What a label shows, for the page and the texture. */
+/** The content of a label, which the page and the texture show. */
 export interface LabelContentView {
-  /** Raised when anything of the content changes. */
+  /** A number that is raised when anything of the content changes. */
   readonly version: number;
   readonly layout: LabelLayout;
   readonly icon: IconName | null;
   readonly colors: LabelColors;
   readonly canvas: OffscreenCanvas;
-  /** Paints `canvas`. */
+  /** Paints the content on `canvas`. */
   paint(): void;
 }
 
 export interface LabelContentSource extends LabelContentView {
-  /** Reads the params; false if there is nothing to show. Allocates only where the content changes. */
+  /** Reads the params; returns false if there is nothing to show. Allocates only when the content changes. */
   update(): boolean;
 }
 
@@ -103,7 +103,7 @@ export function createLabelContent({ params, config, report }: NodeContext<typeo
   return content;
 }
 
-/** A text with numbers, written anew only where the template or a digit changes. */
+/** Creates a function that fills numbers into a text. The text is written anew only if the template or a digit has changed. */
 function createTemplateText() {
   let template: string | null = null;
   let writer: TextWriter | null = null;

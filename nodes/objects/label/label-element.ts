@@ -16,19 +16,22 @@ const STYLE = `
 .leader { width: 1px; height: 1px; }
 `;
 
-/** A label in the page, over the canvas. Its text is text: nothing in it is read as HTML. */
+/** A label as an element of the page, over the canvas. Its text is inserted as plain text: nothing in it is read as HTML. */
 export interface LabelElement extends OverlaySize {
   /** Replaces the content. */
   setContent(layout: LabelLayout, icon: IconName | null, colors: LabelColors, isSelectable: boolean): void;
-  /** Moves the label: CSS `matrix3d` from label pixels to CSS pixels of the overlay. Writes nothing if it is the same. */
+  /**
+   * Moves the label. The matrix is a CSS `matrix3d` from label pixels to CSS pixels of the overlay. Writes no style if the matrix is the
+   * same.
+   */
   place(matrix: Float64Array, opacity: number): void;
-  /** The leader line: CSS `matrix` of a square of one pixel; null hides it. */
+  /** Moves the leader line. The matrix is a CSS `matrix` that maps a square of one pixel to the line; null hides it. */
   placeLeader(matrix: Float64Array | null, opacity: number): void;
   hide(): void;
   dispose(): void;
 }
 
-/** Adds a label to the overlay, in a shadow root: styles of the page do not reach it, nor its styles the page. */
+/** Adds a label to the overlay, in a shadow root, so that styles of the page do not affect the label, nor its styles the page. */
 export function createLabelElement(overlay: HTMLElement): LabelElement {
   const { ownerDocument: document } = overlay;
   const host = document.createElement('div');
@@ -112,7 +115,10 @@ interface Placed {
   hide(): void;
 }
 
-/** Writes styles only where they change, because each write costs the browser a new style. */
+/**
+ * Creates a setter of an element's transform and opacity. It writes a style only if the value has changed, because each write makes the
+ * browser compute styles again.
+ */
 function createPlaced(element: HTMLElement, print: (matrix: Float64Array) => string): Placed {
   const last = new Float64Array(16);
   let opacityNow = 1;

@@ -13,14 +13,14 @@ import { createMeshItem } from '../../kit/three/mesh-item.ts';
 import type { LabelContentView } from './label-content.ts';
 import type { LabelPose } from './label-pose.ts';
 
-/** Labels are read at flat angles. */
+/** Anisotropic filtering of the texture, because labels are also seen at grazing angles. */
 const ANISOTROPY = 8;
-/** The corners of the card hide nothing. */
+/** Pixels with less alpha are discarded, so that the transparent corners of the card hide nothing. */
 const ALPHA_TEST = 0.01;
 
-/** The label and its line as objects. */
+/** A label and its leader line as objects of the scene. */
 export interface LabelObjects {
-  /** Paints the texture anew. */
+  /** Paints the texture again. */
   paint(content: LabelContentView): void;
   show(pose: LabelPose, opacity: number, isLed: boolean, color: Readonly<Float64Array>): void;
   hide(): void;
@@ -49,7 +49,7 @@ export function createLabelObjects(list: ObjectList): LabelObjects {
     list.version++;
   }
 
-  /** Lays the line as a ribbon that faces the viewer. */
+  /** Writes the leader line as a ribbon that faces the viewer. */
   function layLine({ leaderFrom, leaderTo, leaderM, worldFromLabel }: LabelPose): void {
     along.subVectors(leaderTo, leaderFrom);
     const lengthM = along.length();

@@ -5,29 +5,29 @@ import { writeViewerPosition } from '../../kit/viewer.ts';
 import type { ScreenBox } from './board.ts';
 import { FONT_PX } from './layout.ts';
 
-/** A leader line that is shorter is not drawn. */
+/** A shorter leader line is not drawn. */
 const LEAST_LEADER_M = 0.001;
-/** Of the leader line, label pixels. */
+/** Thickness of the leader line, label pixels. */
 const LEADER_PX = 3;
 
-/** Where a label is in the world. */
+/** Where a label and its leader line are in the world. */
 export interface LabelPose {
-  /** Column-major, rigid, at the middle of the label: x to the right, y up, z toward who reads it. */
+  /** The pose of the label's center: column-major, rigid; x to the right, y up, z toward the reader. */
   readonly worldFromLabel: Matrix4;
   readonly metersPerPx: number;
   readonly widthM: number;
   readonly heightM: number;
-  /** From the viewer to the middle. */
+  /** Distance from the viewer to the center. */
   readonly distanceM: number;
   /** The ends of the leader line, and its thickness; 0 where there is none. */
   readonly leaderFrom: Vector3;
   readonly leaderTo: Vector3;
   readonly leaderM: number;
   /**
-   * Places the label in a frame.
+   * Computes the pose of the label for a frame.
    *
    * @param size Font size: meters, or a part of the height of the view.
-   * @param box Receives what the label covers on the screen of the first view.
+   * @param box Receives the rectangle that the label covers on the screen of the first view.
    * @returns False if it is not seen: outside of the view, too near, from behind or without a size.
    */
   set(
@@ -39,9 +39,9 @@ export interface LabelPose {
     liftM: number,
     box: ScreenBox,
   ): boolean;
-  /** Moves it up on the screen by a part of the height of the view. */
+  /** Moves the label up on the screen by a fraction of the height of the view. */
   moveUp(part: number): void;
-  /** The ray from the viewer to the middle, column-major, rigid. */
+  /** Writes the ray from the viewer to the center of the label, column-major, rigid. */
   writeRay(worldFromRay: Float32Array): void;
 }
 
@@ -145,7 +145,7 @@ export function createLabelPose(facing: 'viewer' | 'surface' | 'pose', sizeIn: '
   return pose;
 }
 
-/** Height of the view at the depth of a point, meters. */
+/** Height that the view covers at the depth of a point, meters. */
 export function viewHeightM(point: Vector3, { viewFromWorld, clipFromView, nearM }: ViewFrame): number {
   const depthM = -toView(eye.copy(point), viewFromWorld).z;
   return (2 * Math.max(nearM, depthM)) / (clipFromView[5] || 1);

@@ -1,14 +1,14 @@
-/** Sizes in label pixels. The font is 32 px, which is the size of the label in the room or on the screen. */
+/** Size of the font in label pixels. The size of a label in the room or on the screen is that of its font. */
 export const FONT_PX = 32;
 const LINE_PX = 42;
 const PADDING_PX = 18;
 const ICON_PX = 40;
 const GAP_PX = 14;
 
-/** Longer texts are cut: a label of a whole page is slow to draw and hides the room. */
+/** The most characters of a label. Longer texts are shortened, because a label of a whole page is slow to draw and hides the room. */
 export const MAX_CHARACTERS = 280;
 
-/** What a label shows. */
+/** The content of a label that is to be laid out. */
 export interface LabelContent {
   readonly title: string;
   readonly text: string;
@@ -21,24 +21,24 @@ export interface LabelContent {
 export interface LabelLine {
   readonly text: string;
   readonly isTitle: boolean;
-  /** Of the box of the line, as wide as its text. */
+  /** Position and width of the line's box, which is as wide as its text. */
   readonly xPx: number;
   readonly topPx: number;
   readonly widthPx: number;
-  /** The direction of its first letter, as HTML's `dir="auto"` decides it. */
+  /** The direction of the line's text, decided by its first letter with a direction, as in HTML's `dir="auto"`. */
   readonly direction: 'ltr' | 'rtl';
 }
 
-/** A label as the page and the texture draw it. */
+/** The layout of a label, from which the page and the texture draw it. */
 export interface LabelLayout {
   readonly widthPx: number;
   readonly heightPx: number;
   readonly lines: readonly LabelLine[];
-  /** The square of the icon; null without one. */
+  /** The square of the icon; null if there is no icon. */
   readonly icon: { readonly xPx: number; readonly yPx: number; readonly sizePx: number } | null;
 }
 
-/** Width of a text in label pixels. */
+/** A function that returns the width of a text in label pixels. */
 export type MeasureText = (text: string, isTitle: boolean) => number;
 
 export const LINE_HEIGHT_PX = LINE_PX;
@@ -54,7 +54,7 @@ export function shorten(text: string): string {
   return `${cut.trimEnd()}…`;
 }
 
-/** Breaks the text into lines and places them, in a column beside the icon. */
+/** Breaks title and text into lines and positions them in a column beside the icon. */
 export function layOutLabel({ title, text, hasIcon, maxWidthPx }: LabelContent, measure: MeasureText): LabelLayout {
   const left = PADDING_PX + (hasIcon ? ICON_PX + GAP_PX : 0);
   const room = Math.max(FONT_PX, maxWidthPx);
@@ -80,7 +80,10 @@ export function layOutLabel({ title, text, hasIcon, maxWidthPx }: LabelContent, 
   };
 }
 
-/** Breaks at line ends, at spaces, and between the characters of scripts without spaces and of words that are too long. */
+/**
+ * Breaks a text into lines: at its line ends, at spaces, and between the characters of scripts without spaces and of words that are too
+ * long.
+ */
 function breakLines(text: string, maxWidthPx: number, measure: (words: string) => number): string[] {
   if (text.trim() === '') return [];
   return text
@@ -111,7 +114,7 @@ function breakParagraph(paragraph: string, maxWidthPx: number, measure: (words: 
   return lines;
 }
 
-/** Words with the space after them. Ideographs and kana are pieces of their own: lines break between them. */
+/** Splits a paragraph into the pieces between which lines may break: words with the space after them, and single ideographs and kana. */
 function piecesOf(paragraph: string): string[] {
   return (
     paragraph.match(

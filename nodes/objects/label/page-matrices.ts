@@ -9,20 +9,23 @@ export interface OverlaySize {
 }
 
 /**
- * CSS transforms that align elements of the page with the room (Ferrão et al. 2023, §2.2, and CSS Transforms Level 2 §9: the browser
- * divides by the last row of `matrix3d`).
+ * Computes the CSS transforms that align elements of the page with the room (Ferrão et al. 2023, §2.2, and CSS Transforms Level 2 §9: the
+ * browser divides by the last row of `matrix3d`).
  */
 export interface PageMatrices {
-  /** Sets the view of the frame and the size of the overlay. */
+  /** Sets the view of the frame and the size of the overlay, for the calls that follow. */
   set(frame: SessionFrame, size: OverlaySize): void;
-  /** From label pixels to CSS pixels, as `matrix3d`; the same array each time. */
+  /** The transform of a label, from label pixels to CSS pixels, as `matrix3d`; the same array each time. */
   label(pose: LabelPose): Float64Array;
-  /** From a square of one CSS pixel to the leader line, as `matrix`; null where there is none or it reaches behind the viewer. */
+  /**
+   * The transform of a leader line, from a square of one CSS pixel to the line, as `matrix`; null if there is no line or it reaches behind
+   * the viewer.
+   */
   leader(pose: LabelPose): Float64Array | null;
 }
 
 export function createPageMatrices(): PageMatrices {
-  /** From clip space to CSS pixels of the overlay, before the division. */
+  /** The matrix from clip space to CSS pixels of the overlay, before the perspective division. */
   const pageFromClip = new Matrix4();
   const pageFromWorld = new Matrix4();
   const pageFromLabel = new Matrix4();

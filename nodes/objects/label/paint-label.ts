@@ -1,19 +1,19 @@
 import { ICON_LINE, ICON_SIDE, ICONS, type IconName } from './icons.ts';
 import { FONT_PX, type LabelLayout, LINE_HEIGHT_PX, type MeasureText } from './layout.ts';
 
-/** The fonts of the page and of its texture, which draw every script that the device has a font for. */
+/** The fonts of labels, in the page and in the texture. They show every script that the device has a font for. */
 export const FONT_FAMILY = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif';
 export const TEXT_WEIGHT = 500;
 export const TITLE_WEIGHT = 700;
 export const CORNER_PX = 14;
 
-/** Painted pixels per label pixel: sharp at arm's length in a headset. */
+/** Painted pixels per label pixel: enough to be sharp at arm's length in a headset. */
 const DENSITY = 2;
 
 type Context2d = OffscreenCanvasRenderingContext2D;
 
 export interface LabelColors {
-  /** CSS colors. */
+  /** The color of the text, as a CSS color; `background` likewise. */
   readonly text: string;
   readonly background: string;
 }
@@ -22,7 +22,7 @@ export interface LabelColors {
 export interface LabelPainter {
   readonly canvas: OffscreenCanvas;
   readonly measure: MeasureText;
-  /** Paints the whole label; the canvas gets its size. */
+  /** Paints the whole label, and gives the canvas the size of the layout. */
   paint(layout: LabelLayout, icon: IconName | null, colors: LabelColors): void;
 }
 
@@ -74,7 +74,7 @@ function paintIcon(context: Context2d, icon: IconName, { xPx, yPx, sizePx }: Non
   context.restore();
 }
 
-/** A canvas whose size was set has lost its font. */
+/** Sets the font again, because a canvas loses it when its size is set. */
 function setFont(context: Context2d, isTitle: boolean): void {
   context.font = `${isTitle ? TITLE_WEIGHT : TEXT_WEIGHT} ${FONT_PX}px ${FONT_FAMILY}`;
   // Without rounding of advances, which would make lines wider in the page than here.

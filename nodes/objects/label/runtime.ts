@@ -10,9 +10,9 @@ import { createLabelObjects } from './label-objects.ts';
 import { createLabelPose } from './label-pose.ts';
 import { createPageMatrices } from './page-matrices.ts';
 
-/** Without the floor: it is assumed in most sessions, and real things stand on it. */
+/** The sources that may hide a label. The floor is left out: most sessions only assume it, and real things stand on it. */
 const SOURCES: readonly HitSource[] = ['plane', 'mesh', 'depth'];
-/** A label on a surface is not behind it: noise of the depth at the distance of a label. */
+/** A label is hidden only if it is at least this far behind a surface, so that noise of the depth does not hide a label on a surface. */
 const BEHIND_M = 0.08;
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
@@ -26,9 +26,9 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const hit = createHit();
   let element: LabelElement | null = null;
   let overlay: HTMLElement | null = null;
-  /** Whether the room hid it when it last looked. */
+  /** Whether the room hid the label when it last checked. */
   let isBehind = false;
-  /** What the element and the texture show; they are written when they show something else. */
+  /** The versions of the content that the element and the texture show. */
   let elementVersion = -1;
   let textureVersion = -1;
 
@@ -55,7 +55,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   };
   board.add(label);
 
-  /** Opens or closes the element: sessions differ in whether the page is visible. */
+  /** Creates or removes the element and returns it: sessions differ in whether the page is visible. */
   function findElement(frame: SessionFrame): LabelElement | null {
     const next = config.where === 'page' && frame.viewCount === 1 ? (ctx.session.overlay ?? null) : null;
     if (next !== overlay) {

@@ -3,22 +3,22 @@ import type { SessionFrame } from '../../kit/session.ts';
 import { writeViewerPosition } from '../../kit/viewer.ts';
 
 /**
- * A flat line that faces the viewer and is equally wide in the image everywhere.
+ * The geometry of a flat line that faces the viewer and is equally wide everywhere in the image.
  *
- * Its corners lie in planes parallel to the image, so that the width in pixels is exact also far from the center. three's `Line2` was
- * rejected: its material is a shader of its own, which occlusion, scene layers and fog of Scrim would not reach, and pages would grow.
+ * Its corners lie in planes parallel to the image, so that the width in pixels is exact also far from the center. three's `Line2` is not
+ * used: it has a shader of its own, to which Scrim's occlusion, scene layers and fog do not apply, and it would make pages larger.
  */
 export interface Ribbon {
   readonly geometry: BufferGeometry;
   /**
-   * Lays the ribbon for the views of a frame, in world space.
+   * Writes the corners of the ribbon for the views of a frame, in world space.
    *
-   * @returns False where nothing of the line is before the viewer.
+   * @returns False if no part of the line is in front of the viewer.
    */
   lay(from: ArrayLike<number>, to: ArrayLike<number>, widthPx: number, frame: SessionFrame): boolean;
 }
 
-/** Shorter lines in the image have no direction, pixels. */
+/** A line that is shorter in the image counts as having no direction, pixels. */
 const LEAST_PX = 1e-3;
 
 export function createRibbon(): Ribbon {
@@ -34,7 +34,7 @@ export function createRibbon(): Ribbon {
   const end = new Vector3();
   const corner = new Vector3();
 
-  /** Moves what is behind the near plane onto it; false if both ends are. */
+  /** Moves an end that is behind the near plane onto that plane; returns false if both ends are behind it. */
   function clip(nearM: number): boolean {
     const [a, b] = [-start.z - nearM, -end.z - nearM];
     if (a < 0 && b < 0) return false;

@@ -6,7 +6,7 @@ import { createMeshItem } from '../../kit/three/mesh-item.ts';
 import type { definition } from './definition.ts';
 import { createRibbon } from './ribbon.ts';
 
-/** Shorter lines have no direction. */
+/** A shorter line counts as none, because it has no direction. */
 const LEAST_M = 1e-6;
 
 // Filled and read within one call.
@@ -33,7 +33,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     objects.version++;
   }
 
-  /** Lays the line from pose to pose; false where there is none. */
+  /** Writes the line from pose to pose; returns false if there is none. */
   function lay(frame: SessionFrame): boolean {
     const { from, to } = ctx.inputs;
     if (!from?.valid || !to?.valid) return false;

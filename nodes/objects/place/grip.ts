@@ -5,22 +5,22 @@ import { pointerById } from '../../kit/pointers.ts';
 import type { Pointer, SessionFrame } from '../../kit/session.ts';
 import { restorePose, type Spot, type SpotState, stateOf } from './spot.ts';
 
-/** What a press does to the placed objects: one pointer drags them, two scale and rotate them. */
+/** The gesture by which a visitor moves a placed copy: one pointer drags it, two pointers scale and rotate it. */
 export interface Grip {
-  /** The copy that a press holds. */
+  /** The copy that the gesture holds; null if there is no gesture. */
   readonly held: Spot | null;
-  /** Whether another press can take part. */
+  /** Whether a pointer can begin a gesture, or take part in the current one as the second pointer. */
   accepts(pointer: Pointer, frame: SessionFrame): boolean;
-  /** A press that `accepts` has accepted, on `held` where there is one. */
+  /** Adds a pointer that `accepts` has accepted. If no copy is held, the gesture begins and holds `spot`. */
   begin(pointer: Pointer, spot: Spot): void;
   /**
-   * Moves the objects. Once a frame.
+   * Moves the held copy. Call it once per frame.
    *
-   * @param hitOf The surface that a pointer meets, if the objects may stand there.
-   * @returns How a gesture that changed them has ended in this frame; null otherwise.
+   * @param hitOf Returns where a pointer meets a surface on which the objects may stand; null if it meets none.
+   * @returns The outcome, if a gesture that changed the copy has ended in this frame; null otherwise.
    */
   update(frame: SessionFrame, hitOf: (pointer: Pointer) => Hit | null, limits: ScaleLimits): GripEnd | null;
-  /** The pose has changed for another reason: nothing is held. */
+  /** Ends the gesture without undoing it, because the pose has changed for another reason. */
   letGo(): void;
   /** Undoes the gesture and ends it. */
   cancel(): GripEnd | null;
@@ -28,7 +28,7 @@ export interface Grip {
 
 export interface GripEnd {
   readonly outcome: 'changed' | 'undone';
-  /** The copy as it was before. */
+  /** The state of the copy before the gesture. */
   readonly before: SpotState;
 }
 
@@ -37,9 +37,9 @@ export interface ScaleLimits {
   readonly maxScale: number;
 }
 
-/** A pointer that moves less does not drag: hands and devices tremble. */
+/** A pointer that has turned less does not drag, because hands and devices tremble. */
 const STILL_RAD = 0.01;
-/** Normals of one surface differ less. */
+/** Cosine of the greatest angle between two normals that still belong to the same surface. */
 const COS_SAME_SURFACE = Math.cos((15 * Math.PI) / 180);
 
 // Filled and read within one call.
@@ -47,26 +47,30 @@ const scratchPoint = new Vector3();
 const scratchNormal = new Vector3();
 const scratchSpan: PointerSpan = { lengthM: 0, angleRad: 0 };
 
-/** @param owner Who has claimed the presses. */
+/**
+ * Creates a grip.
+ *
+ * @param owner The object that has claimed the presses.
+ */
 export function createGrip(owner: object): Grip {
   let spot: Spot | null = null;
-  /** Before the gesture, in case the system cancels the press or a hand is lost. */
+  /** The state of the held copy before the gesture, to restore it if the system cancels the press or a hand is lost. */
   let before: SpotState | null = null;
-  /** Ids; 0 for none. */
+  /** Ids of the two pointers; 0 for none. */
   let first = 0;
   let second = 0;
-  /** The objects have changed since the gesture began. */
+  /** Whether the gesture has changed the copy. */
   let hasChanged = false;
   let jumps = 0;
 
-  /** Of a drag: from the hit to the objects, as it was at its start. */
+  /** For a drag: the offset from the hit to the copy at its start. */
   const offsetM = new Vector3();
   const startHitM = new Vector3();
   const startNormal = new Vector3();
   let hasStart = false;
   let isDragging = false;
 
-  /** Of a pinch: in the last frame. */
+  /** For a pinch: the span between the pointers in the last frame. */
   const lastSpan: PointerSpan = { lengthM: 0, angleRad: 0 };
   let hasSpan = false;
 
@@ -83,7 +87,7 @@ export function createGrip(owner: object): Grip {
     hasChanged = false;
     restart();
   }
-  /** Ends the gesture; `before` is read first, because `letGo` forgets it. */
+  /** Ends the gesture and returns how. Reads `before` first, because `letGo` clears it. */
   function end(outcome: GripEnd['outcome']): GripEnd | null {
     const ended = hasChanged && before ? { outcome, before } : null;
     letGo();

@@ -1,16 +1,16 @@
 import type { SpotState } from './spot.ts';
 
-/** What the visitor can undo. */
+/** The changes to placed objects that the visitor can undo. */
 export interface History {
-  /** Before a change: the states of all spots that it changes. */
+  /** Stores the states of all spots that a change is about to alter. */
   remember(states: readonly SpotState[]): void;
-  /** The states before the last change that is not undone yet, or null. */
+  /** Removes the last change from the history and returns the states before it; null if there is none. */
   undo(): readonly SpotState[] | null;
-  /** World space has moved or the room is another: the states mean nothing. */
+  /** Forgets all changes, because world space has moved or the room is another, so that the stored states have no meaning. */
   clear(): void;
 }
 
-/** More than anybody undoes step by step. */
+/** The most changes that can be undone; more than anybody undoes step by step. */
 const MAX_STEPS = 64;
 
 export function createHistory(): History {

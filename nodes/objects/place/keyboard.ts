@@ -3,7 +3,10 @@ import type { KeyPress, SessionFrame } from '../../kit/session.ts';
 import type { ScaleLimits } from './grip.ts';
 import type { Placement } from './placement.ts';
 
-/** What a key does to the copy that was touched last. */
+/**
+ * The effect of a key on the copy that was touched last. `changed`: its placement has changed. The caller carries out the others. `leave`:
+ * gives the keys back to the page.
+ */
 export type KeyAction = 'changed' | 'undo' | 'remove' | 'leave' | null;
 
 const STEP_M = 0.05;
@@ -20,7 +23,7 @@ const scratchNormal = new Vector3();
 const scratchAhead = new Vector3();
 const scratchAcross = new Vector3();
 
-/** The steps of the params: 0 for none of the node's own. */
+/** The steps and limits that the node's params set. A step of 0 means the default step of the keys. */
 export interface KeySteps extends ScaleLimits {
   readonly snapRad: number;
   readonly gridM: number;
@@ -72,7 +75,7 @@ function scale(placement: Placement, factor: number, { minScale, maxScale }: Sca
   return placement.scale === before ? null : 'changed';
 }
 
-/** On level surfaces away from the viewer is ahead, on steeper ones up. */
+/** Moves along the surface. Ahead is away from the viewer on level surfaces, and up on steeper ones. */
 function move(placement: Placement, { views, viewCount }: SessionFrame, acrossM: number, aheadM: number): KeyAction {
   const view = viewCount > 0 ? views[0] : undefined;
   if (!view) return null;

@@ -3,38 +3,41 @@ import type { Anchor, AnchorService } from '../../kit/anchors.ts';
 import type { Hit } from '../../kit/hit-test.ts';
 import type { SessionFrame } from '../../kit/session.ts';
 
-/** Where the objects stand: a rigid pose on a surface, held by an anchor, and what the visitor has added to it. */
+/**
+ * Where a copy of the objects stands: a rigid pose on a surface, held by an anchor, with the rotation and scale that the visitor has added.
+ */
 export interface Placement {
-  /** Meters, world space. */
+  /** Position of the copy, meters, world space. */
   readonly positionM: Vector3;
-  /** The surface's axes at the tap, carried along by drags. */
+  /** Axes of the surface at the tap; drags tilt them with the surface. */
   readonly rotation: Quaternion;
-  /** About the normal, counterclockwise seen from its tip. */
+  /** Rotation about the normal that the visitor has added, radians, counterclockwise seen from its tip. */
   turnRad: number;
   scale: number;
-  /** Takes the pose of the anchor. Once a frame. */
+  /** Copies the pose of the anchor. Call it once per frame. */
   follow(): void;
-  /** Stands where the hit is, with its axes. */
+  /** Takes the position and the axes of a hit. */
   stand(hit: Hit): void;
   /** Moves to a point of a surface, and tilts with its normal; the heading stays. */
   slide(pointM: Vector3, normal: Vector3): void;
   /**
-   * Ties the current pose, moved to the grid, to the room. The hit is the one that the pose comes from, if it is unchanged.
+   * Moves the current pose to the grid and creates an anchor there. `hit` is the one that the pose comes from; the device can anchor it if
+   * the pose has not changed since.
    *
    * @param gridM Spacing of the grid; 0: none.
    */
   fasten(frame: SessionFrame, gridM: number, hit?: Hit): void;
-  /** Unties it. */
+  /** Deletes the anchor. */
   release(): void;
-  /** In another session: the pose that the viewer of this frame sees as the viewer of the last `fasten` did. */
+  /** Places the copy in another session: relative to the viewer of this frame as it was relative to the viewer at the last `fasten`. */
   recall(frame: SessionFrame): void;
-  /** Writes the rigid pose with the twist; while it is not tied to the room, on the grid. */
+  /** Writes the rigid pose with the visitor's rotation. Without an anchor, as during a drag, the pose is on the grid. */
   writePose(out: Matrix4, snapRad: number, gridM: number): void;
 }
 
 const UP = new Vector3(0, 1, 0);
 const ONE = new Vector3(1, 1, 1);
-/** Normals closer than this are the same, so that rounding does not add up over a drag. */
+/** Cosine of the angle below which two normals count as equal, so that rounding errors do not add up over a drag. */
 const SAME_NORMAL = 1 - 1e-6;
 
 // Filled and read within one call.
@@ -120,7 +123,7 @@ function snapToGrid(pointM: Vector3, rotation: Quaternion, gridM: number): void 
   pointM.y = Math.max(0, pointM.y);
 }
 
-/** Below the viewer, on the floor at y = 0, with -z level and ahead. */
+/** Writes a level frame for the viewer: on the floor at y = 0 below the viewer, with -z ahead. */
 function writeLevelViewer(out: Matrix4, { views }: SessionFrame): void {
   const m = views[0]?.worldFromView;
   const at = (i: number): number => m?.[i] ?? 0;

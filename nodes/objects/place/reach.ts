@@ -9,7 +9,7 @@ const scratchOrigin = new Vector3();
 const scratchAhead = new Vector3();
 
 /**
- * Writes the bounding sphere of objects in their own space. For the start of a press, because it looks at all geometries.
+ * Writes the bounding sphere of objects in their own space. Reads all geometries, so call it only at the start of a press.
  *
  * @returns False where there is nothing.
  */
@@ -28,11 +28,11 @@ export function writeBounds(out: Sphere, inputs: readonly ObjectList[]): boolean
 }
 
 /**
- * How far along a ray its nearest point to the center of a sphere is.
+ * The distance along a ray to the point that is nearest to the center of the objects' bounding sphere.
  *
  * @param worldFromRay Column-major 4×4, rigid; the ray follows its -z axis.
- * @param bounds Before the objects are placed.
- * @param worldFromPlaced What the objects are moved by.
+ * @param bounds The bounding sphere of the objects before they are placed.
+ * @param worldFromPlaced The matrix that places the objects.
  * @returns Meters; infinity where the ray misses the sphere.
  */
 export function distanceToBounds(worldFromRay: ArrayLike<number>, bounds: Sphere, worldFromPlaced: Matrix4): number {

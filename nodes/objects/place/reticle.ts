@@ -2,15 +2,17 @@ import { DoubleSide, Group, Matrix4, Mesh, MeshBasicMaterial, Quaternion, RingGe
 import type { ObjectItem } from '../../kit/scene-lists.ts';
 import type { SessionFrame } from '../../kit/session.ts';
 
-/** Shows where a tap would place: a ring on the surface, or four arcs before the viewer while no surface is found there. */
+/**
+ * The reticle: shows where a tap would place, as a ring on the surface, or as four arcs in front of the viewer while no surface is found.
+ */
 export interface Reticle {
-  /** The same items, hidden while they are not shown. */
+  /** The items of the reticle for the output list; always the same. They are hidden while they are not shown. */
   readonly items: readonly ObjectItem[];
   /**
-   * Once per frame.
+   * Updates the items. Call it once per frame.
    *
    * @param worldFromHit Column-major 4×4, rigid, y along the normal; null while no surface is found.
-   * @param timeS Turns the arcs.
+   * @param timeS The time that rotates the arcs, seconds.
    */
   update(shown: boolean, worldFromHit: ArrayLike<number> | null, frame: SessionFrame, timeS: number): void;
   dispose(): void;
@@ -18,11 +20,11 @@ export interface Reticle {
 
 const RADIUS_M = 0.08;
 const WIDTH_M = 0.012;
-/** The dark rim shows the ring on bright floors. */
+/** Width of the dark rim, which makes the ring visible on bright floors. */
 const RIM_M = 0.004;
-/** Above the surface, so that detected planes and the noise of depth do not hide it. */
+/** Height of the ring above the surface, so that detected planes and the noise of depth do not hide it. */
 const LIFT_M = 0.006;
-/** At this distance the ring has its size; farther away it grows, so that it stays visible. */
+/** Distance up to which the ring has its normal size; farther away it grows, so that it stays visible. */
 const REFERENCE_M = 1.5;
 const MAX_SCALE = 3;
 const SEARCH_AHEAD_M = 1;

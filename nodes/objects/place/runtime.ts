@@ -15,7 +15,7 @@ import { createShownObjects } from './shown-objects.ts';
 import { createSpot, restorePose, type Spot, stateOf, vacate, writeSpot } from './spot.ts';
 
 const IDENTITY = new Matrix4();
-/** A ring on a floor farther away is too flat to see, and often behind a wall. */
+/** Greatest distance of the ring: farther away, a ring on a floor is too flat to see, and often behind a wall. */
 const RETICLE_REACH_M = 8;
 
 // Filled and read within one call.
@@ -132,7 +132,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     }
   }
 
-  /** The copy that a tap places; null where it places none. */
+  /** Chooses the copy that a tap places; null if it places none. */
   function spotForTap(): Spot | null {
     if (mode === 'add') return spots.find(({ isPlaced }) => !isPlaced) ?? null;
     return mode === 'once' && firstSpot.isPlaced ? null : firstSpot;
@@ -159,9 +159,9 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     emit(wasPlaced && mode === 'move' ? 'moved' : 'placed', spot);
   }
 
-  /** How far along the ray the copy is that `spotUnder` has found, meters. */
+  /** Distance along the ray to the copy that `spotUnder` has found, meters. */
   let foundM = 0;
-  /** The placed copy that a press which starts belongs to: the nearest one. */
+  /** Finds the placed copy that a press belongs to when it starts: the held one, otherwise the nearest; null if there is none. */
   function spotUnder(pointer: Pointer, frame: SessionFrame): Spot | null {
     if (!grip.accepts(pointer, frame)) return null;
     foundM = 0;

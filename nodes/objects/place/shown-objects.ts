@@ -3,15 +3,21 @@ import type { ObjectItem, ObjectList } from '../../kit/scene-lists.ts';
 import { type CopiedObject, createCopiedObject } from '../../kit/three/copied-objects.ts';
 import { createVersionWatch } from '../../kit/version-watch.ts';
 
-/** The output list: the copies of all connected objects, then the items of the reticle. */
+/** Keeps the output list: the copies of all connected objects, followed by the items of the reticle. */
 export interface ShownObjects {
-  /** Once per frame. `places` has an entry per copy, null while it is not placed; hidden items stay in the list. */
+  /**
+   * Updates the list. Call it once per frame. `places` has an entry per copy, null while the copy is not placed; hidden items stay in the
+   * list.
+   */
   update(inputs: readonly ObjectList[], places: readonly (Matrix4 | null)[]): void;
   dispose(): void;
 }
 
 /**
+ * Creates the keeper of an output list.
+ *
  * @param extra Items of the reticle.
+ *
  * @param claimant The node that claims presses on the copies; null if none does.
  */
 export function createShownObjects(output: ObjectList, extra: readonly ObjectItem[], claimant: object | null): ShownObjects {

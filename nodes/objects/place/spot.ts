@@ -2,19 +2,19 @@ import { Matrix4, type Quaternion, Vector3 } from 'three';
 import type { AnchorService } from '../../kit/anchors.ts';
 import { createPlacement, type Placement } from './placement.ts';
 
-/** One of the copies: where it stands, if it is placed. */
+/** One copy of the objects: whether it is placed, and where. */
 export interface Spot {
-  /** From 0; the same copy has the same index as long as the node runs. */
+  /** Number of the copy, from 0. It does not change while the node runs. */
   readonly index: number;
   readonly placement: Placement;
   isPlaced: boolean;
-  /** Rigid, with the twist. */
+  /** Rigid pose of the copy, with the rotation that the visitor has added. */
   readonly worldFromPose: Matrix4;
-  /** With the scale. */
+  /** Matrix of the placed copy: its pose and its scale. */
   readonly worldFromPlaced: Matrix4;
 }
 
-/** What a spot was at some time. */
+/** The state of a spot at one time, for undoing changes. */
 export interface SpotState {
   readonly spot: Spot;
   readonly isPlaced: boolean;
@@ -37,7 +37,7 @@ export function writeSpot({ placement, worldFromPose, worldFromPlaced }: Spot, s
   worldFromPlaced.copy(worldFromPose).scale(scratchScale.setScalar(placement.scale));
 }
 
-/** Ends the placement of a spot, which stands as before the first tap. */
+/** Resets a spot that is no longer placed: no anchor, no added rotation, scale 1. */
 export function vacate({ placement }: Spot): void {
   placement.release();
   placement.turnRad = 0;
@@ -49,7 +49,7 @@ export function stateOf(spot: Spot): SpotState {
   return { spot, isPlaced: spot.isPlaced, positionM: positionM.clone(), rotation: rotation.clone(), turnRad, scale };
 }
 
-/** Sets the pose back; the caller sets `isPlaced` and the anchor. */
+/** Sets the pose of a spot back to a stored state. The caller sets `isPlaced` and creates the anchor. */
 export function restorePose({ spot, positionM, rotation, turnRad, scale }: SpotState): void {
   spot.placement.positionM.copy(positionM);
   spot.placement.rotation.copy(rotation);

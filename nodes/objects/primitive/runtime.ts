@@ -19,7 +19,10 @@ import type { definition } from './definition.ts';
 
 type Shape = NodeContext<typeof definition>['config']['shape'];
 
-/** Each shape fills a cube of one meter at the origin; the torus has a fifth of the height. The segments look smooth at arm's length. */
+/**
+ * The geometry of each shape. Each fills a cube of one meter at the origin; the torus has a fifth of that height. There are enough segments
+ * to look smooth at arm's length.
+ */
 const GEOMETRIES: { readonly [S in Shape]: () => BufferGeometry } = {
   box: () => new BoxGeometry(1, 1, 1),
   sphere: () => new SphereGeometry(0.5, 48, 32),

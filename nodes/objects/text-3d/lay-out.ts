@@ -1,27 +1,27 @@
 import { charactersOf } from '../../kit/glyphs.ts';
 import type { Letter, PlacedLetter } from './letters.ts';
 
-/** Longer texts are slow to draw and are read on a Label. */
+/** The most characters of a text. Longer texts are slow to draw and easier to read on a Label. */
 export const MAX_CHARACTERS = 200;
 
 export interface LayoutOptions {
   readonly align: 'left' | 'center' | 'right';
   readonly vertical: 'baseline' | 'middle' | 'top';
-  /** Multiples of the height of a capital letter. */
+  /** Distance between baselines, as a multiple of the height of a capital letter. */
   readonly lineHeight: number;
   readonly spacing: number;
 }
 
-/** Where each letter of a text is; the height of a capital letter is 1. */
+/** The letters of a text with their positions. The unit is the height of a capital letter. */
 export interface LaidOut {
   readonly placed: readonly PlacedLetter[];
-  /** Characters without a letter, each once. */
+  /** The characters that the font has no letter for, each once. */
   readonly missing: readonly string[];
-  /** Whether the text was cut after `MAX_CHARACTERS`. */
+  /** Whether the text was cut off after `MAX_CHARACTERS`. */
   readonly cut: boolean;
 }
 
-/** Lays out lines of letters, which `\n` separates. */
+/** Lays out a text, whose lines `\n` separates. */
 export function layOut(text: string, letterOf: (character: string) => Letter | null, options: LayoutOptions): LaidOut {
   const { align, vertical, lineHeight, spacing } = options;
   const all = charactersOf(text.replaceAll('\\n', '\n'));

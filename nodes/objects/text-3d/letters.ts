@@ -1,10 +1,10 @@
 import { BufferAttribute, BufferGeometry, ExtrudeGeometry, ShapePath } from 'three';
 import type { Glyph, Glyphs } from '../../kit/glyphs.ts';
 
-/** Straight parts of each curve of an outline: the steps are not visible where a letter fills a phone's screen. */
+/** Number of straight segments per curve of an outline: enough to be invisible on a letter that fills a phone's screen. */
 const CURVE_SEGMENTS = 4;
 
-/** Vertices of one letter: its origin at the baseline, a capital letter one unit high, from z = 0 to z = 1. */
+/** The geometry of a letter: its origin is on the baseline, a capital letter is one unit high, and it is extruded from z = 0 to z = 1. */
 export interface Letter {
   /** Distance to the origin of the next letter. */
   readonly advance: number;
@@ -12,7 +12,9 @@ export interface Letter {
   readonly normals: Float32Array;
 }
 
-/** Makes each letter once, when it is first used. */
+/**
+ * Creates a function that returns the letter of a character; null if the font has none. Each letter is built once, when it is first used.
+ */
 export function createLetters(glyphs: Glyphs): (character: string) => Letter | null {
   const made = new Map<string, Letter>();
   return (character) => {
@@ -32,7 +34,7 @@ export interface PlacedLetter {
   readonly y: number;
 }
 
-/** One geometry of all letters; the caller disposes it. */
+/** Merges the geometries of all letters into one; the caller disposes it. */
 export function mergeLetters(placed: readonly PlacedLetter[]): BufferGeometry {
   const count = placed.reduce((sum, { letter }) => sum + letter.positions.length, 0);
   const positions = new Float32Array(count);
@@ -62,7 +64,7 @@ function extrude({ advance, path }: Glyph, scale: number): Letter {
   return { advance: advance * scale, positions, normals };
 }
 
-/** Which contours are holes is decided by `toShapes`. */
+/** Converts SVG path data to a path. `toShapes` decides later which contours are holes. */
 function readPath(path: string, scale: number): ShapePath {
   const shape = new ShapePath();
   for (const [, command, numbers = ''] of path.matchAll(/([A-Z])([^A-Z]*)/g)) {

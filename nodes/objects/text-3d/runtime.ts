@@ -7,7 +7,7 @@ import type { definition } from './definition.ts';
 import { layOut, MAX_CHARACTERS } from './lay-out.ts';
 import { createLetters, mergeLetters } from './letters.ts';
 
-/** `config.characters` has outlines, from the compiler. */
+/** Plays the node Text 3D. `config.characters` contains the outlines of glyphs, which the compiler adds. */
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { text, sizeM, depthM } = ctx.params;
   const { objects } = ctx.outputs;
@@ -17,7 +17,9 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const item = createMeshItem('text', mesh, { castsShadow: true, receivesShadow: true });
   let shown: string | null = null;
 
-  /** Makes the letters anew, because what readers derive from a geometry is kept by geometry. */
+  /**
+   * Builds the geometry of a text. It is a new geometry each time, because readers cache what they derive from a geometry by its identity.
+   */
   function write(words: string): void {
     shown = words;
     const { placed, missing, cut } = layOut(words, letterOf, ctx.config);

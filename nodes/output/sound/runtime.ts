@@ -5,7 +5,7 @@ import type { definition } from './definition.ts';
 import { strike } from './strike.ts';
 import { createVoices, type Strike, type Voices } from './voices.ts';
 
-/** Half an octave at most, up or down. */
+/** Limit of a random change of pitch, in octaves up or down. */
 const MOST_OCTAVES = 0.5;
 
 // Filled and read within one call.
@@ -37,7 +37,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     if (!(number >= quietest.value)) return 0;
     return volume.value * Math.min(1, Math.max(0, number / loudest.value));
   }
-  /** Writes where the sound comes from, as the viewer hears it. */
+  /** Writes the position of the sound in view space to `from`. Returns false if the sound comes from no particular place. */
   function locate({ worldFromPose }: Pulse, { views, viewCount }: SessionFrame): boolean {
     const [view] = views;
     if (!place.value || !worldFromPose || !view || viewCount === 0) return false;

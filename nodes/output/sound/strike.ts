@@ -1,20 +1,20 @@
 import type { AudioAsset } from '../../kit/sound.ts';
 
-/** What is struck: partials of a ringing body, and the noise of the blow. */
+/** The sound of a struck body: partials that ring, and the noise of the blow. */
 interface Material {
   readonly durationS: number;
-  /** Frequency, amplitude, and the time in which the amplitude falls to 1/e. */
+  /** The partials: frequency, amplitude, and the time in which the amplitude falls to 1/e. */
   readonly partials: readonly (readonly [frequencyHz: number, amplitude: number, decayS: number])[];
   readonly noise: number;
   readonly noiseDecayS: number;
-  /** Of the noise: the part of the previous sample that each keeps; more is duller. */
+  /** For the noise: the fraction of the previous sample that each sample keeps; more is duller. */
   readonly dullness: number;
 }
 
 export type StruckMaterial = 'glass' | 'metal' | 'wood' | 'soft';
 
 const SAMPLE_RATE_HZ = 48_000;
-/** Over so many seconds the sound rises from silence, so that it does not click. */
+/** Time in which the sound rises from silence, so that it does not click. */
 const ATTACK_S = 0.0004;
 
 /**
@@ -72,7 +72,7 @@ const MATERIALS: Readonly<Record<StruckMaterial, Material>> = {
   },
 };
 
-/** Computes the sound of a blow. The same each time. Its peak is 1. */
+/** Computes the sound of a blow; the result is the same each time. Its peak is 1. */
 export function strike(name: StruckMaterial): AudioAsset {
   const { durationS, partials, noise, noiseDecayS, dullness } = MATERIALS[name];
   const samples = new Float32Array(Math.round(durationS * SAMPLE_RATE_HZ));

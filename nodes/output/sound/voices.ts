@@ -2,29 +2,30 @@ import type { AudioAsset } from '../../kit/sound.ts';
 
 /** One play of the sound. */
 export interface Strike {
-  /** In [0, 1]. */
+  /** Volume, in [0, 1]. */
   amplitude: number;
-  /** Factor on the speed of the sound. */
+  /** Factor on the playback speed, and thus on the pitch. */
   rate: number;
-  /** Where it comes from, in the axes of the view, meters; null: from everywhere. */
+  /** Position of the source in view space, meters; null: the sound has no direction. */
   from: Readonly<Float64Array> | null;
 }
 
 /** Plays short sounds to the visitor, several at once. */
 export interface Voices {
-  /** Nothing is heard before the visitor’s first gesture. */
+  /** Plays a sound. Does nothing before the visitor’s first gesture. */
   play(sound: AudioAsset, strike: Readonly<Strike>): void;
   dispose(): void;
 }
 
-/** Sounds at once; while so many play, further ones are dropped. */
+/** The most sounds that play at once; further ones are dropped. */
 export const MAX_VOICES = 12;
-/** At this distance and nearer a sound has its full volume. */
+/** Distance up to which a sound has its full volume. */
 const NEAR_M = 0.5;
 const GESTURES = ['pointerdown', 'pointerup', 'keydown'] as const;
 
 /**
- * Browsers start sound only after a gesture on the page: the context is made at the first one, which may also be the one that entered AR.
+ * Creates a player of short sounds. Its audio context is created at the first gesture on the page, because browsers allow no sound before;
+ * that may be the gesture that entered AR.
  *
  * @param onRefusal Called once if the browser plays no sound.
  */

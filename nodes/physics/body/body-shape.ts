@@ -8,18 +8,18 @@ export type ShapeKind = 'auto' | 'box' | 'sphere' | 'cylinder' | 'capsule' | 'hu
 
 export interface ShapeResult {
   readonly shapes: readonly BodyShape[];
-  /** Why the shape is a box instead of what was asked for, as a sentence; null if it is not. */
+  /** Why the shape is a box instead of the requested kind, as a sentence; null if it has the requested kind. */
   readonly problem: string | null;
 }
 
-/** Thinner bodies are this thick, or they would pass through each other. */
+/** The least thickness of a body; thinner ones would pass through each other. */
 const MIN_SIZE_M = 0.002;
-/** An object without vertices, or of no size. */
+/** Size of the body of an object that has no vertices or no size. */
 const NO_SIZE_M: Triple = [0.01, 0.01, 0.01];
-/** Parts of a compound at most. */
+/** The most parts of a compound. */
 const MAX_PARTS = 16;
 
-/** Solids of three.js whose body has a formula. */
+/** The geometries of three.js that are solids with a body shape of their own. */
 const SOLIDS: Readonly<Record<string, ShapeKind>> = {
   BoxGeometry: 'box',
   SphereGeometry: 'sphere',
@@ -28,7 +28,8 @@ const SOLIDS: Readonly<Record<string, ShapeKind>> = {
 };
 
 /**
- * The shape of an object at a scale, in its axes. The size of box, sphere, cylinder and capsule is that of the bounding box.
+ * Computes the body shape of an object at a scale, in the axes of the object. The size of box, sphere, cylinder and capsule is that of the
+ * bounding box.
  *
  * @param scale Factors on x, y and z of the object.
  */
@@ -66,7 +67,7 @@ function hulls(parts: readonly MeshPoints[], size: Triple, center: Triple): Shap
   return { shapes: [boxShape(thick(size), center)], problem: 'The object has no volume.' };
 }
 
-/** By the kind of its geometry, if it is one solid of three.js. */
+/** The kind of shape that fits the geometry, if the object is a single solid of three.js; otherwise the convex hull. */
 function kindOf(root: Object3D): ShapeKind {
   const geometry = (root as Partial<Mesh>).geometry as BufferGeometry | undefined;
   return root.children.length === 0 && geometry ? (SOLIDS[geometry.type] ?? 'hull') : 'hull';
@@ -104,7 +105,7 @@ function thick(size: Triple): Triple {
   return [Math.max(size[0], MIN_SIZE_M), Math.max(size[1], MIN_SIZE_M), Math.max(size[2], MIN_SIZE_M)];
 }
 
-/** For meshes that are too large to go through: the union of the bounding boxes of their geometries. */
+/** Computes a box from the bounding boxes of the geometries, for meshes with too many vertices to read each. */
 function boxOfGeometry(root: Object3D, scale: Vector3): BodyShape {
   const corners: number[] = [];
   root.traverse((object) => {

@@ -3,16 +3,16 @@ import { ConvexHull, type Face, type VertexNode } from 'three/examples/jsm/math/
 import type { BodyShape, Triple } from '../../kit/physics.ts';
 import type { MeshPoints } from './mesh-points.ts';
 
-/** Vertices of a hull at most: contacts of two hulls take time with the product of their edges. */
+/** The most vertices of a hull: the time for contacts of two hulls grows with the product of their numbers of edges. */
 export const MAX_VERTICES = 40;
-/** Points that quickhull is given at most; more are reduced to the furthest ones in so many directions. */
+/** The most points that quickhull gets. A larger set is reduced to the points that are farthest in this many directions. */
 const MAX_QUICKHULL = 400;
-/** Faces whose normals differ less are one face. */
+/** Cosine of the angle below which two faces count as coplanar and are merged. */
 const COS_COPLANAR = Math.cos((2 * Math.PI) / 180);
 
 /**
- * The convex hull of points: quickhull (Barber et al. 1996, three's `ConvexHull`), reduced to `MAX_VERTICES`, with coplanar triangles merged
- * into one face, because a contact polygon is clipped against a whole face.
+ * The convex hull of points: quickhull (Barber et al. 1996, three's `ConvexHull`), reduced to `MAX_VERTICES`, with coplanar triangles
+ * merged into one face, because a contact polygon is clipped against a whole face.
  *
  * @returns Null for points without volume.
  */
@@ -40,7 +40,7 @@ function toVectors(points: MeshPoints): Vector3[] {
   return [...seen.values()];
 }
 
-/** The furthest points in directions that are spread evenly (a Fibonacci lattice), the axes among them. */
+/** Selects up to `count` points: those that are farthest along evenly spread directions (a Fibonacci lattice) and along the axes. */
 function furthest(points: readonly Vector3[], count: number): Vector3[] {
   const chosen = new Set<Vector3>();
   const direction = new Vector3();
@@ -96,7 +96,7 @@ function facesOf(points: Vector3[]): Extract<BodyShape, { kind: 'hull' }> | null
   return verticesM.length < 4 || polygons.length < 4 ? null : { kind: 'hull', verticesM, faces: polygons };
 }
 
-/** Neighboring faces with the same normal. */
+/** Groups neighboring faces that are coplanar. */
 function groupCoplanar(faces: readonly Face[]): ReadonlySet<Face>[] {
   const open = new Set(faces);
   const groups: ReadonlySet<Face>[] = [];
@@ -127,7 +127,7 @@ function edgesOf(face: Face): Face['edge'][] {
   return edges;
 }
 
-/** The corners of a group of faces, counterclockwise. */
+/** Returns the corners of a group of faces, counterclockwise. */
 function outlineOf(group: ReadonlySet<Face>): VertexNode[] {
   const next = new Map<VertexNode, VertexNode>();
   for (const face of group) {

@@ -8,10 +8,13 @@ import {
   Vector3,
 } from 'three';
 
-/** The vertices of one mesh: x, y, z of each, in the axes of the object times its scale, meters. Numbers that are not finite are left out. */
+/**
+ * The vertices of one mesh as x, y, z, in meters: in the axes of the object, multiplied by its scale. Vertices with numbers that are not
+ * finite are left out.
+ */
 export type MeshPoints = Float64Array;
 
-/** More vertices than a body is made from. */
+/** The most vertices from which a body is made. */
 export const MAX_POINTS = 200_000;
 
 const matrix = new Matrix4();

@@ -7,24 +7,24 @@ import { createVersionWatch } from '../../kit/version-watch.ts';
 import { shapeOf } from './body-shape.ts';
 import type { definition } from './definition.ts';
 
-/** An object, or a copy of it, with its body. */
+/** An object of the output list, or a copy of it, with its body. */
 interface Entry {
   readonly source: ObjectItem;
   readonly item: ObjectItem;
   readonly body: PhysicsBody;
   readonly isCopy: boolean;
-  /** Scale of the object that the shape was made for. */
+  /** The scale of the object for which the shape was made. */
   readonly scale: Vector3;
-  /** Lengths of the axes of the mesh itself, as they were then. */
+  /** The scale of the object's root when the shape was made. */
   readonly rootScale: Vector3;
   isShown: boolean;
-  /** Its source was hidden in the last frame: it is no obstacle either. */
+  /** Whether the source was hidden in the last frame; a hidden object does not collide. */
   isHidden: boolean;
-  /** It was recycled, and the world has not moved it yet. */
+  /** Whether the body was recycled and the world has not moved it yet. */
   isReturning: boolean;
 }
 
-/** A change of the scale by more makes another shape. */
+/** A greater relative change of the scale makes a new shape. */
 const SCALE_TOLERANCE = 0.01;
 
 // Filled and read within one call.
@@ -39,9 +39,9 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { outputs, params, config } = ctx;
   let watch = createVersionWatch();
   let entries: Entry[] = [];
-  /** Items that Pick does not meet, such as reticles, are not solid: they are passed on. */
+  /** Items that Pick ignores, such as reticles. They have no body and are passed on unchanged. */
   let passed: { readonly source: ObjectItem; readonly item: ObjectItem }[] = [];
-  /** The copy that is thrown next. */
+  /** Index of the copy that is thrown next. */
   let next = 0;
   let hasListChanged = false;
   let lostCount = 0;
@@ -99,7 +99,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       gravityFactor: params.gravityFactor.value,
     };
   }
-  /** Makes the shape anew where the size of the object has changed. */
+  /** Makes a new shape if the size of the object has changed, and a new description if a param has. */
   function updateShape({ source, body, scale, rootScale }: Entry): void {
     source.worldFromObject.decompose(scratchPosition, scratchRotation, scratchScale);
     scratchRoot.setFromMatrixScale(source.root.matrixWorld);
@@ -136,7 +136,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       (!isDynamic || (d.linearDamping === params.linearDamping.value && d.angularDamping === params.angularDamping.value))
     );
   }
-  /** Writes the rigid part of a matrix as where the body begins. */
+  /** Writes the rigid part of a matrix as the body's target, from which it starts. */
   function aim({ body }: Entry, matrix: Matrix4): void {
     matrix.decompose(scratchPosition, scratchRotation, scratchScale);
     scratchMatrix.compose(scratchPosition, scratchRotation, ONE);

@@ -1,6 +1,6 @@
 import type { BodyShape, Triple } from '../../kit/physics.ts';
 
-/** Sides of a cylinder: even, so that it is symmetric, and enough to roll. */
+/** Sides of a cylinder: an even number, so that it is symmetric, and enough to roll. */
 const SIDES = 16;
 
 const BOX_FACES: readonly (readonly number[])[] = [
@@ -12,7 +12,11 @@ const BOX_FACES: readonly (readonly number[])[] = [
   [4, 6, 7, 5],
 ];
 
-/** @param sizeM Along x, y and z. */
+/**
+ * Creates a box.
+ *
+ * @param sizeM Size along x, y and z.
+ */
 export function boxShape(sizeM: Triple, centerM: Triple = [0, 0, 0]): BodyShape {
   const verticesM = Array.from({ length: 8 }, (_, i): Triple => {
     const side = (axis: 0 | 1 | 2, bit: number) => centerM[axis] + (i & bit ? 0.5 : -0.5) * sizeM[axis];
@@ -21,7 +25,10 @@ export function boxShape(sizeM: Triple, centerM: Triple = [0, 0, 0]): BodyShape 
   return { kind: 'hull', verticesM, faces: BOX_FACES };
 }
 
-/** A prism along y whose sides touch the elliptic cylinder from outside as much as from inside, so that its volume is right. */
+/**
+ * Creates a prism along y that stands for an elliptic cylinder. Its sides lie partly inside and partly outside, so that the volume is that
+ * of the cylinder.
+ */
 export function cylinderShape(sizeM: Triple, centerM: Triple = [0, 0, 0]): BodyShape {
   const grow = Math.sqrt((2 * Math.PI) / (SIDES * Math.sin((2 * Math.PI) / SIDES)));
   const ring = (y: number) =>
@@ -43,7 +50,7 @@ export function sphereShape(radiusM: number, centerM: Triple = [0, 0, 0]): BodyS
   return { kind: 'sphere', centerM, radiusM };
 }
 
-/** A cylinder along y between two half spheres; `sizeM` is that of the whole. */
+/** Creates a capsule along y: a cylinder between two half spheres. `sizeM` is the size of the whole. */
 export function capsuleShapes(sizeM: Triple, centerM: Triple = [0, 0, 0]): BodyShape[] {
   const radiusM = 0.5 * Math.max(sizeM[0], sizeM[2]);
   const straightM = sizeM[1] - 2 * radiusM;

@@ -14,7 +14,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { kind } = config;
   let watch = createVersionWatch();
   let joints: PhysicsJoint[] = [];
-  /** The two anchors and the axis, as the joints were made with them. */
+  /** The values of the two anchors and the axis with which the joints were created. */
   const places = new Float64Array(9);
 
   function release(): void {
@@ -61,7 +61,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     const numbers = { lengthM: params.lengthM.value, frequencyHz: params.frequencyHz.value, dampingRatio: params.damping.value };
     return { anchorA, anchorB, axisA, axisB, ...numbers, maxForceN: 0 };
   }
-  /** Params that can change without making the link anew. */
+  /** Updates the numbers of a joint that can change without creating it again. */
   function updateNumbers(joint: PhysicsJoint): void {
     const { description: d } = joint;
     const { lengthM, frequencyHz, damping } = params;
@@ -82,7 +82,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     }
     return changed;
   }
-  /** Makes the links anew, from where the bodies are. */
+  /** Creates all joints again, at the current poses of the bodies. */
   function replace(): void {
     for (const joint of joints) {
       Object.assign(joint.description, describe(joint.a, joint.b));

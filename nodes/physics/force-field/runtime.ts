@@ -3,7 +3,7 @@ import type { PhysicsBody } from '../../kit/physics.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
-/** Nearer to the center, directions have no meaning. */
+/** Bodies nearer to the center are not accelerated, because directions have no meaning there. */
 const CENTER_M = 0.01;
 
 // Filled and read within one call.

@@ -9,7 +9,11 @@ const a = new Vector3();
 const b = new Vector3();
 const c = new Vector3();
 
-/** @returns The distance along a ray to a body, meters; infinite if the ray passes it. */
+/**
+ * Casts a ray at a body.
+ *
+ * @returns The distance along the ray, meters; infinite if the ray misses the body.
+ */
 export function castOnBody(body: PhysicsBody, originWorld: Vector3, directionWorld: Vector3): number {
   bodyFromWorld.fromArray(body.worldFromBody).invert();
   from.copy(originWorld).applyMatrix4(bodyFromWorld);
@@ -20,8 +24,8 @@ export function castOnBody(body: PhysicsBody, originWorld: Vector3, directionWor
 }
 
 /**
- * The distance from a point to a body, meters; 0 inside. Outside an edge of a polyhedron it is too small: the distance to the planes of
- * its faces.
+ * The distance from a point to a body, meters; 0 inside. Near an edge or corner of a polyhedron the result is too small, because distances
+ * are measured to the planes of its faces.
  */
 export function distanceToBody(body: PhysicsBody, pointWorld: Vector3): number {
   from.copy(pointWorld).applyMatrix4(bodyFromWorld.fromArray(body.worldFromBody).invert());
@@ -70,7 +74,7 @@ function castOnShape(shape: BodyShape): number {
   }
 }
 
-/** Writes a vertex of a face to `a` and the normal to `b`. */
+/** Reads the plane of a face: writes one of its vertices to `a` and its normal to `b`. */
 function readFace({ verticesM }: Extract<BodyShape, { kind: 'hull' }>, face: readonly number[]): boolean {
   const [p, q, r] = [verticesM[face[0] ?? 0], verticesM[face[1] ?? 0], verticesM[face[2] ?? 0]];
   if (!p || !q || !r) return false;

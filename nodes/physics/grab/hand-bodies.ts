@@ -5,11 +5,11 @@ import type { SessionInput } from '../../kit/session.ts';
 const SIDES = ['left', 'right'] as const;
 type Side = (typeof SIDES)[number];
 
-/** Joints of a hand that push: the tips of the fingers, and the knuckles of index, middle and little finger. */
+/** Indices of the hand joints that push bodies: the fingertips, and the knuckles of index, middle and little finger. */
 const JOINTS = [4, 9, 14, 19, 24, 6, 11, 21] as const;
 const FINGER_M = 0.01;
 const PALM_M = 0.032;
-/** After it has let something go, a hand does not push for so long: it would hit what it has thrown. */
+/** Time after a release in which the hand does not push; otherwise it would hit what it has thrown. */
 const REST_S = 0.4;
 
 const PUSHER: Omit<BodyDescription, 'shapes'> = {
@@ -24,22 +24,30 @@ const PUSHER: Omit<BodyDescription, 'shapes'> = {
   gravityFactor: 0,
 };
 
-/** Bodies that follow bare hands and controllers, and push others. */
+/** Kinematic bodies that follow bare hands and controllers, so that these push other bodies. */
 export interface HandBodies {
-  /** @param isBusy Whether a side holds something: it pushes nothing then. */
+  /**
+   * Moves the bodies of both sides.
+   *
+   * @param isBusy Returns whether a side holds something; it then pushes nothing.
+   */
   update(input: SessionInput, deltaS: number, isBusy: (side: Side) => boolean): void;
   clear(): void;
 }
 
 interface Pusher {
   readonly body: PhysicsBody;
-  /** The joint that it follows; null: palm or grip. */
+  /** Index of the joint that the body follows; null: it follows the palm, or the grip of a controller. */
   readonly joint: number | null;
 }
 
 const scratchPose = new Float32Array(16);
 
-/** @param list Receives the bodies of the sides that are tracked. */
+/**
+ * Creates the bodies of both hands.
+ *
+ * @param list Receives the bodies of the sides that are tracked.
+ */
 export function createHandBodies(node: string, list: BodyList): HandBodies {
   const sides = SIDES.map((side) => ({ side, pushers: createPushers(`${node}/${side}`), restS: 0, isListed: false }));
 
@@ -72,7 +80,7 @@ function createPushers(key: string): Pusher[] {
   return [{ body: sphere('palm', PALM_M), joint: null }, ...JOINTS.map((joint): Pusher => ({ body: sphere(`${joint}`, FINGER_M), joint }))];
 }
 
-/** Moves the bodies to a hand, or all of them to a controller; false while neither is tracked. */
+/** Moves the bodies of a side to its hand, or all of them to its controller; returns false if neither is tracked. */
 function follow(pushers: readonly Pusher[], side: Side, input: SessionInput): boolean {
   const hand = side === 'left' ? input.leftHand : input.rightHand;
   const grip = input[side].worldFromGrip;

@@ -1,21 +1,21 @@
 import { Matrix4, type Vector3 } from 'three';
 import type { PhysicsBody, PhysicsJoint } from '../../kit/physics.ts';
 
-/** What can hold a body: a press of a pointer, by its id, or a closed hand or squeezed controller. */
+/** What holds a body: a press, given by the id of its pointer, or the closed hand or squeezed controller of a side. */
 export type Holder = number | 'left' | 'right';
 
-/** What carries the body: the ray, or a place in the hand. It stays the same while the body is held. */
+/** What moves the held body: the pointer's ray, or a pose of the hand or controller. It stays the same while the body is held. */
 export type Carrier = 'ray' | 'pinch' | 'palm' | 'grip';
 
-/** A body that is held, or will be from the next frame on: until then another node may take the press. */
+/** The hold on a body. Until `isBegun` it is only requested, because another node may still claim the press. */
 export interface Hold {
   readonly by: Holder;
-  /** The side that holds, if it is one. */
+  /** The side of the hand or controller that holds; null for other pointers. */
   readonly hand: 'left' | 'right' | null;
   readonly carrier: Carrier;
   readonly body: PhysicsBody;
   readonly joint: PhysicsJoint;
-  /** The point that is held, in the axes of the carrier. */
+  /** The pose of the held point, in the axes of the carrier. */
   readonly carrierFromPoint: Matrix4;
   isBegun: boolean;
 }
@@ -25,7 +25,11 @@ export interface HoldSettings {
   readonly maxForceN: number;
 }
 
-/** @param pointWorld Where the body is held. */
+/**
+ * Creates a hold.
+ *
+ * @param pointWorld The point at which the body is held.
+ */
 export function createHold(
   key: string,
   held: Pick<Hold, 'by' | 'hand' | 'carrier' | 'body'>,
@@ -59,7 +63,7 @@ export function createHold(
   return { ...held, joint, carrierFromPoint, isBegun: false };
 }
 
-/** Frees the body. A joint that is gone already changes nothing. */
+/** Releases the body. Does nothing if its joint is removed already. */
 export function endHold({ body, joint }: Hold): void {
   const index = body.joints.indexOf(joint);
   if (index >= 0) body.joints.splice(index, 1);

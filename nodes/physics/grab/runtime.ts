@@ -12,7 +12,10 @@ import { type Carrier, createHold, endHold, type Hold, type Holder } from './hol
 const SIDES = ['left', 'right'] as const;
 type Side = (typeof SIDES)[number];
 
-/** A fist or a squeeze begins above the one and ends below the other, so that it does not flicker. */
+/**
+ * A grab begins when the fist or squeeze is above `CLOSED` and ends when it is below `OPEN`. The two thresholds (hysteresis) prevent
+ * flicker.
+ */
 const CLOSED = 0.8;
 const OPEN = 0.5;
 
@@ -29,7 +32,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const holds: Hold[] = [];
   const hands = createHandBodies(ctx.node, outputs.hands);
   const isClosed: Record<Side, boolean> = { left: false, right: false };
-  /** What was found last: the body, and how far along the ray or from the hand it is. */
+  /** The body that the last search has found, and `foundM`, its distance along the ray or from the hand. */
   let found: PhysicsBody | null = null;
   let foundM = 0;
 
@@ -38,7 +41,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     for (const hold of holds) if (hold.body === body) return false;
     return true;
   }
-  /** The nearest body within the reach of a hand; `scratchPoint` is where the hand is. */
+  /** Finds the nearest body within reach of a hand, and writes the position of the hand to `scratchPoint`. */
   function findNear(pose: ArrayLike<number>): void {
     scratchPoint.set(pose[12] ?? 0, pose[13] ?? 0, pose[14] ?? 0);
     found = null;
@@ -52,7 +55,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       }
     }
   }
-  /** The first body along a ray; `scratchPoint` is where. */
+  /** Finds the first body along a ray, and writes the point that the ray meets to `scratchPoint`. */
   function findAlong(worldFromRay: ArrayLike<number>): void {
     readRay(worldFromRay);
     found = null;
@@ -75,7 +78,10 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     const hand = typeof by === 'number' ? pointer && handOf(pointer.by) : by;
     holds.push(createHold(`${ctx.node}/${by}`, { by, hand, carrier, body }, worldFromCarrier, scratchPoint, settings));
   }
-  /** A press asks for what it would hold; it has it in the next frame, unless another node asks for something nearer. */
+  /**
+   * Claims a press for the body that it would hold. The hold begins in the next frame, unless another node claims the press for something
+   * nearer.
+   */
   function ask(pointer: Pointer, input: SessionInput): void {
     if (isHand(pointer)) {
       const carrier = handAt(sideOf(pointer), input).tracked ? 'pinch' : 'grip';
@@ -89,7 +95,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     findAlong(pointer.worldFromRay);
     if (found && claimPointer(pointer, ctx, foundM)) add(pointer.id, 'ray', found, input);
   }
-  /** A fist holds what is in it, a squeezed controller also what its ray meets. */
+  /** Begins a hold by a closed hand: a fist holds the body in it; a squeezed controller also the one that its ray meets. */
   function close(side: Side, input: SessionInput): void {
     const carrier = handAt(side, input).tracked ? 'palm' : 'grip';
     const pose = poseOf(side, carrier, input);
@@ -100,7 +106,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     if (!isNear && worldFromRay && !bare) findAlong(worldFromRay);
     if (found) add(side, isNear ? carrier : 'ray', found, input);
   }
-  /** Whether what holds still does. */
+  /** Whether a hold goes on: its press is still down, or its hand still closed. */
   function isHeld({ by, isBegun }: Hold, input: SessionInput): boolean {
     if (typeof by !== 'number') return isClosed[by];
     const pointer = pointerById(input, by);
@@ -194,7 +200,7 @@ function handAt(side: Side, { leftHand, rightHand }: SessionInput): Hand {
   return side === 'left' ? leftHand : rightHand;
 }
 
-/** Where a carrier is; null while it is not tracked. Valid until the next call. */
+/** The current pose of a carrier; null while it is not tracked. Valid until the next call. */
 function poseOf(by: Holder, carrier: Carrier, input: SessionInput): ArrayLike<number> | null {
   const pointer = typeof by === 'number' ? pointerById(input, by) : null;
   const side = typeof by === 'number' ? pointer && sideOf(pointer) : by;

@@ -1,14 +1,14 @@
 import type { DepthFrame } from '../../kit/physics.ts';
 import type { DepthImage } from '../../kit/session.ts';
 
-/** Wider images are thinned: at 4 m, 160 texels over 60° are 3 cm apart, less than a voxel. */
+/** Texels of wider depth images are skipped: at 4 m, 160 texels over 60° are 3 cm apart, less than the edge of a voxel. */
 const MAX_WIDTH_PX = 160;
 
-/** Depth frames in buffers that are reused in turn. */
+/** Converts depth images to depth frames, in buffers that are reused in turn. */
 export interface DepthFrames {
   /**
-   * Writes a depth image for the grid, thinned, with the map from texels to rays. It is valid until as many others are written as there are
-   * buffers.
+   * Converts a depth image for the voxel grid: skips texels and computes the rays of the others. The frame is valid until as many others
+   * have been written as there are buffers.
    *
    * @returns Null for a projection or a UV matrix without inverse.
    */
@@ -61,7 +61,7 @@ export function createDepthFrames(count: number): DepthFrames {
   };
 }
 
-/** Writes the affine map from texels to rays. False if there is none. */
+/** Writes the affine map from texels to rays. Returns false if there is none. */
 function writeRays({ widthPx, heightPx, uvFromViewUv: u, clipFromView: c }: DepthImage, stride: number, out: Float64Array): boolean {
   const [a, b, d, e, s, t] = [u[0] ?? 0, u[3] ?? 0, u[1] ?? 0, u[4] ?? 0, u[6] ?? 0, u[7] ?? 0];
   const [cx, cy] = [c[0] ?? 0, c[5] ?? 0];

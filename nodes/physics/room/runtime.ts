@@ -4,7 +4,7 @@ import type { DepthImage } from '../../kit/session.ts';
 import type { definition } from './definition.ts';
 import { createDepthFrames } from './depth-frames.ts';
 
-/** Frames that wait for the worker at most. */
+/** The most depth frames that wait for the worker. */
 const MAX_FRAMES = 2;
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {

@@ -17,19 +17,19 @@ import { type CastRoom, sweep } from './sweep.ts';
 import { castOnVoxels, collideVoxels } from './voxel-contacts.ts';
 import { createVoxelGrid, type VoxelGrid } from './voxel-grid.ts';
 
-/** The longest step. Longer frames take several, so that the result depends little on the frame rate. */
+/** The longest step. A longer frame is simulated in several steps, so that the result depends little on the frame rate. */
 const STEP_S = 1 / 60;
-/** More than that is lost: after a long pause the world continues instead of catching up. */
+/** The most steps per frame. The rest of the time is dropped: after a long pause the world continues instead of catching up. */
 const MAX_STEPS = 4;
-/** A hundredth more than a step is still one step: frame times are rounded. */
+/** Tolerance, in steps: a frame that is a hundredth of a step longer than a step still takes one step, because frame times are rounded. */
 const STEP_TOLERANCE = 0.01;
 
-/** Further away or faster (meters, radians per second), numbers lose their precision. */
+/** Limits of position (meters) and speed (meters or radians per second), beyond which numbers lose their precision. */
 const FAR_M = 1e6;
 const FAST = 1e4;
-/** A body that is so far below everything that was seen of the room has left it, meters. */
+/** A body that is this far below everything that depth has shown of the room has fallen out of it, meters. */
 const LOST_M = 0.5;
-/** Bodies that meet more slowly are not reported, meters per second. */
+/** Contacts of bodies that meet more slowly are not reported, meters per second. */
 const TOUCH_MPS = 0.02;
 
 const TARGET: BodyDescription = { ...FIXED_BODY, mode: 'kinematic' };
@@ -40,7 +40,7 @@ const scratchRotation = new Quaternion();
 const scratchVector = new Vec3();
 
 /**
- * The engine of the project: bodies and the sweep-and-prune of cannon-es, with contacts and a solver of its own (ADR 40). Each step finds
+ * The engine of the project: bodies and the sweep-and-prune of cannon-es, with Scrim's own contacts and solver (ADR 40). Each step finds
  * contacts once and solves them in substeps (“Small Steps in Physics Simulation”, Macklin et al. 2019; Catto, “Solver2D”, 2024).
  */
 export function createCannonEngine(): PhysicsEngine {
@@ -62,9 +62,9 @@ export function createCannonEngine(): PhysicsEngine {
   const gravity = new Vec3(...settings.gravity);
   let stepBeforeS = STEP_S;
   let grid: VoxelGrid | null = null;
-  /** Stands for the room in contacts. */
+  /** The static body that stands for the room in contacts. */
   const room = new RigidBody(0, FIXED_BODY);
-  /** Contacts that began in the steps of the last frame, in the form of the answer. */
+  /** The contacts that began in the steps of the last frame, `TOUCH_STRIDE` numbers each. */
   const touches: number[] = [];
 
   function add(id: number, description: BodyDescription, state: ArrayLike<number>): void {
@@ -87,7 +87,7 @@ export function createCannonEngine(): PhysicsEngine {
     body.velocity.set(at(state, 8) + w.y * z - w.z * y, at(state, 9) + w.z * x - w.x * z, at(state, 10) + w.x * y - w.y * x);
     if (at(state, 14) === ASLEEP && body.isDynamic) body.rest();
   }
-  /** Moves a body so that the origin of its description is at the position. */
+  /** Moves a body so that the origin of its description has this position and rotation, and stops it. */
   function place(body: RigidBody, position: Vec3, rotation: Quaternion): void {
     rotation.normalize();
     body.quaternion.copy(rotation);
@@ -101,12 +101,12 @@ export function createCannonEngine(): PhysicsEngine {
     body.updateInertia();
     body.wake();
   }
-  /** From the origin of the description to the center of mass, world axes. */
+  /** The vector from the origin of the description to the center of mass, in world axes. */
   function leverOf(body: RigidBody): Vec3 {
     body.quaternion.vmult(body.centerM, scratchVector);
     return scratchVector;
   }
-  /** Wakes bodies that may have rested on one that has moved or gone. */
+  /** Wakes the bodies that may have rested on a body that has moved or has been removed. */
   function wakeAround(body: RigidBody): void {
     for (const other of bodies) if (other.sleeps && other.aabb.overlaps(body.aabb)) wakeIsland(other);
   }
@@ -131,7 +131,7 @@ export function createCannonEngine(): PhysicsEngine {
     body.hasTarget = true;
   }
 
-  /** Wakes bodies beside voxels that have come or gone: their support may be away. */
+  /** Wakes the bodies beside voxels that have become occupied or free, because their support may be gone. */
   function wakeWhereChanged(): void {
     for (const body of bodies) {
       if (!body.sleeps || !grid) continue;
@@ -369,7 +369,7 @@ function isFiniteState({ position: p, quaternion: q, velocity: v, angularVelocit
   return farM < FAR_M && fast < FAST && Math.abs(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w - 1) < 0.01;
 }
 
-/** A body that is lost or whose numbers have overflowed stops where it was. */
+/** Stops a body that is lost or whose numbers have overflowed, at its position before the step. */
 function restore(body: RigidBody): void {
   body.position.copy(body.positionBefore);
   body.quaternion.set(0, 0, 0, 1);

@@ -1,11 +1,11 @@
 import type { Contact, ContactList } from './contact.ts';
 
-/** Impulses of the step before, by pair of bodies. */
+/** Keeps the impulses of contacts from one step to the next, by pair of bodies. */
 export interface ContactMemory {
   /**
    * Writes to each contact the impulses of the nearest contact of the step before, for a warm start.
    *
-   * @param ratio Of the length of this step to that of the step before.
+   * @param ratio Length of this step divided by that of the step before.
    */
   recall(contacts: ContactList, ratio: number): void;
   /** Keeps the impulses of this step. */
@@ -24,7 +24,7 @@ interface Kept {
   ny: number;
   nz: number;
   normal: number;
-  /** Friction as a vector in world axes, because tangents are chosen anew in each step. */
+  /** The friction impulse as a vector in world axes, because the tangents of a contact are chosen again in each step. */
   fx: number;
   fy: number;
   fz: number;
@@ -34,14 +34,14 @@ interface Kept {
   isTaken: boolean;
 }
 
-/** Contacts that are further apart are not the same. */
+/** Greatest distance between two points that count as the same contact in consecutive steps. */
 const SAME_POINT_M = 0.02;
 const SAME_NORMAL = 0.9;
 
 export function createContactMemory(): ContactMemory {
   const pool: Kept[] = [];
   let count = 0;
-  /** First entry of each pair; the contacts of a pair follow each other. */
+  /** For each pair, the index of its first entry; the contacts of a pair are consecutive. */
   const firstOf = new Map<number, number>();
   const pressed = new Set<number>();
 

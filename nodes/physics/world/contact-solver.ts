@@ -2,20 +2,23 @@ import type { Contact, ContactList } from './contact.ts';
 import { applyImpulse, effectiveMass, readRelativeVelocity } from './impulse-math.ts';
 import type { RigidBody } from './rigid-body.ts';
 
-/** Bodies slower than this do not bounce, meters per second. */
+/** Contacts in which bodies approach more slowly do not bounce, meters per second. */
 const BOUNCE_MPS = 0.15;
-/** Bodies that overlap are moved apart at most so fast, meters per second. */
+/** The greatest speed at which overlapping bodies are moved apart, meters per second. */
 const PUSH_MPS = 2;
-/** Stiffness of contacts, cycles per second, unless a substep is too long for it, and fraction of critical damping. */
+/**
+ * Stiffness of contacts in cycles per second, and damping as a fraction of critical damping. A substep that is too long for the stiffness
+ * lowers it.
+ */
 const CONTACT_HZ = 100;
 const DAMPING_RATIO = 10;
-/** Overlap that is left, so that contacts persist, meters. */
+/** Overlap that is not corrected, so that contacts persist, meters. */
 const SLOP_M = 2e-4;
 
 // Filled and read within one call.
 const relative = { x: 0, y: 0, z: 0 };
 
-/** Stiffness and damping of a soft constraint for a time step. */
+/** The coefficients of a soft constraint for one time step. */
 export interface Softness {
   readonly biasRate: number;
   readonly massScale: number;
@@ -23,7 +26,8 @@ export interface Softness {
 }
 
 /**
- * A soft constraint, which acts like a damped spring and stays stable at any step (Catto, “Soft Constraints”, GDC 2011).
+ * Computes the coefficients of a soft constraint, which acts like a damped spring and is stable at any step length (Catto, “Soft
+ * Constraints”, GDC 2011).
  *
  * @param stepS Seconds.
  */
@@ -59,7 +63,7 @@ export function prepareContacts(contacts: ContactList): void {
   }
 }
 
-/** Applies the impulses so far, so that a resting contact needs no iterations. Once per substep. */
+/** Applies the accumulated impulses again, so that a resting contact needs few iterations. Call it once per substep. */
 export function warmStart(contacts: ContactList): void {
   for (let i = 0; i < contacts.count; i++) {
     const c = contacts.at(i);
@@ -70,9 +74,10 @@ export function warmStart(contacts: ContactList): void {
 }
 
 /**
- * One pass over all contacts: normal impulses, then friction, which is bounded by the normal impulse of the contact.
+ * Solves each contact once: its normal impulse, then its friction, which is bounded by the normal impulse.
  *
- * @param usesBias Whether overlap is pushed apart. The pass after the positions have moved removes the velocity of that push.
+ * @param usesBias Whether overlapping bodies are pushed apart. The pass after the positions have moved does not push, and removes the
+ * velocity of the push.
  * @param stepS Seconds of a substep.
  */
 export function solveContacts(contacts: ContactList, stepS: number, usesBias: boolean): void {
@@ -111,7 +116,7 @@ export function solveContacts(contacts: ContactList, stepS: number, usesBias: bo
   }
 }
 
-/** How much the gap has grown since the contact was found. */
+/** The distance by which the gap of a contact has grown since the contact was found. */
 function gapChange(c: Contact, a: RigidBody, b: RigidBody): number {
   const p = b.movedM;
   const q = a.movedM;
@@ -143,7 +148,7 @@ function solveFriction(c: Contact): void {
   applyImpulse(c, dt * c.tx + du * c.ux, dt * c.ty + du * c.uy, dt * c.tz + du * c.uz);
 }
 
-/** A torque against rolling, bounded by lever arm times normal impulse. */
+/** Applies a torque against rolling, bounded by the lever arm times the normal impulse. */
 function solveRolling(c: Contact, a: RigidBody, b: RigidBody): void {
   let x = c.rollX - c.rollingMass * (b.angularVelocity.x - a.angularVelocity.x);
   let y = c.rollY - c.rollingMass * (b.angularVelocity.y - a.angularVelocity.y);
@@ -162,7 +167,7 @@ function solveRolling(c: Contact, a: RigidBody, b: RigidBody): void {
   c.rollZ = z;
 }
 
-/** Gives bouncing bodies their speed, after all substeps: the approach times the coefficient. */
+/** Makes bodies bounce after all substeps: their separation speed is the approach speed times the restitution. */
 export function bounce(contacts: ContactList): void {
   for (let i = 0; i < contacts.count; i++) {
     const c = contacts.at(i);
@@ -188,7 +193,9 @@ function turn({ a, b }: Contact, x: number, y: number, z: number): void {
   b.angularVelocity.z += q.xz * x + q.yz * y + q.zz * z;
 }
 
-/** Two tangents that turn with the normal without jumps where possible (Duff et al., “Building an Orthonormal Basis, Revisited”, 2017). */
+/**
+ * Chooses two tangents that follow the normal continuously where possible (Duff et al., “Building an Orthonormal Basis, Revisited”, 2017).
+ */
 function chooseTangents(c: Contact): void {
   const sign = c.nz >= 0 ? 1 : -1;
   const p = -1 / (sign + c.nz);
@@ -201,7 +208,7 @@ function chooseTangents(c: Contact): void {
   c.uz = -c.ny;
 }
 
-/** The point in the axes of the body that was added first, so that it is found again when both move. */
+/** Stores the point in the axes of the body that was added first, so that the contact is found again after both have moved. */
 function setLocalPoint(c: Contact): void {
   const isA = c.a.key < c.b.key;
   const { x, y, z, w } = isA ? c.a.quaternion : c.b.quaternion;

@@ -4,20 +4,20 @@ import type { RigidBody } from './rigid-body.ts';
 export interface Contact {
   a: RigidBody;
   b: RigidBody;
-  /** Tells contacts of one pair of bodies from those of others; equal in the next step. */
+  /** Key of the pair of bodies; the same in the next step. */
   pair: number;
-  /** From a to b, unit, world axes. */
+  /** The normal: a unit vector from a to b, world axes. */
   nx: number;
   ny: number;
   nz: number;
-  /** From the centers of mass to the point, world axes. */
+  /** The vectors from both centers of mass to the point, world axes. */
   ax: number;
   ay: number;
   az: number;
   bx: number;
   by: number;
   bz: number;
-  /** Distance along the normal when it was found; negative inside. */
+  /** Distance of the bodies along the normal when the contact was found; negative if they overlap. */
   gapM: number;
   /** The point in the axes of `a` (or of the world, if `a` is the room), to find the contact again in the next step. */
   lx: number;
@@ -26,7 +26,7 @@ export interface Contact {
   friction: number;
   restitution: number;
   rollingM: number;
-  /** Softer than a contact between bodies, as with room that was measured. */
+  /** Whether the contact is with the measured room. Such contacts are softer than those between bodies. */
   isRoom: boolean;
 
   // Of the solver.
@@ -47,7 +47,7 @@ export interface Contact {
   rollY: number;
   rollZ: number;
   maxImpulse: number;
-  /** Of the first impulse; negative: approaching. Meters per second. */
+  /** Velocity along the normal before the first impulse, meters per second; negative if the bodies approach. */
   approach: number;
   wasMatched: boolean;
 }
@@ -121,7 +121,7 @@ export class ContactList {
   }
 }
 
-/** Equal for both orders of two bodies. */
+/** The key of a pair of bodies, the same for both orders. */
 export function pairKey(a: RigidBody, b: RigidBody): number {
   return Math.min(a.key, b.key) * 2 ** 24 + Math.max(a.key, b.key);
 }

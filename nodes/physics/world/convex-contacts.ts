@@ -3,7 +3,7 @@ import type { ContactList } from './contact.ts';
 import type { HullEdge, HullFace, HullShape } from './hull-shape.ts';
 import type { RigidBody } from './rigid-body.ts';
 
-/** An edge pair must be better than a face by so much, or resting boxes would switch between both. */
+/** An edge pair is chosen over a face only if it is better by this much; otherwise resting boxes would alternate between both. */
 const EDGE_BIAS_M = 5e-4;
 const MAX_POINTS = 4;
 
@@ -29,7 +29,7 @@ const chosen: ClipPoint[] = [];
  * Contacts of two convex polyhedra by the separating-axis test over faces and those edge pairs that form a face of the Minkowski
  * difference (Gregorius, “The Separating Axis Test between Convex Polyhedra”, GDC 2013). A face contact has up to four points.
  *
- * @param marginM Pairs that are further apart have none.
+ * @param marginM Polyhedra that are farther apart have no contacts.
  */
 export function collideHulls(a: RigidBody, hullA: HullShape, b: RigidBody, hullB: HullShape, marginM: number, out: ContactList): void {
   const faceA = bestFace(hullA, hullB);
@@ -53,7 +53,7 @@ export function collideHulls(a: RigidBody, hullA: HullShape, b: RigidBody, hullB
 
 let bestGapM = 0;
 
-/** The face of `hull` that `other` is furthest in front of. */
+/** Finds the face of `hull` in front of which `other` is farthest away, and writes that distance to `bestGapM`. */
 function bestFace(hull: HullShape, other: HullShape): HullFace | null {
   let best: HullFace | null = null;
   bestGapM = Number.NEGATIVE_INFINITY;
@@ -127,7 +127,7 @@ function bestEdgePair(hullA: HullShape, hullB: HullShape): number {
   return best;
 }
 
-/** Writes the closest points of two lines to `scratchP` (on a) and `scratchQ` (on b). */
+/** Writes the points at which two lines are closest to `scratchP` (on a) and `scratchQ` (on b). */
 function closestPoints(a: HullEdge, b: HullEdge): void {
   const ux = a.to.x - a.from.x;
   const uy = a.to.y - a.from.y;
@@ -154,7 +154,7 @@ function clamp01(x: number): number {
   return Math.min(Math.max(x, 0), 1);
 }
 
-/** Clips the face of `other` that faces `reference` against the sides of the latter. */
+/** Adds the contacts of two faces: clips the face of `other` that faces `reference` against the sides of `reference`. */
 function addFaceContacts(
   owner: RigidBody,
   hull: HullShape,
@@ -242,7 +242,9 @@ function clip(px: number, py: number, pz: number, offset: number): void {
   [polygon, clipped] = [clipped, polygon];
 }
 
-/** At most four points: the deepest, the one furthest from it, and those that span the largest area to both sides. */
+/**
+ * Reduces the polygon to at most four points: the deepest, the one farthest from it, and those that span the largest area to both sides.
+ */
 function choosePoints(n: Vec3): void {
   chosen.length = 0;
   if (polygon.length <= MAX_POINTS) {

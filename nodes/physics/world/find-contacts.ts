@@ -15,7 +15,7 @@ const scratchRotation = new Quaternion();
  * stops them at the surface instead of inside.
  *
  * @param stepS Seconds until contacts are found again.
- * @param linked Keys of pairs that do not collide, because a joint holds them together.
+ * @param linked Keys of pairs that do not collide, because a joint links them.
  */
 export function findContacts(as: readonly Body[], bs: readonly Body[], stepS: number, linked: ReadonlySet<number>, out: ContactList): void {
   for (let i = 0; i < as.length; i++) {

@@ -1,9 +1,12 @@
 import type { PhysicsCommand } from './protocol.ts';
 
-/** Larger numbers overflow in products. */
+/** The largest number that a command may contain; larger ones overflow in products. */
 const LARGEST = 1e9;
 
-/** Whether all numbers of a command are finite, and no larger than a body can have. Others would reach every body through contacts. */
+/**
+ * Whether all numbers of a command are finite and not too large for a body. A command with other numbers would spoil all bodies through
+ * their contacts.
+ */
 export function isFiniteCommand(command: PhysicsCommand): boolean {
   // The grid leaves out single numbers of depth.
   return command.kind === 'depth' || isFiniteValue(command);

@@ -17,8 +17,8 @@ export interface HullEdge {
 }
 
 /**
- * A convex polyhedron in world space: its vertices are moved in place once per step. Unlike the one of cannon-es it has edges with their
- * two faces, which a separating-axis test needs, and it clips against the neighbors of an edge instead of those of a vertex.
+ * A convex polyhedron in world space: its vertices are moved in place once per step. Unlike the polyhedron of cannon-es it knows the two
+ * faces of each edge, which a separating-axis test needs, and clips against the neighbors of an edge instead of those of a vertex.
  */
 export class HullShape extends Shape {
   readonly vertices: readonly Vec3[];
@@ -35,7 +35,11 @@ export class HullShape extends Shape {
   private readonly normals: readonly Vec3[];
   private readonly centerLocal = new Vec3();
 
-  /** @param originM The center of mass, which becomes the origin. */
+  /**
+   * Creates the shape.
+   *
+   * @param originM The center of mass, which becomes the origin.
+   */
   constructor(vertices: readonly Triple[], faces: readonly (readonly number[])[], originM: Vec3) {
     super({ type: Shape.types.CONVEXPOLYHEDRON });
     this.local = vertices.map(([x, y, z]) => new Vec3(x, y, z).vsub(originM));
@@ -118,7 +122,7 @@ export class HullShape extends Shape {
 
 const scratch = new Vec3();
 
-/** By Newell's method, which is exact for any flat polygon. */
+/** The normal of a polygon by Newell's method, which is exact for any flat polygon. */
 function normalOf(corners: readonly Vec3[]): Vec3 {
   const normal = new Vec3();
   corners.forEach((a, i) => {
@@ -145,10 +149,10 @@ function edgesOf(faces: readonly HullFace[]): HullEdge[] {
   return edges;
 }
 
-/** Points on the surface of one hull at most. */
+/** The most points that `surfacePoints` returns for one hull. */
 const MAX_POINTS = 300;
 
-/** Vertices, and the points of a grid over each triangle of each face. */
+/** Spreads points over a polyhedron: its vertices, and a grid over each triangle of each face. */
 function spread(local: readonly Vec3[], faces: readonly HullFace[], vertices: readonly Vec3[], spacingM: number): Vec3[] {
   const points = local.map((vertex) => vertex.clone());
   for (const { corners } of faces) {

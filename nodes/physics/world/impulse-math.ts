@@ -1,6 +1,6 @@
 import type { RigidBody } from './rigid-body.ts';
 
-/** Two bodies with the levers from their centers of mass to a point, world axes. */
+/** Two bodies, and the vectors from their centers of mass to a point, world axes. */
 export interface Levers {
   readonly a: RigidBody;
   readonly b: RigidBody;
@@ -12,7 +12,10 @@ export interface Levers {
   readonly bz: number;
 }
 
-/** The mass that an impulse along a unit direction meets at the point; 0 if both bodies are immovable. */
+/**
+ * The effective mass at the point: impulse divided by the change of relative velocity along a unit direction; 0 if both bodies are
+ * immovable.
+ */
 export function effectiveMass(l: Levers, x: number, y: number, z: number): number {
   const k = l.a.invMass + l.b.invMass + angularPart(l.a, l.ax, l.ay, l.az, x, y, z) + angularPart(l.b, l.bx, l.by, l.bz, x, y, z);
   return k > 0 ? 1 / k : 0;
@@ -25,13 +28,13 @@ function angularPart({ inverseWorld: m }: RigidBody, rx: number, ry: number, rz:
   return cx * (m.xx * cx + m.xy * cy + m.xz * cz) + cy * (m.xy * cx + m.yy * cy + m.yz * cz) + cz * (m.xz * cx + m.yz * cy + m.zz * cz);
 }
 
-/** Applies an impulse to `b` and its opposite to `a`, at the point. */
+/** Applies an impulse to `b` and the opposite impulse to `a`, at the point. */
 export function applyImpulse(l: Levers, x: number, y: number, z: number): void {
   push(l.a, l.ax, l.ay, l.az, -x, -y, -z);
   push(l.b, l.bx, l.by, l.bz, x, y, z);
 }
 
-/** Applies an impulse to one body. */
+/** Applies an impulse to one body, at a point relative to its center of mass. */
 export function push(body: RigidBody, rx: number, ry: number, rz: number, x: number, y: number, z: number): void {
   const { velocity: v, angularVelocity: w, invMass, inverseWorld: m } = body;
   if (invMass === 0) return;

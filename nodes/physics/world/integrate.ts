@@ -5,7 +5,7 @@ import type { RigidBody } from './rigid-body.ts';
 const scratchMomentum = new Vec3();
 const scratchSpin = new Vec3();
 
-/** Gravity, forces and damping change velocities. */
+/** Changes the velocities of a body by gravity, forces and damping. */
 export function integrateVelocity(body: RigidBody, gravity: Vec3, stepS: number): void {
   const { velocity: v, angularVelocity: w, force, invMass, description } = body;
   const g = description.gravityFactor * stepS;
@@ -16,8 +16,8 @@ export function integrateVelocity(body: RigidBody, gravity: Vec3, stepS: number)
 }
 
 /**
- * Moves and turns a body. Without a torque the angular momentum stays, so the angular velocity turns with the inertia: the gyroscopic
- * term, which cannon-es leaves out. The rotation is that of the middle of the step.
+ * Moves and rotates a body by its velocities. The angular momentum is constant, so the angular velocity changes with the rotated inertia:
+ * the gyroscopic term, which cannon-es leaves out. The rotation uses the angular velocity at the middle of the step.
  */
 export function integratePose(body: RigidBody, stepS: number): void {
   const { position: p, velocity: v, angularVelocity: w, movedM, turnedRad } = body;
@@ -46,7 +46,7 @@ function spinOf({ inverseWorld: m }: RigidBody, momentum: Vec3, out: Vec3): void
   out.set(m.xx * x + m.xy * y + m.xz * z, m.xy * x + m.yy * y + m.yz * z, m.xz * x + m.yz * y + m.zz * z);
 }
 
-/** Turns by a constant angular velocity, exactly. */
+/** Rotates a body by a constant angular velocity over a step, exactly. */
 function turnBy(body: RigidBody, spin: Vec3, stepS: number): void {
   const rate = Math.hypot(spin.x, spin.y, spin.z);
   const half = 0.5 * rate * stepS;
@@ -66,7 +66,7 @@ function turnBy(body: RigidBody, spin: Vec3, stepS: number): void {
   body.quaternion.normalize();
 }
 
-/** Gives a kinematic body the velocity that brings it to its target within the step, and none if it has arrived. */
+/** Sets the velocity of a kinematic body so that it reaches its target at the end of the step; 0 if it has arrived. */
 export function aimAtTarget(body: RigidBody, stepS: number): void {
   if (!body.hasTarget) {
     body.velocity.setZero();

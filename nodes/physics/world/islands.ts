@@ -1,16 +1,17 @@
 import type { ContactList } from './contact.ts';
 import type { RigidBody } from './rigid-body.ts';
 
-/** Bodies slower than this rest, meters and radians per second. */
+/** Slower bodies count as at rest, meters and radians per second. */
 const REST_MPS = 0.02;
 const REST_RADPS = 0.06;
-/** Bodies that are nearer touch, meters. */
+/** Bodies with a smaller gap count as touching, meters. */
 const TOUCHING_M = 0.002;
-/** An island sleeps after so long at rest. */
+/** Time at rest after which an island sleeps. */
 const REST_S = 0.5;
 
 /**
- * Lets islands sleep: bodies that touch or are joined sleep and wake together, because a body whose support moves must not stay.
+ * Puts islands to sleep that have been at rest. An island is a group of bodies that touch or are joined; they sleep and wake together,
+ * because a body must not sleep while its support moves.
  *
  * @param joined Pairs of bodies that joints link.
  */
@@ -47,7 +48,10 @@ export function updateSleep(
   }
 }
 
-/** Wakes sleeping bodies that an awake or moving body touches, or will touch in this step. Before the contacts are solved. */
+/**
+ * Wakes sleeping bodies that an awake or moving body touches or will touch in this step. Returns whether it has woken one. Call it before
+ * the contacts are solved.
+ */
 export function wakeTouched(contacts: ContactList, stepS: number): boolean {
   let hasWoken = false;
   for (let i = 0; i < contacts.count; i++) {

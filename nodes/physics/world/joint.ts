@@ -4,11 +4,11 @@ import { type Softness, softness } from './contact-solver.ts';
 import { applyImpulse, effectiveMass, type Levers } from './impulse-math.ts';
 import type { RigidBody } from './rigid-body.ts';
 
-/** Joints are this stiff, cycles per second, unless a substep is too long for it. */
+/** Stiffness of rigid joints, cycles per second. A substep that is too long for it lowers it. */
 const RIGID_HZ = 60;
 const RIGID_DAMPING = 2;
 
-/** One direction in which a joint holds two bodies. */
+/** One direction, linear or angular, in which a joint holds two bodies. */
 interface Row extends Levers {
   a: RigidBody;
   b: RigidBody;
@@ -22,20 +22,20 @@ interface Row extends Levers {
   x: number;
   y: number;
   z: number;
-  /** Meters or radians at the start of the step. */
+  /** Deviation from the held position, meters or radians, at the start of the step. */
   error: number;
   mass: number;
   impulse: number;
-  /** Of ropes: the row only pulls. */
+  /** Whether the row only pulls, as a rope does. */
   onlyPulls: boolean;
 }
 
-/** A joint of the solver. */
+/** A joint as the solver uses it. */
 export interface Joint {
   readonly a: RigidBody;
   readonly b: RigidBody;
   readonly isActive: boolean;
-  /** Measures the errors, before the substeps of a step. */
+  /** Measures the deviations. Call it before the substeps of a step. */
   prepare(stepS: number): void;
   warmStart(): void;
   solve(stepS: number, usesBias: boolean): void;
@@ -51,7 +51,7 @@ const scratchAxisB = new Vec3();
 const scratchTangent = new Vec3();
 const scratchOther = new Vec3();
 
-/** Links two bodies; `b` is a body or a target. Rotations are held as they are now. */
+/** Creates a joint between two bodies; `b` is a body or the target of the joint. The current relative rotation is the one that is held. */
 export function createJoint(kind: PhysicsJoint['kind'], a: RigidBody, b: RigidBody, description: JointDescription): Joint {
   const { anchorA, anchorB, axisA, axisB, lengthM, frequencyHz, dampingRatio, maxForceN } = description;
   const localA = new Vec3(...anchorA);
@@ -144,7 +144,7 @@ function createRow(a: RigidBody, b: RigidBody): Row {
   return { a, b, ...levers, isAngular: false, x: 0, y: 0, z: 0, error: 0, mass: 0, impulse: 0, onlyPulls: false };
 }
 
-/** The lever of an anchor in the axes of the description. */
+/** Writes the vector from a body's center of mass to an anchor, which is given in the axes of the description. */
 function leverOf(body: RigidBody, local: Vec3, out: Vec3): void {
   local.vsub(body.centerM, out);
   body.quaternion.vmult(out, out);

@@ -4,7 +4,7 @@ import { addScaled, type Symmetric, symmetric } from './symmetric.ts';
 export interface MassProperties {
   readonly massKg: number;
   readonly centerM: Triple;
-  /** About the center of mass, in the axes of the body. */
+  /** Inertia tensor about the center of mass, in the axes of the body. */
   readonly inertia: Symmetric;
 }
 
@@ -18,10 +18,10 @@ interface Part {
 const NOTHING: MassProperties = { massKg: 0, centerM: [0, 0, 0], inertia: symmetric() };
 
 /**
- * Mass, center and inertia of solid shapes of equal density. Overlapping shapes count twice. Polyhedra exactly, as sums of tetrahedra
- * (Tonon, “Explicit Exact Formulas for the 3-D Tetrahedron Inertia Tensor”, 2004).
+ * Computes mass, center of mass and inertia of solid shapes of equal density. Parts that overlap count twice. Polyhedra are computed
+ * exactly, as sums of tetrahedra (Tonon, “Explicit Exact Formulas for the 3-D Tetrahedron Inertia Tensor”, 2004).
  *
- * @param massKg The total; 0: by density.
+ * @param massKg The total mass; 0: the mass follows from the density.
  */
 export function massProperties(shapes: readonly BodyShape[], massKg: number, densityKgPerM3: number): MassProperties {
   const parts = shapes.flatMap((shape) => partOf(shape) ?? []);

@@ -4,12 +4,12 @@ import { HullShape } from './hull-shape.ts';
 import { massProperties } from './mass-properties.ts';
 import { invert, rotate, type Symmetric, symmetric } from './symmetric.ts';
 
-/** Added around bodies when pairs are searched, so that contacts are found before bodies meet. Meters. */
+/** Margin around bodies when pairs are searched, so that contacts are found before bodies meet, meters. */
 export const MARGIN_M = 0.01;
 
 /**
- * A body of cannon-es with a whole inertia tensor, because cannon-es keeps its diagonal alone. `position` is the center of mass;
- * `centerM` is that point in the axes of the description.
+ * A body of cannon-es with a full inertia tensor; cannon-es has only its diagonal. `position` is the center of mass; `centerM` is the
+ * center of mass in the axes of the description.
  */
 export class RigidBody extends Body {
   readonly key: number;
@@ -17,20 +17,20 @@ export class RigidBody extends Body {
   readonly centerM = new Vec3();
   inertiaLocal: Symmetric = symmetric();
   inverseLocal: Symmetric = symmetric();
-  /** About the center of mass, world axes; zero for bodies that no force moves. */
+  /** Inverse of the inertia tensor about the center of mass, world axes; zero for bodies that no force moves. */
   readonly inverseWorld: Symmetric = symmetric();
   readonly inertiaWorld: Symmetric = symmetric();
-  /** Motion since the contacts of this step were found: meters, and radians about world axes. */
+  /** Motion since the contacts of this step were found: `movedM` in meters, `turnedRad` in radians about world axes. */
   readonly movedM = new Vec3();
   readonly turnedRad = new Vec3();
   readonly positionBefore = new Vec3();
-  /** The radius of the largest sphere inside, about: a body that moves more in a step is swept. */
+  /** Approximate radius of the largest sphere inside the body. A body that moves farther in a step is swept (`sweep.ts`). */
   innerRadiusM = 0;
   restS = 0;
-  /** The root of its island, while islands are found. */
+  /** The body that identifies the island of this body while islands are found. */
   island: RigidBody = this;
   sleeps = false;
-  /** Of kinematic bodies. */
+  /** Only for kinematic bodies: the position at the end of the step; `targetRotation` is the rotation. */
   readonly targetPosition = new Vec3();
   readonly targetRotation = this.quaternion.clone();
   hasTarget = false;
@@ -46,7 +46,7 @@ export class RigidBody extends Body {
     return this.invMass > 0;
   }
 
-  /** Replaces shape, mass and material. The axes of the description stay where they are. */
+  /** Replaces shape, mass and material. The body's origin and axes stay where they are. */
   describe(description: BodyDescription): void {
     this.description = description;
     const origin = this.centerM.negate();
@@ -91,7 +91,7 @@ export class RigidBody extends Body {
     this.wake();
   }
 
-  /** Call it when the pose has changed. */
+  /** Updates the bounding box. Call it when the pose has changed. */
   updateBounds(): void {
     this.updateBoundingRadius();
     this.boundingRadius += MARGIN_M;

@@ -37,7 +37,10 @@ export function collideSpheres(
   out.add(a, b, centerA.x + r * x, centerA.y + r * y, centerA.z + r * z, x, y, z, gapM);
 }
 
-/** A sphere and a polyhedron: the closest point of the polyhedron, or for a center inside the nearest face. */
+/**
+ * Adds the contact of a sphere and a polyhedron: at the point of the polyhedron that is closest to the sphere's center, or on the nearest
+ * face if the center is inside.
+ */
 export function collideSphereHull(
   a: RigidBody,
   sphere: Sphere,
@@ -74,7 +77,7 @@ export function collideSphereHull(
   out.add(a, b, center.x + r * x, center.y + r * y, center.z + r * z, x, y, z, gapM);
 }
 
-/** Writes the point of the surface that is closest to a point outside. Gives its distance. */
+/** Writes the point of the surface that is closest to a point outside. Returns their distance. */
 function closestOnHull(hull: HullShape, point: Vec3): number {
   let best = Number.POSITIVE_INFINITY;
   for (const face of hull.faces) {
@@ -131,7 +134,7 @@ export function collideSpherePlane(
   out.add(a, b, center.x - r * n.x, center.y - r * n.y, center.z - r * n.z, -n.x, -n.y, -n.z, gapM);
 }
 
-/** Each vertex near the plane is a contact. */
+/** Adds the contacts of a polyhedron and a plane: one for each vertex near the plane. */
 export function collideHullPlane(
   a: RigidBody,
   hull: HullShape,

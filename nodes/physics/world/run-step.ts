@@ -1,6 +1,9 @@
 import type { PhysicsEngine, StepAnswer, StepMessage } from './protocol.ts';
 
-/** Answers messages with one engine, in a worker or on the main thread: the same code, so the same results. */
+/**
+ * Creates a function that answers step messages with one engine. The worker and the main thread use the same function, so the results are
+ * the same.
+ */
 export function createStepper(createEngine: () => PhysicsEngine): (message: StepMessage) => StepAnswer {
   let engine = createEngine();
   return ({ commands, deltaS, poses, touches }) => {

@@ -8,10 +8,13 @@ import { createStepDriver } from './step-driver.ts';
 import { createTrackedBodies } from './tracked-bodies.ts';
 
 const STEP_S = 1 / 60;
-/** A late answer is bridged for so long; then bodies stop until it comes. */
+/** While an answer is late, bodies move on by their velocities for at most this time; then they stop until it comes. */
 const MAX_AHEAD_S = 1 / 30;
 
-/** After a long pause, or with a worker that cannot keep up, the world goes on instead of catching up. */
+/**
+ * The most time that may wait to be simulated. After a long pause, or with a worker that is too slow, the world continues instead of
+ * catching up.
+ */
 const MAX_OWED_S = 0.1;
 
 const FLOOR: BodyDescription = { ...FIXED_BODY, shapes: [{ kind: 'plane' }] };
@@ -22,11 +25,11 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const floor = createPhysicsBody(`${ctx.node}/floor`, FLOOR);
   const own: BodyList = { version: 0, bodies: ctx.config.floor ? [floor] : [] };
   const lists: BodyList[] = [];
-  /** Whether the result of the step before has been copied to the bodies in this frame. */
+  /** Whether the result of the last step has been copied to the bodies in this frame. */
   let isApplied = false;
-  /** Seconds that are still to be simulated: a late answer keeps them waiting. */
+  /** Time that is still to be simulated, seconds; it grows while an answer is late. */
   let owedS = 0;
-  /** Seconds since the answer that the bodies show. */
+  /** Time by which the bodies have moved on by their velocities since the last answer, seconds. */
   let aheadS = 0;
   let isFirst = true;
   const settings = { gravity: [0, 0, 0] as [number, number, number], substeps: 0, iterations: 0, sleep: false };
@@ -65,7 +68,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   function settingsCommand(): PhysicsCommand {
     return { kind: 'settings', settings: { ...settings, gravity: [...settings.gravity] } };
   }
-  /** Adds a command if a param has changed. */
+  /** Adds a command if a param of the world has changed, and updates the floor. */
   function writeSettings(): void {
     const [x = 0, y = 0, z = 0] = gravity.value;
     const [p, q, r] = settings.gravity;

@@ -1,37 +1,40 @@
 import type { NodeWorker, WorkerService } from '../../kit/runtime.ts';
 import { type PhysicsCommand, POSE_STRIDE, type StepAnswer, type StepMessage, TOUCH_STRIDE } from './protocol.ts';
 
-/** Sends steps to an engine in a worker; where none starts, it runs the engine on the main thread. */
+/** Sends steps to an engine in a worker. If no worker starts, it runs the engine on the main thread. */
 export interface StepDriver {
-  /** False while a step is in work: its answer has not come. */
+  /** True if no step is running: the last one has been answered. */
   readonly isIdle: boolean;
   readonly isOnMainThread: boolean;
-  /** Starts a step. Only while idle. The list is the caller's again when it returns. */
+  /** Starts a step. Call it only while idle. The driver does not keep `commands` after the call. */
   send(commands: readonly PhysicsCommand[], deltaS: number, bodyCount: number): void;
-  /** The newest answer, once; null if there is no new one. Valid until the next `send`. */
+  /** Returns the newest answer once; null if there is no new one. Valid until the next `send`. */
   take(): StepAnswer | null;
-  /** Resolves when the step in work is answered; null while idle. */
+  /** Resolves when the running step is answered; null while idle. */
   settle(): Promise<void> | null;
-  /** Drops the answer of the step in work. */
+  /** Makes the driver drop the answer of the running step. */
   forget(): void;
-  /** Once per frame: gives up a worker that has not answered for long. */
+  /** Gives up a worker that has not answered for too long. Call it once per frame. */
   watch(): void;
   dispose(): void;
 }
 
 export interface DriverOptions {
   readonly workers: WorkerService;
-  /** The engine on the main thread. */
+  /** Creates the engine for the main thread. */
   readonly createStepper: () => (message: StepMessage) => StepAnswer;
-  /** Commands that bring a new engine to the last kept state. */
+  /** Returns the commands that bring a new engine to the state after the last answer. */
   readonly restore: () => readonly PhysicsCommand[];
-  /** A worker has died; the step in work is repeated by the next one. */
+  /**
+   * Called when a worker has ended with an error or was given up; another one repeats the running step, or the main thread if
+   * `isOnMainThread`.
+   */
   readonly onRestart: (reason: string, isOnMainThread: boolean) => void;
 }
 
-/** After so many workers died, steps run on the main thread. */
+/** After this many workers have failed, steps run on the main thread. */
 const MAX_WORKERS = 3;
-/** Frames after which a worker without an answer is given up. */
+/** Number of frames after which a worker that has not answered is given up. */
 const PATIENCE_FRAMES = 300;
 const TOUCHES = 128;
 
@@ -42,7 +45,7 @@ export function createStepDriver({ workers, createStepper, restore, onRestart }:
   let poses = new Float32Array(0);
   let touches = new Float32Array(TOUCH_STRIDE * TOUCHES);
   let arrived: StepAnswer | null = null;
-  /** The step in work, to repeat it. */
+  /** The running step, to repeat it if its worker fails. */
   let inWork: { readonly commands: readonly PhysicsCommand[]; readonly deltaS: number; readonly bodyCount: number } | null = null;
   let isForgotten = false;
   let framesAway = 0;

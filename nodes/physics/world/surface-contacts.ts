@@ -5,9 +5,12 @@ import { HullShape } from './hull-shape.ts';
 import { MARGIN_M, type RigidBody } from './rigid-body.ts';
 import type { SurfaceField } from './surface-field.ts';
 
-/** A contact whose point rises by less above the plane of a nearer one is no obstacle: a ball would catch on the flat surface ahead. */
+/**
+ * Height above the plane of a nearer contact below which a contact is dropped; otherwise a ball would catch on the triangles of a flat
+ * surface.
+ */
 const FLAT_M = 0.004;
-/** Contacts of points of a polyhedron with about the same normal are one, if they are so near. */
+/** Cosine of the angle between the normals of two nearby contacts of a polyhedron below which they count as one contact. */
 const SAME_POINT_NORMAL = 0.97;
 
 // Filled and read within one call.
@@ -15,17 +18,17 @@ const scratchCenter = new Vec3();
 const gradient = new Float64Array(3);
 const quad = new Float64Array(12);
 const closest = new Float64Array(3);
-/** The sphere in work: its center, radius and reach. */
+/** The sphere that is being tested: its center, radius and reach. */
 const sphere = { x: 0, y: 0, z: 0, radiusM: 0, reach: 0 };
-/** Contacts that were found for it: normal, distance, and 1 for those inside a triangle. */
+/** How many numbers a candidate contact of the sphere has in `candidates`: normal, distance, and 1 if it is inside a triangle. */
 const STRIDE = 5;
 const MAX_KEPT = 128;
 const candidates = new Float64Array(STRIDE * MAX_KEPT);
 let kept = 0;
 
 /**
- * Contacts of a body with the smooth surface of the room: a sphere meets the triangles around it, a polyhedron is met at points spread over
- * its surface.
+ * Finds the contacts of a body with the smooth surface of the room. A sphere is tested against the triangles around it, a polyhedron at
+ * points that are spread over its surface.
  *
  * @param room The static body that stands for the room.
  */
@@ -80,7 +83,7 @@ function meetTriangles(surface: SurfaceField, edgeM: number): void {
   }
 }
 
-/** Reads the vertices of the four cells around an edge of the lattice, in a ring. False if one is missing. */
+/** Reads the vertices of the four cells around an edge of the voxel lattice, in a ring. Returns false if one is missing. */
 function readQuad(surface: SurfaceField, vx: number, vy: number, vz: number, axis: number): boolean {
   for (let k = 0; k < 4; k++) {
     const s = k === 1 || k === 2 ? 1 : 0;
@@ -94,9 +97,9 @@ function readQuad(surface: SurfaceField, vx: number, vy: number, vz: number, axi
 }
 
 /**
- * A triangle of the quad.
+ * Tests the sphere against one triangle of the quad, and keeps a contact.
  *
- * @param outward Sign of the component of its normal along the axis.
+ * @param outward Sign of the normal's component along the axis.
  */
 function meetTriangle(edgeM: number, a: number, b: number, c: number, axis: number, outward: number): void {
   const [ax, ay, az] = [quad[a] ?? 0, quad[a + 1] ?? 0, quad[a + 2] ?? 0];
@@ -132,13 +135,13 @@ function meetTriangle(edgeM: number, a: number, b: number, c: number, axis: numb
   keep(nx, ny, nz, distance, isFace);
 }
 
-/** Keeps a contact of the sphere for `addKept`. */
+/** Keeps a candidate contact of the sphere for `addKept`. */
 function keep(nx: number, ny: number, nz: number, distance: number, isFace: boolean): void {
   if (kept === MAX_KEPT) return;
   candidates.set([nx, ny, nz, distance, isFace ? 1 : 0], STRIDE * kept++);
 }
 
-/** Adds the contacts that were kept, from the nearest on, those inside triangles before those at borders. */
+/** Adds the kept contacts that are not below others: first those inside triangles, then those on borders; nearest first. */
 function addKept(room: RigidBody, body: RigidBody, out: ContactList): void {
   const first = out.count;
   for (let wanted = 1; wanted >= 0; wanted--) {
@@ -164,7 +167,7 @@ function addKept(room: RigidBody, body: RigidBody, out: ContactList): void {
   }
 }
 
-/** Whether the point of a contact lies below the plane of one that was added. */
+/** Whether the point of a contact lies below the plane of a contact that was added before. */
 function isBelow(nx: number, ny: number, nz: number, distance: number, first: number, out: ContactList): boolean {
   for (let i = first; i < out.count; i++) {
     const other = out.at(i);
@@ -265,7 +268,7 @@ function distanceTo({ ax, ay, az }: Contact, { position: p }: RigidBody, x: numb
   return Math.hypot(ax + p.x - x, ay + p.y - y, az + p.z - z);
 }
 
-/** The first point of the surface on a ray that comes from its outer side. Infinite for none. */
+/** The distance along a ray to the first point at which it meets the surface from its outer side; infinite if there is none. */
 export function castOnSurface(surface: SurfaceField, edgeM: number, from: Vec3, direction: Vec3, lengthM: number, normal: Vec3): number {
   const stepM = edgeM / 4;
   let before = Number.NaN;

@@ -1,24 +1,27 @@
 import type { VoxelSettings } from '../../kit/physics.ts';
 import { indexIn, type VoxelChunks } from './voxel-chunks.ts';
 
-/** Radius of the weights of measured points, edges. */
+/** Radius within which measured points have weight, in edges of a voxel. */
 const KERNEL = 0.7;
-/** Of a voxel at the threshold. */
+/** Added to the weight of measured points, so that those of a voxel at the threshold count too. */
 const LEAST_WEIGHT = 0.01;
 
 /**
- * A smooth surface through the occupied voxels, computed where it is asked for. Its signed distance at the middle of a voxel is the mean of
- * the distances from the planes that were measured in the 27 voxels around (“Provably Good Moving Least Squares”, 2008); its
- * vertices are those of surface nets (Gibson, “Constrained Elastic Surface Nets”, 1998).
+ * A smooth surface through the occupied voxels, computed on demand. Its signed distance at the middle of a voxel is the mean of the
+ * distances from the planes that were measured in the 27 voxels around (“Provably Good Moving Least Squares”, 2008); its vertices are those
+ * of surface nets (Gibson, “Constrained Elastic Surface Nets”, 1998).
  */
 export interface SurfaceField {
-  /** Meters above the surface at the middle of a voxel; NaN where nothing was measured around it. */
+  /** The height above the surface at the center of a voxel, meters; negative below, NaN where nothing was measured around it. */
   at(vx: number, vy: number, vz: number): number;
-  /** Writes the vertex of the surface between the middles of a voxel and its seven next ones. False if it does not pass there. */
+  /**
+   * Writes the vertex of the surface in the cell between the centers of a voxel and its seven next ones. Returns false if the surface does
+   * not pass through the cell.
+   */
   vertex(vx: number, vy: number, vz: number, out: Float64Array, offset: number): boolean;
-  /** Meters above the surface at a point, with the gradient; NaN where unknown. */
+  /** The height above the surface at a point, meters, and its gradient; NaN where unknown. */
   sample(x: number, y: number, z: number, gradient: Float64Array | null): number;
-  /** Call it when voxels have changed. */
+  /** Marks computed distances as outdated. Call it when voxels have changed. */
   invalidate(): void;
 }
 
@@ -74,7 +77,7 @@ export function createSurfaceField(chunks: VoxelChunks, { edgeM, threshold }: Vo
     }
     return surface.field[index] ?? Number.NaN;
   }
-  /** Reads the eight corners of a cell. False if one is unknown. */
+  /** Reads the distances at the eight corners of a cell. Returns false if one is unknown. */
   function readCorners(vx: number, vy: number, vz: number): boolean {
     for (let k = 0; k < 8; k++) {
       const value = at(vx + (k & 1), vy + ((k >> 1) & 1), vz + (k >> 2));
@@ -83,7 +86,7 @@ export function createSurfaceField(chunks: VoxelChunks, { edgeM, threshold }: Vo
     }
     return true;
   }
-  /** The mean of the points where the surface crosses the edges of a cell. */
+  /** Writes the mean of the points where the surface crosses the edges of a cell, which is the cell's vertex. */
   function computeVertex(vx: number, vy: number, vz: number, out: Float32Array | Float64Array, o: number): boolean {
     out[o] = Number.NaN;
     if (!readCorners(vx, vy, vz)) return false;
@@ -159,7 +162,7 @@ export function createSurfaceField(chunks: VoxelChunks, { edgeM, threshold }: Vo
   };
 }
 
-/** Whether the neighbors of a voxel lie in the same chunk, along one axis. */
+/** Whether both neighbors of a voxel along an axis lie in the same chunk. */
 function isInner(v: number): boolean {
   return (v & 7) > 0 && (v & 7) < 7;
 }

@@ -11,12 +11,15 @@ const hitNormal = new Vec3();
 const scratchRotation = new Quaternion();
 const Z = new Vec3(0, 0, 1);
 
-/** A surface that is not a body, such as the room. Gives the distance along the path and writes the normal; infinite for none. */
+/**
+ * Casts a ray at a surface that is not a body, such as the room. Returns the distance along the ray and writes the normal; infinite if it
+ * meets nothing.
+ */
 export type CastRoom = (from: Vec3, direction: Vec3, lengthM: number, normal: Vec3) => number;
 
 /**
- * Stops a body that moved further than its inner radius in this step at the first surface that its center met: continuous detection.
- * Its velocity becomes that of the moment of the contact, so it loses time but no energy.
+ * Continuous collision detection: if a body has moved farther in this step than its inner radius, moves it back to the first surface that
+ * its center met. It gets the velocity that it had there, so it loses time but no energy.
  *
  * @returns Whether it was stopped.
  */
@@ -58,7 +61,7 @@ function isNear(other: RigidBody, body: RigidBody, farM: number): boolean {
   return x + farM > l.x && x - farM < u.x && y + farM > l.y && y - farM < u.y && z + farM > l.z && z - farM < u.z;
 }
 
-/** Distance to a shape along a ray; infinite for none, and where the ray begins inside. Writes `scratchNormal`. */
+/** Distance along a ray to a shape; infinite if the ray misses it or starts inside. Writes the normal to `scratchNormal`. */
 function castOnShape(body: RigidBody, index: number, from: Vec3, direction: Vec3): number {
   const shape = body.shapes[index];
   centerOf(body, index, scratchCenter);

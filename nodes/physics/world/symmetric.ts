@@ -1,6 +1,6 @@
 import type { Quaternion } from 'cannon-es';
 
-/** A symmetric 3×3 matrix, as inertia tensors are. */
+/** A symmetric 3×3 matrix, such as an inertia tensor. */
 export interface Symmetric {
   xx: number;
   xy: number;
@@ -41,7 +41,7 @@ export function invert(m: Symmetric): Symmetric {
   };
 }
 
-/** Writes R·m·Rᵀ: a tensor of body axes in world axes. */
+/** Writes R·m·Rᵀ: converts a tensor from the axes of a body to world axes. */
 export function rotate(m: Symmetric, { x, y, z, w }: Quaternion, out: Symmetric): void {
   const r00 = 1 - 2 * (y * y + z * z);
   const r01 = 2 * (x * y - z * w);

@@ -1,13 +1,13 @@
 import type { DepthFrame } from '../../kit/physics.ts';
 
-/** Neighbors at most so many texels away. */
+/** The greatest distance of the neighboring texels that are compared. */
 const MAX_REACH_PX = 8;
-/** A difference of depth of more edges between neighbors is the border of a thing. */
+/** Neighboring texels whose depth differs by more than this many voxel edges belong to different things. */
 const BORDER_EDGES = 4;
 
 /**
- * Writes the normal of the measured surface at a texel, world space, unit, towards the camera: from neighbors that are about an edge apart,
- * because differences of single texels are noise. Where there are none it points at the camera.
+ * Writes the normal of the measured surface at a texel, world space, unit, towards the camera: It is computed from neighbors that are about
+ * a voxel edge apart, because differences of adjacent texels are noise. Without such neighbors the normal points at the camera.
  */
 export function writeNormal(frame: DepthFrame, i: number, j: number, edgeM: number, out: Float64Array): void {
   const { meters, widthPx, heightPx, worldFromDepth: m, rayFromTexel: r } = frame;

@@ -3,21 +3,24 @@ import { MAX_TOUCHES } from '../../kit/physics.ts';
 import { createVersionWatch } from '../../kit/version-watch.ts';
 import { ASLEEP, LOST, type PhysicsCommand, POSE_STRIDE, type StepAnswer, TOUCH_STRIDE } from './protocol.ts';
 
-/** The bodies of a world, and how they differ from those of the engine. */
+/** The bodies of a world, with the state that the engine has of each. */
 export interface TrackedBodies {
   readonly count: number;
-  /** How many of them move. */
+  /** The number of bodies that are not asleep. */
   readonly awakeCount: number;
   /** Adds the commands that tell the engine what has changed since the last call. */
   writeCommands(lists: readonly BodyList[], out: PhysicsCommand[]): void;
   /** Copies an answer to the bodies. */
   take(answer: StepAnswer): void;
-  /** Moves the bodies on by their velocities, for a frame whose answer has not come. Seconds since the last answer. */
+  /**
+   * Moves the bodies on by their velocities, for a frame in which the answer of the engine is late. `aheadS` are the seconds since the last
+   * answer.
+   */
   continueFor(aheadS: number): void;
   clearTouches(): void;
-  /** Adds the commands that build the whole world in a new engine, as it was after the last answer. */
+  /** Adds the commands that build the whole world in a new engine, in the state after the last answer. */
   writeAll(out: PhysicsCommand[]): void;
-  /** Forgets all, as before the first frame. */
+  /** Forgets all bodies, as before the first frame. */
   clear(): void;
 }
 
@@ -26,9 +29,9 @@ interface Tracked {
   readonly body: PhysicsBody;
   version: number;
   jumps: number;
-  /** As the engine last said, or as the body began. */
+  /** The state of the body in the last answer of the engine, or its initial state. */
   readonly state: Float64Array;
-  /** As last sent, of bodies that their nodes move. */
+  /** The target that was last sent to the engine, for bodies that their nodes move. */
   readonly target: Float64Array;
   isListed: boolean;
 }
@@ -47,7 +50,7 @@ export function createTrackedBodies(world: BodyWorld): TrackedBodies {
   const joints = new Map<PhysicsJoint, TrackedJoint>();
   let watch = createVersionWatch();
   let nextId = 1;
-  /** The room whose settings the engine has, with their version. */
+  /** The room whose settings were last sent to the engine; `roomVersion` is their version. */
   let sentRoom: PhysicsRoom | null = null;
   let roomVersion = -1;
 
@@ -226,7 +229,7 @@ export function createTrackedBodies(world: BodyWorld): TrackedBodies {
   };
 }
 
-/** The state of a body that begins at its target. */
+/** The state of a body at its target. */
 function stateOf({ worldFromTarget: m, targetVelocity }: PhysicsBody): Float64Array {
   const at = (i: number) => m[i] ?? 0;
   const state = new Float64Array(POSE_STRIDE);
@@ -236,7 +239,7 @@ function stateOf({ worldFromTarget: m, targetVelocity }: PhysicsBody): Float64Ar
   return state;
 }
 
-/** Quaternion of a rotation matrix, at 4 to 7 (Shepperd, “Quaternion from Rotation Matrix”, 1978). */
+/** Writes the quaternion of a rotation matrix to elements 4 to 7 of a state (Shepperd, “Quaternion from Rotation Matrix”, 1978). */
 function writeRotation(m: Float64Array, out: Float64Array): void {
   const at = (i: number) => m[i] ?? 0;
   const trace = at(0) + at(5) + at(10);
@@ -255,7 +258,7 @@ function writeRotation(m: Float64Array, out: Float64Array): void {
   }
 }
 
-/** Writes a state to a body, moved on by its velocity. */
+/** Writes a state to a body, moved on by its velocity for `aheadS`. */
 function writeBody(body: PhysicsBody, state: Float64Array, aheadS: number): void {
   const at = (i: number) => state[i] ?? 0;
   const m = body.worldFromBody;

@@ -1,43 +1,49 @@
 /** Voxels along each side of a chunk. */
 export const SIDE = 8;
 export const VOXELS = SIDE ** 3;
-/** Chunks at most, so that noise cannot fill the memory: 40 MB, with a smooth surface 100 MB. */
+/** The most chunks, so that noise cannot fill the memory: 40 MB, with a smooth surface 100 MB. */
 const MAX_CHUNKS = 8000;
 
-/** The voxels of a cube of `SIDE` voxels; the arrays are indexed by `indexIn`. */
+/** A cube of `SIDE` voxels along each side; `indexIn` gives the index of a voxel in its arrays. */
 export interface Chunk {
   readonly x: number;
   readonly y: number;
   readonly z: number;
   readonly weights: Float32Array;
-  /** Depth frame of the last hit. */
+  /** For each voxel, the number of the depth frame that last hit it. */
   readonly hits: Int32Array;
-  /** Sum of directions to the cameras that saw each voxel: which side is outside. */
+  /** For each voxel, the sum of the directions to the cameras that saw it, which tells the outer side. */
   readonly seen: Float32Array;
   readonly surface: ChunkSurface | null;
 }
 
-/** What a smooth surface needs of each voxel. */
+/** The data of each voxel from which the smooth surface is computed. */
 export interface ChunkSurface {
-  /** Mean of the points that hit the voxel, world space, and of the normals there, not normalized. */
+  /** For each voxel, the mean of the points that hit it, world space; `normals` has the mean of the normals there, not normalized. */
   readonly points: Float32Array;
   readonly normals: Float32Array;
-  /** How many of the last hits both means contain. */
+  /** For each voxel, how many hits both means contain; older hits lose weight. */
   readonly counts: Uint8Array;
-  /** Signed distance from the surface at the middle of the voxel, NaN where unknown, and the depth frame that it was computed in. */
+  /**
+   * For each voxel, the signed distance of its center from the surface, NaN where unknown. The array after it has the depth frame in which
+   * the distance was computed.
+   */
   readonly field: Float32Array;
   readonly fieldFrames: Int32Array;
-  /** Vertex of the surface between this voxel and its seven next ones, NaN for none, and the depth frame that it was computed in. */
+  /**
+   * For each voxel, the vertex of the surface between it and its seven next ones, NaN for none. The array after it has the depth frame in
+   * which the vertex was computed.
+   */
   readonly vertices: Float32Array;
   readonly vertexFrames: Int32Array;
 }
 
-/** Chunks by their place. They exist where something was seen, so memory follows surfaces. */
+/** The chunks of a grid by their position. A chunk exists only where something was seen, so memory grows with the area of surfaces. */
 export interface VoxelChunks {
   readonly count: number;
   /** The chunk that contains a voxel. */
   of(vx: number, vy: number, vz: number): Chunk | undefined;
-  /** The chunk that contains a voxel, which is made if it is missing; undefined if there are too many. */
+  /** The chunk that contains a voxel; it is created if it is missing. Undefined if there are too many chunks. */
   make(vx: number, vy: number, vz: number): Chunk | undefined;
   remove(chunk: Chunk): void;
   all(): Iterable<Chunk>;
@@ -95,7 +101,7 @@ function createSurface(): ChunkSurface {
   };
 }
 
-/** Of a chunk or a voxel, ±2¹⁶ along each axis: voxels of 5 cm repeat after 6 km. */
+/** The key of a chunk or voxel by its indices, ±2¹⁶ along each axis: voxels of 5 cm repeat after 6 km. */
 export function keyOf(x: number, y: number, z: number): number {
   return (x + 65536) * 2 ** 34 + (y + 65536) * 2 ** 17 + (z + 65536);
 }

@@ -5,16 +5,17 @@ import { HullShape } from './hull-shape.ts';
 import { MARGIN_M, type RigidBody } from './rigid-body.ts';
 import type { VoxelGrid } from './voxel-grid.ts';
 
-/** Contacts with about the same normal are one, if they are so near. */
+/** Cosine of the angle between the normals of two nearby contacts below which they count as one contact. */
 const SAME_NORMAL = 0.97;
 
 // Filled and read within one call.
 const scratchCenter = new Vec3();
 
 /**
- * Contacts of a body with the occupied voxels around it. A sphere meets the nearest point of each voxel; a polyhedron is met at points
- * spread over its surface (McNeely et al., “Six Degree-of-Freedom Haptic Rendering Using Voxel Sampling”, 1999). Faces between two occupied
- * voxels give no contacts, so bodies slide over them, and no contact pushes to a side from which the voxel was never seen.
+ * Finds the contacts of a body with the occupied voxels around it. A sphere is tested against the nearest point of each voxel; a polyhedron
+ * at points that are spread over its surface (McNeely et al., “Six Degree-of-Freedom Haptic Rendering Using Voxel Sampling”, 1999). Faces
+ * between two occupied voxels give no contacts, so bodies slide over them, and no contact pushes a body to a side from which the voxel was
+ * never seen.
  *
  * @param room The static body that stands for the room.
  */
@@ -34,7 +35,11 @@ export function collideVoxels(room: RigidBody, grid: VoxelGrid, body: RigidBody,
   }
 }
 
-/** @param nearM Contacts of one normal that are nearer than this are one. */
+/**
+ * Tests a sphere, or a point if the radius is 0, against the occupied voxels around it.
+ *
+ * @param nearM Contacts with the same normal that are nearer to each other than this count as one.
+ */
 function meet(
   room: RigidBody,
   grid: VoxelGrid,
@@ -139,7 +144,10 @@ function distanceTo({ ax, ay, az }: Contact, { position: p }: RigidBody, x: numb
   return Math.hypot(ax + p.x - x, ay + p.y - y, az + p.z - z);
 }
 
-/** The first occupied voxel on a ray (Amanatides and Woo, “A Fast Voxel Traversal Algorithm for Ray Tracing”, 1987). Infinite for none. */
+/**
+ * The distance along a ray to the first occupied voxel (Amanatides and Woo, “A Fast Voxel Traversal Algorithm for Ray Tracing”, 1987);
+ * infinite if there is none.
+ */
 export function castOnVoxels(grid: VoxelGrid, from: Vec3, direction: Vec3, lengthM: number, normal: Vec3): number {
   const { edgeM } = grid.settings;
   let x = Math.floor(from.x / edgeM);

@@ -3,14 +3,14 @@ import { createSurfaceField, type SurfaceField } from './surface-field.ts';
 import { writeNormal } from './texel-normal.ts';
 import { type Chunk, createVoxelChunks, indexIn, keyOf, SIDE, VOXELS } from './voxel-chunks.ts';
 
-/** Lighter voxels are as good as never seen. */
+/** Voxels of less weight count as never seen. */
 const GONE = 0.01;
-/** Hits that the mean of a voxel contains: those of about a second, so that what lies on it is steady. */
+/** The number of hits over which a voxel's means run: those of about a second, so that bodies rest steadily on it. */
 const MEAN_HITS = 255;
 
 /**
- * A probabilistic voxel grid of what depth shows: V' = V · (1 − U) + U · H, once per voxel and depth frame. A voxel outside the view, or
- * behind what is measured, keeps its weight.
+ * A probabilistic voxel grid of the surfaces that depth shows. Each depth frame updates the weight V of each voxel once: V' = V · (1 − U) +
+ * U · H, where U is the speed and H is 1 for a hit, 0 for a miss. A voxel outside the view, or behind what is measured, keeps its weight.
  */
 export interface VoxelGrid {
   readonly settings: VoxelSettings;
@@ -19,16 +19,16 @@ export interface VoxelGrid {
   weightAt(x: number, y: number, z: number): number;
   /** Whether a direction leaves the voxel towards a side from which it was seen. */
   isOutward(x: number, y: number, z: number, dx: number, dy: number, dz: number): boolean;
-  /** Whether a voxel in the box became occupied or free in the last update. World space. */
+  /** Whether the last update has made a voxel in a box occupied or free. The box is in world space, meters. */
   hasChanged(minX: number, minY: number, minZ: number, maxX: number, maxY: number, maxZ: number): boolean;
   /** Calls back with the indices of all occupied voxels. */
   forEachOccupied(call: (x: number, y: number, z: number) => void): void;
   /** The smooth surface; null where bodies collide with the voxels themselves. */
   readonly surface: SurfaceField | null;
-  /** Voxels that the last update has read or written. */
+  /** The number of voxels that the last update has read or written. */
   readonly touched: number;
   readonly chunkCount: number;
-  /** No occupied voxel is lower, meters; infinite while there is none. */
+  /** The height below which no voxel is occupied, meters; infinite if none is occupied at all. */
   readonly lowestM: number;
 }
 
@@ -108,7 +108,7 @@ export function createVoxelGrid(settings: VoxelSettings): VoxelGrid {
     points[o + 2] = (points[o + 2] ?? 0) + share * (pz - (points[o + 2] ?? 0));
     for (let k = 0; k < 3; k++) normals[o + k] = (normals[o + k] ?? 0) + share * ((scratchNormal[k] ?? 0) - (normals[o + k] ?? 0));
   }
-  /** Voxels that were not hit and that depth passes by more than an edge are free. */
+  /** Lowers the weight of voxels that were not hit and behind which depth measures a surface more than an edge away. */
   function decay(frame: DepthFrame, rate: number): void {
     const { meters, widthPx, heightPx, worldFromDepth: m, rayFromTexel: r } = frame;
     const determinant = at(r, 0) * at(r, 4) - at(r, 1) * at(r, 3);

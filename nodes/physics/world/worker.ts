@@ -8,7 +8,7 @@ export interface WorkerScope {
   postMessage(answer: StepAnswer, transfer: ArrayBuffer[]): void;
 }
 
-/** Runs the engine in a worker: one answer for each message, in the buffers of the message. */
+/** Runs the engine in a worker: answers each message, in the buffers of the message. */
 export function serve(scope: WorkerScope): void {
   const step = createStepper(createCannonEngine);
   scope.onmessage = ({ data }) => {

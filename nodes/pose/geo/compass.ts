@@ -1,13 +1,13 @@
 import { clockwiseTurn, type DeviceAngles, screenAngle, setDeviceRotation } from '../../kit/device-orientation.ts';
 
-/** The direction of north, from the device's magnetic compass. */
+/** The azimuth of the device, read from its magnetic compass. */
 export interface Compass {
-  /** A reading that has not been taken yet. */
+  /** Whether there is a reading that has not been taken yet. */
   readonly isFresh: boolean;
   /** Standard deviation of the reading. */
   readonly sigmaRad: number;
   /**
-   * Takes the reading.
+   * Takes the reading, so that `isFresh` is false until the next one.
    *
    * @param worldFromView Of this frame, column-major 4×4.
    * @returns Azimuth of world space's -z axis against magnetic north, clockwise.
@@ -16,18 +16,21 @@ export interface Compass {
   dispose(): void;
 }
 
-/** Safari's own members of the event, in degrees. */
+/** The properties that Safari adds to the event, in degrees. */
 type SafariEvent = DeviceOrientationEvent & { readonly webkitCompassHeading?: number; readonly webkitCompassAccuracy?: number };
 
 const RAD_PER_DEG = Math.PI / 180;
-/** Android states no accuracy; compasses of phones are within 20° in most places. */
+/** Standard deviation where the browser states no accuracy, as on Android; compasses of phones are within 20° in most places. */
 const ASSUMED_SIGMA_RAD = 10 * RAD_PER_DEG;
-/** Level part of the top and the back of the device together, below which Safari's heading has no direction to compare with. */
+/**
+ * Least length of the horizontal part of the device's top and back, added. Below that, Safari's heading cannot be compared with the
+ * orientation.
+ */
 const LEAST_LEVEL = 0.5;
 
 /**
- * Listens to the absolute orientation. Safari has none: it tells the heading of the device beside an orientation from any start, so that
- * is turned by the difference.
+ * Listens to the absolute orientation of the device. Safari has none: it gives an orientation relative to an arbitrary start, and
+ * separately a heading; the orientation is then rotated by the difference.
  */
 export function listenToCompass(): Compass {
   const angles: DeviceAngles = { alphaRad: 0, betaRad: 0, gammaRad: 0, screenRad: 0 };

@@ -1,54 +1,65 @@
 /**
- * Where world space lies on the earth: estimated from satellite positions, the compass, and the motion that the session measures.
+ * Estimates where world space lies on the earth, from satellite positions, the compass, and the motion that the session measures.
  *
  * An extended Kalman filter over the device's position east and north of an origin and the azimuth of world space's -z axis. Between two
- * measurements the device moves as the session says, turned by the azimuth; so a walk corrects the azimuth, and tracking that drifts is
- * allowed for by noise. The errors of satellites and compass change slowly: measurements shortly after each other tell little new and
- * count less (`CORRELATION_S`).
+ * measurements the device moves as the session measures, rotated by the azimuth; so a walk corrects the azimuth. Noise allows for tracking
+ * that drifts. The errors of satellites and compass change slowly: measurements shortly after each other tell little new and count less
+ * (`CORRELATION_S`).
  */
 export interface GeoAlignment {
-  /** There is a position. */
+  /** Whether the position is known. */
   readonly isPlaced: boolean;
-  /** There is an azimuth. */
+  /** Whether the azimuth is known. */
   readonly isTurned: boolean;
   readonly eastM: number;
   readonly northM: number;
   /** Azimuth of world space's -z axis, clockwise from north. */
   readonly northRad: number;
-  /** The azimuth is within this in 95 % of cases. */
+  /** The uncertainty of the azimuth: it is within this angle in 95 % of cases. */
   readonly turnErrorRad: number;
-  /** A point at an offset from the device is within this in 95 % of cases, meters, level. */
+  /** The horizontal uncertainty of a point at an offset from the device, meters: the point is within this distance in 95 % of cases. */
   errorM(eastM: number, northM: number): number;
-  /** @param rightM, aheadM How far the session says the device moved since the last call, along x and -z of world space. */
+  /**
+   * Moves the estimate by the motion of the device.
+   *
+   * @param rightM, aheadM Motion since the last call as the session measures it, along x and -z of world space.
+   */
   move(rightM: number, aheadM: number, deltaS: number): void;
-  /** @param sigmaM Standard deviation along each axis. */
+  /**
+   * Corrects the estimate by a satellite position.
+   *
+   * @param sigmaM Standard deviation along each axis.
+   */
   place(eastM: number, northM: number, sigmaM: number, timeS: number): void;
   turn(northRad: number, sigmaRad: number, timeS: number): void;
-  /** World space was turned and moved: the azimuth is another, the place is the same. */
+  /** Replaces the azimuth after world space has been rotated and moved; the device's place on the earth stays. */
   jump(northRad: number): void;
   reset(): void;
 }
 
 export interface GeoMotionNoise {
-  /** How far the device may move without the session's knowledge: variance per second, m²/s. */
+  /** Drift of the device's position that the session does not notice, as variance per second, m²/s. */
   readonly moveM2PerS: number;
-  /** How far world space may turn: variance per second, rad²/s. */
+  /** Drift of world space's azimuth, as variance per second, rad²/s. */
   readonly turnRad2PerS: number;
 }
 
-/** 95 % of a normal distribution lie within so many standard deviations: of one number, and of two. */
+/** How many standard deviations contain 95 % of a normal distribution of one number; `RADIUS_95`: of two numbers, as a radius. */
 const NORMAL_95 = 1.96;
-/** The same where walks alone tell north: slow errors of positions look like a turned walk. From simulated walks other than those of the test. */
+/**
+ * `NORMAL_95` for an azimuth that only walks tell: slow errors of positions look like a rotated walk. Found by simulating walks other than
+ * those of the test.
+ */
 const WALK_95 = 2.4;
 const RADIUS_95 = 2.448;
 /**
- * How long one measurement stands for all others, seconds: twice the time in which the errors of satellite positions (20 s) and compasses
- * (60 s) lose 63 % of their direction, which is the variance of the mean of a first-order Gauss–Markov process.
+ * Time for which one measurement stands for all others, seconds: twice the time in which the correlation of the errors falls to 1/e
+ * (satellite positions 20 s, compasses 60 s). This gives the variance of the mean of a first-order Gauss–Markov process.
  */
 const CORRELATION_S = { place: 40, turn: 120 };
-/** The positions of the walk count for the place as well, so for the azimuth they count less. */
+/** Factor on the error of an azimuth from a walk. It is above 1 because the positions of the walk also determine the place. */
 const WALK_EXCESS = 3;
-/** What a jump of world space may add. */
+/** Standard deviation that a jump of world space adds to the azimuth. */
 const JUMP_RAD = 0.05;
 
 export function createGeoAlignment(noise: () => GeoMotionNoise): GeoAlignment {
@@ -60,18 +71,18 @@ export function createGeoAlignment(noise: () => GeoMotionNoise): GeoAlignment {
   let hasCompass = false;
   let placedS = 0;
   let turnedS = 0;
-  /** Since the first position: what the session measured, and what it began with. */
+  /** The walk since the first position: `rightM` and `aheadM` as the session measured them, the others as they were at its start. */
   const walk = { rightM: 0, aheadM: 0, east: 0, north: 0, sigmaM: 0 };
 
   const at = (row: number, column: number): number => p[3 * row + column] ?? 0;
   const set = (row: number, column: number, value: number): void => {
     p[3 * row + column] = value;
   };
-  /** Variance of a measurement that says again what one `sinceS` ago said. */
+  /** The variance of a measurement that comes `sinceS` after an earlier one and partly repeats its error; larger the sooner it comes. */
   const independent = (sigma: number, sinceS: number, correlationS: number): number =>
     sigma * sigma * Math.max(1, correlationS / Math.max(sinceS, 0.05));
 
-  /** Corrects the state by a measurement of one of its numbers. */
+  /** Corrects the state by a measurement of one of its three numbers: 0 east, 1 north, 2 azimuth. */
   function correct(which: 0 | 1 | 2, difference: number, variance: number): void {
     const total = at(which, which) + variance;
     const gain = [at(0, which) / total, at(1, which) / total, at(2, which) / total];
@@ -90,7 +101,9 @@ export function createGeoAlignment(noise: () => GeoMotionNoise): GeoAlignment {
     }
     set(2, 2, variance);
   }
-  /** Without a compass: once the walk is far longer than the errors of the positions, its direction tells the azimuth. */
+  /**
+   * Estimates the azimuth without a compass, from the direction of the walk, once the walk is far longer than the errors of the positions.
+   */
   function turnByWalk(eastM: number, northM: number, sigmaM: number): void {
     const error = Math.hypot(sigmaM, walk.sigmaM);
     const length = Math.hypot(walk.rightM, walk.aheadM);
@@ -190,7 +203,7 @@ export function createGeoAlignment(noise: () => GeoMotionNoise): GeoAlignment {
   };
 }
 
-/** The same angle in (-π, π]. */
+/** Wraps an angle to (-π, π]. */
 function wrap(rad: number): number {
   return Math.atan2(Math.sin(rad), Math.cos(rad));
 }

@@ -3,23 +3,26 @@ import type { GeoPlace } from '../../kit/wgs84.ts';
 
 /** A position of the device. */
 export interface GeoFix extends Readonly<GeoPlace> {
-  /** 95 % of positions are within it, level, meters (W3C Geolocation, “accuracy”). */
+  /** Radius around the position that contains the true one in 95 % of cases, horizontal, meters (W3C Geolocation, “accuracy”). */
   readonly accuracyM: number;
-  /** As `accuracyM`, of the altitude; null where the device knows none. */
+  /**
+   * The same for the altitude: half-width of the interval that contains the true one in 95 % of cases. Null if the device does not know the
+   * altitude.
+   */
   readonly altitudeAccuracyM: number | null;
 }
 
 /** Why there is no position. `timeout`: the search continues. */
 export type GeoRefusal = 'denied' | 'unavailable' | 'timeout' | 'absent';
 
-/** What a search waits for a position, milliseconds: satellites take half a minute after a long rest. */
+/** Time after which a search reports `timeout`, milliseconds. Satellite receivers need half a minute after a long pause. */
 const TIMEOUT_MS = 30_000;
 
 /**
  * Follows the location of the device from the visitor's first touch on, when browsers may ask for it.
  *
  * @param onAsk Called when the search begins.
- * @returns Ends it.
+ * @returns A function that stops following.
  */
 export function locate(onAsk: () => void, onFix: (fix: GeoFix) => void, onRefusal: (reason: GeoRefusal) => void): () => void {
   // Undefined in some browsers without HTTPS.

@@ -7,7 +7,7 @@ interface Words {
 
 const NOT_SHOWN = 'Things at places on Earth are not shown.';
 
-/** What the visitor is told where there is no location. */
+/** The texts that tell the visitor why there is no location. */
 export const REFUSALS: Readonly<Record<GeoRefusal, Words>> = {
   denied: { message: `The location was not allowed. ${NOT_SHOWN}`, fix: 'Allow it beside the address bar, then reload the page.' },
   unavailable: { message: `This device does not know its location. ${NOT_SHOWN}`, fix: 'Turn on location in the settings of the device.' },
@@ -25,7 +25,11 @@ export const NORTH_DENIED: Words = {
   fix: 'Walk straight on. To allow the compass, close this tab and open the page again.',
 };
 
-/** @param errorM What is known, meters. */
+/**
+ * The text that tells the visitor that the location is too inaccurate.
+ *
+ * @param errorM The current accuracy, meters.
+ */
 export function inaccurate(errorM: number, largestM: number): Words {
   const known = Number.isFinite(errorM) ? `accurate to ${Math.round(errorM)} m only` : 'too inaccurate';
   return {

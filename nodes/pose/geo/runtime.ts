@@ -13,15 +13,15 @@ import { type GeoFix, locate } from './locate.ts';
 import { inaccurate, NO_NORTH, NORTH_DENIED, REFUSALS } from './notices.ts';
 
 const RAD_PER_DEG = Math.PI / 180;
-/** Radius with 95 % of a normal distribution of two numbers, in standard deviations. */
+/** Radius of the circle that contains 95 % of a two-dimensional normal distribution, in standard deviations. */
 const RADIUS_95 = 2.448;
-/** Tracking in AR drifts by 2 cm and 1° within a minute. */
+/** Noise of sessions with tracking: AR tracking drifts by 2 cm and 1° within a minute. */
 const TRACKED: GeoMotionNoise = { moveM2PerS: 0.02 ** 2 / 60, turnRad2PerS: RAD_PER_DEG ** 2 / 60 };
-/** Other sessions do not know that the visitor walks: at 1.4 m/s, in any direction. */
+/** Noise of other sessions, which do not notice that the visitor walks: at 1.4 m/s, in any direction. */
 const UNTRACKED: GeoMotionNoise = { moveM2PerS: 1.4 ** 2, turnRad2PerS: RAD_PER_DEG ** 2 / 60 };
-/** Time between two readings of the compass; its errors change slower. */
+/** Least time between two readings of the compass that are used; its errors change more slowly than this. */
 const COMPASS_PERIOD_S = 1;
-/** A device that turns faster has a reading of an earlier direction. */
+/** While the device rotates faster, the compass is not read, because its reading is that of an earlier direction. */
 const FASTEST_RAD_PER_S = 0.5;
 const NO_COMPASS_S = 5;
 const INACCURATE_S = 15;
@@ -44,7 +44,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const position = new Float64Array(3);
   const angles = new Float64Array(3);
   const worldFromPlace = new Float32Array(16);
-  /** The newest fix that has not been used. */
+  /** The newest position of the device that has not been used yet. */
   let fix: GeoFix | null = null;
   let lastFix: GeoFix | null = null;
   let isAsked = false;
@@ -92,7 +92,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
         }),
       ];
 
-  /** How far the view has turned since the last frame, clockwise. */
+  /** Passes the motion of the viewer since the last frame to the alignment. Returns how far the view has turned clockwise, radians. */
   function follow(frame: SessionFrame, worldFromView: Float32Array): number {
     const turned = hasView ? clockwiseTurn(worldFromView, lastView) : 0;
     if (hasView && frame.jumps !== frameJumps) {
@@ -131,7 +131,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     comparedS = timeS;
     alignment.turn(reading.take(worldFromView) + params.declinationRad.value, reading.sigmaRad, timeS);
   }
-  /** Writes where the place is in world space; returns how far from the viewer, level. */
+  /** Computes the pose of the place in world space. Returns its horizontal distance from the viewer, meters. */
   function aim(): number {
     target.latitudeDeg = params.latitudeDeg.value;
     target.longitudeDeg = params.longitudeDeg.value;

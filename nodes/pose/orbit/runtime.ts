@@ -4,7 +4,7 @@ import { setFromAngles } from '../../kit/rigid.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
-/** From z of the center to z of the pose while the pose is on the x axis, about y. */
+/** The rotation of the pose about y, relative to the center, at the start of the orbit, where the pose is on the x axis. */
 const TURN_RAD = { ahead: Math.PI, inwards: -Math.PI / 2, outwards: Math.PI / 2 } as const;
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {

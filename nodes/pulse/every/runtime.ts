@@ -2,12 +2,15 @@ import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import { PULSE_CAPACITY } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
-/** Pulses are counted from the last change of the period, not summed, so that rounding errors do not accumulate. */
+/**
+ * Plays the Interval node. The number of pulses is computed from the time since the last change of the period, not summed, so that rounding
+ * errors do not accumulate.
+ */
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { periodS } = ctx.params;
   let periodSince = Number.NaN;
   let changedAtS = 0;
-  /** The number of periods before the last change. */
+  /** The number of periods that had passed when the period last changed. */
   let gone = 0;
   let given = 0;
 

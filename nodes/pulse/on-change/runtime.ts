@@ -4,7 +4,10 @@ import type { definition } from './definition.ts';
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { number, least } = ctx.params;
   const { direction } = ctx.config;
-  /** The number of the last pulse, or the extremum since: changes are measured from it. */
+  /**
+   * The value from which changes are measured: that of the last pulse, or the farthest value in the other direction since. Null before the
+   * first frame.
+   */
   let from: number | null = null;
   return {
     update: () => {

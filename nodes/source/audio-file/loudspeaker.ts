@@ -5,12 +5,15 @@ const MAX_DRIFT_S = 0.1;
 
 /** Plays a sound to the visitor, if the browser allows it. */
 export interface Loudspeaker {
-  /** Sets the position in the file, seconds; null is silence. Call it every frame. */
+  /** Plays the file at a position, seconds; null is silence. Call it every frame. */
   follow(timeS: number | null, volume: number, loop: boolean): void;
   dispose(): void;
 }
 
-/** Browsers suspend a context until the first gesture on the page; after that, `resume` starts it. */
+/**
+ * Creates a loudspeaker for a sound. It is silent until the first gesture on the page, because browsers suspend an audio context until
+ * then.
+ */
 export function createLoudspeaker(sound: AudioAsset): Loudspeaker {
   const context = new AudioContext({ latencyHint: 'interactive' });
   const gain = context.createGain();
@@ -20,7 +23,7 @@ export function createLoudspeaker(sound: AudioAsset): Loudspeaker {
     buffer.getChannelData(channel).set(samples);
   });
   let source: AudioBufferSourceNode | null = null;
-  /** The position in the file at time 0 of the context, seconds. */
+  /** The position in the file when the context's clock was 0, seconds. */
   let originS = 0;
 
   const wake = (): void => {

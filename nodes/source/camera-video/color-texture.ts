@@ -1,6 +1,8 @@
-/** A texture of one pixel whose color can change. */
+/** A texture of one pixel that shows a color. */
 export interface ColorTexture {
   /**
+   * Sets the color and returns the texture.
+   *
    * @param color Display-referred sRGB with straight alpha; stored premultiplied, as in all layers.
    */
   paint(color: Readonly<Float64Array>): WebGLTexture;

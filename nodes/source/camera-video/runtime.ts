@@ -2,7 +2,7 @@ import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import { createColorTexture } from './color-texture.ts';
 import type { definition } from './definition.ts';
 
-/** The identity; the fallback texture is one pixel. */
+/** The identity as UV matrix of the fallback texture, which is a single pixel. */
 const UPRIGHT = Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {

@@ -2,7 +2,7 @@ import type { SoundOutput } from '../../kit/sound.ts';
 
 /** The visitor's microphone. It is requested at the first gesture and released by `dispose`. */
 export interface Ear {
-  /** Writes the newest samples to the output; false while there are none. */
+  /** Writes the newest samples to the output; returns false while there are none. */
   hear(output: SoundOutput, gain: number): boolean;
   dispose(): void;
 }
@@ -10,11 +10,11 @@ export interface Ear {
 interface Microphone {
   readonly stream: MediaStream;
   readonly context: AudioContext;
-  /** One per channel. */
+  /** The analysers that collect the samples, one per channel. */
   readonly analysers: readonly AnalyserNode[];
 }
 
-/** Voice processing is off, because it suppresses music. */
+/** The requested settings of the microphone. Voice processing is off, because it suppresses music. */
 const WISHES: MediaTrackConstraints = { echoCancellation: false, noiseSuppression: false, autoGainControl: false };
 
 const GESTURES = ['pointerup', 'keyup'] as const;

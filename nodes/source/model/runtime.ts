@@ -66,7 +66,7 @@ function findAnimation(ctx: NodeContext<typeof definition>, model: ModelAsset, r
   return null;
 }
 
-/** Disposes the skeletons, which belong to the instance: three.js stores their bones in a texture. */
+/** Disposes the skeletons of an instance. Each instance has its own, because three.js stores the bones in a texture of the skeleton. */
 function disposeBones(object: Object3D): void {
   if ('skeleton' in object) (object as { skeleton: { dispose(): void } }).skeleton.dispose();
 }

@@ -6,7 +6,10 @@ import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import { PANORAMA_ANCHOR, type TakenPanorama } from '../../kit/taken-panorama.ts';
 import type { definition } from './definition.ts';
 
-/** The page takes the panorama (`export/page/panorama-step`); this node shows it, and keeps its place by an anchor. */
+/**
+ * Shows the panorama that the visitor has taken, and keeps its place by an anchor. The page takes the panorama
+ * (`export/page/panorama-step`).
+ */
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { rotationRad, exposure } = ctx.params;
   const { environment, pose } = ctx.outputs;

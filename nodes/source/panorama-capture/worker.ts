@@ -7,7 +7,7 @@ export interface WorkerScope {
   postMessage(answer: StitchAnswer, transfer: ArrayBuffer[]): void;
 }
 
-/** Stitches photos, beside the page, so that its frames go on. */
+/** Stitches photos in a worker, so that the page continues to draw frames. */
 export function serve(scope: WorkerScope): void {
   scope.onmessage = ({ data: { shots, widthPx } }) => {
     try {

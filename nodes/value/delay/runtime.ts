@@ -1,7 +1,7 @@
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
-/** Ten seconds at 200 frames per second. */
+/** The most samples that are kept: ten seconds at 200 frames per second. */
 const CAPACITY = 2000;
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {

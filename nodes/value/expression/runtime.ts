@@ -2,7 +2,7 @@ import { playExpression } from '../../kit/play-expression.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
-/** `config.expression` is the expression in postfix notation, from the compiler. */
+/** Plays the Expression node. `config.expression` is the expression in postfix notation, which the compiler writes. */
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const expression = playExpression(ctx.config.expression, ctx.params);
   const { result } = ctx.outputs;

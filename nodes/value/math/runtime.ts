@@ -3,7 +3,7 @@ import type { definition } from './definition.ts';
 
 type Operation = (a: number, b: number) => number;
 
-/** Uses floor, so that the result has the sign of `b` and is continuous when `a` passes 0. */
+/** The remainder of a division, computed with floor, so that the result has the sign of `b` and is continuous when `a` passes 0. */
 const remainder: Operation = (a, b) => (b === 0 ? 0 : a - b * Math.floor(a / b));
 
 const OPERATIONS = {

@@ -2,9 +2,12 @@ import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 import { gradientNoise } from './gradient-noise.ts';
 
-/** A fractional offset: gradient noise is 0 at integer coordinates, so noise along an axis would stop at each of them. */
+/**
+ * Offset of the coordinates to between the integers: gradient noise is 0 at integer coordinates, so noise along an axis would be 0 at each
+ * of them.
+ */
 const BETWEEN = [0.37, 0.61, 0.43] as const;
-/** Offsets of the seeds of the components, so that they are independent. */
+/** Difference between the seeds of two components, so that they are independent. */
 const APART = 0x3c6ef372;
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {

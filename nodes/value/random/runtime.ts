@@ -4,10 +4,10 @@ import type { definition } from './definition.ts';
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { low, high, whole } = ctx.params;
   let state = 0;
-  /** In [0, 1). Stored instead of the result, so that changes of the limits apply to it. */
+  /** The last random number, in [0, 1). It is stored instead of the result, so that changes of the limits apply to it. */
   let drawn: number | null = null;
 
-  /** Mulberry32 (Tommy Ettinger, 2017, public domain), seeded from `ctx.random` and the seed param. */
+  /** Draws the next random number, by Mulberry32 (Tommy Ettinger, 2017, public domain), seeded from `ctx.random` and the seed param. */
   function next(): number {
     state = (state + 0x6d2b79f5) | 0;
     let mixed = Math.imul(state ^ (state >>> 15), 1 | state);

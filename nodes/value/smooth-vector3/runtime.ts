@@ -1,7 +1,7 @@
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
-/** The same as `value/smooth`, for each component. */
+/** Smooths each component as `value/smooth` does: by `1 − 2^(−Δt/h)` of its difference from the target. */
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { vector, halfLifeS } = ctx.params;
   const at = new Float64Array(3);

@@ -1,7 +1,10 @@
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
-/** Moves `1 − 2^(−Δt/h)` of the difference: exact for a constant target, so two half steps equal one whole step. */
+/**
+ * Plays the Smooth node. Each frame moves the value by `1 − 2^(−Δt/h)` of its difference from the target: exact for a constant target, so
+ * two half steps equal one whole step.
+ */
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { number, halfLifeS } = ctx.params;
   let at: number | null = null;

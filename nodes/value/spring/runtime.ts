@@ -2,9 +2,9 @@ import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
 /**
- * The exact solution of a damped oscillator for a target that is constant during a frame: `e″ + 2ζω e′ + ω² e = 0`, where `ω = 2πf`
- * and `e` is the distance from the target. Semi-implicit Euler steps were rejected: they diverge where `ω Δt` exceeds 2, which at 30 Hz
- * is below 95 frames per second.
+ * The exact solution of a damped oscillator for a target that is constant during a frame: `e″ + 2ζω e′ + ω² e = 0`, where `ω = 2πf` and `e`
+ * is the distance from the target. Semi-implicit Euler steps are not used: they diverge if `ω Δt` exceeds 2, as with a spring of 30 Hz
+ * below 95 frames per second.
  */
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { number, frequencyHz, damping } = ctx.params;

@@ -2,8 +2,8 @@ import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
 /**
- * Time is measured from the last change of speed, not summed over frames: with a constant speed, each frame of a render can be drawn
- * independently.
+ * Plays the Time node. Time is measured from the last change of speed, not summed over frames, so that with a constant speed each frame of
+ * a render can be drawn independently.
  */
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { speed, loopS } = ctx.params;

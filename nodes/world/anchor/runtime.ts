@@ -18,20 +18,20 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { inputs, outputs, session } = ctx;
   const { when, keep } = ctx.config;
   let anchor: Anchor | null = null;
-  /** The input pose was valid in the previous frame. */
+  /** Whether the input pose was valid in the previous frame. */
   let wasValid = false;
   let lastSession = session.sessions;
-  /** Anchors so far. */
+  /** The number of anchors so far; each raises `jumps` of the output. */
   let made = 0;
   let jumps = 0;
   let frameJumps = 0;
-  /** What an earlier visit kept has been asked for in this session. */
+  /** Whether the anchor of an earlier visit has been asked for in this session. */
   let isRecalled = false;
-  /** The anchor comes from an earlier visit: a pose that becomes valid does not replace it. */
+  /** Whether the anchor comes from an earlier visit. If so, a pose that becomes valid does not replace it. */
   let isRestored = false;
-  /** The device has not found it yet, so it has no pose. */
+  /** Whether the device has not yet found the anchor of an earlier visit, which then has no pose. */
   let isAwaited = false;
-  /** The visitor has been told what became of the wish to keep it. */
+  /** Whether the visitor has been told if the device keeps the anchor. */
   let isTold = false;
 
   function drop(): void {
@@ -55,7 +55,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     isAwaited = isRestored;
   }
 
-  /** Follows an anchor of an earlier visit until the device has found it. */
+  /** Checks whether the device has found the anchor of an earlier visit, or has lost it for good. */
   function awaitPlace(): void {
     if (anchor?.state === 'deleted') {
       drop();
@@ -74,7 +74,10 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     else if (keeping === 'refused') ctx.report(REFUSED);
   }
 
-  /** The pose of the last pulse at `set`, or of the input, if one is there. */
+  /**
+   * The pose for which a pulse at `set` asks an anchor: the input pose if one is connected, otherwise that of the last pulse. Null if there
+   * is no pulse or no valid pose.
+   */
   function setPose(): ArrayLike<number> | null {
     const { pose, set } = inputs;
     if (set.count === 0) return null;

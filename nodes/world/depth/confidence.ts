@@ -3,7 +3,7 @@ import type { DepthDrawing, DepthImage } from './drawing.ts';
 /** Rates how far the depth of one view can be trusted. */
 export interface ConfidenceMeter {
   /**
-   * Shades of gray at the resolution of the sensor; valid until the next call.
+   * Draws the confidence of each sample as a shade of gray, at the resolution of the sensor. The texture is valid until the next call.
    *
    * @param measured Depth in meters before holes are filled; `filled`: after.
    */
@@ -12,8 +12,8 @@ export interface ConfidenceMeter {
 }
 
 /**
- * A measured sample has from 0.25, at a border of a surface or in strong noise, to 1, where the three samples on each side lie on one
- * plane within the typical error of depth sensors. A filled sample has 0.25, an unknown one 0.
+ * Creates a meter. The confidence of a measured sample is from 0.25, at a border of a surface or in strong noise, to 1, where the three
+ * samples on each side lie on one plane within the typical error of depth sensors. A filled sample has 0.25, an unknown one 0.
  *
  * Both the border and the noise are read from pairs of opposite samples: on a plane their mean is the depth between them, whatever the
  * slope, so the floor is as certain as the wall.

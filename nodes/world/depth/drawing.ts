@@ -2,14 +2,14 @@ import { linkProgram } from '../../kit/link-program.ts';
 import { setPassState, setSampler } from '../../kit/pass-state.ts';
 
 /**
- * Full-screen passes over depth textures, in meters. They set all state that they depend on and leave no sampler bound, because the
- * context is shared.
+ * Draws full-screen passes over depth textures, in meters. The passes set all state that they depend on and leave no sampler bound, because
+ * other code uses the same context.
  */
 export interface DepthDrawing {
   /** Creates a texture, all 0. `meters`: depth in the red channel, 0 where unknown; `gray`: opaque shades of gray, RGBA8. */
   createImage(widthPx: number, heightPx: number, content?: 'meters' | 'gray'): DepthImage;
   free(image: DepthImage): void;
-  /** Creates a pass; samplers are bound to texture units in order. The same text returns the same pass. */
+  /** Creates a pass from a fragment shader; the samplers get texture units in their order. The same text returns the same pass. */
   link(fragment: string, samplers: readonly string[]): DepthPass;
   /** Activates a pass; textures and uniforms that are set until `draw` belong to it. */
   begin(target: DepthImage, pass: DepthPass): void;
@@ -28,11 +28,11 @@ export interface DepthImage {
 export interface DepthPass {
   readonly program: WebGLProgram;
   readonly samplers: readonly (WebGLUniformLocation | null)[];
-  /** Call it once. */
+  /** Looks up a uniform of the pass. Call it once per name, not in every frame. */
   uniform(name: string): WebGLUniformLocation | null;
 }
 
-/** Null if the GPU does not support float render targets. */
+/** Creates the drawing. Returns null if the GPU does not support float render targets. */
 export function createDepthDrawing(gl: WebGL2RenderingContext): DepthDrawing | null {
   // Half floats resolve 1 mm at 1 m and 4 mm at 4 m, similar to the sensors.
   const format = gl.getExtension('EXT_color_buffer_float') ? gl.R32F : gl.getExtension('EXT_color_buffer_half_float') ? gl.R16F : null;
@@ -101,7 +101,7 @@ function createSampler(gl: WebGL2RenderingContext, filter: GLenum): WebGLSampler
   return sampler;
 }
 
-/** The vertex shader: `uv` is (0, 0) at the bottom left and (1, 1) at the top right. */
+/** The vertex shader of all passes: `uv` is (0, 0) at the bottom left and (1, 1) at the top right. */
 const VERTEX = `#version 300 es
 out vec2 uv;
 void main() {
@@ -110,7 +110,9 @@ void main() {
 }
 `;
 
-/** The prefix of each fragment shader, whose function `float meters()` returns the depth, or the shade of gray, to write. */
+/**
+ * The start of each fragment shader. A pass adds the function `float meters()`, which returns the depth, or the shade of gray, to write.
+ */
 const FRAGMENT_HEAD = `#version 300 es
 precision highp float;
 precision highp int;

@@ -2,22 +2,22 @@ import type { DepthDrawing, DepthImage } from './drawing.ts';
 
 /** Fills unknown samples from the known samples around them. */
 export interface HoleFiller {
-  /** The depth without supported holes; valid until the next call. */
+  /** Returns the depth without the holes that can be filled. The texture is valid until the next call. */
   fill(texture: WebGLTexture, widthPx: number, heightPx: number): WebGLTexture;
   dispose(): void;
 }
 
 /**
- * A hole takes the distance of the farther surface at its border: sensors miss what is far, transparent or hidden from one of their
- * two lenses, and a virtual object in front of a window must not vanish behind the window's frame. Depth cameras fill the same way
- * (Intel RealSense SDK, hole-filling filter, “farthest from around”).
+ * Creates a hole filler. A hole gets the distance of the farther surface at its border: sensors miss what is far, transparent or hidden
+ * from one of their two lenses, and a virtual object in front of a window must not vanish behind the window's frame. Depth cameras fill the
+ * same way (Intel RealSense SDK, hole-filling filter, “farthest from around”).
  *
- * Each unknown sample looks left, right, up and down for the border of its hole. Where the four borders lie on one plane, as in a hole
- * in a floor, the sample lies on it too. A sample stays unknown if it is farther than 1/16 of the image from all borders and fewer than
- * three sides have one: nothing says how far a sky is that the image cuts off.
+ * Each unknown sample looks left, right, up and down for the border of its hole. Where the four borders lie on one plane, as in a hole in a
+ * floor, the sample lies on it too. A sample stays unknown if it is farther than 1/16 of the image from all borders and fewer than three
+ * sides have one, as in a sky that the image cuts off: nothing tells its distance.
  *
- * Rejected: pull-push (Gortler et al., The Lumigraph, 1996, §3.4), whose mean of near and far hid 95 % of a panel in front of the window
- * of a recorded room. Known samples cost one fetch, unknown ones at most about 400.
+ * Pull-push (Gortler et al., The Lumigraph, 1996, §3.4) is not used: its mean of near and far hid 95 % of a panel in front of the window of
+ * a recorded room. Known samples cost one fetch, unknown ones at most about 400.
  */
 export function createHoleFiller(drawing: DepthDrawing): HoleFiller {
   const pass = drawing.link(FILL, ['room']);

@@ -5,20 +5,20 @@ import { createRegistrationMeter, TRUSTED } from './registration.ts';
 
 /** Interpolates the depth of one view to the resolution of the view, along the edges of objects. */
 export interface EdgeFollower {
-  /** Aligned with the view; valid until the next call. */
+  /** Returns the interpolated depth, aligned with the view. It is valid until the next call. */
   follow(texture: WebGLTexture, depth: RoomDepth, view: ViewFrame): DepthImage;
-  /** What `RegistrationMeter` measured for the last depth; null without a camera image. */
+  /** The result of `RegistrationMeter` for the last depth; null without a camera image. */
   readonly registration: DepthImage | null;
   dispose(): void;
 }
 
-/** With a higher resolution, headsets would spend more time on this pass than on the scene. */
+/** The greatest side of the result. With a higher resolution, headsets would spend more time on this pass than on the scene. */
 export const MAX_SIDE_PX = 960;
 
 /**
- * Joint bilateral upsampling (Kopf et al. 2007): samples are weighted by distance and by similarity of the camera image. Where samples
- * belong to two surfaces, only those of the surface with the larger weight are averaged, because the mean of both is the position of
- * neither. Without a camera image, or with one whose edges are elsewhere, only the distance counts.
+ * Creates an edge follower by joint bilateral upsampling (Kopf et al. 2007): samples are weighted by distance and by similarity of the
+ * camera image. Where samples belong to two surfaces, only those of the surface with the larger weight are averaged, because the mean of
+ * both depths is that of neither. Without a camera image, or with one whose edges are elsewhere, only the distance counts.
  *
  * `tests/slow/depth-filters.test.ts` measures the quality on a recorded room: with 160 × 120 samples it is never worse than linear, in any
  * frame, near borders and far from them, with and without noise. Rejected: wider weights (1 sample, 3 errors), which round the corners of

@@ -2,9 +2,9 @@ import type { ImageAsset } from '../../kit/assets.ts';
 import type { RoomDepth, ViewFrame } from '../../kit/session.ts';
 import type { DepthDrawing, DepthImage } from './drawing.ts';
 
-/** Depth from an image in shades of gray, the same for all views, scaled to cover each view. */
+/** Reads depth from an image in shades of gray. The image is the same for all views, and is scaled to cover each view. */
 export interface ImageDepth {
-  /** Valid until the next call. */
+  /** Returns the depth of a view. It is valid until the next call. */
   read(image: ImageAsset, view: ViewFrame, viewIndex: number, nearM: number, farM: number): RoomDepth;
   dispose(): void;
 }
@@ -63,7 +63,7 @@ function createDepth(texture: WebGLTexture, widthPx: number, heightPx: number): 
   return { texture, widthPx, heightPx, uvFromViewUv: new Float32Array(9), worldFromDepth: new Float32Array(16) };
 }
 
-/** The center of the image, scaled to cover the view. */
+/** Writes the UV matrix that shows the center of the image, scaled to cover the view. */
 function setCover(out: Float32Array, imageAspect: number, viewAspect: number): void {
   const width = Math.min(1, viewAspect / imageAspect);
   const height = Math.min(1, imageAspect / viewAspect);
@@ -75,7 +75,7 @@ function setCover(out: Float32Array, imageAspect: number, viewAspect: number): v
   out[8] = 1;
 }
 
-/** White is nearest; an alpha below 0.5 is unknown. The value is the Rec. 709 luma. */
+/** The start of the shaders that convert the image: white is nearest, an alpha below 0.5 is unknown, and the value is the Rec. 709 luma. */
 const HEAD = `
 uniform sampler2D shades;
 uniform vec2 rangeM;

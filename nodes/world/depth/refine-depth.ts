@@ -8,18 +8,18 @@ import { createSteadier, type Steadier } from './steady.ts';
 export type DepthFilter = 'by-sensor' | 'nearest' | 'linear' | 'edge-aware';
 
 /**
- * Samples per side up to which a sensor is coarse. Phones measure 160 × 90 to 256 × 192 samples, headsets 320 × 320; recordings and painted
- * images have more, and an interpolation would only cost time.
+ * A sensor with at most this many samples per side is coarse, so that its depth is interpolated. Phones measure 160 × 90 to 256 × 192
+ * samples, headsets 320 × 320; recordings and painted images have more, and interpolation would only cost time.
  */
 const COARSE_SIDE = 320;
 
-/** The processing of the depth of one view, in this order: smoothing, hole filling, interpolation along edges. */
+/** Processes the depth of one view, in this order: smoothing, hole filling, interpolation along edges. */
 export interface DepthRefiner {
-  /** Always the same object. */
+  /** Returns the processed depth, always as the same object. */
   refine(depth: RoomDepth, view: ViewFrame, wishes: RefineWishes): RoomDepth;
   /** The confidence of the depth that was refined last, at the resolution of the sensor; null if it was not requested. */
   readonly confidence: WebGLTexture | null;
-  /** How well the camera image matches the depth; null if none guides it. */
+  /** How well the camera image matches the depth, as `RegistrationMeter` draws it; null if no camera image guides the interpolation. */
   readonly registration: DepthImage | null;
   forget(): void;
   dispose(): void;
@@ -29,7 +29,7 @@ export interface RefineWishes {
   smoothingS: number;
   deltaS: number;
   fillHoles: boolean;
-  /** Also rate the depth. */
+  /** Whether to compute the confidence of the depth too. */
   confidence: boolean;
   /** Whether a device measured the depth. */
   isSensor: boolean;
@@ -37,7 +37,7 @@ export interface RefineWishes {
 
 type Mutable<T> = { -readonly [K in keyof T]: T[K] };
 
-/** `drawing`: null if the GPU does not support float render targets; then the depth is not processed. */
+/** Creates a refiner. `drawing` is null if the GPU does not support float render targets; the depth is then not processed. */
 export function createDepthRefiner(gl: WebGL2RenderingContext, drawing: DepthDrawing | null, filter: DepthFilter): DepthRefiner {
   let steadier: Steadier | null = null;
   let filler: HoleFiller | null = null;

@@ -1,18 +1,18 @@
 import type { DepthImage } from './drawing.ts';
 import { TRUSTED, UNKNOWN } from './registration.ts';
 
-/** Tells once when the camera image does not belong to the depth. */
+/** Reports once if the camera image does not match the depth. */
 export interface RegistrationCheck {
-  /** Call it in each frame with what was measured in it. Reads a pixel now and then, without waiting for the GPU. */
+  /** Call it in each frame with the result of `RegistrationMeter`. It reads a pixel every few frames, without waiting for the GPU. */
   look(measured: DepthImage): void;
   dispose(): void;
 }
 
 const EVERY_FRAMES = 20;
-/** As many results in a row, because a single view may have few edges. */
+/** How many bad results in a row are a mismatch; a single view may have too few edges to tell. */
 const IN_A_ROW = 4;
 
-/** `onMismatch` is called once. */
+/** Creates a check. `onMismatch` is called at most once. */
 export function createRegistrationCheck(gl: WebGL2RenderingContext, onMismatch: () => void): RegistrationCheck {
   const pixel = new Float32Array(4);
   const buffer = gl.createBuffer();

@@ -6,19 +6,20 @@ import type { DepthDrawing, DepthImage } from './drawing.ts';
 export interface RegistrationMeter {
   /**
    * Draws one pixel: how much more the image changes at borders of the depth than beside them, as a difference of colors, or `UNKNOWN`. The
-   * same object each time. Stays on the GPU, so nothing waits for it.
+   * result is the same object each time, and stays on the GPU, so nothing waits for it.
    */
   measure(texture: WebGLTexture, depth: RoomDepth, image: CameraImage): DepthImage;
   dispose(): void;
 }
 
 /**
- * Between these values the camera image counts gradually, so that nothing jumps. A recorded room gives 0.14 to 0.21 where depth and image
- * are registered, and -0.01 to 0.02 where the image is shifted by 6 % (`tests/slow/depth-filters.test.ts`).
+ * The range of results in which the weight of the camera image rises from 0 to 1; gradually, so that nothing jumps. A recorded room gives
+ * 0.14 to 0.21 where depth and image are registered, and -0.01 to 0.02 where the image is shifted by 6 %
+ * (`tests/slow/depth-filters.test.ts`).
  */
 export const TRUSTED = [0.03, 0.08] as const;
 
-/** The result where there are too few borders to tell. */
+/** The result if there are too few borders to tell. */
 export const UNKNOWN = -1;
 
 /** Samples per side that one pixel of the first pass sums up. */

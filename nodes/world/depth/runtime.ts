@@ -13,7 +13,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { params, config } = ctx;
   const id = config.source === 'picture' ? ctx.assetIds.picture : null;
   const picture = id === null ? null : ctx.assets.image(id);
-  /** Created with the first depth, because most devices have none. */
+  /** The GPU resources of the node, created with the first depth, because most devices have none. */
   let gpu: Gpu | null = null;
   let check: RegistrationCheck | null = null;
   let jumps = 0;

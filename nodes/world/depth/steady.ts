@@ -5,8 +5,8 @@ import type { DepthDrawing, DepthImage } from './drawing.ts';
 /** Smooths the measurements of a sensor over time, for one view. */
 export interface Steadier {
   /**
-   * The measured depth, blended with earlier measurements, whose weight is 1/e after `smoothingS`. Valid until the call after the
-   * next.
+   * Returns the measured depth, blended with earlier measurements, whose weight falls to 1/e after `smoothingS`. The texture is valid until
+   * the call after the next.
    */
   steady(depth: RoomDepth, view: ViewFrame, smoothingS: number, deltaS: number): WebGLTexture;
   forget(): void;
@@ -14,8 +14,8 @@ export interface Steadier {
 }
 
 /**
- * Only noise is smoothed: a change of more than 3 cm plus 1.5 % of the distance is a movement and applies at once, so that moving
- * objects leave no trail. Earlier measurements are reprojected from the earlier pose of the view.
+ * Creates a temporal filter. Only noise is smoothed: a change of more than 3 cm plus 1.5 % of the distance is a movement and applies at
+ * once, so that moving objects leave no trail. Earlier measurements are reprojected from the earlier pose of the view.
  */
 export function createSteadier(gl: WebGL2RenderingContext, drawing: DepthDrawing): Steadier {
   const pass = drawing.link(STEADY, ['now', 'past']);
@@ -74,7 +74,7 @@ export function createSteadier(gl: WebGL2RenderingContext, drawing: DepthDrawing
   };
 }
 
-/** Scale and offset of x and y of a projection. */
+/** Sets a uniform to the scale and offset of x and y of a projection. */
 function setLens(gl: WebGL2RenderingContext, location: WebGLUniformLocation | null, p: Float32Array): void {
   gl.uniform4f(location, p[0] ?? 1, p[5] ?? 1, p[8] ?? 0, p[9] ?? 0);
 }

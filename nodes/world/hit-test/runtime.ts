@@ -15,7 +15,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const ownHit = createHit();
   const filter = createPoseFilter();
   const filtered = new Float32Array(16);
-  /** Of the last frame; empty where nothing was hit. */
+  /** The source of the last frame's hit; empty if nothing was hit. */
   let lastSource = '';
   let lastPointer = 0;
   let lastJumps = 0;
@@ -27,7 +27,10 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     return ray?.valid && session.castRay(ray.worldFromPose, ownHit) ? ownHit : null;
   }
 
-  /** The filtered pose of the hit. The filter begins anew where nothing was hit before, the ray is another's or world space moved. */
+  /**
+   * Returns the filtered pose of the hit. The filter restarts if nothing was hit before, the hit is that of another pointer, or world space
+   * has moved.
+   */
   function calm(hit: Hit, frame: SessionFrame): Float32Array {
     if (smoothingS.value <= 0 || !isPose(hit.worldFromHit)) {
       filter.restart();
@@ -64,7 +67,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   };
 }
 
-/** Of several pointers the first that is pressed, else the first. */
+/** Chooses the hit of the first pointer that is pressed, otherwise the first hit; null if there is none. */
 function choose(hits: HitList, { input }: SessionFrame): Hit | null {
   for (let i = 0; i < hits.count; i++) {
     const pointer = pointerById(input, hits.at(i).pointer);

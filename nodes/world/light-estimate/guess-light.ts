@@ -1,10 +1,10 @@
-/** An ambient and a directional light, as target values of the smoothing. */
+/** The light of a room as an ambient and a directional light. */
 export interface RoomLight {
-  /** 9 coefficients × RGB, as `LightEstimate.sphericalHarmonics`. */
+  /** The ambient light: 9 coefficients × RGB, as in `LightEstimate`. */
   readonly sphericalHarmonics: Float32Array;
-  /** Unit vector in world space, from the scene towards the light. */
+  /** Direction of the directional light: unit vector in world space, from the scene towards the light. */
   readonly directionWorld: Float32Array;
-  /** Linear-sRGB irradiance on a surface that faces the light. */
+  /** Linear-sRGB irradiance on a surface that faces the directional light. */
   readonly irradiance: Float32Array;
 }
 
@@ -12,14 +12,14 @@ export function createRoomLight(): RoomLight {
   return { sphericalHarmonics: new Float32Array(27), directionWorld: Float32Array.of(0, 1, 0), irradiance: new Float32Array(3) };
 }
 
-/** Linear mean of an image of a bright room, used without a camera image. */
+/** The mean that is used without a camera image: the linear mean of an image of a bright room. */
 export const DEFAULT_MEAN: Readonly<Float32Array> = Float32Array.of(0.35, 0.35, 0.35);
 
 /** Mean reflectance of a furnished room (EN 12464-1 recommends 0.7 for ceilings and 0.2 for floors). */
 const ROOM_REFLECTANCE = 0.5;
 /** The fraction of the light that is directional: enough for a visible shadow, as indoors. */
 const PRIMARY_PART = 0.4;
-/** From above, slightly from the right and from behind the viewer. */
+/** The assumed direction of the light: from above, slightly from the right and from behind the viewer. */
 const DIRECTION: readonly [number, number, number] = [0.36, 0.8, 0.48];
 /** The additional light from above, as a fraction of the mean: ceilings are brighter than floors. */
 const FROM_ABOVE = 0.3;

@@ -34,7 +34,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const now = createRoomLight();
   /** The time of the last estimate; null if there was none. */
   let estimatedS: number | null = null;
-  /** The first light applies without smoothing. */
+  /** Whether the next light applies without smoothing, as the first one does. */
   let fresh = true;
   /** Whether the last guess was made from a camera image. */
   let measured = false;
@@ -92,7 +92,7 @@ function takeOver(into: RoomLight, light: LightEstimate): void {
   into.directionWorld[2] = z / length;
 }
 
-/** Interpolates the coefficients linearly and normalizes the direction. */
+/** Moves a light by a part towards a target: interpolates colors linearly, and normalizes the direction. */
 function approach(light: RoomLight, target: RoomLight, part: number): void {
   mix(light.sphericalHarmonics, target.sphericalHarmonics, part);
   mix(light.irradiance, target.irradiance, part);

@@ -13,14 +13,18 @@ import { setMaterialColor } from '../../kit/three/material-color.ts';
 import { createMeshItem } from '../../kit/three/mesh-item.ts';
 import type { Figure } from './figure.ts';
 
-/** The lines and ends of a measurement, as objects that the room hides like others. */
+/** The lines and ends of a measurement as objects, which the room hides like other objects. */
 export interface Drawing {
-  /** @param color Display-referred sRGB, straight alpha. */
+  /**
+   * Updates the objects.
+   *
+   * @param color Display-referred sRGB, straight alpha.
+   */
   update(figure: Figure, widthM: number, color: ArrayLike<number>): void;
   dispose(): void;
 }
 
-/** The ends stand out from the lines. */
+/** Size of the ends relative to the width of the lines, so that they stand out. */
 const END_RATIO = 3;
 const UP = new Vector3(0, 1, 0);
 

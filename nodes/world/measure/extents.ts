@@ -16,7 +16,7 @@ const w = new Float64Array(3);
 const product = new Float64Array(3);
 const NOWHERE = createSeenPoint();
 
-/** The length of a line through the first `count` points. A segment without length has no direction and adds no error. */
+/** Measures the length of the line through the first `count` points. A segment without length has no direction and adds no error. */
 export function measurePolyline(points: readonly SeenPoint[], count: number, out: Measured): void {
   let length = 0;
   let squared = 0;
@@ -36,8 +36,8 @@ export function measurePolyline(points: readonly SeenPoint[], count: number, out
 }
 
 /**
- * The area of the rectangle that has the side from `a` to `b`, and whose opposite side goes through `c`: |(b − a) × (c − b)|. Where it has
- * no area, and no derivative, `sigma` is that of the side times the deviation of `c`.
+ * Measures the area of the rectangle that has the side from `a` to `b`, and whose opposite side goes through `c`: |(b − a) × (c − b)|. If
+ * the area is 0 and has no derivative, `sigma` is the length of the side times the deviation of `c`.
  */
 export function measureRectangle(a: SeenPoint, b: SeenPoint, c: SeenPoint, out: Measured): void {
   subtract(u, b, a);
@@ -58,8 +58,8 @@ export function measureRectangle(a: SeenPoint, b: SeenPoint, c: SeenPoint, out: 
 }
 
 /**
- * The area of the polygon of the first `count` points: that of its projection along its mean normal (Newell), ½ |Σ pᵢ × pᵢ₊₁|. Edges
- * must not cross, because the parts on their two sides then count against each other. The derivative by pᵢ is ½ (pᵢ₊₁ − pᵢ₋₁) × n.
+ * Measures the area of the polygon of the first `count` points, projected along its mean normal (Newell): ½ |Σ pᵢ × pᵢ₊₁|. Edges must not
+ * cross, because the parts on their two sides would count with opposite signs. The derivative by pᵢ is ½ (pᵢ₊₁ − pᵢ₋₁) × n.
  */
 export function measurePolygon(points: readonly SeenPoint[], count: number, out: Measured): void {
   const origin = points[0] ?? NOWHERE;
@@ -82,8 +82,8 @@ export function measurePolygon(points: readonly SeenPoint[], count: number, out:
 }
 
 /**
- * The volume of the box on the rectangle of `a`, `b` and `c` (`measureRectangle`), whose other face goes through `d`:
- * |((b − a) × (c − b)) · (d − a)|.
+ * Measures the volume of the box whose base is the rectangle of `a`, `b` and `c` (`measureRectangle`), and whose opposite face goes through
+ * `d`: |((b − a) × (c − b)) · (d − a)|.
  */
 export function measureBox(a: SeenPoint, b: SeenPoint, c: SeenPoint, d: SeenPoint, out: Measured): void {
   subtract(u, b, a);
@@ -118,7 +118,7 @@ function cross(out: Float64Array, a: Float64Array, b: Float64Array): void {
   }
 }
 
-/** Writes the unit vector of a vector, zeros where it has no length, and returns its length. */
+/** Writes the unit vector along a vector, or zeros if it has no length, and returns its length. */
 function unit(out: Float64Array, of: Float64Array): number {
   const size = Math.hypot(of[0] ?? 0, of[1] ?? 0, of[2] ?? 0);
   for (let k = 0; k < 3; k++) out[k] = size > TINY ? (of[k] ?? 0) / size : 0;

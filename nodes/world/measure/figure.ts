@@ -3,15 +3,15 @@ import type { SeenPoint } from './propagate.ts';
 
 export type Mode = 'distance' | 'polyline' | 'height' | 'angle' | 'rectangle' | 'polygon' | 'box';
 
-/** How many points each mode needs. */
+/** The least number of points that a measurement of each mode needs. */
 export const LEAST: Readonly<Record<Mode, number>> = { distance: 2, polyline: 2, height: 1, angle: 3, rectangle: 3, polygon: 3, box: 4 };
 
-/** How many each can have. */
+/** The greatest number of points that a measurement of each mode can have. */
 export const MOST: Readonly<Record<Mode, number>> = { distance: 2, polyline: 32, height: 1, angle: 3, rectangle: 3, polygon: 32, box: 4 };
 
-/** The lines and ends to draw, meters, world space. Reused. */
+/** The lines and ends to draw for a measurement, meters, world space. The object is reused. */
 export interface Figure {
-  /** Pairs: `lines[2 i]` to `lines[2 i + 1]`, for i below `lineCount`. */
+  /** The ends of the lines, in pairs: line `i` is from `lines[2 i]` to `lines[2 i + 1]`, for `i` below `lineCount`. */
   readonly lines: readonly Vector3[];
   lineCount: number;
   readonly ends: readonly Vector3[];
@@ -30,7 +30,9 @@ export function createFigure(): Figure {
   return { lines: make(2 * MAX_LINES), lineCount: 0, ends: make(MAX_LINES), endCount: 0 };
 }
 
-/** Writes what shows the first `count` points; where some are missing, the lines between those that are there. */
+/**
+ * Writes the lines and ends that show the first `count` points. While points are missing, it writes the lines between those that are set.
+ */
 export function writeFigure(figure: Figure, mode: Mode, points: readonly SeenPoint[], count: number): void {
   figure.lineCount = 0;
   figure.endCount = 0;
@@ -68,7 +70,7 @@ export function writeFigure(figure: Figure, mode: Mode, points: readonly SeenPoi
   if (mode === 'polygon' && count >= 3) line(ends[count - 1] as Vector3, ends[0] as Vector3);
 }
 
-/** Of the rectangle on the side from A to B, through C; and of the box on it, through D. */
+/** Writes the corners of the rectangle with the side from A to B, through C; for a box, also those of the face through D. */
 function writeCorners(points: readonly SeenPoint[], isBox: boolean): void {
   const [a, b, c, d] = corners as [Vector3, Vector3, Vector3, Vector3];
   const at = (i: number, out: Vector3): Vector3 => out.fromArray(points[i]?.positionM ?? [0, 0, 0]);

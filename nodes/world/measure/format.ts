@@ -9,19 +9,22 @@ const SUFFIX = ['', '', '²', '³'] as const;
 /** Regions that measure in feet and inches (Unicode CLDR, measurement system US). */
 const FEET: ReadonlySet<string> = new Set(['US', 'LR', 'MM']);
 
-/** Writes values for one locale; formats are kept. */
+/** Writes measured values in one locale; number formats are cached. */
 export interface ValueFormat {
   /**
-   * `1.23 m ± 0.02 m`: the value to the last digit that the uncertainty allows.
+   * Writes a value such as `1.23 m ± 0.02 m`, with as many digits as its uncertainty allows.
    *
    * @param value SI units: m, m², m³ or radians.
-   * @param uncertainty Half-width of the interval, in the unit of the value.
+   * @param uncertainty Half-width of the 95 % interval, in the unit of the value.
    */
   write(value: number, uncertainty: number, dimension: Dimension): string;
 }
 
 /**
+ * Creates a format.
+ *
  * @param unit `auto`: meters and centimeters, or feet and inches, by the region of the locale and the size of the value.
+ *
  * @param locale BCP 47. Undefined: that of the browser.
  */
 export function createValueFormat(unit: LengthUnit | 'auto', locale?: string): ValueFormat {
@@ -64,7 +67,9 @@ function join(
   return `${digits(value, decimals)}${gap}${unit} ± ${digits(uncertainty, decimals)}${gap}${unit}`;
 }
 
-/** One digit of the uncertainty, two where the first is 1; at most four after the point. */
+/**
+ * The number of decimals of a value: those up to the first digit of the uncertainty, or up to its second if the first is 1; at most four.
+ */
 function decimalsOf(uncertainty: number): number {
   if (!(uncertainty > 0)) return 3;
   const exponent = Math.floor(Math.log10(uncertainty));

@@ -1,23 +1,29 @@
 /** Distances, heights and angles of noisy points, with first-order propagation of their errors (ISO/IEC Guide 98-3, section 5.1). */
 
-/** Half-width of the interval that holds 95 % of a normal distribution, in standard deviations. */
+/** Half-width of the interval that contains 95 % of a normal distribution, in standard deviations. */
 export const INTERVAL_95 = 1.96;
 
-/** Below this a length, in meters, an area, in square meters, or the sine of an angle counts as 0, where the first-order derivatives do not exist. */
+/** Smaller lengths (meters), areas (square meters) and sines of angles count as 0, where first-order derivatives do not exist. */
 export const TINY = 1e-9;
 
-/** The noise of a point that a ray from the viewer found. */
+/** The noise of a point that was found by a ray from the viewer. */
 export interface PointNoise {
   /** Standard deviation along the ray at `referenceM`, meters. */
   readonly alongM: number;
   readonly referenceM: number;
-  /** How the deviation along the ray grows with the distance. */
+  /** How the deviation along the ray grows with the distance: with its square, or not. */
   readonly growth: 'square' | 'none';
-  /** Standard deviation of the direction, in each of two axes across the ray, radians: the deviation across grows with the distance. */
+  /**
+   * Standard deviation of the ray's direction, in each of two axes across it, radians. The deviation across the ray therefore grows with
+   * the distance.
+   */
   readonly acrossRad: number;
 }
 
-/** A point in world space, with the covariance of its error: `alongM²` along the unit vector `ray`, `acrossM²` in each axis across. */
+/**
+ * A measured point in world space, with the covariance of its error: `alongM²` along the unit vector `ray`, `acrossM²` in each axis across
+ * it.
+ */
 export interface SeenPoint {
   readonly positionM: Float64Array;
   readonly ray: Float64Array;
@@ -25,22 +31,26 @@ export interface SeenPoint {
   acrossM: number;
 }
 
-/** A result, in meters or radians, and the standard deviation of its error in the same unit. */
+/** A measured value, in meters or radians, and the standard deviation of its error in the same unit. */
 export interface Measured {
   value: number;
   sigma: number;
 }
 
-/** @returns A point at the origin without noise. */
+/**
+ * Creates a point at the origin without noise.
+ *
+ * @returns A point at the origin without noise.
+ */
 export function createSeenPoint(): SeenPoint {
   return { positionM: new Float64Array(3), ray: Float64Array.of(0, 0, -1), alongM: 0, acrossM: 0 };
 }
 
 /**
- * Sets the direction and the deviations of a point from where it is seen.
+ * Sets the ray and the deviations of a point that is seen from a place.
  *
  * @param point Its `positionM` is read.
- * @param eyeM Three numbers, world space, meters. At the point itself there is no direction and no noise.
+ * @param eyeM The place of the viewer: three numbers, world space, meters. If it is the point itself, there is no direction and no noise.
  *
  * @example
  * point.positionM.set([0, 0, -0.4]);
@@ -63,7 +73,7 @@ const towardsA = new Float64Array(3);
 const towardsC = new Float64Array(3);
 const gradient = new Float64Array(3);
 
-/** The y coordinate of a point: its height above the floor. */
+/** Measures the height of a point above the floor, which is its y coordinate. */
 export function measureHeight(a: SeenPoint, out: Measured): void {
   gradient.fill(0);
   gradient[1] = 1;
@@ -71,15 +81,15 @@ export function measureHeight(a: SeenPoint, out: Measured): void {
   out.sigma = Math.sqrt(variance(a, gradient));
 }
 
-/** The distance of two points. At the same point, where it has no derivative, `sigma` is that of the vector between them. */
+/** Measures the distance of two points. If they are equal, so that it has no derivative, `sigma` is that of the vector between them. */
 export function measureDistance(a: SeenPoint, b: SeenPoint, out: Measured): void {
   out.value = setDirection(gradient, b.positionM, a.positionM);
   out.sigma = Math.sqrt(out.value > TINY ? variance(a, gradient) + variance(b, gradient) : totalVariance(a) + totalVariance(b));
 }
 
 /**
- * The angle at `b` between the directions to `a` and `c`, in [0, π]. At 0 and π, where it has no derivative, `sigma` is that of the
- * deviation in both axes across. `sigma` is at most π, also where an arm has no length and the angle is undefined: its value is 0.
+ * Measures the angle at `b` between the directions to `a` and `c`, in [0, π]. At 0 and π it has no derivative; `sigma` is then that of the
+ * deviation in both axes across. `sigma` is at most π. If an arm has no length, the angle is undefined: its value is 0 and its `sigma` π.
  */
 export function measureAngle(a: SeenPoint, b: SeenPoint, c: SeenPoint, out: Measured): void {
   const lengthA = setDirection(towardsA, b.positionM, a.positionM);
@@ -99,8 +109,8 @@ export function measureAngle(a: SeenPoint, b: SeenPoint, c: SeenPoint, out: Meas
 }
 
 /**
- * With unit vectors u to `a` and w to `c`, the derivative by `a` is (u cos θ − w) / (|a − b| sin θ), that by `c` the same with u and w
- * exchanged, and that by `b` minus their sum.
+ * The variance of an angle θ. With unit vectors u to `a` and w to `c`, its derivative by `a` is (u cos θ − w) / (|a − b| sin θ), that by
+ * `c` the same with u and w exchanged, and that by `b` minus their sum.
  */
 function angleVariance(a: SeenPoint, b: SeenPoint, c: SeenPoint, lengthA: number, lengthC: number, cosine: number, sine: number): number {
   const byA = (i: number) => ((towardsA[i] ?? 0) * cosine - (towardsC[i] ?? 0)) / (lengthA * sine);
@@ -113,7 +123,7 @@ function angleVariance(a: SeenPoint, b: SeenPoint, c: SeenPoint, lengthA: number
   return sum + variance(b, gradient);
 }
 
-/** Of arms in one line: the variance of all directions minus that along the line, for each point. */
+/** The variance of an angle whose arms are in one line: for each point, the variance in all directions minus that along the line. */
 function straightVariance(a: SeenPoint, b: SeenPoint, c: SeenPoint, lengthA: number, lengthC: number, cosine: number): number {
   const across = (point: SeenPoint) => totalVariance(point) - variance(point, towardsA);
   // The vertex bends both arms: by the sum of both rates where they point away from each other, else by the difference.
@@ -121,7 +131,7 @@ function straightVariance(a: SeenPoint, b: SeenPoint, c: SeenPoint, lengthA: num
   return across(a) / lengthA ** 2 + across(c) / lengthC ** 2 + across(b) * atVertex ** 2;
 }
 
-/** Variance of a quantity with that derivative by the point. */
+/** The variance of a quantity that has this derivative by the point. */
 export function variance(point: SeenPoint, derivative: Float64Array): number {
   const along = dot(point.ray, derivative);
   const across = Math.max(0, dot(derivative, derivative) - along * along);
@@ -132,7 +142,7 @@ function totalVariance(point: SeenPoint): number {
   return point.alongM ** 2 + 2 * point.acrossM ** 2;
 }
 
-/** Writes the unit vector between two points, zeros where they are the same, and returns their distance. */
+/** Writes the unit vector from one point to another, or zeros if they are equal, and returns their distance. */
 export function setDirection(out: Float64Array, from: Float64Array, to: Float64Array): number {
   for (let i = 0; i < 3; i++) out[i] = (to[i] ?? 0) - (from[i] ?? 0);
   const size = length(out);
@@ -140,7 +150,7 @@ export function setDirection(out: Float64Array, from: Float64Array, to: Float64A
   return size;
 }
 
-/** A component of `towardsA` × `towardsC`. */
+/** Component `i` of the vector product of `towardsA` and `towardsC`. */
 function cross(i: number): number {
   const j = (i + 1) % 3;
   const k = (i + 2) % 3;

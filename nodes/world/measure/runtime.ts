@@ -53,7 +53,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   let lastSession = session.sessions;
   let wasComplete = false;
 
-  /** Looks at the poses of the inputs; returns how many of the first are valid. */
+  /** Updates the points from the poses of the inputs. Returns how many points are set without a gap, counted from the first. */
   function lookAtPoses(): number {
     poses.length = 0;
     const isOpen = mode === 'polyline' || mode === 'polygon';
@@ -81,7 +81,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     }
     return null;
   }
-  /** Applies taps and pulses; returns how many points there are, with one under a mouse or controller that hovers. */
+  /** Applies taps and pulses. Returns the number of points, including the one under a mouse or controller that hovers. */
   function takeTaps(taken: TappedPoints, frame: SessionFrame): number {
     const { pointers, pointerCount } = frame.input;
     // Every frame, because the device starts to follow pointers when it is asked.
@@ -134,7 +134,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     }
   }
 
-  /** In the middle of the lines, facing the viewer. */
+  /** Writes the pose of the label: in the middle of the lines, facing the viewer. */
   function writeLabelPose(jumps: number): void {
     scratchCenter.set(0, 0, 0);
     for (let i = 0; i < figure.endCount; i++) scratchCenter.addScaledVector(figure.ends[i] ?? UP, 1 / figure.endCount);

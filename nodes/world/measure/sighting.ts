@@ -3,15 +3,15 @@ import type { Hit } from '../../kit/hit-test.ts';
 import type { PoseView } from '../../kit/pose.ts';
 import { createSeenPoint, type PointNoise, type SeenPoint, setNoise } from './propagate.ts';
 
-/** A point, and where it was seen from. */
+/** A measured point, and the place from which it was seen. */
 export interface Sighting {
   readonly point: SeenPoint;
-  /** Viewer and point at the time that the line of sight is of. */
+  /** Positions of the viewer and of the point when the point was seen; the line of sight is between them. */
   readonly eyeM: Float64Array;
   readonly seenAtM: Float64Array;
   isSeen: boolean;
   jumps: number;
-  /** Of a tapped point. */
+  /** The anchor that holds a tapped point; null for other points. */
   anchor: Anchor | null;
 }
 
@@ -20,9 +20,9 @@ export function createSighting(): Sighting {
 }
 
 /**
- * Takes the pose as the point; false while it is not valid.
+ * Sets the point to a pose. Returns false while the pose is not valid.
  *
- * @param moveM A point that moves by less keeps its line of sight.
+ * @param moveM A point that has moved by less than this keeps its line of sight.
  */
 export function look(sighting: Sighting, pose: PoseView | null, eyeM: Float64Array, moveM: number, noise: PointNoise): boolean {
   if (!pose?.valid) {
@@ -41,7 +41,7 @@ export function look(sighting: Sighting, pose: PoseView | null, eyeM: Float64Arr
   return true;
 }
 
-/** Takes a hit or a pose as the point, seen from here, and ties it to the room. The caller deletes the anchor. */
+/** Sets the point to a hit or a pose that is seen from `eyeM`, and creates an anchor for it. The caller deletes the anchor. */
 export function mark(sighting: Sighting, at: Hit | ArrayLike<number>, eyeM: Float64Array, anchors: AnchorService): void {
   const matrix = 'worldFromHit' in at ? at.worldFromHit : at;
   for (let i = 0; i < 3; i++) sighting.seenAtM[i] = matrix[12 + i] ?? 0;
@@ -51,7 +51,7 @@ export function mark(sighting: Sighting, at: Hit | ArrayLike<number>, eyeM: Floa
   sighting.anchor = anchors.create(at);
 }
 
-/** Moves a marked point with its anchor, and its line of sight with it. */
+/** Moves a tapped point with its anchor, and its line of sight with it. */
 export function followAnchor({ point, eyeM, seenAtM, anchor }: Sighting, noise: PointNoise): void {
   if (!anchor) return;
   for (let i = 0; i < 3; i++) {

@@ -6,22 +6,25 @@ import { createSighting, followAnchor, mark, type Sighting } from './sighting.ts
 
 /** The points of one measurement, which taps or pulses add. */
 export interface TappedPoints {
-  /** The first `count` are set; one more may be `aim`. */
+  /** The points and where they were seen from. The first `count` are set; the next one may show where a tap would add a point (`aim`). */
   readonly sightings: readonly Sighting[];
   readonly count: number;
   readonly isComplete: boolean;
-  /** Adds a point, or completes the line or outline at its last or first point. A complete measurement begins anew. */
+  /**
+   * Adds a point. At the last point of a line or the first point of an outline it completes the measurement instead. If the measurement is
+   * complete already, it begins a new one.
+   */
   add(at: Hit | ArrayLike<number>, eyeM: Float64Array): void;
-  /** Shows where the next point would be, as `sightings[count]`. Returns whether there is a next point. */
+  /** Sets `sightings[count]` to where a tap would add the next point. Returns false if no further point can be added. */
   aim(at: Hit, eyeM: Float64Array, noise: PointNoise): boolean;
   undo(): void;
   finish(): void;
   clear(): void;
-  /** Once a frame: points follow their anchors. */
+  /** Moves the points with their anchors. Call it once per frame. */
   follow(noise: PointNoise): void;
 }
 
-/** Seen within this angle, a tap is at the point. */
+/** A tap whose direction differs from that of a point by less than this angle is at that point. */
 const SAME_RAD = (1.5 * Math.PI) / 180;
 
 export function createTappedPoints(mode: Mode, anchors: () => AnchorService): TappedPoints {
@@ -38,7 +41,7 @@ export function createTappedPoints(mode: Mode, anchors: () => AnchorService): Ta
     count = Math.min(count, from);
     isComplete = false;
   }
-  /** A tap at the last point of a line or the first of an outline ends it. */
+  /** Whether a tap ends the measurement: it is at the last point of a line, or at the first point of an outline. */
   function isAtEnd(at: Hit | ArrayLike<number>, eyeM: Float64Array): boolean {
     if (count < LEAST[mode] || (mode !== 'polyline' && mode !== 'polygon')) return false;
     const end = sightings[mode === 'polygon' ? 0 : count - 1]?.point.positionM;

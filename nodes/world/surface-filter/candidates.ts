@@ -1,24 +1,24 @@
 import type { DetectedMesh, DetectedPlane, DetectedSurface, DetectedSurfaces } from '../../kit/session.ts';
 import { areaOf, convexHull, sideAngleRad, writeCentroid } from './polygon.ts';
 
-/** A detected surface as a flat outline. */
+/** A detected surface as a flat outline, which the filter rates. */
 export interface Candidate {
   readonly surface: DetectedSurface;
   readonly version: number;
-  /** In the x–z plane of the candidate's own space, whose y axis is the normal or its opposite. */
+  /** Corners of the outline, alternating x and z, in the candidate's own space, whose y axis is the normal or its opposite. */
   readonly outlineXZ: Float32Array;
-  /** Column-major 4×4, rigid; null: the identity. */
+  /** The matrix from the candidate's own space to that of the surface, column-major 4×4, rigid; null: the identity. */
   readonly surfaceFromOutline: Float32Array | null;
   readonly areaSquareM: number;
-  /** x and z of the centroid. */
+  /** x and z of the outline's centroid. */
   readonly centerXZ: Float64Array;
-  /** Angle of a side from x towards z. */
+  /** The direction of the outline's sides: an angle from x towards z. */
   readonly sideRad: number;
-  /** The round in which it was seen last. */
+  /** The number of the last update in which the surface was detected. */
   seen: number;
 }
 
-/** Surfaces in the forms that are compared; computed again when a surface changes. */
+/** The detected surfaces as candidates. A candidate is computed again when its surface changes. */
 export interface Candidates {
   readonly all: readonly Candidate[];
   /** Call it once per frame. */
@@ -26,7 +26,7 @@ export interface Candidates {
   clear(): void;
 }
 
-/** A mesh with a larger footprint, or with this label, is that of a room. */
+/** A mesh whose footprint is larger than a square with this side, or which has the label `ROOM_LABEL`, is that of a whole room. */
 const ROOM_SIDE_M = 4;
 const ROOM_LABEL = 'global mesh';
 
@@ -90,7 +90,10 @@ function candidateOf(surface: DetectedSurface, outlineXZ: Float32Array, surfaceF
   };
 }
 
-/** The hull of a mesh as seen from above, at its highest point. The mesh of a room has no such top. */
+/**
+ * The candidate of a mesh: its convex hull as seen from above, at the height of its highest point. The mesh of a whole room has no such
+ * top, so its outline is empty.
+ */
 function topOf(mesh: DetectedMesh): Candidate {
   const { worldFromSurface: m, positions } = mesh;
   const footprint = new Float32Array((positions.length / 3) * 2);

@@ -7,8 +7,11 @@ import type { Candidate } from './candidates.ts';
 /** The band along the outline of a surface, as an object. */
 export interface Outline {
   /**
+   * Updates the object.
+   *
    * @param worldFromOutline Column-major 4×4, rigid.
-   * @param worldFromCenter Its y axis is the side that is seen.
+   *
+   * @param worldFromCenter Its y axis points to the side that is seen.
    */
   update(
     found: Candidate | null,
@@ -20,9 +23,9 @@ export interface Outline {
   dispose(): void;
 }
 
-/** In front of the surface, so that its depth and phantoms do not hide the band. */
+/** Distance of the band from the surface, so that the surface's depth and phantoms do not hide it. */
 const LIFT_M = 0.005;
-/** At sharp corners the band is at most so many times as wide. */
+/** Limit of the miter at sharp corners, as a multiple of the band's width. */
 const MITER = 4;
 
 export function createOutline(list: ObjectList): Outline {
@@ -62,7 +65,9 @@ export function createOutline(list: ObjectList): Outline {
   };
 }
 
-/** Two triangles per side of the polygon, between it and the polygon moved inwards by the width of the band. */
+/**
+ * Builds the band: two triangles per side of the polygon, between the polygon and the same polygon moved inwards by the width of the band.
+ */
 function bandOf(xz: Float32Array, bandM: number): BufferGeometry {
   const count = xz.length / 2;
   const positions = new Float32Array(6 * count);

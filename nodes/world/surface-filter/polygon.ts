@@ -15,7 +15,7 @@ export function areaOf(xz: ArrayLike<number>): number {
   return Math.abs(twiceArea(xz)) / 2;
 }
 
-/** Writes the centroid of the area, or the mean of the corners where there is no area. */
+/** Writes the centroid of the area, or the mean of the corners if the area is 0. */
 export function writeCentroid(out: Float64Array, xz: ArrayLike<number>): void {
   const twice = twiceArea(xz);
   const count = xz.length;
@@ -45,8 +45,8 @@ export function extentAlong(xz: ArrayLike<number>, dx: number, dz: number): numb
 }
 
 /**
- * The direction of the side along which the smallest rectangle around the polygon lies (it shares a side with
- * the hull), as an angle from x towards z.
+ * The direction of the smallest rectangle around the polygon, which shares a side with the polygon's convex hull, as an angle from x
+ * towards z.
  */
 export function sideAngleRad(xz: ArrayLike<number>): number {
   const hull = convexHull(xz);
@@ -64,7 +64,7 @@ export function sideAngleRad(xz: ArrayLike<number>): number {
   return bestRad;
 }
 
-/** Andrew's monotone chain (1979). */
+/** The convex hull of points, by Andrew's monotone chain (1979). */
 export function convexHull(xz: ArrayLike<number>): Float32Array {
   const points = Array.from({ length: Math.floor(xz.length / 2) }, (_, i): readonly [number, number] => [
     xz[2 * i] ?? 0,
@@ -87,7 +87,7 @@ export function convexHull(xz: ArrayLike<number>): Float32Array {
   return Float32Array.from([...half(points), ...half([...points].reverse())].flat());
 }
 
-/** From a point of the polygon's plane to the polygon, 0 inside. */
+/** The distance from a point in the polygon's plane to the polygon; 0 inside. */
 export function distanceTo(xz: ArrayLike<number>, x: number, z: number): number {
   let inside = false;
   let least = Number.POSITIVE_INFINITY;

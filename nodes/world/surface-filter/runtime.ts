@@ -7,9 +7,9 @@ import type { definition } from './definition.ts';
 import { createOutline } from './outline.ts';
 import { distanceTo, extentAlong } from './polygon.ts';
 
-/** Another surface is chosen if it is better by this factor. */
+/** Another surface replaces the chosen one only if it is better by this factor. */
 const BETTER = 1.1;
-/** Of heights, whose zero is arbitrary: better by this. */
+/** The same for heights, as a difference, because the zero of heights is arbitrary. */
 const BETTER_M = 0.1;
 
 // Filled and read within one call.
@@ -28,14 +28,14 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const eyesM = new Float64Array(3);
   const sizeM = new Float64Array(2);
   const worldFromCenter = new Float32Array(16);
-  /** Of a level surface that is chosen: by how many quarter turns z is turned from its side. */
+  /** For a chosen level surface, the number of quarter turns by which z is rotated from the side of the outline. */
   let quarters = 0;
-  /** Id of the surface; null while there is none. */
+  /** Id of the chosen surface; null while there is none. */
   let chosen: string | null = null;
   let switches = 0;
   let lastSession = session.sessions;
 
-  /** Writes the pose of a candidate with the axes of a hit, and returns how good it is, or NaN where it does not match. */
+  /** Writes the pose of a candidate with the axes of a hit, and returns its rating; NaN if it does not match the params. */
   function rate(candidate: Candidate): number {
     const { surface, outlineXZ, areaSquareM, centerXZ, sideRad } = candidate;
     if (!(areaSquareM > 0)) return Number.NaN;
@@ -61,7 +61,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     }
   }
 
-  /** From the eyes to the outline that `scratchFrom` places. */
+  /** The distance from the eyes to an outline, which `scratchFrom` places in world space. */
   function distanceOf({ outlineXZ }: Candidate): number {
     const m = (i: number): number => scratchFrom[i] ?? 0;
     const x = (eyesM[0] ?? 0) - m(12);
@@ -169,7 +169,10 @@ function writeWorldFromOutline(out: Float32Array, { surface: { worldFromSurface:
   }
 }
 
-/** The center, with the axes of a hit: the normal is turned to the eyes, because devices differ in where normals of planes point. */
+/**
+ * Writes the pose of the center with the axes of a hit. The normal is turned towards the eyes, because devices differ in where the normals
+ * of planes point.
+ */
 function writeCenter(out: Float32Array, from: Float32Array, centerXZ: Float64Array, eyesM: Float64Array): void {
   const x = centerXZ[0] ?? 0;
   const z = centerXZ[1] ?? 0;
@@ -180,7 +183,7 @@ function writeCenter(out: Float32Array, from: Float32Array, centerXZ: Float64Arr
   setSurfacePose(out, at(0), at(1), at(2), from[4] ?? 0, from[5] ?? 1, from[6] ?? 0, ex, ey, ez, ex, ez);
 }
 
-/** By how many quarter turns z has to be turned from the side of the outline to point as far as possible as the z axis of the pose does. */
+/** The number of quarter turns by which z must be rotated from the side of the outline to come closest to the z axis of a pose. */
 function quartersToward(pose: Float32Array, from: Float32Array, sideRad: number): number {
   let best = 0;
   let bestDot = Number.NEGATIVE_INFINITY;
@@ -196,7 +199,7 @@ function quartersToward(pose: Float32Array, from: Float32Array, sideRad: number)
   return best;
 }
 
-/** Turns a pose about its normal until z points along a direction of the outline. */
+/** Rotates a pose about its normal until z points along a direction of the outline. */
 function alignToSide(pose: Float32Array, from: Float32Array, rad: number): void {
   for (let row = 0; row < 3; row++) pose[8 + row] = (from[row] ?? 0) * Math.cos(rad) + (from[8 + row] ?? 0) * Math.sin(rad);
   for (let row = 0; row < 3; row++) {
@@ -207,7 +210,7 @@ function alignToSide(pose: Float32Array, from: Float32Array, rad: number): void 
   }
 }
 
-/** The length of the outline along an axis of the pose, whose first number is at `column`. */
+/** The length of the outline along an axis of the pose, whose first number in the matrix is at `column`. */
 function extentInWorld(outlineXZ: Float32Array, from: Float32Array, pose: Float32Array, column: number): number {
   let dx = 0;
   let dz = 0;
