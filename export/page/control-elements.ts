@@ -2,14 +2,14 @@ import type { Control } from '../program/program.ts';
 import type { ControlValues } from './control-values.ts';
 import { element } from './dom.ts';
 
-/** The visitor's controls on the page. */
+/** The elements of the page by which visitors set controls. */
 export interface Controls {
   readonly element: HTMLElement;
   /** Shows or hides the controls; they are hidden until the first frame is drawn. */
   setShown(shown: boolean): void;
 }
 
-/** Controls that are visible at first on a phone. A button shows the others. */
+/** Number of controls that are visible at first on a phone. A button shows the others. */
 const FEW = 2;
 /** Width from which the controls fit beside the image, CSS pixels. */
 const WIDE_PX = 900;
@@ -120,7 +120,7 @@ function createToggle(document: Document, { label }: Control, { get, set }: Valu
   return { element: element(document, 'label', { className: 'control toggle' }, element(document, 'span', {}, label), input), show };
 }
 
-/** Radio buttons, because browsers show the list of a `select` outside the page, which AR hides. */
+/** Creates a choice as radio buttons. Browsers show the list of a `select` outside the page, which AR hides. */
 function createChoice(document: Document, id: string, control: Extract<Control, { kind: 'choice' }>, { get, set }: Value): Part {
   const inputs = control.options.map((_, i) => {
     const input = element(document, 'input', { attributes: { type: 'radio', name: id } });

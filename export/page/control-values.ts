@@ -5,9 +5,9 @@ export type SetControl = (control: Control, value: number | boolean) => void;
 /** The values of the controls, shared by the page and the panel in the room. */
 export interface ControlValues {
   readonly controls: readonly Control[];
-  /** Number of the control's `value`: 0 or 1 of a toggle, index of a choice, number of presses of a button. */
+  /** The value of a control as a number: 0 or 1 for a toggle, the index for a choice, the number of presses for a button. */
   get(index: number): number;
-  /** Sets a value; an equal value changes nothing. */
+  /** Sets the value of a control. An equal value changes nothing and notifies nobody. */
   set(index: number, value: number): void;
   /** Calls `listener` after each change. Returns a function that removes it. */
   listen(listener: (index: number) => void): () => void;

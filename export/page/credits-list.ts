@@ -5,7 +5,7 @@ export type Credit = Omit<ProgramCredit, 'nodes'>;
 
 const ADDRESS = /(https?:\/\/[^\s,;)]+)/;
 
-/** A disclosure element with the credits; empty if there are none. */
+/** Creates a disclosure element with the credits; an empty array if there are none. */
 export function createCredits(document: Document, credits: readonly Credit[]): HTMLElement[] {
   if (credits.length === 0) return [];
   const works = credits.map(({ title, credit, licence }) => {
@@ -16,7 +16,7 @@ export function createCredits(document: Document, credits: readonly Credit[]): H
   return [element(document, 'details', { className: 'credits' }, element(document, 'summary', {}, 'Credits'), list)];
 }
 
-/** Converts addresses to links and adds a full stop. */
+/** Converts the addresses in a text to links and adds a full stop. */
 function sentence(document: Document, text: string): (Node | string)[] {
   const parts = text.split(ADDRESS).map((part) => {
     if (!ADDRESS.test(part)) return part;

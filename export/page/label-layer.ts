@@ -5,8 +5,8 @@ import type { PageRoot } from './page-root.ts';
 export type CreateLabelLayer = typeof createLabelLayer;
 
 /**
- * The layer is part of the DOM overlay, so AR sessions show it. It has the place of the canvas, except in AR, where the overlay covers the
- * display. Presses pass through it except on selectable labels.
+ * Creates the label layer. It is part of the DOM overlay, so AR sessions show it. It covers the canvas; in AR it covers the display, as the
+ * overlay does. Presses pass through it except on selectable labels.
  */
 export function createLabelLayer({ canvas, overlay }: Pick<PageRoot, 'canvas' | 'overlay'>): HTMLElement {
   const { ownerDocument: document } = canvas;

@@ -12,14 +12,14 @@ export interface MountOptions {
   readonly program: Program;
   readonly modules: Readonly<Record<string, NodeModule>>;
   readonly createScenes: CreateSceneBackend | null;
-  /** Hit tests and anchors; null if the program needs neither. */
+  /** Creates hit tests and anchors; null if the program needs neither. */
   readonly createSpatial: CreateSpatial | null;
-  /** The element that labels are shown in; null if the program has none. */
+  /** The element that contains labels; null if the program has none. */
   readonly overlay: HTMLElement | null;
   readonly assets: AssetSource;
   /** Creates the panel for sessions that hide the page; null without controls. */
   readonly createPanel: ((gl: WebGL2RenderingContext) => RoomPanel) | null;
-  /** Draws instead of the program while it covers it, as the step that takes a panorama; null for none. */
+  /** What may draw instead of the program for a time, such as the step that takes a panorama; null for none. */
   readonly interlude: Interlude | null;
   /** Creates the first session for the context of the canvas. */
   readonly session: (gl: WebGL2RenderingContext) => Session;
@@ -29,11 +29,11 @@ export interface MountOptions {
   readonly onContext: (state: 'lost' | 'restored') => void;
 }
 
-/** Gets each frame before the program. */
+/** Gets each frame before the program, and draws instead of it while `covers` is true. */
 export interface Interlude {
   readonly covers: boolean;
   frame(frame: SessionFrame): void;
-  /** Forgets its GPU objects. */
+  /** Drops the GPU objects, which are lost with the context. */
   contextLost(): void;
 }
 

@@ -18,7 +18,7 @@ const WHAT: Readonly<Record<Capability, string>> = {
 /** A feature that the page requests, as a line for the visitor. */
 export interface Ask {
   readonly what: string;
-  /** The reason, and what happens without the feature. */
+  /** Why the feature is requested, and what happens without it. */
   readonly why: string;
   readonly required: boolean;
 }
@@ -41,7 +41,7 @@ export function asksOf(needs: readonly ProgramNeed[]): readonly Ask[] {
   return [...asks.filter((ask) => ask.required), ...asks.filter((ask) => !ask.required)];
 }
 
-/** `to hide objects` → `To hide objects.` */
+/** Makes a sentence of a text: `to hide objects` → `To hide objects.` */
 function sentence(text: string, capital = true): string {
   const first = capital ? text.charAt(0).toUpperCase() : text.charAt(0).toLowerCase();
   return `${first}${text.slice(1)}.`;

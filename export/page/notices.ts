@@ -3,7 +3,7 @@ import { element } from './dom.ts';
 
 export interface Notice {
   readonly text: string;
-  /** Screen readers announce a `problem` at once and a `hint` when they are idle. */
+  /** Urgency of the notice. Screen readers announce a `problem` immediately and a `hint` when they are idle. */
   readonly tone: 'problem' | 'hint';
 }
 
@@ -49,7 +49,9 @@ export function showDiagnostics(notices: Notices, topic: string, diagnostics: re
   else notices.show(topic, { text: [...new Set(texts)].join(' '), tone: hasErrors(diagnostics) ? 'problem' : 'hint' });
 }
 
-/** Remedies are written for designers, so most are replaced by one for visitors or left out. */
+/**
+ * The text of a diagnostic for visitors. Remedies (`fix`) are written for designers, so most are replaced by one for visitors or left out.
+ */
 function visitorText({ code, message, fix }: Diagnostic): string {
   const remedy = VISITOR_REMEDIES[code];
   if (remedy === 'its own') return fix === undefined ? message : `${message} ${fix}`;

@@ -27,7 +27,7 @@ export interface PageControllerOptions {
   readonly createLens: CreateLens | null;
   readonly createPanel: MountOptions['createPanel'];
   readonly overlay: MountOptions['overlay'];
-  /** Null if the program takes no panorama. */
+  /** Creates the step that takes a panorama of the room; null if the program uses none. */
   readonly createPanorama: CreatePagePanorama | null;
   readonly page: Window;
   readonly root: PageRoot;
@@ -193,7 +193,7 @@ const UNTRACKED: Readonly<Record<SessionMode, string>> = {
   vr: 'The headset lost tracking. Look around slowly, with enough light.',
 };
 
-/** Text for each feature that delivers no data at the moment. */
+/** Notice for each feature that was granted but currently delivers no data. */
 const SILENT: Readonly<Partial<Record<Capability, string>>> = {
   depth: 'The device measures no depth at the moment, so real objects hide nothing. Move it slowly from side to side.',
   'light-estimation': 'The device does not measure the light of the room at the moment. Default light is used.',

@@ -7,7 +7,7 @@ import { type PagePowers, pagePolicy } from './page-policy.ts';
 export interface PageHtml {
   readonly title: string;
   readonly description: string;
-  /** BCP 47. */
+  /** Language of the page, as a BCP 47 tag. */
   readonly language: string;
   readonly parts: PageParts;
   readonly poster: Poster;
@@ -17,7 +17,7 @@ export interface PageHtml {
   readonly powers: PagePowers;
 }
 
-/** Script and style, as files or inline with their hashes for the policy. */
+/** Script and style of the page, as files or inline with their hashes for the content security policy. */
 export type PageParts =
   | { readonly kind: 'files'; readonly script: string; readonly style: string }
   | {
@@ -28,7 +28,7 @@ export type PageParts =
       readonly files: Readonly<Record<string, string>>;
     };
 
-/** `hash` is `sha256-` and the base64 hash of `text`. */
+/** An inline script or style. `hash` is `sha256-` and the base64 hash of `text`. */
 export interface InlineText {
   readonly text: string;
   readonly hash: string;
@@ -40,11 +40,13 @@ export interface Poster {
   readonly source: string;
   readonly widthPx: number;
   readonly heightPx: number;
-  /** Whether it shows the content of the page. Otherwise it is a plain background, which is not preloaded. */
+  /** Whether the image shows the content of the page. Otherwise it is a plain background, which is not preloaded. */
   readonly drawn: boolean;
 }
 
-/** Configuration of the script, as JSON in the page. It is data, which needs no permission of the policy. */
+/**
+ * Configuration of the page's script, as JSON in a data block of the page. Data blocks need no permission of the content security policy.
+ */
 export interface PageConfig {
   readonly title: string;
   readonly description: string;
@@ -66,12 +68,15 @@ export interface PageConfig {
 
 export const CONFIG_ID = 'scrim-page';
 
-/** Type of the data blocks with the files of a single-file page, which browsers do not run. `data-path` is the path of each. */
+/**
+ * MIME type of the data blocks with the files of a single-file page; browsers do not run this type. The attribute `data-path` of a block is
+ * the path of its file.
+ */
 export const EMBEDDED_TYPE = 'application/x-scrim-file';
 
 /**
- * Renders `index.html`. The policy comes first, because it applies to what follows. The content of `main` looks like the page and is shown
- * until the script replaces it.
+ * Renders `index.html`. The content security policy comes first, because it applies only to what follows it. The content of `main` looks
+ * like the page and is shown until the script replaces it.
  */
 export function pageHtml({ title, description, language, parts, poster, address, config, powers }: PageHtml): string {
   const text = escapeHtml(title);
@@ -109,7 +114,7 @@ ${bodyParts(parts)}</body>
 `;
 }
 
-/** Link previews require absolute addresses; some accept relative ones. */
+/** The `meta` elements with the image for link previews. Most previews require absolute addresses; some accept relative ones. */
 function imageTags({ source, widthPx, heightPx }: Poster, title: string, address: string | null): string {
   const image = escapeHtml(address === null ? source : new URL(source, address).href);
   return `${address === null ? '' : `<meta property="og:url" content="${escapeHtml(address)}">\n`}<meta property="og:image" content="${image}">
@@ -128,7 +133,10 @@ function headParts(parts: PageParts, config: PageConfig): string {
 `;
 }
 
-/** The files come first, because the script reads them when it runs. */
+/**
+ * The end of the body of a single-file page: embedded files, then the script, because the script reads the files when it runs. Empty for
+ * other pages.
+ */
 function bodyParts(parts: PageParts): string {
   if (parts.kind === 'files') return '';
   const files = Object.entries(parts.files).map(
@@ -141,7 +149,7 @@ export function escapeHtml(text: string): string {
   return text.replace(/[&<>"']/g, (character) => `&#${character.charCodeAt(0)};`);
 }
 
-/** Escapes `<`, so that no tag ends the data block. */
+/** Writes JSON for a data block. `<` is escaped, so that no tag in it ends the block. */
 function escapeJson(value: unknown): string {
   return JSON.stringify(value).replace(/</g, '\\u003c');
 }

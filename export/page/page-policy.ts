@@ -1,10 +1,10 @@
-/** Permissions that the page needs beyond loading its own files. */
+/** Permissions that the content security policy must give besides loading the page's own files. */
 export interface PagePowers {
-  /** Compiling WebAssembly, which all model decoders use. */
+  /** Whether the page may compile WebAssembly, which all model decoders use. */
   readonly wasm: boolean;
-  /** Workers from blobs, which most decoders and all CPU filters use. */
+  /** Whether the page may start workers from blobs, which most decoders and all CPU filters use. */
   readonly workers: boolean;
-  /** Videos from blobs. */
+  /** Whether the page may play videos from blobs. */
   readonly media: boolean;
 }
 

@@ -8,11 +8,11 @@ import { createStartCard, type StartCard, type StartCardOptions } from './start-
 /** The elements of the page. */
 export interface PageRoot {
   readonly canvas: HTMLCanvasElement;
-  /** The DOM overlay of AR sessions. */
+  /** The element that AR sessions show as their DOM overlay. */
   readonly overlay: HTMLElement;
   readonly panel: StartCard;
   readonly notices: Notices;
-  /** Null selects the orbit view. */
+  /** Sets the session mode that is shown; null selects the orbit view. */
   setMode(mode: SessionMode | null): void;
   /** Hides the poster and shows the controls. Call it when the first frame is drawn. */
   showCanvas(): void;

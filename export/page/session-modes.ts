@@ -29,7 +29,7 @@ export async function findSessionModes(page: ModePage, tiers: readonly Tier[]): 
   return noAr === null ? { offers: ['ar'], fallbacks: ['ar', ...others], noAr } : { offers: others, fallbacks: others, noAr };
 }
 
-/** Whether the program uses the camera image and the browser can provide it. */
+/** Whether the program can be played in a camera session and the browser can provide the camera image. */
 function canUseCamera({ navigator }: ModePage, tiers: readonly Tier[]): boolean {
   return typeof navigator.mediaDevices?.getUserMedia === 'function' && tiers.some(({ id }) => id === 'camera');
 }
@@ -43,13 +43,13 @@ async function noArReason({ isSecureContext, navigator }: ModePage): Promise<str
   return 'This device offers no AR. Open the page on an Android phone or a headset to see it in your room.';
 }
 
-/** What is missing in a tier, as sentences for visitors. */
+/** Returns what is missing in a tier, as sentences for visitors. */
 export function lacksOf(tiers: readonly Tier[], id: Tier['id']): readonly string[] {
   const tier = tiers.find((candidate) => candidate.id === id);
   return [...new Set((tier?.without ?? []).map(({ effect }) => sentence(effect)))];
 }
 
-/** `to hide objects` → `To hide objects.` */
+/** Makes a sentence of a text: `to hide objects` → `To hide objects.` */
 function sentence(text: string): string {
   const bare = text.trim().replace(/[.\s]+$/, '');
   return `${bare.charAt(0).toUpperCase()}${bare.slice(1)}.`;

@@ -7,7 +7,7 @@ import type { SessionMode } from './session-modes.ts';
 /** What the card shows below the title: the progress of loading, the session modes, or why the page cannot be shown. */
 export type StartCardState =
   | { readonly kind: 'loading'; readonly loadedBytes: number }
-  /** The orbit view is shown. */
+  /** The program is loaded and shown in the orbit view. */
   | {
       readonly kind: 'ready';
       /** Session modes to offer, best first. */
@@ -24,10 +24,10 @@ export interface StartCardOptions {
   readonly title: string;
   readonly description: string;
   readonly asks: readonly Ask[];
-  /** Only the number of controls matters. */
+  /** The controls of the page. Only their number matters here. */
   readonly controls: readonly unknown[];
   readonly credits: readonly Credit[];
-  /** What the camera, VR and orbit sessions lack compared with AR. */
+  /** What the camera, VR and orbit sessions lack compared with AR, as sentences for visitors. */
   readonly lacks: Readonly<Record<'camera' | 'vr' | 'orbit', readonly string[]>>;
   /** Bytes to load before the first frame. */
   readonly totalBytes: number;
@@ -47,7 +47,7 @@ const LABELS: Readonly<Record<SessionMode, { readonly enter: string; readonly en
   vr: { enter: 'Enter VR', entering: 'Entering VR…' },
 };
 
-/** The card with the title, the description and the session modes with what each requests and lacks. */
+/** Creates the card with the title, the description, and the session modes with what each requests and lacks. */
 export function createStartCard(options: StartCardOptions): StartCard {
   const { document, title, description, totalBytes, lacks } = options;
   const bar = element(document, 'progress', { attributes: { max: '1', 'aria-label': 'Loading' } });
@@ -125,7 +125,7 @@ const MODES = ['ar', 'camera', 'vr'] as const;
 interface ModeElement {
   readonly element: HTMLElement;
   readonly button: HTMLButtonElement;
-  /** Position among the offered modes; −1 hides the mode. */
+  /** Sets the position of the mode among the offered modes; −1 hides the mode. */
   setOffered(place: number): void;
   setBusy(state: 'entering' | 'waiting'): void;
 }
@@ -179,7 +179,7 @@ function vrTexts({ document, controls }: StartCardOptions): HTMLElement[] {
   ];
 }
 
-/** Headsets have no DOM overlay. */
+/** Text about the controls in headsets, which have no DOM overlay. */
 const CONTROLS_IN_ROOM =
   'In a headset the controls are on a panel in front of you, below your eyes. Point at it and press. Values that you set here are kept.';
 
@@ -188,7 +188,7 @@ function cameraTexts(document: Document): HTMLElement[] {
   return [element(document, 'p', {}, asks), element(document, 'p', { className: 'privacy' }, PRIVACY)];
 }
 
-/** The position of the device is not measured. */
+/** What a camera session lacks in any case, because the position of the device is not measured. */
 const STANDS_STILL = 'Objects keep their direction as you turn, but do not stay in place as you walk.';
 
 function lacksElement(document: Document, lacks: readonly string[]): HTMLElement[] {

@@ -23,15 +23,18 @@ export interface PageParts {
   readonly modules: Readonly<Record<string, NodeModule>>;
   readonly createScenes: ((files: DecoderFiles) => CreateSceneBackend) | null;
   readonly createSpatial: CreateSpatial | null;
-  /** Null if the program reads no input. */
+  /** Functions by which sessions read input; null if the program reads no input. */
   readonly inputs: SessionInputs | null;
-  /** Null if there are no controls. */
+  /** Creates the panel with the controls in the room; null if there are no controls. */
   readonly createRoomPanel: CreateRoomPanel | null;
-  /** Null if there are no labels. */
+  /** Creates the element that contains labels; null if there are no labels. */
   readonly createLabelLayer: CreateLabelLayer | null;
-  /** Null without objects, which alone have to keep their place in the camera image. */
+  /**
+   * Creates the estimation of the camera's field of view; null if the program draws no objects, because only objects must keep their place
+   * in the camera image.
+   */
   readonly createLens: CreateLens | null;
-  /** Null if the program takes no panorama. */
+  /** Creates the step that takes a panorama of the room; null if the program uses none. */
   readonly createPanorama: CreatePagePanorama | null;
 }
 
@@ -100,7 +103,7 @@ async function loadProgram(files: AssetSource, path: string): Promise<Program> {
   return readProgram(JSON.parse(new TextDecoder().decode(bytes)));
 }
 
-/** Storage is refused in sandboxed frames, and with cookies off. */
+/** Returns where kept anchors are stored. In sandboxed frames and with cookies off, browsers refuse the storage. */
 function keptAnchorsOf(page: Window): KeptAnchors {
   try {
     return { storage: page.localStorage, page: page.location.pathname };

@@ -23,7 +23,7 @@ export interface Engine {
   readonly objects: GlObjects;
   readonly programs: ProgramCache;
   readonly drawer: PassDrawer;
-  /** Linked together with the first program. */
+  /** The program that copies an image. It is linked together with the shaders of the first program. */
   readonly copy: GlProgram;
   /** A program of the runtime itself, linked at the first request and kept. */
   tool(shader: LinkedShader): GlProgram;
@@ -34,7 +34,7 @@ export interface Engine {
   readonly state: PlayState;
   readonly timer: OperationTimer | null;
   readonly host: NodeHost;
-  /** Null until a node has drawn objects or loaded a model. */
+  /** The scene backend; null until a node has drawn objects or loaded a model. */
   scenesIfMade(): SceneBackend | null;
   counts(): PlayerCounts;
   dispose(): void;
@@ -43,7 +43,7 @@ export interface Engine {
 /** Number of GPU objects: the player's own by kind, and those of three.js. */
 export interface PlayerCounts extends GlCounts {
   readonly scenes: ReturnType<SceneBackend['counts']> | null;
-  /** Absent in pages without hit tests and anchors. */
+  /** Number of open hit tests and anchors; absent in pages without them. */
   readonly spatial?: SpatialCounts;
 }
 
@@ -52,7 +52,7 @@ export interface EngineOptions {
   readonly canvas: HTMLCanvasElement | OffscreenCanvas;
   readonly modules: Readonly<Record<string, PlayedModule>>;
   readonly createScenes: CreateSceneBackend | null;
-  /** Null if the program needs no hit tests and anchors. */
+  /** Hit tests and anchors; null if the program needs neither. */
   readonly spatial: Spatial | null;
   readonly overlay?: HTMLElement | null;
   readonly assets: AssetSource;

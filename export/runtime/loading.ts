@@ -11,7 +11,7 @@ export interface LoadedProgram {
 }
 
 export interface Loading {
-  /** Null if it was canceled. */
+  /** Resolves to the loaded program, or to null if loading was canceled. */
   readonly done: Promise<LoadedProgram | null>;
   cancel(): void;
 }

@@ -27,9 +27,9 @@ export interface PlayerOptions {
   readonly program: Program;
   /** The runtimes of the node types in the program, by type id. */
   readonly modules: Readonly<Record<string, PlayedModule>>;
-  /** Null for pages whose program neither draws objects nor loads models. */
+  /** Creates the scene backend; null for pages whose program neither draws objects nor loads models. */
   readonly createScenes: CreateSceneBackend | null;
-  /** Hit tests and anchors; null or absent for pages whose program needs neither. */
+  /** Creates hit tests and anchors; null or absent for pages whose program needs neither. */
   readonly createSpatial?: CreateSpatial | null;
   /** The element of the page over the canvas (`SessionService.overlay`). */
   readonly overlay?: HTMLElement | null;
@@ -39,13 +39,16 @@ export interface PlayerOptions {
   /** Called with all diagnostics of the running program whenever they change. Shader errors come with `PlayResult`. */
   readonly onDiagnostics: (diagnostics: readonly Diagnostic[]) => void;
   readonly clock?: FrameClock;
-  /** Frames are drawn one by one, however long each takes, as in a render: videos seek instead of play. */
+  /** Whether frames are drawn one by one, however long each takes, as in a render: videos then seek instead of play. */
   readonly held?: boolean;
   /** Starts the workers of nodes, such as CPU filters; by default from blobs. */
   readonly startWorker?: StartWorker;
   /** Measures the cost of every operation that draws; absent where costs are not shown. */
   readonly timer?: OperationTimer;
-  /** For hosts that compile with a loop budget: `createLoopGuard`. Without it bounded loops are not watched. */
+  /**
+   * Creates what watches bounded loops: `createLoopGuard`, in hosts that compile with a loop budget. If it is absent, bounded loops are not
+   * watched.
+   */
   readonly createLoopGuard?: (engine: Engine) => LoopGuard;
 }
 

@@ -9,14 +9,14 @@ import type { LiveResources } from './resources/resources.ts';
 /** Depth at a point of a view. */
 export interface ProbedDepth {
   readonly of: 'layer' | 'room';
-  /** Along the view's axis. */
+  /** Depth along the view's axis. */
   readonly meters: number;
   readonly positionWorld: readonly [x: number, y: number, z: number];
 }
 
 /**
- * The nearer of a layer and the room at a point of a view; `u` and `v` are fractions of its size from the bottom left. Null if neither is
- * known. Room depth is treated as aligned with the view.
+ * Returns the depth at a point of a view: that of a layer or that of the room, whichever is nearer. `u` and `v` are fractions of the view's
+ * size from the bottom left. Null if neither depth is known. Room depth is treated as aligned with the view.
  */
 export function probeDepth({ engine, resources, layer }: Inspected, viewIndex: number, u: number, v: number): ProbedDepth | null {
   const view = engine.state.frame.views[viewIndex];
@@ -29,7 +29,10 @@ export function probeDepth({ engine, resources, layer }: Inspected, viewIndex: n
   return { of: isLayer ? 'layer' : 'room', meters, positionWorld: worldAt(view.clipFromView, view.worldFromView, u, v, meters) };
 }
 
-/** Inverts a projection whose rows for x and y depend on no other coordinate than z, as all of WebXR's do. */
+/**
+ * Returns the position in world space that a view shows at `u`, `v` at a depth. The projection may be off-axis; as in WebXR, x and y must
+ * not depend on each other.
+ */
 export function worldAt(
   clipFromView: Float32Array,
   worldFromView: Float32Array,

@@ -23,7 +23,7 @@ export function createRandom(seed: number, name: string): SeededRandom {
   };
 }
 
-/** FNV-1a over the name's UTF-16 code units. */
+/** Hashes a name and a seed by FNV-1a over the name's UTF-16 code units. */
 function hash(name: string, seed: number): number {
   let h = 0x811c9dc5 ^ seed;
   for (let i = 0; i < name.length; i++) h = Math.imul(h ^ name.charCodeAt(i), 0x01000193);

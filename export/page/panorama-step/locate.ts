@@ -5,19 +5,19 @@ import { type PanoramaShot, setPanoramaPose } from '../../../nodes/kit/panorama/
 import { sphereGridOf } from '../../../nodes/kit/panorama/sphere-grid.ts';
 import type { ViewFrame } from '../../../nodes/kit/session.ts';
 
-/** Finds how a panorama of an earlier visit is turned in this one. */
+/** Finds the heading of a panorama: by which angle a panorama of an earlier visit is rotated in the world space of this one. */
 export interface Locator {
   /**
    * Compares a camera image with the panorama.
    *
-   * @returns The heading when it is certain, else null.
+   * @returns The heading of the panorama if it is certain, else null.
    */
   look(shot: PanoramaShot): number | null;
-  /** The heading if the camera points at the brightest lamp of the panorama; null if the panorama is black. */
+  /** Returns the heading of the panorama, provided that the camera points at its brightest lamp; null if the panorama has no lamp. */
   pointedAtLamp(view: ViewFrame): number | null;
 }
 
-/** Images in a row that have to agree. */
+/** Number of consecutive images that must give the same heading. */
 const AGREEING = 2;
 const AGREE_RAD = 0.05;
 
@@ -45,7 +45,7 @@ export function createLocator(panorama: PanoramaPixels): Locator {
   };
 }
 
-/** To the right of the center. */
+/** Longitude of the brightest lamp, radians to the right of the panorama's center; null if there is none. */
 function brightestLongitude(panorama: PanoramaPixels): number | null {
   const [brightest] = runWhole(brightRegionsOf(runWhole(sphereGridOf(panorama))));
   if (!brightest) return null;
@@ -60,7 +60,7 @@ function runWhole<T>(slices: Generator<undefined, T>): T {
   }
 }
 
-/** Photos of an earlier session in the world space of this one. */
+/** Returns photos of an earlier session in the world space of this one. */
 export function turnShots(shots: readonly PanoramaShot[], headingRad: number): PanoramaShot[] {
   const turn = new Float32Array(16);
   setPanoramaPose(turn, headingRad, [0, 0, 0]);

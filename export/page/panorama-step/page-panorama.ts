@@ -20,7 +20,7 @@ export type CreatePagePanorama = (options: PagePanoramaOptions) => PanoramaStep;
 
 const TYPE = 'source/panorama-capture';
 
-/** Adds the step and its elements to a page whose program has the node. */
+/** Adds the step that takes a panorama, and its elements, to a page whose program has the node `source/panorama-capture`. */
 export const createPagePanorama: CreatePagePanorama = ({ page, root, program, modules, gl, setPanorama }) => {
   const { document } = page;
   const node = program.operations.find((operation) => 'type' in operation && operation.type === TYPE);

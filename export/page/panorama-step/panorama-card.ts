@@ -5,13 +5,13 @@ import { pictureOf, readPicture } from './picture-file.ts';
 export interface PanoramaCardOptions {
   readonly document: Document;
   readonly storage: Pick<PanoramaStorage, 'load'>;
-  /** Width of a panorama that is read. */
+  /** Width to which an equirectangular image from a file is scaled. */
   readonly widthPx: number;
   readonly onUse: (panorama: StoredPanorama) => Promise<void>;
   readonly onForget: () => Promise<void>;
 }
 
-/** The part of the start card about the visitor's panorama: from a file, to a file, and away. */
+/** Creates the part of the start card by which visitors load their panorama from a file, save it to a file, or delete it. */
 export function createPanoramaCard({ document, storage, widthPx, onUse, onForget }: PanoramaCardOptions): HTMLElement {
   const status = element(document, 'p', { attributes: { role: 'status' } });
   const input = element(document, 'input', {

@@ -15,22 +15,22 @@ import type { PanoramaStorage, StoredPanorama } from './panorama-storage.ts';
 import type { StepBar } from './step-bar.ts';
 import { barText, NOTICES, type StepPhase } from './step-texts.ts';
 
-/** The step before the program: takes a panorama of the room, or finds that of an earlier visit again. */
+/** The step before the program: takes a panorama of the room, or finds how the panorama of an earlier visit is rotated in this session. */
 export interface PanoramaStep {
-  /** It draws instead of the program. */
+  /** Whether the step draws instead of the program. */
   readonly covers: boolean;
-  /** A session begins in which the camera may be used. */
+  /** Called when a session begins in which the camera may be used. */
   begin(session: Pick<Session, 'capabilities' | 'world' | 'kind'>): Promise<void>;
   /** Called once per frame: before the program draws, or instead of it. */
   frame(frame: SessionFrame): void;
-  /** The session follows the motion of the device, or not. */
+  /** Sets whether the session tracks the motion of the device. */
   setTracked(tracked: boolean): void;
-  /** The session ended. Photos are kept until the page is closed. */
+  /** Called when the session ends. Photos are kept until the page is closed. */
   end(): void;
   /** Uses another panorama, such as one from a file. */
   use(panorama: StoredPanorama): Promise<void>;
   forget(): Promise<void>;
-  /** Forgets its GPU objects; the next frame creates them again. */
+  /** Drops the GPU objects, which are lost with the context; the next frame creates them again. */
   contextLost(): void;
 }
 
@@ -39,27 +39,30 @@ export interface PanoramaStepOptions {
   readonly bar: StepBar;
   readonly notices: Notices;
   readonly storage: PanoramaStorage;
-  /** The text of the worker of `source/panorama-capture`. */
+  /** The script of the worker of `source/panorama-capture`. */
   readonly worker: string;
-  /** Width of the panorama. */
+  /** Width of the panorama, pixels. */
   readonly widthPx: number;
-  /** The project has a panorama file to fall back to. */
+  /** Whether the project has a panorama file, which is used if no panorama is taken. */
   readonly hasFile: boolean;
   readonly setPanorama: (panorama: TakenPanorama | null) => void;
 }
 
 export type CreatePanoramaStep = (options: PanoramaStepOptions) => PanoramaStep;
 
-/** How long the camera has to hold still: as long as a deep breath pauses. */
+/** How long the camera must be held still for a photo, seconds: as long as the pause in a deep breath. */
 const HOLD_S = 0.4;
-/** Time between two images that are compared with a panorama. */
+/** Time between two images that are compared with a panorama, seconds. */
 const LOOK_EVERY_S = 0.5;
-/** After this time the visitor is asked to point at a lamp. */
+/** Time without a certain heading after which the visitor is asked to point at a lamp, seconds. */
 const ASK_AFTER_S = 10;
 const LOOK_WIDTH_PX = 160;
-/** Photos of before are recognized in a small panorama, which takes a tenth of a second. */
+/**
+ * Width of the panorama that is stitched from the photos of an earlier session, to find where they belong. Stitching at this size takes a
+ * tenth of a second.
+ */
 const SMALL_WIDTH_PX = 256;
-/** Holes that are worth a word. */
+/** Fraction of the panorama above which its holes are mentioned to the visitor. */
 const MENTIONED_HOLES = 0.03;
 
 interface Means {
@@ -71,7 +74,7 @@ export const createPanoramaStep: CreatePanoramaStep = ({ gl, bar, notices, stora
   let phase: StepPhase = 'idle';
   let means: Means | null = null;
   let session: Pick<Session, 'capabilities' | 'world' | 'kind'> | null = null;
-  /** Counts sessions, so that what was asked in an earlier one is dropped. */
+  /** Number of sessions. Results that were requested in an earlier session are dropped. */
   let turn = 0;
   let newest: SessionFrame | null = null;
   let taken: TakenPanorama | null = null;
@@ -81,7 +84,7 @@ export const createPanoramaStep: CreatePanoramaStep = ({ gl, bar, notices, stora
   let stitching: Stitching | null = null;
   let progress = 0;
   let failure = '';
-  /** Of a session that ended before the panorama was complete. */
+  /** Photos of a session that ended before the panorama was complete. */
   let before: ReturnType<PanoramaCapture['result']>['shots'] = [];
   const capture = createPanoramaCapture({ read: (view, width, height) => gpu().reader.read(view, width, height), widthPx, holdS: HOLD_S });
 
@@ -171,7 +174,7 @@ export const createPanoramaStep: CreatePanoramaStep = ({ gl, bar, notices, stora
     else locate(heading);
   }
 
-  /** A small photo twice a second. */
+  /** Reads a small photo, at most twice a second; null in between and without a camera image. */
   function look(frame: SessionFrame): ReturnType<PhotoReader['read']> | null {
     const view = frame.views[0];
     if (!view?.cameraImage || Math.abs(frame.timeS - lookedS) < LOOK_EVERY_S) return null;
@@ -194,7 +197,7 @@ export const createPanoramaStep: CreatePanoramaStep = ({ gl, bar, notices, stora
     else if (phase === 'locating' && frame.timeS - locatingSinceS > ASK_AFTER_S) enter('asking');
   }
 
-  /** Photos of before are turned to where they belong in this session. */
+  /** Finds how photos of an earlier session are rotated in this one, and then continues to take photos with them. */
   function lookForPhotos(frame: SessionFrame): void {
     locator ??= createLocator(runWhole(stitch(before, SMALL_WIDTH_PX)));
     const photo = look(frame);

@@ -1,4 +1,4 @@
-/** A panorama as it is kept on the device. */
+/** A panorama as it is stored on the device. */
 export interface StoredPanorama {
   readonly widthPx: number;
   readonly heightPx: number;
@@ -6,11 +6,11 @@ export interface StoredPanorama {
   readonly data: Uint8ClampedArray<ArrayBuffer>;
 }
 
-/** Keeps the panorama of a page on the device, and nowhere else. */
+/** Stores the panorama of a page on the device, and nowhere else. */
 export interface PanoramaStorage {
-  /** Null if there is none, or the browser keeps nothing. */
+  /** Loads the stored panorama; null if there is none, or the browser stores nothing. */
   load(): Promise<StoredPanorama | null>;
-  /** @returns Why it could not be kept, as a sentence for the visitor; null if it is. */
+  /** @returns Why the panorama could not be stored, as a sentence for the visitor; null if it was stored. */
   save(panorama: StoredPanorama): Promise<string | null>;
   forget(): Promise<void>;
 }
@@ -19,7 +19,7 @@ const DATABASE = 'scrim-panoramas';
 const STORE = 'panoramas';
 
 /**
- * @param open Gives the databases of the browser; throws in sandboxed frames.
+ * @param open Returns the browser's IndexedDB; throws in sandboxed frames.
  * @param page Path of the page, because all pages of an origin share its databases.
  */
 export function createPanoramaStorage(open: () => IDBFactory | undefined, page: string): PanoramaStorage {
@@ -76,7 +76,7 @@ function openDatabase(factory: IDBFactory): Promise<IDBDatabase> {
   });
 }
 
-/** Whether it is what `save` has written: other scripts of the origin can write to the database, too. */
+/** Whether a value from the database is as `save` writes it: other scripts of the origin can write to the database too. */
 function isPanorama(value: unknown): value is StoredPanorama {
   if (typeof value !== 'object' || value === null) return false;
   const { widthPx, heightPx, data } = value as Partial<Record<keyof StoredPanorama, unknown>>;

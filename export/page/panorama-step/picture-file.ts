@@ -2,13 +2,13 @@ import { layoutOf, wrongShape } from '../../../nodes/kit/panorama/layouts.ts';
 import { toEquirectangular } from '../../../nodes/kit/panorama/to-equirectangular.ts';
 import type { StoredPanorama } from './panorama-storage.ts';
 
-/** Larger pictures are reduced, because a page reads them at once. */
+/** Maximum width and height of an image that is converted. Larger ones are reduced, because the conversion blocks the page. */
 const MOST_PX = 4096;
 
 /**
- * Reads a panorama from a picture of the visitor: equirectangular, a mirror ball, or the faces of a cube.
+ * Reads a panorama from an image file of the visitor: equirectangular, a mirror ball, or the faces of a cube.
  *
- * @param widthPx Width of the result.
+ * @param widthPx Width to which an equirectangular image is scaled.
  * @throws Error whose message is text for the visitor.
  */
 export async function readPicture(document: Document, file: Blob, widthPx: number): Promise<StoredPanorama> {
@@ -39,7 +39,7 @@ function draw(document: Document, bitmap: ImageBitmap, widthPx: number, heightPx
   return { widthPx, heightPx, data: context.getImageData(0, 0, widthPx, heightPx).data as Uint8ClampedArray<ArrayBuffer> };
 }
 
-/** The panorama as a PNG file; filled holes are opaque. */
+/** Encodes a panorama as a PNG file. Filled holes become opaque. */
 export function pictureOf(document: Document, { widthPx, heightPx, data }: StoredPanorama): Promise<Blob | null> {
   const canvas = document.createElement('canvas');
   canvas.width = widthPx;

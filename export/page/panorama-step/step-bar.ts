@@ -6,18 +6,18 @@ export interface StepAction {
   readonly run: () => void;
 }
 
-/** What the bar shows. The first action is the one to expect. */
+/** What the bar shows. The first action is the one that visitors usually need. */
 export interface StepBarState {
   readonly text: string;
-  /** A part of the whole; null shows no progress. */
+  /** Progress as a fraction in [0, 1]; null shows none. */
   readonly progress: number | null;
   readonly actions: readonly StepAction[];
 }
 
-/** The bar over the camera image that leads through the photos. */
+/** The bar over the camera image that guides the visitor through taking a panorama. */
 export interface StepBar {
   readonly element: HTMLElement;
-  /** Null hides it. */
+  /** Shows a state of the step; null hides the bar. */
   show(state: StepBarState | null): void;
 }
 

@@ -2,20 +2,22 @@ import type { PanoramaCapture } from '../../runtime/panorama/capture.ts';
 import type { StepBarState } from './step-bar.ts';
 
 /**
- * - `idle`: nothing to do, or the visitor skipped it.
- * - `resuming`: asks whether photos of an earlier session are used; `aligning`: looks for what they show.
- * - `taking`, `stitching`, `failed`: of the panorama.
- * - `locating`: looks for the place of a panorama of an earlier visit; `asking`: the visitor is to point at a lamp.
+ * Phase of the step that takes a panorama.
+ *
+ * - `idle`: there is nothing to do, or the visitor skipped the step.
+ * - `resuming`: asks whether to use photos of an earlier session; `aligning`: finds how these are rotated in this session.
+ * - `taking`, `stitching`: takes photos, and makes the panorama of them; `failed`: stitching failed.
+ * - `locating`: finds how a panorama of an earlier visit is rotated; `asking`: asks the visitor to point at a lamp.
  * - `ready`: the panorama is in use.
  */
 export type StepPhase = 'idle' | 'resuming' | 'aligning' | 'taking' | 'stitching' | 'failed' | 'locating' | 'asking' | 'ready';
 
 interface StepFacts {
   readonly capture: Pick<PanoramaCapture, 'targets' | 'shots' | 'state' | 'isAway' | 'held'>;
-  /** Of stitching. */
+  /** Progress of stitching, as a fraction in [0, 1]. */
   readonly progress: number;
   readonly failure: string;
-  /** Photos of an earlier session. */
+  /** Number of photos of an earlier session. */
   readonly beforeCount: number;
 }
 
@@ -56,7 +58,7 @@ function takingText({ targets, state, isAway, held }: StepFacts['capture']): Pic
   return { text: `${done} of ${targets.length} photos. ${hint}`, progress: targets.length === 0 ? 0 : done / targets.length };
 }
 
-/** Messages about what is not possible here. */
+/** Notices about the panorama, such as about what is not possible here. */
 export const NOTICES = {
   noCamera: 'This device gives pages no camera image, so the light is that of a panorama file.',
   noCameraNoFile:

@@ -3,7 +3,7 @@ import { sliderText } from '../control-elements.ts';
 import type { ControlValues } from '../control-values.ts';
 import { type Measure, type PanelLayout, type Part, SIZES } from './panel-layout.ts';
 
-/** Colors of the page's style sheet. */
+/** Colors of the panel, as in the page's style sheet. */
 const CARD = 'rgb(28 31 37 / 92%)';
 const EDGE = 'rgb(255 255 255 / 16%)';
 const TEXT = '#f4f2ec';

@@ -12,7 +12,7 @@ const RAY_HALF_WIDTH_M = 0.0015;
 /** Start of the ray in front of the hand, at the end of the controller. */
 const RAY_START_M = 0.06;
 
-/** Draws the panel in one WebGL context. */
+/** Draws the panel and the rays of the hands in one WebGL context. */
 export interface PanelDrawer {
   /** Uploads a changed image of the panel. */
   upload(image: HTMLCanvasElement): void;
@@ -22,8 +22,8 @@ export interface PanelDrawer {
 }
 
 /**
- * Sets all GL state that it needs and leaves no other state than the player's passes would. Nothing on the page's context relies on GL
- * state, and querying it would stall each frame.
+ * Creates the drawer. It sets all GL state that it needs, and changes only state that the player's passes change too. The state is not
+ * restored: nothing else on the page's context relies on it, and querying it would stall each frame.
  */
 export function createPanelDrawer(gl: WebGL2RenderingContext, layout: PanelLayout, widthPx: number, heightPx: number): PanelDrawer {
   const objects = createGlObjects(gl);
@@ -119,7 +119,7 @@ export function createPanelDrawer(gl: WebGL2RenderingContext, layout: PanelLayou
   };
 }
 
-/** Writes a strip along the ray that faces the eye. Returns false if the eye looks along the ray. */
+/** Writes the corners of a strip along the ray, which faces the eye. Returns false if the eye looks along the ray. */
 function setRay(out: Float32Array, ray: Float32Array, lengthM: number, eye: Float32Array): boolean {
   const half = (lengthM - RAY_START_M) / 2;
   const middle = RAY_START_M + half;

@@ -27,7 +27,7 @@ export const SIZES = {
   switchWidth: 104,
 } as const;
 
-/** A region that can be pressed: a control or one option of a choice. Origin at the top left. */
+/** A region of the panel that can be pressed: a control or one option of a choice. In pixels, origin at the top left. */
 export interface Part {
   readonly control: number;
   /** Index of the option of a choice; otherwise 0. */
@@ -161,7 +161,7 @@ export function fitText(text: string, sizePx: number, widthPx: number, measure: 
   return `${letters.join('').trimEnd()}…`;
 }
 
-/** Index of the part at a point, or −1. */
+/** Returns the index of the part at a point, or −1. */
 export function partAt({ parts }: PanelLayout, x: number, y: number): number {
   for (let i = 0; i < parts.length; i++) {
     const part = parts[i];
@@ -176,7 +176,7 @@ export function isOnPanel({ widthPx, heightPx }: PanelLayout, x: number, y: numb
   return x >= margin && x < widthPx - margin && y >= margin && y < heightPx - margin;
 }
 
-/** Value of a slider for a point over its track, rounded to a multiple of its step as on the page. */
+/** Returns the value of a slider for a point over its track, rounded to a multiple of its step as on the page. */
 export function sliderValueAt({ min, max, step }: { min: number; max: number; step: number }, part: Part, x: number): number {
   const { trackInset } = SIZES;
   const along = Math.min(1, Math.max(0, (x - part.x - trackInset) / (part.width - 2 * trackInset)));

@@ -23,17 +23,21 @@ export interface Pointer {
   held: number;
 }
 
-/** Interaction of rays and taps with the panel. */
+/** Handles the interaction of rays and taps with the panel. */
 export interface Pointing {
   readonly pointers: readonly Pointer[];
   readonly isHeld: boolean;
-  /** Sets the controls. Returns the frame for the program, without the taps on the panel; valid as long as `frame`. */
+  /**
+   * Sets controls by the input of a frame. Returns the frame for the program, without the pointers and taps on the panel; it is valid as
+   * long as `frame`.
+   */
   take(frame: SessionFrame, worldFromPanel: Float32Array): SessionFrame;
 }
 
 /**
- * A tap (the device's select action) sets a toggle, button or choice. A slider follows the ray while the trigger is held, also beyond its
- * ends. A tap that ends a press on the panel belongs to the panel wherever it points; a press that started elsewhere sets nothing.
+ * Creates the interaction with a panel. A tap (the device's select action) sets a toggle, button or choice. A slider follows the ray while
+ * the trigger is held, also beyond its ends. A tap that ends a press on the panel belongs to the panel wherever it points; a press that
+ * started elsewhere sets nothing.
  */
 export function createPointing(layout: PanelLayout, values: ControlValues): Pointing {
   const hands = [createHand('left'), createHand('right')];
@@ -78,7 +82,7 @@ export function createPointing(layout: PanelLayout, values: ControlValues): Poin
     if (hit.hits && layout.parts[hand.held]?.kind === 'slider') press(hand.held, hit);
   }
 
-  /** Whether the tap belongs to the panel. */
+  /** Sets a control if the tap presses it. Returns whether the tap belongs to the panel. */
   function takeTap(tap: Tap, worldFromPanel: Float32Array): boolean {
     castRay(tapHit, tap.worldFromRay, worldFromPanel, layout);
     const onPanel = tapHit.hits && isOnPanel(layout, tapHit.x, tapHit.y);
@@ -92,7 +96,10 @@ export function createPointing(layout: PanelLayout, values: ControlValues): Poin
     return onPanel || began === 'panel';
   }
 
-  /** Whether the pointer is the panel's: it hovers over it, or its press began there. */
+  /**
+   * Claims a press that begins on the panel. Returns whether the pointer belongs to the panel: it hovers over the panel, or its press began
+   * there.
+   */
   function takePointer(pointer: SessionPointer, worldFromPanel: Float32Array): boolean {
     if (pointer.phase !== 'hover' && pointer.phase !== 'start') return pointer.owner === hands;
     const side = handOf(pointer.by);
@@ -126,7 +133,7 @@ export function createPointing(layout: PanelLayout, values: ControlValues): Poin
 
 interface Hand extends Pointer {
   pulled: boolean;
-  /** Start of the press that no tap has ended yet. */
+  /** Where the press began that no tap has ended yet; null if there is none. */
   began: 'panel' | 'elsewhere' | null;
   beganPart: number;
 }
@@ -141,7 +148,10 @@ function holdsPanel({ pulled, began }: Hand): boolean {
 
 type Mutable<T> = { -readonly [K in keyof T]: T[K] };
 
-/** A copy of the frame with fewer taps, because the session owns its frame. */
+/**
+ * Creates the frame that the program gets: a copy without the pointers and taps of the panel. The session's frame is not changed, because
+ * the session owns it.
+ */
 function createPassedFrame() {
   const taps: Tap[] = [];
   const pointers: SessionPointer[] = [];

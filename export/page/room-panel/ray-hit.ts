@@ -2,12 +2,12 @@ import { type PanelLayout, PX_PER_M } from './panel-layout.ts';
 
 /** Intersection of a ray with the plane of the panel. */
 export interface RayHit {
-  /** False if the ray points away or comes from behind. */
+  /** Whether the ray meets the plane from the front. False if it points away or comes from behind. */
   hits: boolean;
-  /** Pixels of the panel, origin at the top left; they may be outside the panel. */
+  /** Position in pixels of the panel, origin at the top left; it may be outside the panel. */
   x: number;
   y: number;
-  /** Meters along the ray. */
+  /** Distance along the ray, meters. */
   distanceM: number;
 }
 

@@ -14,7 +14,7 @@ export interface RoomPanel {
   draw(frame: SessionFrame): void;
   /** Places the panel again, because the reference space was reset. */
   reset(): void;
-  /** Forgets its GPU objects; the next frame creates them again. */
+  /** Drops the GPU objects, which are lost with the context; the next frame creates them again. */
   contextLost(): void;
   dispose(): void;
 }
@@ -28,7 +28,10 @@ export interface RoomPanelOptions {
 
 export type CreateRoomPanel = (options: RoomPanelOptions) => RoomPanel;
 
-/** Size that every WebGL 2 supports. A larger panel is painted at a lower resolution; its size in the room stays. */
+/**
+ * Maximum width and height of the panel's image, pixels: a texture size that WebGL 2 guarantees. A larger panel is painted at a lower
+ * resolution; its size in the room stays the same.
+ */
 const MOST_PX = 2048;
 
 export function createRoomPanel({ gl, document, title, values }: RoomPanelOptions): RoomPanel {

@@ -19,7 +19,7 @@ export const GATED_COPY_SHADER: LinkedShader = {
   fragment: COPY_SHADER.fragment,
 };
 
-/** Copies a scene layer as a display layer: clamped, for looking at it. Transfer function: IEC 61966-2-1. */
+/** Copies a scene layer as a display layer, clamped, so that it can be shown. Transfer function: IEC 61966-2-1. */
 export const COPY_SCENE_SHADER: LinkedShader = {
   id: 'scrim:copy-scene',
   vertex: COPY_SHADER.vertex,

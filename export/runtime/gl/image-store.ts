@@ -5,7 +5,7 @@ import type { GlObjects } from './gl-objects.ts';
 export interface ImageStore {
   /** Holds the images of a program. `settled` never rejects; an invalid image has no texture. */
   hold(program: Program): { readonly settled: Promise<void>; release(): void };
-  /** Null while the image is decoded, or if it is invalid. */
+  /** The texture of an image; null while the image is decoded, or if it is invalid. */
   texture(data: string): WebGLTexture | null;
 }
 

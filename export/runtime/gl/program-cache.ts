@@ -16,7 +16,7 @@ export interface GlProgram {
   readonly program: WebGLProgram;
   /** Empty unless the state is `broken`. */
   readonly errors: readonly ShaderError[];
-  /** Null if the linked program has no such uniform. The location is queried once. */
+  /** The location of a uniform; null if the linked program has no such uniform. The location is queried once. */
   uniform(name: string): WebGLUniformLocation | null;
 }
 

@@ -11,14 +11,14 @@ import { prepareReadback } from '../gl/upload.ts';
 /** Measures the mean color of the camera image. */
 export interface CameraMean {
   /**
-   * Linear-sRGB; null before the first measurement and for frames without a camera image. A second call in the same frame returns the same
-   * result.
+   * Returns the mean color, linear sRGB; null before the first measurement and for frames without a camera image. A second call in the same
+   * frame returns the same result.
    */
   read(frame: SessionFrame): Readonly<Float32Array> | null;
   dispose(): void;
 }
 
-/** 8 × 8 means of 8 × 8 samples each: 4,096 points of the image. */
+/** Size of the reduced image: 8 × 8 pixels, each the mean of 8 × 8 samples of the camera image. */
 const SIDE_PX = 8;
 const BYTES = SIDE_PX ** 2 * 4;
 
@@ -47,14 +47,14 @@ void main() {
 /** Linear value of each encoded byte. */
 const LINEAR = Float32Array.from({ length: 256 }, (_, i) => linearFromSrgb(i / 255));
 
-/** The parts of the engine that it uses. */
+/** The parts of the engine that the measurement uses. */
 export interface CameraMeanTools {
   readonly objects: GlObjects;
   readonly drawer: PassDrawer;
   tool(shader: LinkedShader): GlProgram;
 }
 
-/** If `held`, each frame waits for its own measurement, so that renders repeat; otherwise nothing waits for the GPU. */
+/** Creates the measurement. If `held`, each frame waits for its own result, so that renders repeat; otherwise nothing waits for the GPU. */
 export function createCameraMean(tools: CameraMeanTools, held: boolean): CameraMean {
   const { objects, drawer } = tools;
   const { gl } = objects;
@@ -74,7 +74,7 @@ export function createCameraMean(tools: CameraMeanTools, held: boolean): CameraM
   let askedIndex = -1;
   let askedS = -1;
 
-  /** Returns false if there is no image. */
+  /** Draws the reduced image. Returns false if the frame has no camera image. */
   function draw(frame: SessionFrame): boolean {
     const image = frame.viewCount > 0 ? (frame.views[0]?.cameraImage ?? null) : null;
     const location = program.uniform(COPY_SAMPLER);

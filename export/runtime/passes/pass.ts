@@ -30,7 +30,10 @@ export interface PassParts {
 
 const TRANSPARENT = new Float32Array(4);
 
-/** Replaces the draw of a pass by a copy of its input if loops of the node exceed their budget (`export/program/loop-budget.ts`). */
+/**
+ * Decides whether a pass is drawn or only copies its input, because loops of its node exceed their budget
+ * (`export/program/loop-budget.ts`).
+ */
 export interface PassGuard {
   /**
    * Whether loops of the node exceed their budget, in this pass or another pass of the node. All passes of the node then copy their first

@@ -33,7 +33,7 @@ interface Locations {
   readonly uv: WebGLUniformLocation | null;
   readonly size: WebGLUniformLocation | null;
   readonly decode: WebGLUniformLocation | null;
-  /** Whether to interpolate room depth. */
+  /** Location of the uniform that says whether room depth is interpolated. */
   readonly interpolate: WebGLUniformLocation | null;
 }
 

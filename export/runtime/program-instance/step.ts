@@ -10,7 +10,7 @@ export interface OperationTimer {
 /** One operation that draws. */
 export interface Step {
   run(state: PlayState): void;
-  /** Present for steps that draw objects: called by `SceneBackend.prepare`. */
+  /** Compiles the materials of the step without drawing; present in steps that draw objects, and called within `SceneBackend.prepare`. */
   prepare?(state: PlayState): void;
 }
 

@@ -4,7 +4,7 @@ export interface CanvasFitter {
   dispose(): void;
 }
 
-/** More than two device pixels per CSS pixel is not visible on phones. */
+/** Maximum number of device pixels per CSS pixel that are drawn. More are not visible on phones. */
 const MAX_PIXEL_RATIO = 2;
 
 /** Keeps the drawing buffer at the size of the canvas on the page, in device pixels. */

@@ -8,7 +8,9 @@ export function createMatrix(): Float32Array {
   return new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
 }
 
-/** Perspective projection along −z whose frustum passes through the given bounds of the plane at 1 m, as `glFrustum` defines it. */
+/**
+ * Writes a perspective projection along −z whose frustum passes through the given bounds of the plane at 1 m, as `glFrustum` defines it.
+ */
 export function setFrustum(out: Float32Array, left: number, right: number, bottom: number, top: number, nearM: number, farM: number): void {
   out.fill(0);
   out[0] = 2 / (right - left);
@@ -20,7 +22,7 @@ export function setFrustum(out: Float32Array, left: number, right: number, botto
   out[14] = (2 * farM * nearM) / (nearM - farM);
 }
 
-/** Inverse of a rigid transform. */
+/** Writes the inverse of a rigid transform. */
 export function setRigidInverse(out: Float32Array, m: ArrayLike<number>): void {
   const at = (i: number): number => m[i] ?? 0;
   for (let row = 0; row < 3; row++) {

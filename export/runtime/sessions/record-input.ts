@@ -5,11 +5,9 @@ import type { SessionFileController, SessionFileHand, SessionFileInput, SessionF
  * The input of a frame as a recorded session stores it (`docs/SESSION-FORMAT.md`): pointers, connected controllers and tracked hands. Taps
  * are derived from pointers. Poses are rounded to a hundredth of a millimeter.
  *
- * @returns Undefined where there is none, so that frames without input have no member.
+ * @returns Undefined if the frame has no input, so that frames without input have no such member.
  *
- * @example
- * const input = recordInput(frame.input);
- * frames.push({ timeS: frame.timeS, color, worldFromCamera, ...(input && { input }) });
+ * @example const input = recordInput(frame.input); frames.push({ timeS: frame.timeS, color, worldFromCamera, ...(input && { input }) });
  */
 export function recordInput(input: SessionInput): SessionFileInput | undefined {
   const { left, right, leftHand, rightHand } = input;

@@ -9,19 +9,19 @@ export type SoundAnalysis = 'waveform' | 'spectrum';
 
 /** The most recent sound as a texture (ISF `audio` and `audioFFT`): one row per channel, in the red channel. */
 export interface SoundTexture {
-  /** Half floats, linear. */
+  /** A texture of half floats, filtered linearly. */
   readonly texture: WebGLTexture;
   readonly widthPx: number;
-  /** 1 for silence. */
+  /** Number of channels; 1 for silence. */
   readonly heightPx: number;
-  /** Updates the texture, outside of a pass. */
+  /** Updates the texture if the sound changed. Call it outside of a pass. */
   update(): void;
   dispose(): void;
 }
 
 /**
- * `waveform`: the last `count` samples, oldest first, around 0.5. `spectrum`: the amplitude in `count` equal bands from 0 Hz to half the
- * sample rate; if `count` is not a power of two, each has the maximum of its bins.
+ * Creates the texture for an analysis. `waveform`: the last `count` samples, oldest first, around 0.5. `spectrum`: the amplitude in `count`
+ * equal bands from 0 Hz to half the sample rate; if `count` is not a power of two, each band has the maximum of its bins.
  */
 export function createSoundTexture(objects: GlObjects, sound: SoundOutput, analysis: SoundAnalysis, count: number): SoundTexture {
   const { gl } = objects;
@@ -80,5 +80,5 @@ function createSpectrumRows(count: number): (samples: Float32Array, row: Float32
   };
 }
 
-/** With fewer bins the window would be too short for low tones. */
+/** Minimum number of bins of the transform. With fewer, its window would be too short for low tones. */
 const MIN_BINS = 256;

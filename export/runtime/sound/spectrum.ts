@@ -1,4 +1,4 @@
-/** Computes the amplitudes of frequencies. */
+/** Computes the spectrum of a sound: the amplitude of each band of frequencies. */
 export interface Spectrum {
   /** Writes the amplitudes of `bins.length` equal bands from 0 Hz to half the sample rate, from the last samples of `samples`. */
   measure(samples: Float32Array, bins: Float32Array): void;

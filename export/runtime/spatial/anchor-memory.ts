@@ -3,20 +3,20 @@ export type AnchorStorage = Pick<Storage, 'getItem' | 'setItem'>;
 
 /** An anchor that the device keeps after the session. */
 export interface KeptAnchor {
-  /** The page that keeps it: its path on its origin. */
+  /** The page that keeps the anchor, as its path on the origin. */
   readonly page: string;
-  /** Unique within the page. */
+  /** Name of the anchor, unique within the page. */
   readonly name: string;
-  /** The device's handle of it. */
+  /** The device's handle of the anchor. */
   readonly handle: string;
-  /** The kept pose in the space of the device's anchor, column-major 4×4; null where they are the same. */
+  /** The kept pose in the space of the device's anchor, column-major 4×4; null if both poses are the same. */
   readonly anchorFromPose: readonly number[] | null;
 }
 
-/** Which anchors the pages of an origin keep, oldest first. */
+/** Stores which anchors the pages of an origin keep, oldest first. */
 export interface AnchorMemory {
   find(name: string): KeptAnchor | null;
-  /** Of all pages of the origin, because they share the device's limit; null if there are none. */
+  /** The oldest anchor of all pages of the origin, because they share the device's limit; null if there are none. */
   oldest(): KeptAnchor | null;
   readonly count: number;
   add(kept: Omit<KeptAnchor, 'page'>): void;
@@ -26,7 +26,7 @@ export interface AnchorMemory {
 const KEY = 'scrim-kept-anchors';
 
 /**
- * @param storage Null, or one that throws, as in private windows: anchors are known until the page is closed.
+ * @param storage Where anchors are stored. If it is null or throws, as in private windows, anchors are known only until the page is closed.
  * @param page Path of the page.
  */
 export function createAnchorMemory(storage: AnchorStorage | null, page: string): AnchorMemory {
@@ -61,7 +61,7 @@ export function createAnchorMemory(storage: AnchorStorage | null, page: string):
   };
 }
 
-/** Whether it is what `add` has written: other scripts of the origin can write to the storage, too. */
+/** Whether a value from the storage is as `add` writes it: other scripts of the origin can write to the storage too. */
 function isKept(value: unknown): value is KeptAnchor {
   if (typeof value !== 'object' || value === null) return false;
   const { page, name, handle, anchorFromPose } = value as Partial<Record<keyof KeptAnchor, unknown>>;

@@ -10,11 +10,11 @@ import type { WebXrLedger } from './webxr-hits.ts';
 
 /** All anchors of a player. */
 export interface AnchorStore extends AnchorService {
-  /** Anchors that were not deleted. */
+  /** Number of anchors that are not deleted. */
   readonly count: number;
-  /** Once a frame, before nodes are updated. */
+  /** Updates the poses of anchors. Called once per frame, before nodes are updated. */
   update(frame: SessionFrame): void;
-  /** The session ended: its world is gone. */
+  /** Ends all anchors. Called when the session ends, and with it its world space. */
   leave(): void;
 }
 
@@ -25,12 +25,12 @@ class StoredAnchor implements Anchor {
   state: AnchorState = 'pending';
   readonly worldFromAnchor = new Float32Array(16);
   xr: XRAnchor | null = null;
-  /** The pose that was asked for, in the space of the browser's anchor; null where they are the same. */
+  /** The requested pose in the space of the browser's anchor; null if both poses are the same. */
   xrFromAnchor: Float32Array | null = null;
   wasTracked = false;
   keeping: AnchorKeeping = 'not-asked';
   evicted = 0;
-  /** The node or the session is done with it. */
+  /** Whether the anchor was deleted or its session has ended. */
   over = false;
 
   constructor(
@@ -84,7 +84,10 @@ export function createAnchorStore(frameNow: () => SessionFrame, ledger: WebXrLed
     );
   }
 
-  /** Calls `make`, which may throw, at once, and gives the anchor what it resolves to. */
+  /**
+   * Calls `make` and, when its promise resolves, stores the browser's anchor in `anchor`. If `make` throws or gives no anchor, calls
+   * `refuse`.
+   */
   function receive(
     anchor: StoredAnchor,
     make: () => Promise<XRAnchor> | undefined,
@@ -194,7 +197,7 @@ function follow(anchor: StoredAnchor, xrAnchor: XRAnchor, xr: XrAccess): void {
   } else if (anchor.wasTracked) anchor.state = 'lost';
 }
 
-/** The space of an anchor that was deleted throws. */
+/** The pose of a browser's anchor; undefined if it has none. Reading the space of a deleted anchor throws. */
 function poseOf(anchor: XRAnchor, frame: XRFrame, xr: XrAccess): Float32Array | undefined {
   try {
     return frame.getPose(anchor.anchorSpace, xr.referenceSpace as XRReferenceSpace)?.transform.matrix;
@@ -203,7 +206,7 @@ function poseOf(anchor: XRAnchor, frame: XRFrame, xr: XrAccess): Float32Array | 
   }
 }
 
-/** `create` may throw at once, and the method may be missing. */
+/** Calls `create` so that an exception becomes a rejection. Resolves to undefined if the browser has no such method. */
 async function created(create: () => Promise<XRAnchor> | undefined): Promise<XRAnchor | undefined> {
   return create();
 }

@@ -9,7 +9,10 @@ import { createRay, setRay } from './ray.ts';
 import type { CreateSpatial } from './spatial.ts';
 import type { WebXrLedger } from './webxr-hits.ts';
 
-/** Turns of the microtask queue that `settle` waits for at most: a device may answer with its next frame only. */
+/**
+ * Maximum number of turns of the microtask queue that `settle` waits for. It is limited, because a device may answer only with its next
+ * frame.
+ */
 const PATIENCE = 64;
 
 // Filled and read within one call.

@@ -3,20 +3,22 @@ import { prepareReadback } from '../gl/upload.ts';
 import { MAX_VIEWS } from '../targets/target.ts';
 import type { DepthImage } from './cast/cast-depth.ts';
 
-/** Room depth of each view on the CPU, if it was requested. */
+/** Provides the room depth of each view on the CPU. Depth is read back only if it is requested. */
 export interface DepthImages {
   /**
    * @param frame The current frame.
-   * @returns Depth that the session has on the CPU, of this frame; else what was last read back from the GPU, with the view that it was
-   * taken for. Null while there is none.
+   * @returns The depth of this frame if the session has it on the CPU; else the depth that was last read back from the GPU, with the view
+   * for which it was measured. Null while there is none.
    */
   image(frame: SessionFrame, viewIndex: number): DepthImage | null;
-  /** GPU objects are gone with the context. */
+  /** Drops the GPU objects, which are lost with the context. */
   contextLost(): void;
   dispose(): void;
 }
 
-/** `held`: frames come one by one and have to repeat, so each waits for its own depth; else nobody waits for the GPU. */
+/**
+ * Creates the depth images. With `held`, each frame waits for its own depth, so that renders repeat; otherwise nothing waits for the GPU.
+ */
 export function createDepthImages(gl: WebGL2RenderingContext, held: boolean): DepthImages {
   const views = Array.from({ length: MAX_VIEWS }, () => createReading(gl, held));
   return {
@@ -42,7 +44,7 @@ interface Reading {
 type MutableDepthImage = DepthImage & { rgba: Float32Array };
 
 function createReading(gl: WebGL2RenderingContext, held: boolean): Reading {
-  /** What is shown, and what is being read. They change places. */
+  /** The image that readers get; `coming` is being read back, and then the two are exchanged. */
   let shown = createImage();
   let coming = createImage();
   let hasShown = false;
@@ -62,7 +64,7 @@ function createReading(gl: WebGL2RenderingContext, held: boolean): Reading {
     image.frame = frame.index;
   }
 
-  /** Returns false if the GPU does not support reading floats. */
+  /** Reads depth back from the GPU, without waiting unless `held`. Returns false if the GPU does not support reading floats. */
   function read(image: MutableDepthImage, depth: RoomDepth): boolean {
     framebuffer ??= gl.createFramebuffer();
     const count = depth.widthPx * depth.heightPx;

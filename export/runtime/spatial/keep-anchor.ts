@@ -1,20 +1,20 @@
 import type { AnchorMemory, KeptAnchor } from './anchor-memory.ts';
 
-/** How many anchors a Quest keeps per origin; more are refused until one is deleted. */
+/** Number of anchors that a Quest keeps per origin. It refuses further ones until one is deleted. */
 export const KEPT_LIMIT = 8;
 
 /** The result of `keepAnchor`. */
 export interface Kept {
   readonly kept: boolean;
-  /** How many older ones were deleted for it. */
+  /** Number of older anchors that were deleted to make room. */
   readonly evicted: number;
 }
 
 /**
- * Asks the device to keep an anchor after the session (WebXR Anchors, “persistent anchors”, as of Quest Browser 31). If the device
- * can keep no more anchors, the oldest one of this origin is deleted to make room.
+ * Asks the device to keep an anchor after the session (WebXR Anchors, “persistent anchors”, as of Quest Browser 31). If the device can keep
+ * no more anchors, the oldest one of this origin is deleted to make room.
  *
- * @param name An earlier anchor of that name is replaced.
+ * @param name Name of the anchor. An earlier anchor of that name is replaced.
  * @returns Never rejects.
  */
 export async function keepAnchor(
@@ -39,7 +39,7 @@ export async function keepAnchor(
   }
 }
 
-/** Deletes it from the device and from memory. Never rejects. */
+/** Deletes a kept anchor from the device and from the memory. Never rejects. */
 export async function forgetAnchor(session: XRSession, memory: AnchorMemory, { handle }: KeptAnchor): Promise<void> {
   memory.remove(handle);
   try {
@@ -49,7 +49,7 @@ export async function forgetAnchor(session: XRSession, memory: AnchorMemory, { h
   }
 }
 
-/** Null if the browser keeps none, or refuses. */
+/** Requests the handle by which the browser finds the anchor again; null if the browser cannot keep anchors, or refuses. */
 async function requestHandle(anchor: XRAnchor): Promise<string | null> {
   try {
     return (await anchor.requestPersistentHandle?.()) ?? null;

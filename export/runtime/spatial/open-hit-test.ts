@@ -8,13 +8,13 @@ import type { DepthImages } from './depth-images.ts';
 import { createMeeting, createRay, setRay } from './ray.ts';
 import { createWebXrHits, type WebXrLedger } from './webxr-hits.ts';
 
-/** Hits of one frame at most: of one ray the nearest, or one of each pointer. */
+/** Maximum number of hits in a frame: the nearest ones of a ray, or one for each pointer. */
 const MAX_HITS = 8;
 
-/** A hit with what the browser needs to anchor it. */
+/** A hit with the data that the browser needs to create an anchor at it. */
 export interface FoundHit extends HitRecord {
   xrResult: XRHitTestResult | null;
-  /** As the device gives it: column-major 4×4. */
+  /** Pose of the hit as the device reports it, column-major 4×4. */
   readonly worldFromXrHit: Float32Array;
 }
 
@@ -22,7 +22,7 @@ export interface HitTestParts {
   readonly options: HitTestOptions;
   /** The current frame. */
   readonly frame: () => SessionFrame;
-  /** Raised with each frame. */
+  /** A number that increases with each frame. */
   readonly round: () => number;
   readonly depth: DepthImages;
   readonly ledger: WebXrLedger;
@@ -35,7 +35,9 @@ const scratchMeeting = createMeeting();
 const scratchViewer = new Float32Array(16);
 const scratchWorldFromRay = new Float32Array(16);
 
-/** The current hits; two of them change places, because a press that ends has no input source any more. */
+/**
+ * The hits of one frame. Those of the previous frame are kept in a second object, because a press that ends no longer has an input source.
+ */
 class Hits implements HitList {
   count = 0;
   readonly hits: readonly FoundHit[] = Array.from({ length: MAX_HITS }, createFoundHit);
@@ -55,7 +57,7 @@ export function createHitTest(parts: HitTestParts): HitTest {
   const device = createWebXrHits(parts.ledger, offsetRay);
   let current = new Hits();
   let previous = new Hits();
-  /** The object that readers hold. */
+  /** The list that readers hold, which shows the current hits. */
   const list: HitList = {
     get count() {
       return current.count;
@@ -90,7 +92,9 @@ export function createHitTest(parts: HitTestParts): HitTest {
     hit.pointer = pointer;
     current.count++;
   }
-  /** What the device said of a press in its last frame: it is over now, and its input source with it. */
+  /**
+   * Adds the hit that the device reported for a press in the previous frame, if the press has ended and its input source no longer exists.
+   */
   function addLastHit({ id, phase }: Pointer): boolean {
     if (phase !== 'end' && phase !== 'cancel') return false;
     for (let i = 0; i < previous.count; i++) {
@@ -146,7 +150,7 @@ export function createHitTest(parts: HitTestParts): HitTest {
   };
 }
 
-/** Between the eyes, turned as the first view. */
+/** The pose of the viewer: between the eyes, with the rotation of the first view. */
 function viewerPose({ views, viewCount }: SessionFrame): Float32Array {
   scratchViewer.set(views[0]?.worldFromView ?? []);
   const second = viewCount > 1 ? views[1]?.worldFromView : undefined;
@@ -154,7 +158,7 @@ function viewerPose({ views, viewCount }: SessionFrame): Float32Array {
   return scratchViewer;
 }
 
-/** The device's normal and point, with the axes that all hits have. */
+/** Writes a hit of the device: its point and normal, with the axes that all hits have. */
 function writeDeviceHit(hit: FoundHit, ray: Ray, frame: SessionFrame): void {
   const m = hit.worldFromXrHit;
   const x = m[12] ?? 0;

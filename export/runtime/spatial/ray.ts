@@ -1,6 +1,6 @@
 import type { Ray } from '../../../nodes/kit/hit-test.ts';
 
-/** Where a ray meets a surface: distance along the ray in meters, and the normal of any length. */
+/** Where a ray meets a surface: the distance along the ray in meters, and the normal, which may have any length. */
 export interface Meeting {
   distanceM: number;
   nx: number;
@@ -8,7 +8,7 @@ export interface Meeting {
   nz: number;
 }
 
-/** The direction of these rays has the length 1. */
+/** Creates a ray, whose direction always has the length 1. */
 export function createRay(): Ray {
   return { ox: 0, oy: 0, oz: 0, dx: 0, dy: 0, dz: -1 };
 }
@@ -30,7 +30,7 @@ export function setRay(ray: Ray, worldFromRay: ArrayLike<number>): boolean {
   return Number.isFinite(ray.ox + ray.oy + ray.oz + ray.dx + ray.dy + ray.dz);
 }
 
-/** The ray in the space of a rigid column-major 4×4. */
+/** Transforms a ray to the local space of a rigid column-major 4×4 matrix. */
 export function toLocal(out: Ray, ray: Ray, worldFromLocal: ArrayLike<number>): void {
   const m = (i: number): number => worldFromLocal[i] ?? 0;
   const x = ray.ox - m(12);
@@ -44,7 +44,7 @@ export function toLocal(out: Ray, ray: Ray, worldFromLocal: ArrayLike<number>): 
   out.dz = m(8) * ray.dx + m(9) * ray.dy + m(10) * ray.dz;
 }
 
-/** Turns the normal from the space of a rigid matrix to the world. */
+/** Rotates the normal from the local space of a rigid matrix to world space. */
 export function turnNormal(meeting: Meeting, worldFromLocal: ArrayLike<number>): void {
   const m = (i: number): number => worldFromLocal[i] ?? 0;
   const { nx, ny, nz } = meeting;

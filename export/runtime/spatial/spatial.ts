@@ -9,9 +9,9 @@ import type { AnchorStorage } from './anchor-memory.ts';
  */
 export interface Spatial extends Pick<SessionService, 'openHitTest' | 'castRay' | 'depthImage'> {
   readonly anchors: AnchorService;
-  /** Once a frame, before nodes are updated. */
+  /** Sets the current frame and updates anchors. Called once per frame, before nodes are updated. */
   enterFrame(frame: SessionFrame): void;
-  /** Sets another session, or none: hit tests continue in it, anchors are dropped. */
+  /** Leaves the session: its anchors end; hit tests stay open and continue with the frames of the next session. */
   leaveSession(): void;
   /** Resolves when the device has answered requests that need no further frame; null if there are none. */
   settle(): Promise<void> | null;
@@ -31,13 +31,13 @@ export interface SpatialCounts {
 /** Where a page stores which anchors the device keeps for it. */
 export interface KeptAnchors {
   readonly storage: AnchorStorage | null;
-  /** Path of the page, which tells its anchors from those of other pages of the origin. */
+  /** Path of the page, which distinguishes its anchors from those of other pages of the origin. */
   readonly page: string;
 }
 
 export type CreateSpatial = (parts: {
   readonly gl: WebGL2RenderingContext;
   readonly held: boolean;
-  /** Absent: kept anchors are known until the player is disposed. */
+  /** Where kept anchors are stored; absent: they are known until the player is disposed. */
   readonly keptAnchors?: KeptAnchors;
 }) => Spatial;

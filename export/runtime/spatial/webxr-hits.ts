@@ -1,21 +1,24 @@
 import type { Pointer, XrAccess } from '../../../nodes/kit/session.ts';
 
-/** The device's own hit test of one `HitTest`: its sources are requested when they are first needed. */
+/** The device's hit test for one `HitTest`. Its hit-test sources are requested when they are first needed. */
 export interface WebXrHits {
-  /** Results of this frame along the viewer's ray. Nothing while the device has not granted the source. */
+  /** Results of this frame along the viewer's ray; empty until the device has granted the source. */
   ofViewer(xr: XrAccess): readonly XRHitTestResult[];
-  /** The same along a pointer's ray. */
+  /** Results of this frame along a pointer's ray; empty until the device has granted the source. */
   ofPointer(xr: XrAccess, pointer: Pointer): readonly XRHitTestResult[];
-  /** Frees what was held for input sources that went. Once a frame, after the questions. `expectsTouch`: fingers will be asked for. */
+  /**
+   * Closes the hit-test sources of input sources that no longer exist. Called once per frame, after the results were read. With
+   * `expectsTouch`, also requests the source for fingers, before the first touch.
+   */
   sweep(xr: XrAccess, expectsTouch: boolean): void;
   close(): void;
 }
 
-/** Promises that somebody may wait for, and what the device holds. */
+/** Counts of a player's requests to the device. */
 export interface WebXrLedger {
-  /** Sources that the device holds. */
+  /** Number of hit-test sources that the device holds. */
   sources: number;
-  /** Answers that are still to come. */
+  /** Number of requests that the device has not answered yet. */
   pending: number;
 }
 
@@ -68,12 +71,12 @@ export function createWebXrHits(ledger: WebXrLedger, offsetRay: ArrayLike<number
     for (const entry of entries.values()) cancel(entry);
     entries.clear();
   };
-  /** The sources of another session are gone with it. */
+  /** Closes the sources if they belong to an earlier session, with which they have ended. */
   const enter = (xr: XrAccess): void => {
     if (session !== xr.session) closeAll();
     session = xr.session;
   };
-  /** Along the ray of an input source, or of the viewer. */
+  /** Results along the ray of an input source; null: of the viewer. */
   const alongSpace = (xr: XrAccess, source: XRInputSource | null): readonly XRHitTestResult[] => {
     enter(xr);
     const entry = entries.get(source ?? VIEWER) ?? openAlong(xr.session as XRSession, source);
@@ -118,7 +121,7 @@ export function createWebXrHits(ledger: WebXrLedger, offsetRay: ArrayLike<number
   };
 }
 
-/** `request` may throw at once, and the method may be missing. */
+/** Calls `request` so that an exception becomes a rejection. Resolves to undefined if the browser has no such method. */
 async function requested<T>(request: () => Promise<T> | undefined): Promise<T | undefined> {
   return request();
 }

@@ -9,20 +9,20 @@ import type { GlProgram } from '../gl/program-cache.ts';
 /**
  * Resolves the depth of multisampled targets to that of the nearest covered sample (docs/CONVENTIONS.md, “Depth at edges”).
  *
- * WebGL resolves depth by a blit, which takes one sample of four, and cannot read the others. But it can test depth against each of them.
- * A first pass draws one depth per pixel into the multisampled depth buffer, without writing it, and counts which pixels have a sample that
- * is nearer: where the one sample is empty, any covered one; where a neighboring pixel is nearer, one nearer than midway to it. A second
- * pass gives those pixels the depth of their nearest neighbor.
+ * WebGL resolves depth by a blit, which takes one sample per pixel, and the other samples cannot be read. But a draw can test its depth
+ * against each sample. A first pass draws one depth per pixel over the multisampled depth buffer, without writing depth, and so finds the
+ * pixels with a nearer sample: if the sample of the blit is empty, any covered sample; if a neighboring pixel is nearer, a sample that is
+ * nearer than midway to it. A second pass gives those pixels the depth of their nearest neighbor.
  *
- * Rejected: the nearest of 3 × 3 pixels without the test, which makes all things one pixel larger; depth as a second color, whose resolve is
- * a mean and whose memory is as large as that of the color; drawing the scene again at double size, which costs all vertices twice.
+ * Rejected: the nearest of 3 × 3 pixels without the test, which makes all things one pixel larger; depth as a second color, whose resolve
+ * is a mean and whose memory is as large as that of the color; drawing the scene again at double size, which costs all vertices twice.
  */
 export interface NearestDepth {
   /** Creates the buffers for a multisampled depth buffer of a size. */
   createResolve(depth: WebGLRenderbuffer, multisampled: WebGLFramebuffer, samples: number, widthPx: number, heightPx: number): DepthResolve;
 }
 
-/** @param link Links a shader at its first use, and keeps the program. */
+/** @param link Returns the program of a shader. It links the shader at its first use, and keeps the program. */
 export type CreateNearestDepth = (objects: GlObjects, drawer: PassDrawer, link: (shader: LinkedShader) => GlProgram) => NearestDepth;
 
 /** The resolve of one depth buffer. */
@@ -34,7 +34,10 @@ export interface DepthResolve {
   dispose(): void;
 }
 
-/** How much nearer a neighbor must be to be another surface, relative to its own distance: slopes stay below. */
+/**
+ * How much nearer a neighboring pixel must be to belong to another surface, relative to its own distance. Slopes of one surface stay below
+ * this.
+ */
 const APART = 0.02;
 
 const NEIGHBORS_TEXT = `
@@ -78,7 +81,7 @@ void main() {
 `,
 };
 
-/** Its programs are linked at the first use. */
+/** Creates what resolves depth. Its programs are linked at the first use. */
 export const createNearestDepth: CreateNearestDepth = (objects, drawer, link) => {
   const { gl } = objects;
   const draw = (shader: LinkedShader, depth: WebGLTexture, found: WebGLTexture | null): void => {

@@ -2,7 +2,7 @@ import { playSize, SIZE_STACK_BOTTOM } from '../../../nodes/kit/play-size.ts';
 import type { SizeExpression, SizeToken } from '../../program/program.ts';
 import type { Slots } from '../values/slots.ts';
 
-/** Larger than any expression within the compiler's limit of 500 characters needs. */
+/** Size of the evaluation stack: more than any expression needs within the compiler's limit of 500 characters. */
 const STACK = 512;
 
 // Reused by every evaluation, because evaluations do not nest.

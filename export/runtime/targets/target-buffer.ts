@@ -20,7 +20,8 @@ export interface TargetBuffer {
   resolve(): void;
   /**
    * Window-space depth of the nearest covered sample, or null if the target has none. With multisampling, the first call after `resolve`
-   * draws it, which binds framebuffers; further ones only return it. Its memory is allocated at the first call, because few layers need it.
+   * draws the depth, which binds framebuffers; further calls only return it. Memory for it is allocated at the first call, because few
+   * layers need it.
    */
   readDepth(): WebGLTexture | null;
   dispose(): void;
@@ -83,8 +84,9 @@ export function createTargetBuffer(
 }
 
 /**
- * Numbers are stored in 32-bit floats if those can be filtered, else in 16. Without 32-bit float targets, meters are stored in 16 bits (1
- * mm at 1 m); without any float targets, color and depth are clamped, and scene layers are too (SCR055). Every WebGL 2 device seen since 2020 renders to 16-bit float.
+ * The format of a target's color texture on this GPU. `rgba32f` is stored in 32-bit floats if those can be filtered, else in 16-bit floats.
+ * Without 32-bit float targets, meters are stored in 16 bits (1 mm at 1 m); without any float targets, color and depth are clamped, and
+ * scene layers are too (SCR055). Every WebGL 2 device seen since 2020 renders to 16-bit float.
  */
 function colorFormat(gl: WebGL2RenderingContext, resource: TargetResource, limits: GlLimits): { internal: GLenum; filter: GLenum } {
   switch (resource.format) {
@@ -103,7 +105,7 @@ function colorFormat(gl: WebGL2RenderingContext, resource: TargetResource, limit
   }
 }
 
-/** Devices need not multisample 16-bit floats. */
+/** Maximum number of samples of a format. Devices need not support multisampling of 16-bit floats. */
 function maxSamplesOf(gl: WebGL2RenderingContext, format: GLenum, { maxSamples }: GlLimits): number {
   if (format !== gl.RGBA16F) return maxSamples;
   const counts = gl.getInternalformatParameter(gl.RENDERBUFFER, format, gl.SAMPLES) as Int32Array | null;

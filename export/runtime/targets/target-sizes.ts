@@ -7,9 +7,9 @@ import type { Target } from './target.ts';
 
 /** Resizes the targets of each domain before operations draw to them. */
 export interface TargetSizes {
-  /** Image domain: called once per frame. */
+  /** Resizes the targets of the image domain. Called once per frame. */
   resizeImages(state: PlayState): void;
-  /** View domain: called at the start of each view. */
+  /** Resizes the targets of the view domain. Called at the start of each view. */
   resizeViews(state: PlayState): void;
   trim(viewCount: number): void;
 }
@@ -52,7 +52,10 @@ export function createTargetSizes(program: Program, resources: LiveResources, sl
   };
 }
 
-/** A source of the view domain is aligned with the view, whatever the size of its texture. */
+/**
+ * Width to which a size is relative, pixels. For an image of the view domain that is the width of the view, whatever the size of its
+ * texture.
+ */
 function baseWidth(base: Base, state: PlayState): number {
   if (base.kind === 'target') return base.widthPx;
   if (base.kind === 'view' || base.resource.domain === 'view') return state.widthPx;

@@ -9,7 +9,7 @@ import { createTargetBuffer, type TargetBuffer, type TargetResource } from './ta
  */
 export interface Target {
   readonly resource: TargetResource;
-  /** Called before the first use in a view. A persistent image is scaled to the new size; others start transparent. */
+  /** Sets the size. Called before the first use in a view. A persistent image is scaled to the new size; others start transparent. */
   resize(viewIndex: number, widthPx: number, heightPx: number): void;
   /** The buffer to draw to. The current `front` stays readable until `finish`. */
   back(viewIndex: number): TargetBuffer;
@@ -31,7 +31,7 @@ export const MAX_VIEWS = 2;
 
 interface ViewState {
   front: TargetBuffer | null;
-  /** For a persistent target only; otherwise front and back are the same buffer. */
+  /** The buffer to draw to in a persistent target; null in others, which draw to `front`. */
   back: TargetBuffer | null;
   unresolved: boolean;
 }
@@ -42,7 +42,7 @@ export function createTarget(objects: GlObjects, resource: TargetResource, ownPe
   const separate = persistent || ownPerView;
   const states: ViewState[] = Array.from({ length: MAX_VIEWS }, () => ({ front: null, back: null, unresolved: false }));
   const [first] = states as [ViewState];
-  /** The state that each view draws to. */
+  /** The state to which each view draws; views of equal size share one. */
   const stateOf: ViewState[] = states.map(() => first);
 
   const at = (viewIndex: number): ViewState => stateOf[viewIndex] ?? first;

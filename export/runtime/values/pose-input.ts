@@ -1,8 +1,8 @@
 import type { PoseView } from '../../../nodes/kit/pose.ts';
 
-/** An input of a pose. After a recompile it is connected to another output while the node keeps its state. */
+/** The pose at an input of a node. After a recompile it may be connected to another output while the node keeps its state. */
 export interface PoseInput extends PoseView {
-  /** Connects it. Another output raises `jumps`. */
+  /** Connects the input to an output. Connecting another output increases `jumps`. */
   point(pose: PoseView): void;
 }
 
@@ -11,7 +11,7 @@ export function createPoseInput(pose: PoseView): PoseInput {
 }
 
 class PointedPose implements PoseInput {
-  /** Added to the output's own, so that the sum never falls. */
+  /** Added to the output's `jumps`, so that the sum never decreases. */
   private offset = 0;
 
   constructor(private pose: PoseView) {}

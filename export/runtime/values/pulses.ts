@@ -1,7 +1,7 @@
 import type { NewPulse, Pulse, PulseList, PulseOutput } from '../../../nodes/kit/runtime.ts';
 import { PULSE_CAPACITY } from '../../../nodes/kit/runtime.ts';
 
-/** The pulses of one output. */
+/** The pulses that one output emits in a frame. */
 export interface PulseQueue extends PulseOutput {
   /** Called for each pulse beyond the limit. */
   onOverflow: (() => void) | null;
@@ -14,7 +14,7 @@ export function createPulseQueue(): PulseQueue {
 
 /** The pulses of all outputs that are connected to a port, in the order of the wires. */
 export interface MergedPulses extends PulseList {
-  /** Connects it to the wires of a recompiled program. */
+  /** Connects the port to the wires of a recompiled program. */
   point(lists: readonly PulseList[]): void;
 }
 
@@ -47,7 +47,7 @@ class FixedQueue implements PulseQueue {
   count = 0;
   onOverflow: (() => void) | null = null;
   private readonly events = Array.from({ length: PULSE_CAPACITY }, () => new Event());
-  /** Receives dropped pulses. */
+  /** The pulse that `emit` returns beyond the limit; it is dropped. */
   private readonly spare = new Event();
 
   at(index: number): Pulse {

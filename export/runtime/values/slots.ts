@@ -136,7 +136,7 @@ class TextSlot implements SlotView, TextView {
   }
 }
 
-/** Assigning an array copies its numbers to the slot. */
+/** A view of a slot with several numbers. Assigning an array copies its numbers to the slot. */
 class VectorSlot implements SlotView, VectorView {
   private numbers: Float64Array = new Float64Array(4);
   get value(): Readonly<Float64Array> {

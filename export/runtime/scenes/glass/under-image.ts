@@ -20,7 +20,11 @@ export interface UnderImage {
 /** Render order of the image: before the panorama of the scene (`environments/backdrop.ts`). */
 const BEHIND_ALL = -4e9;
 
-/** @param layer The layer of three.js that only this image's draws show. */
+/**
+ * Adds the image of the layer under a scene to the scene.
+ *
+ * @param layer Number of the three.js layer that contains only this image.
+ */
 export function createUnderImage(scene: Scene, layer: number): UnderImage {
   const picture = new ExternalTexture();
   const uniforms = {

@@ -44,8 +44,8 @@ export interface ShadowMap {
   /** For the filter `vsm`: blurred moments of the depth, see `moments.ts`. Null for other filters. */
   readonly moments: Texture | null;
   /**
-   * The fraction of light behind transparent casters in the red channel, and the distance of the nearest of these in alpha, meters along
-   * the light's axis. Null if there are none.
+   * The translucent shadow map: the fraction of light that passes transparent casters in the red channel, and the distance of the nearest
+   * caster in alpha, meters along the light's axis. Null if there are no transparent casters.
    */
   readonly translucent: Texture | null;
   /** Near and far distance of the shadow camera, meters. For directional lights, near is 0 and far is the whole range. */

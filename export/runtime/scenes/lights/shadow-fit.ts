@@ -8,11 +8,11 @@ export const REACH_M = 60;
 
 /** The shadow camera of a directional light. Depth 0 is in front of the nearest caster. */
 export interface ShadowFit {
-  /** Light view from world: rigid, looking along -z, away from the light. */
+  /** Transform from world space to the space of the shadow camera: rigid, looking along -z, away from the light. */
   readonly lightFromWorld: Matrix4;
   readonly worldFromLight: Matrix4;
   readonly clipFromLight: Matrix4;
-  /** UV and depth of the map, each in [0, 1], from world space. */
+  /** Transform from world space to UV and depth of the map, each in [0, 1]. */
   readonly mapFromWorld: Matrix4;
   /** Distance from the camera at which depth is 1, meters. */
   farM: number;
@@ -33,7 +33,7 @@ const scratchRight = new Vector3();
 const scratchUp = new Vector3();
 const scratchBack = new Vector3();
 const scratchCenter = new Vector3();
-/** UV and depth, each in [0, 1], from clip space. */
+/** Transform from clip space to UV and depth, each in [0, 1]. */
 export const UV_FROM_CLIP = new Matrix4().set(0.5, 0, 0, 0.5, 0, 0.5, 0, 0.5, 0, 0, 0.5, 0.5, 0, 0, 0, 1);
 
 /**
@@ -90,7 +90,7 @@ export function fitShadow(
 
 const NEAR_M = 0.01;
 
-/** Sets right and up of a camera from its back, all unit vectors; right is horizontal. */
+/** Sets the right and up axes of a camera from its back axis, all unit vectors. The right axis is horizontal. */
 export function setLevelAxes(back: Vector3, right: Vector3, up: Vector3): void {
   // Any horizontal axis will do; near the zenith, x does.
   right.set(back.z, 0, -back.x);

@@ -34,7 +34,7 @@ export function follow(material: Material, master: Material, fixed: readonly str
   };
 }
 
-/** Textures have a `copy` method too, but are shared. */
+/** Whether a value is copied, as colors and vectors are. Textures have a `copy` method too, but are shared. */
 function isCopyable(value: unknown): value is Copyable {
   if (typeof value !== 'object' || value === null) return false;
   const kind = value as Partial<Color & Vector2 & Vector3 & Euler & Matrix3>;

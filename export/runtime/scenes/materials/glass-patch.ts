@@ -2,7 +2,7 @@ import { type IUniform, Matrix3, type MeshPhysicalMaterial, ShaderChunk, type Te
 import { BEHIND_CHUNK } from '../glass/behind-chunk.ts';
 import type { ShaderPatch } from './shader-patch.ts';
 
-/** Makes a twin transmissive without three.js' own pass. */
+/** Makes a twin transmissive without three.js' own transmission pass. */
 export interface GlassPatch extends ShaderPatch {
   /** Defines of the twin, from the master's maps. */
   defines(): Record<string, string>;
@@ -14,12 +14,12 @@ const SAMPLE = 'return textureBicubic( transmissionSamplerMap, fragCoord.xy, lod
 const LOGARITHM = '-log( attenuationColor )';
 
 /**
- * three.js draws what is behind glass by itself if `transmission` of a material is above 0: opaque objects only, without the layer under the
- * scene. So twins have 0 there, and this patch adds the same shading (`transmission_fragment`, which follows KHR_materials_transmission,
- * volume, ior and dispersion) with an image that `glass-scene.ts` draws. Its alpha is the coverage, so glass over nothing is as transparent
- * as its transmittance.
+ * Creates the patch of a transmissive material. three.js itself draws what is behind glass if `transmission` of a material is above 0, but
+ * only opaque objects, without the layer under the scene. So twins have a `transmission` of 0, and this patch adds the same shading
+ * (`transmission_fragment`, which follows KHR_materials_transmission, volume, ior and dispersion) with an image that `glass-scene.ts`
+ * draws. Its alpha is the coverage, so glass over nothing is as transparent as its transmittance.
  *
- * @param behind The image; all glass shares the uniform.
+ * @param behind Uniform with the image of what is behind glass; all glass shares it.
  */
 export function createGlassPatch(master: MeshPhysicalMaterial, behind: IUniform): GlassPatch {
   const uniforms = {
@@ -64,7 +64,10 @@ export function createGlassPatch(master: MeshPhysicalMaterial, behind: IUniform)
   };
 }
 
-/** As `opaque_fragment` of three.js, but premultiplied: what is seen through glass is not faded by the alpha of what is behind it. */
+/**
+ * GLSL in place of three.js' `opaque_fragment`, with premultiplied output: what is seen through glass is not faded by the alpha of what is
+ * behind it.
+ */
 const OPAQUE_FRAGMENT = /* glsl */ `
 	#ifdef OPAQUE
 		diffuseColor.a = 1.0;

@@ -21,7 +21,7 @@ export function createLightUniforms(): LightUniforms {
   return { lightPlace: { value: [] }, lightCone: { value: [] }, lightFall: { value: [] } };
 }
 
-/** Writes a light to index `i`. */
+/** Writes a light to index `i` of the uniforms. */
 export function setLight({ lightPlace, lightCone, lightFall }: LightUniforms, i: number, light: DirectLightItem): void {
   lightPlace.value[i] ??= new Vector4();
   lightCone.value[i] ??= new Vector4();

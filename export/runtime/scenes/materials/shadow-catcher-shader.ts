@@ -3,7 +3,8 @@ import { BEHIND_TRANSLUCENT } from '../lights/translucent-shadow.ts';
 import { type CubeLight, cubeLit, cubeParts, type FlatLight, flatLit, flatParts } from './shadow-filter-shader.ts';
 
 /**
- * Draws the surface of a phantom as a shadow: premultiplied color whose alpha is the blocked fraction of the light that would reach it.
+ * Vertex shader of shadow catchers. They draw the surface of a phantom as a shadow: premultiplied color whose alpha is the blocked fraction
+ * of the light that would reach the surface.
  *
  * Lights are weighted by luminance, distance and the cosine to the normal, as a matte surface receives them, so that a light behind a wall
  * has no effect, and one of two equal lights gives half a shadow. At grazing light the real surface is dim, so the shadow fades.

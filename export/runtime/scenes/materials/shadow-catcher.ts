@@ -56,7 +56,7 @@ export interface MapCatcherOptions {
 /** Maximum number of texture units of a catcher; the remaining two of sixteen are for room depth. */
 const MAX_TEXTURES = 14;
 
-/** Catches shadows by shadow maps with the filter of each light. Edges follow cutouts by alpha. */
+/** Creates a catcher that finds shadows by shadow maps, with the filter of each light. Edges follow cutouts by alpha. */
 export function createMapCatcher({ strength, color, maps, occlusion, textureLimits, glow }: MapCatcherOptions): ShadowCatcher {
   let lightLists: readonly LightList[] = [];
   const lightUniforms = createLightUniforms();
@@ -233,7 +233,7 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
   };
 }
 
-/** Phantoms and opaque objects catch shadows; through transparent materials, shadows reach the surfaces behind. */
+/** Whether an object catches shadows. Phantoms and opaque objects do; through transparent materials, shadows reach the surfaces behind. */
 export function catchesShadows(master: Drawable, item: ObjectItem): boolean {
   return item.role === 'phantom' || materialsOf(master).every(isOpaque);
 }

@@ -4,7 +4,7 @@ import type { ShaderPatch } from './shader-patch.ts';
 
 /** Multiplies the shadows of three.js' materials by the translucent shadow maps of their lights. */
 export interface TranslucentShadowPatch extends ShaderPatch {
-  /** From now on recompiles the material whenever the lights get or lose translucent shadow maps. */
+  /** Registers a material. It is recompiled whenever the lights get or lose translucent shadow maps. */
   attach(material: Material): void;
   detach(material: Material): void;
   /**

@@ -41,7 +41,7 @@ export function materialsOf(object: Drawable): readonly Material[] {
   return Array.isArray(object.material) ? object.material : [object.material];
 }
 
-/** Maps each material of the object, one or several by geometry group. */
+/** Returns the materials of an object, each replaced by the result of `turn`: one material, or one per geometry group. */
 export function mapMaterials(object: Drawable, turn: (material: Material) => Material): Material | Material[] {
   return Array.isArray(object.material) ? object.material.map(turn) : turn(object.material);
 }

@@ -171,7 +171,7 @@ export function isSeeThrough(material: Material): boolean {
   return material.visible && ((material.transparent && material.opacity < 1) || isTransmissive(material));
 }
 
-/** Whether an image cuts or displaces its triangles, which volumes ignore. */
+/** Whether textures of a material cut holes into triangles or displace them, which volumes ignore. */
 export function isShapedByTexture(material: Material): boolean {
   const { map, alphaMap, displacementMap, alphaTest, transparent } = material as Partial<MeshStandardMaterial> & Material;
   return Boolean(displacementMap) || ((alphaTest > 0 || transparent) && Boolean(map ?? alphaMap));

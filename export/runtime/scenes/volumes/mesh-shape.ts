@@ -2,7 +2,7 @@ import type { BufferGeometry } from 'three';
 
 /** Triangles of a mesh over welded vertices, and their edges. */
 export interface MeshShape {
-  /** For each welded vertex, one vertex of the geometry. */
+  /** For each welded vertex, the index of one of its vertices in the geometry. */
   readonly vertices: Uint32Array;
   /** Three welded vertices per triangle, counterclockwise from outside. */
   readonly triangles: Uint32Array;

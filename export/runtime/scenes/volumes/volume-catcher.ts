@@ -11,7 +11,7 @@ export interface VolumeCatcherOptions extends BlockedTextureOptions {
   readonly occlusion: readonly ShaderPatch[];
 }
 
-/** Catches shadows by shadow volumes, whose edges are sharp and follow the triangles. */
+/** Creates a catcher that finds shadows by shadow volumes, whose edges are sharp and follow the triangles. */
 export function createVolumeCatcher(options: VolumeCatcherOptions): ShadowCatcher {
   const { strength, color, occlusion } = options;
   const blocked = createBlockedTexture(options);

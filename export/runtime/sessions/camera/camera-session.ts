@@ -143,7 +143,9 @@ export function createCameraSession({ gl, canvas, clock, stream, sensor, inputs,
   };
 }
 
-/** Firefox before 132 lacks `requestVideoFrameCallback`; there the image is uploaded in every frame. */
+/**
+ * Whether a video reports its new frames. Firefox before 132 lacks `requestVideoFrameCallback`; there the image is uploaded in every frame.
+ */
 function hasFrameCallback(video: HTMLVideoElement): boolean {
   return 'requestVideoFrameCallback' in video;
 }

@@ -12,7 +12,7 @@ export interface CameraStream {
   stop(): void;
 }
 
-/** `onLost` is called if the camera is unplugged or the system or visitor stops it. */
+/** Creates the stream. `onLost` is called if the camera is unplugged, or if the system or the visitor stops it. */
 export function createCameraStream(document: Document, media: MediaDevices, onLost: () => void): CameraStream {
   const video = document.createElement('video');
   video.muted = true;

@@ -5,7 +5,7 @@ import { decodeDepth } from './decode-depth.ts';
 /** A decoded frame of the recording. */
 export interface DecodedFrame {
   readonly index: number;
-  /** First row is the top row. */
+  /** The color image; its first row is the top row. */
   readonly color: ImageBitmap;
   /** Depth in meters, as `decodeDepth` returns it; null if the frame has none or the file is invalid. */
   readonly meters: Float32Array<ArrayBuffer> | null;

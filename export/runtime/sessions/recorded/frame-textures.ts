@@ -6,7 +6,7 @@ import type { DecodedFrame } from './frame-cache.ts';
 /** Textures of the current frame. First rows are top rows, so the UV matrices flip them. */
 export interface FrameTextures {
   readonly color: WebGLTexture;
-  /** R32F, meters; null if the recording has no depth. */
+  /** Room depth in meters (R32F); null if the recording has no depth. */
   readonly depth: WebGLTexture | null;
   upload(frame: DecodedFrame): void;
   dispose(): void;

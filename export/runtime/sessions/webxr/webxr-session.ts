@@ -15,7 +15,7 @@ import type { XrRenderTarget } from './xr-render-target.ts';
 export interface WebXrSessionParts {
   readonly gl: WebGL2RenderingContext;
   readonly session: XRSession;
-  /** The space that the browser resets. */
+  /** The reference space that the browser resets when the visitor re-centers. */
   readonly origin: XRReferenceSpace;
   /** A space with its floor at y = 0. */
   readonly referenceSpace: XRReferenceSpace;
@@ -32,7 +32,7 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
   const { gl, session, origin, referenceSpace, capabilities } = parts;
   const frame = createSessionFrame();
   const time = createFrameTime();
-  /** Null while the context is lost. */
+  /** The current render target; null while the context is lost. */
   let target: XrRenderTarget | null = parts.target;
   const light = capabilities.has('light-estimation') ? createWebXrLight(session) : null;
   const surfaces = createSurfaceReader(capabilities);

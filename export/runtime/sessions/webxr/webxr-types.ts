@@ -32,7 +32,7 @@ export interface XrGpuDepthInformation extends Omit<XRWebGLDepthInformation, 'te
   readonly isValid?: boolean;
 }
 
-/** WebXR Lighting Estimation §3. */
+/** A light probe of the browser (WebXR Lighting Estimation §3). */
 export interface XrLightProbe extends EventTarget {
   readonly probeSpace: XRSpace;
 }
@@ -52,17 +52,17 @@ export interface XrFrameWithLight extends XRFrame {
   getLightEstimate?(probe: XrLightProbe): XrLightEstimate | null;
 }
 
-/** WebXR Plane Detection §2.1. */
+/** A plane that the browser detects (WebXR Plane Detection §2.1). */
 export interface XrPlane {
   readonly planeSpace: XRSpace;
   readonly polygon: readonly DOMPointReadOnly[];
-  /** Absent if the plane is neither. */
+  /** Absent or null if the plane is neither horizontal nor vertical. */
   readonly orientation?: 'horizontal' | 'vertical' | null;
   readonly semanticLabel?: string;
   readonly lastChangedTime: number;
 }
 
-/** WebXR Mesh Detection §2.1. */
+/** A mesh that the browser detects (WebXR Mesh Detection §2.1). */
 export interface XrMesh {
   readonly meshSpace: XRSpace;
   readonly vertices: Float32Array;
@@ -71,10 +71,10 @@ export interface XrMesh {
   readonly lastChangedTime: number;
 }
 
-/** WebXR Hand Input §4: the poses and radii of many spaces at once. */
+/** The members of `XRFrame` that give the poses and radii of many joints at once (WebXR Hand Input §4). */
 export interface XrFrameWithJoints extends XRFrame {
-  /** Returns false, and may leave `transforms` as it is, if a space has no pose. */
+  /** Writes the matrix of each space. Returns false, and may leave `transforms` unchanged, if a space has no pose. */
   fillPoses?(spaces: readonly XRSpace[], baseSpace: XRSpace, transforms: Float32Array): boolean;
-  /** NaN where a joint has no radius. */
+  /** Writes the radius of each joint; NaN for a joint without a radius. */
   fillJointRadii?(jointSpaces: readonly XRJointSpace[], radii: Float32Array): boolean;
 }

@@ -7,7 +7,7 @@ import type { XrBinding } from './webxr-types.ts';
 export interface XrRenderTarget {
   readonly layer: XRWebGLLayer;
   readonly sources: ViewSources;
-  /** Null if the browser has no XRWebGLBinding. */
+  /** Gives the images of the device; null if the browser has no `XRWebGLBinding`. */
   readonly binding: XrBinding | null;
   readonly room: AuthoredRoom | null;
   dispose(): void;

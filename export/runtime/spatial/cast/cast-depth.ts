@@ -2,9 +2,9 @@ import type { Ray } from '../../../../nodes/kit/hit-test.ts';
 import { createRay, type Meeting, toLocal, turnNormal } from '../ray.ts';
 import { type FittedSurface, fitSurface } from './fit-surface.ts';
 
-/** A image of room depth on the CPU, with the view that it was taken for. */
+/** An image of room depth on the CPU, with the view for which it was measured. */
 export interface DepthImage {
-  /** Along the view's axis, meters, 0 where unknown; rows as in the texture. */
+  /** Depth along the view's axis, meters, 0 where unknown; rows as in the texture. */
   meters: Float32Array;
   widthPx: number;
   heightPx: number;
@@ -12,33 +12,33 @@ export interface DepthImage {
   readonly uvFromViewUv: Float32Array;
   readonly clipFromView: Float32Array;
   readonly worldFromView: Float32Array;
-  /** Index of the frame that it was taken in. */
+  /** Index of the frame in which the depth was measured. */
   frame: number;
 }
 
-/** How far a ray is followed, meters along the view's axis. */
+/** The range in which a ray is followed, meters along the view's axis. */
 const NEAR_M = 0.05;
 const FAR_M = 20;
-/** Samples of one ray at most. */
+/** Maximum number of samples along a ray. */
 const MAX_STEPS = 512;
-/** Neighboring samples that differ by more than this share of the distance belong to two surfaces. */
+/** Neighboring samples that differ by more than this fraction of their distance belong to two surfaces. */
 const GAP = 0.1;
-/** A hit moves at most so many standard deviations of a sample. */
+/** Maximum distance by which a hit is moved to the fitted plane, in standard deviations of a sample. */
 const MOVES = 5;
 
 // Filled and read within one call.
 const scratchRay = createRay();
 const scratchTexel = { x: 0, y: 0 };
 const scratchSurface: FittedSurface = { a: 0, b: 0, c: 0, sigma: 0 };
-/** Whose UV `toTangent` reads. */
+/** The image whose UV `toTangent` converts. */
 let tangentOf: DepthImage | null = null;
 
 /**
- * Follows a ray through a depth image until it goes behind a surface. A ray that passes behind an edge, where depth jumps, goes on:
- * nobody knows what is there. Between samples 1 / depth is interpolated, which is exact for planes; the hit is then moved to the plane that
- * fits the surface around it best (`fitSurface`), which has less noise than a sample and gives the normal.
+ * Follows a ray through a depth image until it goes behind a surface. A ray that passes behind an edge, where depth jumps, continues,
+ * because the space there is unknown. Between samples, 1 / depth is interpolated, which is exact for planes. The hit is then moved to the
+ * plane that fits the surrounding samples best (`fitSurface`), which has less noise than one sample and gives the normal.
  *
- * @returns False where it meets nothing; `out` is then as it was.
+ * @returns False if the ray meets nothing; `out` is then unchanged.
  */
 export function castAtDepth(out: Meeting, ray: Ray, image: DepthImage): boolean {
   toLocal(scratchRay, ray, image.worldFromView);
@@ -78,7 +78,7 @@ export function castAtDepth(out: Meeting, ray: Ray, image: DepthImage): boolean 
   return false;
 }
 
-/** Even steps of `s` from 0 to 1 are even steps on the screen, because those are even in 1 / depth. */
+/** The distance along the ray at a fraction `s` of its way on the screen. Equal steps on the screen are equal steps in 1 / depth. */
 function distanceAt(s: number, near: number, far: number, zNear: number, zFar: number): number {
   const a = (1 - s) / zNear;
   const b = s / zFar;
@@ -104,7 +104,7 @@ function clipToView(ray: Ray, { clipFromView: c }: DepthImage): readonly [number
   return scratchRange;
 }
 
-/** Keeps of the range what is in the half space a x + b y + d z + w >= 0. */
+/** Limits the range of the ray to the half space a x + b y + d z + w >= 0. */
 function cut(ray: Ray, a: number, b: number, d: number, w: number): void {
   const atOrigin = a * ray.ox + b * ray.oy + d * ray.oz + w;
   const slope = a * ray.dx + b * ray.dy + d * ray.dz;
@@ -124,7 +124,7 @@ function pixelsBetween(ray: Ray, near: number, far: number, image: DepthImage): 
   return Math.hypot(scratchTexel.x - x, scratchTexel.y - y);
 }
 
-/** Texture coordinates in samples, whose centers are at halves. */
+/** Projects a point of the ray to the image, in samples, whose centers are at halves. */
 function toTexel(
   { ox, oy, oz, dx, dy, dz }: Ray,
   distanceM: number,
@@ -138,7 +138,10 @@ function toTexel(
   scratchTexel.y = (((m[1] ?? 0) * u + (m[4] ?? 0) * v + (m[7] ?? 0)) / w) * heightPx;
 }
 
-/** How far a point of the ray is behind what the image shows, along the view's axis; NaN where that is unknown. */
+/**
+ * How far a point of the ray is behind the surface in the image, along the view's axis, meters; negative in front of it, NaN where depth is
+ * unknown.
+ */
 function behind(ray: Ray, distanceM: number, image: DepthImage): number {
   toTexel(ray, distanceM, image);
   const depth = sample(image, scratchTexel.x, scratchTexel.y);
@@ -165,7 +168,7 @@ function sample({ meters, widthPx, heightPx }: DepthImage, x: number, y: number)
   return 1 / ((1 - t) * ((1 - s) / a + s / b) + t * ((1 - s) / c + s / d));
 }
 
-/** A single hole has the mean of its known neighbors if they belong to one surface. */
+/** Depth at a sample without a value: the harmonic mean of its known neighbors if they belong to one surface, else 0. */
 function aroundHole(...depths: [number, number, number, number]): number {
   let count = 0;
   let inverse = 0;
@@ -182,7 +185,10 @@ function aroundHole(...depths: [number, number, number, number]): number {
   return count >= 2 && most - least <= GAP * least ? count / inverse : 0;
 }
 
-/** Moves the hit along the ray to the surface around it, and writes its normal in view space. */
+/**
+ * Writes a hit to `out`: fits a plane around it, moves it along the ray to that plane, and sets its normal in view space. Returns false if
+ * no plane fits.
+ */
 function meetSurface(out: Meeting, ray: Ray, distanceM: number, z: number, image: DepthImage): boolean {
   toTexel(ray, distanceM, image);
   tangentOf = image;
@@ -199,7 +205,7 @@ function meetSurface(out: Meeting, ray: Ray, distanceM: number, z: number, image
   return true;
 }
 
-/** The direction (x, y, -1) of view space that a UV of the texture shows. */
+/** Sets `x` and `y` of the direction (x, y, -1) in view space that is seen at a UV of the texture. */
 function toTangent(u: number, v: number, out: { x: number; y: number }): void {
   if (!tangentOf) return;
   const { uvFromViewUv: m, clipFromView: c } = tangentOf;

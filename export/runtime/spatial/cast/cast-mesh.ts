@@ -5,7 +5,7 @@ import { createRay, type Meeting, toLocal, turnNormal } from '../ray.ts';
 // Filled and read within one call.
 const scratchRay = createRay();
 
-/** The box around a mesh, in its own space; computed again when the mesh changes its shape. */
+/** The bounding box of a mesh in its local space; computed again when the shape of the mesh changes. */
 interface Bounds {
   readonly version: number;
   readonly low: Float64Array;
@@ -15,9 +15,10 @@ interface Bounds {
 const boundsOfMesh = new WeakMap<DetectedMesh, Bounds>();
 
 /**
- * Where a ray first meets a detected mesh, from either side (Möller and Trumbore, “Fast, Minimum Storage Ray/Triangle Intersection”, 1997).
+ * Finds where a ray first meets a detected mesh, from either side (Möller and Trumbore, “Fast, Minimum Storage Ray/Triangle Intersection”,
+ * 1997).
  *
- * @returns False where it meets nothing; `out` is then as it was.
+ * @returns False if the ray meets nothing; `out` is then unchanged.
  */
 export function castAtMesh(out: Meeting, ray: Ray, mesh: DetectedMesh): boolean {
   toLocal(scratchRay, ray, mesh.worldFromSurface);
@@ -81,7 +82,7 @@ function boundsOf(mesh: DetectedMesh): Bounds {
   return bounds;
 }
 
-/** Slab test. */
+/** Whether a ray meets a box (slab test). */
 function meetsBox({ ox, oy, oz, dx, dy, dz }: Ray, { low, high }: Bounds): boolean {
   let enter = 0;
   let leave = Number.POSITIVE_INFINITY;

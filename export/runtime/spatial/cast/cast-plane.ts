@@ -6,9 +6,9 @@ import { createRay, type Meeting, toLocal, turnNormal } from '../ray.ts';
 const scratchRay = createRay();
 
 /**
- * Where a ray meets a detected plane, inside its outline.
+ * Finds where a ray meets a detected plane, inside its outline.
  *
- * @returns False where it meets nothing; `out` is then as it was.
+ * @returns False if the ray meets nothing; `out` is then unchanged.
  */
 export function castAtPlane(out: Meeting, ray: Ray, plane: DetectedPlane): boolean {
   toLocal(scratchRay, ray, plane.worldFromSurface);
@@ -24,7 +24,7 @@ export function castAtPlane(out: Meeting, ray: Ray, plane: DetectedPlane): boole
   return true;
 }
 
-/** Even–odd rule. */
+/** Whether a point is inside an outline (even–odd rule). */
 function isInside(x: number, z: number, outlineXZ: Float32Array): boolean {
   let inside = false;
   const count = outlineXZ.length;
@@ -38,7 +38,7 @@ function isInside(x: number, z: number, outlineXZ: Float32Array): boolean {
   return inside;
 }
 
-/** Where a ray meets the floor at y = 0, up to 20 m away: beyond, it lies behind the walls of any room. */
+/** Finds where a ray meets the floor at y = 0, at most 20 m away: farther points lie behind the walls of any room. */
 export function castAtFloor(out: Meeting, ray: Ray): boolean {
   const distanceM = -ray.oy / ray.dy;
   if (!(ray.dy < 0) || !(distanceM > 0) || distanceM > FLOOR_REACH_M) return false;

@@ -11,13 +11,13 @@ import { castAtFloor, castAtPlane } from './cast-plane.ts';
 const scratchMeeting = createMeeting();
 const scratchBest = createMeeting();
 
-/** All sources, in the order in which they are asked. */
+/** All sources of hits, in the order in which they are tried. */
 export const HIT_SOURCES: readonly HitSource[] = ['session', 'plane', 'mesh', 'depth', 'floor'];
 
 /**
- * The first hit of a ray with what the session gives of the room, by the first source that has one.
+ * Finds the first hit of a ray with the room as the session describes it, from the first source that has a hit.
  *
- * @returns False where nothing is hit; `out` is then as it was.
+ * @returns False if nothing is hit; `out` is then unchanged.
  */
 export function castAtRoom(out: HitRecord, ray: Ray, frame: SessionFrame, depth: DepthImages, sources: readonly HitSource[]): boolean {
   for (let i = 0; i < HIT_SOURCES.length; i++) {
@@ -75,7 +75,7 @@ function castAtSurfaces(kind: 'plane' | 'mesh', ray: Ray, { surfaces }: SessionF
   return found;
 }
 
-/** The pose and distance of a hit. The other members are reset to those of a hit that no device found. */
+/** Writes the pose and distance of a hit. The other members are reset to those of a hit that no device found. */
 export function writeHit(out: HitRecord, { distanceM, nx, ny, nz }: Meeting, ray: Ray, frame: SessionFrame): void {
   const first = frame.views[0]?.worldFromView;
   // Between the eyes.

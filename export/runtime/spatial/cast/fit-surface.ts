@@ -1,25 +1,29 @@
 /**
- * Fits the surface around a sample of a depth picture. Of a plane n·p = 1 in view space, seen along (X, Y, -1), 1 / depth is
- * nx X + ny Y - nz: linear, so noisy samples are averaged by least squares.
+ * Fits a plane to the surface around a sample of a depth image. For a plane n·p = 1 in view space, seen along (X, Y, -1), 1 / depth is nx X
+ * + ny Y - nz. This is linear, so noisy samples are averaged by least squares.
  *
- * A window that spans an edge holds two surfaces. Nine planes are fitted, to the whole inner window and to eight halves of it, of which
- * at least one lies on one side of a straight edge. The one with the least median residual wins (least median of squares, Rousseeuw 1984):
- * more than half of the window belongs to the surface of its middle. Then the samples of a wider window that agree with it are fitted.
+ * A window that spans an edge contains two surfaces. Nine planes are fitted: to the whole inner window and to eight halves of it, of which
+ * at least one lies on one side of a straight edge. The plane with the least median residual wins (least median of squares, Rousseeuw
+ * 1984), because more than half of the window belongs to the surface at its center. Then a plane is fitted to those samples of a wider
+ * window that agree with it.
  */
 
-/** Half the sides of the windows, samples. */
+/** Half the sides of the inner and the wider window, samples. */
 const INNER = 3;
 const WIDE = 6;
-/** Neighboring samples that differ by more than this share of the distance belong to two surfaces. */
+/** Samples that differ from the depth of the hit by more than this fraction of it belong to another surface. */
 const GAP = 0.1;
-/** A sample agrees within so many standard deviations. */
+/** Maximum residual of a sample that agrees with a plane, in standard deviations. */
 const AGREES = 2.5;
-/** The median of |x| is that of a normal distribution, in standard deviations. */
+/** Standard deviation of a normal distribution, relative to the median of its absolute values. */
 const SIGMA_OF_MEDIAN = 1.4826;
-/** Relative: below the resolution of depth in 16 bits and millimeters. */
+/** Minimum standard deviation, as a fraction of the depth: less than the resolution of depth in 16 bits or millimeters. */
 const LEAST_SIGMA = 1e-5;
 
-/** The plane a X + b Y + c = 1 / depth, with its normal (a, b, -c) in view space, and the standard deviation of a sample as a share of its depth. */
+/**
+ * The plane a X + b Y + c = 1 / depth, whose normal is (a, b, -c) in view space, and the standard deviation of its samples, as a fraction
+ * of their depth.
+ */
 export interface FittedSurface {
   a: number;
   b: number;
@@ -27,14 +31,14 @@ export interface FittedSurface {
   sigma: number;
 }
 
-/** Samples and where they are seen. */
+/** A grid of depth samples, row by row. */
 export interface SampleGrid {
   readonly meters: Float32Array;
   readonly widthPx: number;
   readonly heightPx: number;
 }
 
-/** Sets `x` and `y` to the direction (x, y, -1) of view space that a UV of the texture shows. */
+/** Sets `x` and `y` of the direction (x, y, -1) in view space that is seen at a UV of the texture. */
 export type ToTangent = (u: number, v: number, out: { x: number; y: number }) => void;
 
 const SIDE = 2 * WIDE + 1;
@@ -43,18 +47,18 @@ const tangentX = new Float64Array(SIDE * SIDE);
 const tangentY = new Float64Array(SIDE * SIDE);
 const values = new Float64Array(SIDE * SIDE);
 const residuals = new Float64Array((2 * INNER + 1) ** 2);
-/** Sums of xx, xy, x, yy, y, 1, and of x, y and 1 times the value. */
+/** Sums over the samples for the normal equations: of xx, xy, x, yy, y, 1, and of x, y and 1 times the value. */
 const sums = new Float64Array(9);
 const scratchTangent = { x: 0, y: 0 };
 const candidate: FittedSurface = { a: 0, b: 0, c: 0, sigma: 0 };
 
-/** Directions of the halves. */
+/** Directions towards the eight halves of a window. */
 const HALVES = Array.from({ length: 8 }, (_, i) => [Math.cos((i * Math.PI) / 4), Math.sin((i * Math.PI) / 4)] as const);
 
 /**
- * @param column, row The sample in the middle.
- * @param depthM What the ray met there.
- * @returns False where too few samples are known.
+ * @param column, row The sample at the center.
+ * @param depthM Depth at which the ray met the surface, meters.
+ * @returns False if too few samples are known.
  */
 export function fitSurface(
   out: FittedSurface,
@@ -100,7 +104,7 @@ function readWindow({ meters, widthPx, heightPx }: SampleGrid, column: number, r
   }
 }
 
-/** The residual as a share of the depth. */
+/** The residual of a sample from a plane, as a fraction of its depth. */
 function residualAt(i: number, { a, b, c }: FittedSurface): number {
   const value = values[i] ?? 0;
   return Math.abs(a * (tangentX[i] ?? 0) + b * (tangentY[i] ?? 0) + c - value) / value;
@@ -119,7 +123,10 @@ function medianResidual(plane: FittedSurface): number {
   return residuals[Math.floor(count / 2)] ?? Number.POSITIVE_INFINITY;
 }
 
-/** Least squares over a window; of `half`, if not -1, only the samples on that side; near a plane, only those that agree with it. */
+/**
+ * Fits a plane by least squares to a window of half the side `reach`. A `half` other than -1 restricts the samples to that half; `near`
+ * restricts them to those whose residual from this plane is at most `within`.
+ */
 function leastSquares(out: FittedSurface, reach: number, half: number, within: number, near?: FittedSurface): boolean {
   const direction = HALVES[half];
   sums.fill(0);

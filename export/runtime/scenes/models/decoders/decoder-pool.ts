@@ -3,9 +3,12 @@ import type { DecoderName } from '../../../../gltf/decoders.ts';
 import { ModelError } from '../../../../gltf/document.ts';
 import type { DecoderFiles, ModelDecoder, ModelDecoders } from './decoder.ts';
 
-/** Decoders during loading: opened for the first model that needs one and closed after the last, to free their memory. */
+/**
+ * Provides decoders while models load. A decoder is opened for the first model that needs it and closed after the last one, to free its
+ * memory.
+ */
 export interface DecoderPool {
-  /** Rejects with `ModelError` if the page does not have the decoder or its files cannot be read. */
+  /** Runs `work` with open decoders. Rejects with `ModelError` if the page does not have a decoder or its files cannot be read. */
   use<T>(names: readonly DecoderName[], work: (decoders: readonly ModelDecoder[]) => Promise<T>): Promise<T>;
 }
 
