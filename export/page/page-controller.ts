@@ -48,7 +48,11 @@ export interface PageController {
   setParam(node: string, param: string, value: number | boolean): void;
 }
 
-/** @throws Error if the browser has no WebGL 2. */
+/**
+ * Creates the controller of a page, which starts in the orbit view.
+ *
+ * @throws Error if the browser has no WebGL 2.
+ */
 export function createPageController({ page, root, program, modes, createPanorama, ...parts }: PageControllerOptions): PageController {
   const { canvas, notices, panel } = root;
   const clock = createBrowserClock();

@@ -59,7 +59,10 @@ export interface PlayResult {
    * `superseded`: a newer program, a lost context or `dispose` came before it was ready.
    */
   readonly outcome: 'playing' | 'kept' | 'superseded';
-  /** With `playing`, errors mean that there was no good program before: passes with broken shaders copy their first input. */
+  /**
+   * Errors of shaders that do not compile. With `playing`, errors mean that there was no good program before: passes with broken shaders
+   * copy their first input.
+   */
   readonly shaderErrors: readonly ShaderError[];
 }
 

@@ -10,7 +10,11 @@ export interface StoredPanorama {
 export interface PanoramaStorage {
   /** Loads the stored panorama; null if there is none, or the browser stores nothing. */
   load(): Promise<StoredPanorama | null>;
-  /** @returns Why the panorama could not be stored, as a sentence for the visitor; null if it was stored. */
+  /**
+   * Stores the panorama in place of an earlier one.
+   *
+   * @returns Why the panorama could not be stored, as a sentence for the visitor; null if it was stored.
+   */
   save(panorama: StoredPanorama): Promise<string | null>;
   forget(): Promise<void>;
 }
@@ -19,6 +23,8 @@ const DATABASE = 'scrim-panoramas';
 const STORE = 'panoramas';
 
 /**
+ * Creates the storage of a page.
+ *
  * @param open Returns the browser's IndexedDB; throws in sandboxed frames.
  * @param page Path of the page, because all pages of an origin share its databases.
  */

@@ -40,7 +40,7 @@ export interface GlLimits {
   readonly floatLinear: boolean;
   /** Whether 16-bit float textures can be rendered to, though perhaps not 32-bit ones. */
   readonly halfFloatTargets: boolean;
-  /** `KHR_parallel_shader_compile`, or null. */
+  /** The extension `KHR_parallel_shader_compile`; null if the browser lacks it. */
   readonly parallelCompile: KHR_parallel_shader_compile | null;
 }
 

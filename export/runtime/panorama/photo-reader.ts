@@ -41,6 +41,8 @@ const MOST_TAPS = 6;
 /** Reads camera images back in a smaller size. */
 export interface PhotoReader {
   /**
+   * Reads the camera image of a view in the given size.
+   *
    * @throws Error if the view has no camera image.
    */
   read(view: ViewFrame, widthPx: number, heightPx: number): PanoramaShot;

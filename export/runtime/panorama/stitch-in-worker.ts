@@ -5,7 +5,7 @@ import { type StartWorker, startBlobWorker } from '../cpu/worker-source.ts';
 
 /** A panorama that is being stitched. */
 export interface Stitching {
-  /** Rejects with an `Error` whose message is text for the visitor. */
+  /** Resolves to the panorama. Rejects with an `Error` whose message is text for the visitor. */
   readonly panorama: Promise<StitchedPanorama>;
   /** Stops the worker. The promise stays pending. */
   cancel(): void;

@@ -5,7 +5,7 @@ import type { GlObjects } from '../gl/gl-objects.ts';
 
 /** An image or a cube map that a shader imports. */
 export interface ImportedImage {
-  /** Null until it is loaded completely, or if it is invalid. */
+  /** The texture; null until it is loaded completely, or if the image is invalid. */
   readonly texture: WebGLTexture | null;
   readonly widthPx: number;
   readonly heightPx: number;

@@ -45,7 +45,7 @@ export interface Intrinsics {
 
 export interface SessionFileFrame {
   readonly timeS: number;
-  /** Path relative to the folder. */
+  /** Path of the color image, relative to the folder. */
   readonly color: string;
   readonly depth?: string;
   readonly worldFromCamera: readonly number[];

@@ -26,6 +26,8 @@ export interface AnchorMemory {
 const KEY = 'scrim-kept-anchors';
 
 /**
+ * Creates the memory of the anchors that a page keeps.
+ *
  * @param storage Where anchors are stored. If it is null or throws, as in private windows, anchors are known only until the page is closed.
  * @param page Path of the page.
  */

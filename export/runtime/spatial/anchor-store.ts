@@ -211,7 +211,11 @@ async function created(create: () => Promise<XRAnchor> | undefined): Promise<XRA
   return create();
 }
 
-/** @param m Column-major 4×4, rigid. */
+/**
+ * Converts a matrix to the form that `createAnchor` takes.
+ *
+ * @param m Column-major 4×4, rigid.
+ */
 function toXrTransform(m: Float32Array): XRRigidTransform {
   const at = (i: number): number => m[i] ?? 0;
   // Shepperd's method: the largest of the four components first.

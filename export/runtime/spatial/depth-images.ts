@@ -6,6 +6,8 @@ import type { DepthImage } from './cast/cast-depth.ts';
 /** Provides the room depth of each view on the CPU. Depth is read back only if it is requested. */
 export interface DepthImages {
   /**
+   * Returns the depth of a view.
+   *
    * @param frame The current frame.
    * @returns The depth of this frame if the session has it on the CPU; else the depth that was last read back from the GPU, with the view
    * for which it was measured. Null while there is none.

@@ -22,7 +22,11 @@ export interface NearestDepth {
   createResolve(depth: WebGLRenderbuffer, multisampled: WebGLFramebuffer, samples: number, widthPx: number, heightPx: number): DepthResolve;
 }
 
-/** @param link Returns the program of a shader. It links the shader at its first use, and keeps the program. */
+/**
+ * Creates the `NearestDepth` of a context.
+ *
+ * @param link Returns the program of a shader. It links the shader at its first use, and keeps the program.
+ */
 export type CreateNearestDepth = (objects: GlObjects, drawer: PassDrawer, link: (shader: LinkedShader) => GlProgram) => NearestDepth;
 
 /** The resolve of one depth buffer. */

@@ -12,7 +12,7 @@ export interface Slots {
   find(name: string): number | undefined;
   /** Index of the slot's first number, or of its text. */
   offset(slot: number): number;
-  /** Returns false, and keeps the value, if the new one does not fit the slot's type or is not finite. */
+  /** Sets the value of a slot. Returns false, and keeps the old value, if the new one does not fit the slot's type or is not finite. */
   set(slot: number, value: ParamValue): boolean;
 }
 

@@ -5,7 +5,7 @@ import { prepareUpload } from '../../gl/upload.ts';
 
 /** The current frame of a video: premultiplied, first row at the bottom. */
 export interface VideoTexture {
-  /** Null before the first frame; another object if the size of the video changes. */
+  /** The image of the current frame; null before the first frame, and another object after the size of the video has changed. */
   readonly image: ImageAsset | null;
   upload(video: HTMLVideoElement): void;
   dispose(): void;

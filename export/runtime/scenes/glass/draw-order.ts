@@ -27,7 +27,10 @@ export const MAX_BATCHES = 5;
 /** How far outside of its own bounds glass shows objects, because it refracts, as a fraction of its size. */
 const REACH = 0.25;
 
-/** Sorts `items` from far to near and sets their batches. Returns the number of batches with glass; 0: no glass is visible. */
+/**
+ * Sorts `items` by render order, then from far to near, and sets their batches. Returns the number of batches with glass; 0: no glass is
+ * visible.
+ */
 export function arrange<T extends OrderedItem>(items: T[]): number {
   items.sort(farFirst);
   let batch = 0;

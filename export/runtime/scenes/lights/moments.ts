@@ -22,7 +22,10 @@ import type { SceneRenderer } from '../scene-renderer.ts';
  */
 export interface Moments {
   readonly texture: Texture;
-  /** Called after the map was drawn, with its near and far distance in meters; near is 0 for directional lights. */
+  /**
+   * Computes the moments. Called after the shadow map was drawn, with its near and far distance in meters; near is 0 for directional
+   * lights.
+   */
   update(renderer: SceneRenderer, nearM: number, farM: number): void;
   dispose(): void;
 }

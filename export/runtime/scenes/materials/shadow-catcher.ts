@@ -32,7 +32,7 @@ export interface ShadowCatcher {
   createTwin(master: Material): Twin;
   /** Applies strength, color, changed lists, and this frame's matrices and lights. */
   update(receivers: readonly ObjectList[], lights: readonly LightList[]): void;
-  /** Called before a view is drawn; leaves no framebuffer bound. */
+  /** Prepares the materials for a view. Called before the view is drawn; leaves no framebuffer bound. */
   beforeDraw(view: DrawView): void;
   /**
    * Creates a material that catches shadows on the surfaces of room depth, which `room` describes. The caller disposes it. Null if the

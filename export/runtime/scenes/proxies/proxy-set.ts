@@ -9,7 +9,7 @@ export type PlanProxies = (master: Drawable, item: ObjectItem) => readonly Proxy
 /** The proxies of several lists in one scene: rebuilt if a list's version changed, otherwise only moved. */
 export interface ProxySet {
   readonly proxies: readonly FlatProxy[];
-  /** Returns whether the proxies were rebuilt. `force` rebuilds them in any case. */
+  /** Updates the proxies from the lists. Returns whether they were rebuilt; `force` rebuilds them in any case. */
   update(lists: readonly ObjectList[], force: boolean): boolean;
   dispose(): void;
 }

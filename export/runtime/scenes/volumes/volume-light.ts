@@ -4,7 +4,7 @@ import { createVolumeMaterial } from './volume-material.ts';
 
 /** A light and the materials of its shadow volumes. */
 export interface VolumeLight {
-  /** Position with w 1, or unit vector towards the light with w 0; world space. */
+  /** Where the light is, in world space: its position with w 1, or a unit vector towards it with w 0. */
   readonly lightWorld: { readonly value: Vector4 };
   /** Materials of the back faces and the front faces of volumes, drawn at `renderOrder` and `renderOrder + 1`. */
   readonly materials: readonly [ShaderMaterial, ShaderMaterial];

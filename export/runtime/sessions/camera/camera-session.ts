@@ -21,7 +21,7 @@ export interface CameraSessionParts {
   /** A started stream. */
   readonly stream: CameraStream;
   readonly sensor: OrientationSensor;
-  /** Absent or null: frames have no input. */
+  /** Functions that read input; absent or null: frames have no input. */
   readonly inputs?: SessionInputs | null;
   /** Creates the estimation of the field of view; absent or null: the field of view stays as assumed. */
   readonly createLens?: CreateLens | null;

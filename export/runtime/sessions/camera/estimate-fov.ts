@@ -15,6 +15,8 @@ export interface FovEstimator {
   /** Whether the estimate is final: further images do not change it. */
   readonly isDone: boolean;
   /**
+   * Adds an image, if the camera has turned far enough since the last one that was kept.
+   *
    * @param luminance Luminance of a small image, rows from the top. The array may be kept until a later call.
    * @param worldFromCamera Column-major 4×4, at the time of the image: x right, y up, -z ahead.
    * @returns Whether the array is kept; the caller must then pass another one next time.
@@ -36,7 +38,11 @@ const LONGEST = 2.1;
 /** Minimum correlation of a pair. If images agree less, something in them has moved. */
 const LEAST_AGREEMENT = 0.5;
 
-/** @param tanHalfLongSide Initial value of the search. */
+/**
+ * Creates the estimation.
+ *
+ * @param tanHalfLongSide Initial value of the search.
+ */
 export function createFovEstimator(tanHalfLongSide: number): FovEstimator {
   /** The estimated focal length, relative to the longer side of the image. */
   let focal = 1 / (2 * tanHalfLongSide);

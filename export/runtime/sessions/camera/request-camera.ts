@@ -14,7 +14,7 @@ export interface CameraRequest {
   readonly gl: WebGL2RenderingContext;
   readonly canvas: HTMLCanvasElement;
   readonly clock: FrameClock;
-  /** Absent or null: frames have no input. */
+  /** Functions that read input; absent or null: frames have no input. */
   readonly inputs?: SessionInputs | null;
   /** Creates the estimation of the field of view; absent or null: the field of view stays as assumed. */
   readonly createLens?: CreateLens | null;

@@ -23,6 +23,8 @@ export interface GamepadPointer {
 }
 
 /**
+ * Creates the pointer of a gamepad.
+ *
  * @param showCursor Called in each frame with the position of the cursor in view UV, origin at the bottom left; a null `u` hides the
  * cursor.
  */

@@ -14,7 +14,10 @@ type VibratingGamepad = Omit<Gamepad, 'hapticActuators' | 'vibrationActuator'> &
 /** Maximum duration of one effect in browsers, seconds. */
 const LONGEST_S = 5;
 
-/** @returns A function that gives the motor of a gamepad, null if it has none. The object stays the same as long as the motor does. */
+/**
+ * Returns a function that gives the motor of a gamepad, or null if it has none. The function returns the same object as long as the motor
+ * is the same.
+ */
 export function createHapticsCache(): (gamepad: Gamepad) => Haptics | null {
   let last: Actuator | null = null;
   let haptics: Haptics | null = null;

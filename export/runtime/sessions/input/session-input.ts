@@ -34,7 +34,7 @@ export const MAX_TAPS = 8;
 /** Maximum keys per frame; further ones are dropped. */
 export const MAX_KEYS = 8;
 
-/** @returns Input without taps, keys and pointers. Its controllers are not connected, and its hands are not tracked. */
+/** Creates input without taps, keys and pointers. Its controllers are not connected, and its hands are not tracked. */
 export function createSessionInput(): MutableInput {
   return {
     pointers: [],

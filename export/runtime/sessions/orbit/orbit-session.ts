@@ -14,7 +14,7 @@ export interface OrbitSessionOptions {
   readonly canvas: HTMLCanvasElement;
   readonly clock: FrameClock;
   readonly start?: Partial<OrbitPose>;
-  /** Absent or null: frames have no input. */
+  /** Functions that read input; absent or null: frames have no input. */
   readonly inputs?: SessionInputs | null;
 }
 

@@ -27,7 +27,7 @@ export interface RecordedSessionOptions {
   readonly onEnd?: () => void;
   /** `clock` only: called when a frame that was late is decoded. */
   readonly onArrival?: () => void;
-  /** Absent or null: frames have no input. */
+  /** Functions that read input; absent or null: frames have no input. */
   readonly inputs?: SessionInputs | null;
 }
 
@@ -80,7 +80,7 @@ const LOOK_AHEAD = 4;
 /** An open recording with its GPU resources. */
 interface OpenRecording extends Recording {
   readonly cache: FrameCache;
-  /** Null if the recording has no input. */
+  /** Replays recorded input; null if the recording has none. */
   readonly replay: InputReplay | null;
   textures: FrameTextures;
   view: RecordedView;

@@ -5,7 +5,7 @@ import { type Crop, setCoverCrop, setCropProjection, setUvFromViewUv } from './c
 import type { DecodedFrame } from './frame-cache.ts';
 import type { FrameTextures } from './frame-textures.ts';
 
-/** Valid within one call only. */
+/** The crop of the camera image, valid within one call only. */
 const scratchCrop: Crop = { x0: 0, y0: 0, x1: 0, y1: 0 };
 
 /** Sets the view of a frame to the recording's camera, cropped to the canvas. */

@@ -14,13 +14,13 @@ export interface WebXrRequest {
   /** `navigator.xr` or an emulated one; undefined if the browser has none. */
   readonly xr: XRSystem | undefined;
   readonly gl: WebGL2RenderingContext;
-  /** Default: AR. In VR an authored room replaces the visitor's room, also for nodes that read the camera image. */
+  /** The session mode; default: AR. In VR an authored room replaces the visitor's room, also for nodes that read the camera image. */
   readonly mode?: WebXrMode;
   readonly needs: readonly ProgramNeed[];
   readonly antialias: boolean;
   /** Page element that handheld devices show over the camera feed. */
   readonly overlayRoot?: Element | null;
-  /** Absent or null: frames have no input. */
+  /** Functions that read input; absent or null: frames have no input. */
   readonly inputs?: SessionInputs | null;
 }
 

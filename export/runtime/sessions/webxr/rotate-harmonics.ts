@@ -31,7 +31,7 @@ const HALF_ROOT_3 = Math.sqrt(3) / 2;
 /** Indices of the coefficients of band 1 that belong to x, y and z. */
 const VECTOR_AT: readonly number[] = [9, 3, 6];
 
-/** Row-major 3×3. */
+/** Row-major 3×3 matrices, valid within one call. */
 const scratchRotation = new Float64Array(9);
 const scratchForm = new Float64Array(9);
 const scratchHalf = new Float64Array(9);

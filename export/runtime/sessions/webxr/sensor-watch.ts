@@ -6,7 +6,10 @@ export interface SensorWatch {
 
 /** How long a sensor may measure nothing before this is reported, seconds. Devices skip single frames. */
 export const REPORT_AFTER_S = 2;
-/** The same delay before the first measurement, seconds: longer, because phones must be moved before they measure depth. */
+/**
+ * How long a sensor may measure nothing before its first measurement, seconds: longer than later, because phones must be moved before they
+ * measure depth.
+ */
 export const FIRST_REPORT_AFTER_S = 6;
 
 export function createSensorWatch(onChange: (working: boolean) => void): SensorWatch {

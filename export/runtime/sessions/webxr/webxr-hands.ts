@@ -15,6 +15,8 @@ export interface WebXrHands {
 type Joints = readonly XRJointSpace[] | null;
 
 /**
+ * Creates the reader of hands.
+ *
  * @param referenceSpace World space.
  */
 export function createWebXrHands(session: XRSession, referenceSpace: XRReferenceSpace): WebXrHands {

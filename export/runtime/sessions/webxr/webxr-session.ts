@@ -23,7 +23,7 @@ export interface WebXrSessionParts {
   /** Creates the target again for a restored context. Rejects if the device refuses. */
   readonly renewTarget: () => Promise<XrRenderTarget>;
   readonly capabilities: ReadonlySet<Capability>;
-  /** Absent or null: frames have no input. */
+  /** Functions that read input; absent or null: frames have no input. */
   readonly inputs?: SessionInputs | null;
 }
 

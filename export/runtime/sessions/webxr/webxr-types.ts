@@ -19,7 +19,7 @@ export interface XrBinding {
 }
 
 export interface XrGpuDepthInformation extends Omit<XRWebGLDepthInformation, 'textureType' | 'imageIndex'> {
-  /** Not every browser reports `textureType` and `imageIndex`. */
+  /** The kind of the texture and its layer; not every browser reports `textureType` and `imageIndex`. */
   readonly textureType?: XRTextureType;
   readonly imageIndex?: number | null;
   /**
@@ -56,7 +56,7 @@ export interface XrFrameWithLight extends XRFrame {
 export interface XrPlane {
   readonly planeSpace: XRSpace;
   readonly polygon: readonly DOMPointReadOnly[];
-  /** Absent or null if the plane is neither horizontal nor vertical. */
+  /** Orientation of the plane; absent or null if the plane is neither horizontal nor vertical. */
   readonly orientation?: 'horizontal' | 'vertical' | null;
   readonly semanticLabel?: string;
   readonly lastChangedTime: number;

@@ -8,7 +8,7 @@ export interface DepthImage {
   meters: Float32Array;
   widthPx: number;
   heightPx: number;
-  /** Column-major 3×3, homogeneous: texture UV from view UV. */
+  /** Matrix from view UV to texture UV, column-major 3×3, homogeneous. */
   readonly uvFromViewUv: Float32Array;
   readonly clipFromView: Float32Array;
   readonly worldFromView: Float32Array;

@@ -56,6 +56,8 @@ const candidate: FittedSurface = { a: 0, b: 0, c: 0, sigma: 0 };
 const HALVES = Array.from({ length: 8 }, (_, i) => [Math.cos((i * Math.PI) / 4), Math.sin((i * Math.PI) / 4)] as const);
 
 /**
+ * Fits a plane to the surface around a sample.
+ *
  * @param column, row The sample at the center.
  * @param depthM Depth at which the ray met the surface, meters.
  * @returns False if too few samples are known.
