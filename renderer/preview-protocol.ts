@@ -124,7 +124,7 @@ export interface PreviewGizmo {
   readonly mode: GizmoMode;
   /** Axes of the object or of the session. */
   readonly space: 'local' | 'world';
-  /** Snaps to 0.1 m, 15° and factors of 0.1. Holding Ctrl inverts it. */
+  /** Whether a drag snaps: to 0.1 m, 15° and steps of 0.1 in scale. Holding Ctrl inverts this. */
   readonly snap: boolean;
   /** Params of the node, by the handle that they set. */
   readonly handles: Readonly<Partial<Record<Handle, string>>>;

@@ -40,7 +40,7 @@ export interface Compiled extends Result<Program> {
   readonly above: readonly ShaderAbove[];
 }
 
-/** A complete shader made of the text above a mistake. It is only compiled, never drawn. */
+/** The text above a mistake, completed to a valid shader. It is only compiled, to find mistakes further above, and never drawn. */
 export interface ShaderAbove {
   readonly shader: LinkedShader;
   readonly before: Before;

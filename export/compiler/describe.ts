@@ -67,7 +67,7 @@ function describeOperation(operation: Operation, program: Program): string {
       return `${operation.id}: brings ${operation.writes.join(', ')} (${operation.type})`;
     case 'behavior':
     case 'geometry':
-      return `${operation.id}: makes ${operation.writes.join(', ')} (${operation.type})`;
+      return `${operation.id}: creates ${operation.writes.join(', ')} (${operation.type})`;
   }
 }
 

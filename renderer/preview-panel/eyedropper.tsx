@@ -102,7 +102,7 @@ function stepped(part: number, by: number, sizePx: number): number {
   return (Math.min(Math.max(Math.floor(part * sizePx) + by, 0), sizePx - 1) + 0.5) / sizePx;
 }
 
-/** Magnifier: the pixels around the point, and the value of the center. */
+/** Magnifier: the pixels around the pointer, and the value of the pixel under it. */
 function Loupe({ probed, at }: { readonly probed: PreviewProbe; readonly at: Point }) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const { around } = probed;

@@ -18,7 +18,7 @@ import {
 import { createEyeCamera, type Eye } from '../display/eye.ts';
 import type { ViewportPx } from '../session/viewport-scale.ts';
 
-/** An image of a layer, for one eye or for both. */
+/** The image of a WebXR layer: that of one eye, or the same for both eyes. */
 export interface LayerImage {
   /** Premultiplied, rows from the bottom. */
   readonly rgba: Uint8Array;

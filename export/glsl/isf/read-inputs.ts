@@ -21,7 +21,7 @@ const SIZES: Readonly<Record<IsfInputType, number>> = {
   vector4: 4,
 };
 
-/** Types that only transitions have. */
+/** Input types that only the shaders of gl-transitions have, not ISF headers. */
 const NOT_IN_HEADERS: ReadonlySet<string> = new Set(['vector3', 'vector4'] satisfies IsfInputType[]);
 
 const UNITS: ReadonlySet<string> = new Set(['m', 's', 'rad', 'px', 'K', 'Hz', 'cd', 'ratio', 'none'] satisfies Unit[]);

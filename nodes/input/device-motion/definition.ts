@@ -57,7 +57,7 @@ export const definition = defineNode({
       required: false,
       when: 'always',
       why: 'to react to how the device is moved',
-      without: 'Effects that react to the device behave as if it is held still.',
+      without: 'Effects that react to motion behave as if the device were held still.',
     },
   ],
 });

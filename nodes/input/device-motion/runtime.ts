@@ -27,7 +27,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   function tell(message: string, fix: string): void {
     if (isTold) return;
     isTold = true;
-    const effect = 'Effects that react to the device behave as if it is held still.';
+    const effect = 'Effects that react to motion behave as if the device were held still.';
     ctx.report({ code: 'SCR055', severity: 'warning', message: `${message} ${effect}`, fix });
   }
   function answered(answer: SensorAnswer): void {

@@ -59,7 +59,7 @@ export const definition = defineNode({
       label: 'Released',
       doc: 'A pulse when the pinch opens, with its pose. The number is 1, or 0 if tracking was lost in the pinch; the pose is then the last one.',
     },
-    tracked: { type: 'toggle', label: 'Tracked', doc: 'On while the device tracks the hand.' },
+    tracked: { type: 'toggle', label: 'Is tracked', doc: 'On while the device tracks the hand.' },
   },
   params: {
     side: {

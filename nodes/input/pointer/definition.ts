@@ -11,7 +11,7 @@ export const definition = defineNode({
   outputs: {
     pose: { type: 'pose', label: 'Pose', doc: 'The ray: it starts at the pose, along -z. Invalid while nothing points.' },
     grip: { type: 'pose', label: 'Grip', doc: 'Where the controller or hand holds something. Invalid for screens, mouse and gaze.' },
-    pressed: { type: 'toggle', label: 'Pressed', doc: 'On from the start of a press until it ends.' },
+    pressed: { type: 'toggle', label: 'Is pressed', doc: 'On from the start of a press until it ends.' },
     pinch: {
       type: 'number',
       label: 'Pinch',

@@ -55,7 +55,7 @@ export const definition = defineNode({
       type: 'number',
       stage: 'uniform',
       label: 'Margin',
-      doc: 'How much larger the light is than the object and its shadow, as a fraction.',
+      doc: 'How far the bright area reaches beyond the object and its shadow, as a fraction of their size.',
       default: 0.5,
       min: 0,
       max: 3,

@@ -35,7 +35,7 @@ export const definition = defineNode({
       label: 'State',
       doc: 'Empty without an anchor; “pending” until the device has confirmed it; “tracked”; “lost” while the device does not see it, and the pose stays; “deleted” after the device has removed it, and the pose stays in world space; “unsupported” where the device has no anchors, and the pose stays in world space.',
     },
-    tracked: { type: 'toggle', label: 'Tracked', doc: 'On while the device tracks the anchor.' },
+    tracked: { type: 'toggle', label: 'Is tracked', doc: 'On while the device tracks the anchor.' },
     kept: { type: 'toggle', label: 'Kept', doc: 'On while the device keeps the anchor for later visits.' },
   },
   params: {

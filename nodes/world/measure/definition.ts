@@ -45,7 +45,7 @@ export const definition = defineNode({
     add: {
       type: 'pulse',
       label: 'Add',
-      doc: 'A pulse adds its pose as a point, like a tap there. Used with tapped points. Optional.',
+      doc: 'Each pulse adds a point at the pose that it carries, like a tap there. Only if “Points” is “Taps”. Optional.',
       required: false,
       multiple: true,
     },
