@@ -77,7 +77,7 @@ export function createCpuFilter({ worker: text }: WorkerModule, node: CpuNode, m
     node.report({
       code: 'SCR047',
       severity: 'warning',
-      message: `The effect ${node.id} failed on the CPU and keeps its last result: ${reason}.`,
+      message: `The effect ${node.id} failed on the CPU, so its input is drawn unchanged: ${reason}.`,
       fix: 'Load the page again. If that does not help, leave the effect out.',
     });
   };
