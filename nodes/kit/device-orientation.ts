@@ -10,7 +10,12 @@ export interface DeviceAngles {
   screenRad: number;
 }
 
-/** Writes the orientation of a device that is held upright with its screen towards the viewer: its camera looks horizontally along −z. */
+/**
+ * Writes the orientation of a device that is held upright with its screen towards the viewer: its camera looks horizontally along −z.
+ *
+ * @example
+ * setUpright(angles); // betaRad is π / 2, the others 0
+ */
 export function setUpright(out: DeviceAngles): void {
   out.alphaRad = 0;
   out.betaRad = Math.PI / 2;
@@ -21,6 +26,10 @@ export function setUpright(out: DeviceAngles): void {
 /**
  * Writes the rotation of a camera that looks out of the device's back, column-major 4×4 without translation. World space is y up with north
  * at −z; the sensor's earth coordinates are z up with y to the north.
+ *
+ * @example
+ * setUpright(angles);
+ * setDeviceRotation(worldFromCamera, angles); // the identity
  */
 export function setDeviceRotation(out: Float32Array, { alphaRad, betaRad, gammaRad, screenRad }: DeviceAngles): void {
   const sa = Math.sin(alphaRad);
@@ -54,7 +63,12 @@ export function setDeviceRotation(out: Float32Array, { alphaRad, betaRad, gammaR
   out[15] = 1;
 }
 
-/** Rotates a matrix in place about the vertical axis of the world. */
+/**
+ * Rotates a matrix in place about the vertical axis of the world.
+ *
+ * @example
+ * turnAboutVertical(worldFromCamera, Math.PI / 2); // turned left by 90°
+ */
 export function turnAboutVertical(m: Float32Array, yawRad: number): void {
   const s = Math.sin(yawRad);
   const c = Math.cos(yawRad);
@@ -69,6 +83,9 @@ export function turnAboutVertical(m: Float32Array, yawRad: number): void {
 /**
  * The yaw by which `turnAboutVertical` makes a rotation look along −z. If the rotation looks straight up or down, the direction of the
  * device's top counts instead.
+ *
+ * @example
+ * turnAboutVertical(worldFromCamera, yawToFront(worldFromCamera)); // now it looks along -z
  */
 export function yawToFront(m: Float32Array): number {
   let x = -(m[8] ?? 0);
@@ -129,6 +146,9 @@ export function setDeviceAngles(out: DeviceAngles, rotation: ArrayLike<number>):
 /**
  * The angle by which the page is rotated on the device, radians: `screen.orientation.angle`. Safari before 16.4 has only
  * `window.orientation`, which is the same angle, but -90° instead of 270°.
+ *
+ * @example
+ * angles.screenRad = screenAngle(window);
  */
 export function screenAngle(page: { readonly screen: Screen; readonly orientation?: number }): number {
   return ((page.screen.orientation?.angle ?? page.orientation ?? 0) * Math.PI) / 180;

@@ -88,7 +88,9 @@ export interface HitRecord extends Hit {
 /**
  * Creates an empty record for `SessionService.castRay`.
  *
- * @returns An empty record for `SessionService.castRay`.
+ * @example
+ * const hit = createHit();
+ * if (ctx.session.castRay(worldFromRay, hit)) outputs.distanceM.value = hit.distanceM;
  */
 export function createHit(): HitRecord {
   return {

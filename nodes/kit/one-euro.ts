@@ -22,6 +22,8 @@ export interface PoseFilter {
 const SPEED_CUTOFF_HZ = 1;
 
 /**
+ * Creates a filter of poses; the first pose passes unchanged.
+ *
  * @example
  * const filter = createPoseFilter();
  * // Every frame:

@@ -21,7 +21,9 @@ export interface PoseOutput {
 /**
  * Creates an identity pose that is not valid.
  *
- * @returns An identity pose that is not valid.
+ * @example
+ * const pose = createPose();
+ * writePose(pose, hit.worldFromHit, frame.jumps);
  */
 export function createPose(): PoseOutput {
   return { worldFromPose: Float32Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1), valid: false, jumps: 0 };

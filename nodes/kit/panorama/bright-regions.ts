@@ -85,6 +85,9 @@ function narrowRegions(grid: SphereGrid, taken: Uint8Array, start: number, thres
 /**
  * How far the light of a region spreads around its mean direction: root mean square angle, radians. If the mean of unit vectors has the
  * length r, then 1 - r ≈ angle² / 2.
+ *
+ * @example
+ * spreadRad({ vector: [0, 0, 1], flux: 1 }); // 0: all light comes from one direction
  */
 export function spreadRad({ vector, flux }: Pick<BrightRegion, 'vector' | 'flux'>): number {
   return Math.sqrt(2 * Math.max(0, 1 - Math.hypot(...vector) / flux));

@@ -42,7 +42,12 @@ export function captureTargets(clipFromView: Float32Array): Direction[] {
   return [...targets, ...targetsForHoles(planned, lens, MOST_TARGETS - targets.length)];
 }
 
-/** Finds further targets for the directions that no photo shows: as few as possible, first the one that shows most of them. */
+/**
+ * Finds further targets for the directions that no photo shows: as few as possible, first the one that shows most of them.
+ *
+ * @example
+ * targetsForHoles([], view.clipFromView, 6); // six directions that show as much as possible
+ */
 export function targetsForHoles(shots: readonly ShotPose[], clipFromView: Float32Array, most: number): Direction[] {
   const samples = sphereSamples(SAMPLES);
   let open = samples.filter((sample) => !shots.some((shot) => shows(shot, sample)));
@@ -71,7 +76,12 @@ export interface Coverage {
   readonly overlapPart: number;
 }
 
-/** Measures how much of the sphere photos show. */
+/**
+ * Measures how much of the sphere photos show.
+ *
+ * @example
+ * if (coverageOf(shots).seenPart > 0.99) finish();
+ */
 export function coverageOf(shots: readonly ShotPose[]): Coverage {
   let seen = 0;
   let twice = 0;
@@ -84,7 +94,12 @@ export function coverageOf(shots: readonly ShotPose[]): Coverage {
   return { seenPart: seen / SAMPLES, overlapPart: twice / SAMPLES };
 }
 
-/** Evenly spaced directions, which stand for equal solid angles: a Fibonacci spiral (González 2010, “Measurement of areas on a sphere”). */
+/**
+ * Evenly spaced directions, which stand for equal solid angles: a Fibonacci spiral (González 2010, “Measurement of areas on a sphere”).
+ *
+ * @example
+ * sphereSamples(4096).length; // 4096 unit vectors
+ */
 export function sphereSamples(count: number): Direction[] {
   const golden = Math.PI * (3 - Math.sqrt(5));
   return Array.from({ length: count }, (_, i) => {
@@ -94,7 +109,12 @@ export function sphereSamples(count: number): Direction[] {
   });
 }
 
-/** The pose of a camera that looks in a direction and is held upright. Column-major 4×4. */
+/**
+ * The pose of a camera that looks in a direction and is held upright. Column-major 4×4.
+ *
+ * @example
+ * uprightPose([0, 0, -1]); // the identity
+ */
 export function uprightPose([x, y, z]: Direction): Float32Array {
   const level = Math.hypot(x, z);
   // Straight up or down there is no upright: the upper edge is that of a camera that turned there from −z.

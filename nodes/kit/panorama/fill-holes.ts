@@ -3,6 +3,10 @@
  * “The Lumigraph”, §3.4). Left and right edge are neighbors.
  *
  * @param sums Four numbers per pixel: color times weight, and weight. Afterwards color and 1.
+ *
+ * @example
+ * const sums = Float32Array.of(1, 0.5, 0, 1, 0, 0, 0, 0);
+ * fillHoles(sums, 2, 1); // both pixels are now [1, 0.5, 0, 1]
  */
 export function fillHoles(sums: Float32Array, widthPx: number, heightPx: number): void {
   for (let i = 0; i < sums.length; i += 4) {

@@ -37,7 +37,12 @@ export function searchWhole(
   }
 }
 
-/** Finds the lamps of a panorama synchronously, and returns the parts of the result that a page needs. */
+/**
+ * Finds the lamps of a panorama synchronously, and returns the parts of the result that a page needs.
+ *
+ * @example
+ * const { lamps } = findLampsAtOnce(pixels, lampOptionsOf(ctx.config));
+ */
 export function findLampsAtOnce(pixels: PanoramaPixels, options: LampOptions): FoundLamps {
   return storedLamps(searchWhole(findLamps(pixels, options)));
 }

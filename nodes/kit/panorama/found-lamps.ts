@@ -83,12 +83,22 @@ export function directionAt(x: number, y: number, widthPx: number, heightPx: num
   return [Math.sin(theta) * Math.cos(phi), Math.sin(phi), -Math.cos(theta) * Math.cos(phi)];
 }
 
-/** θ: the angle to the right of the center (ARPAS 2018, equation 5), radians. */
+/**
+ * θ: the angle to the right of the center (ARPAS 2018, equation 5), radians.
+ *
+ * @example
+ * longitudeAt(768, 1024); // π / 2: to the right
+ */
 export function longitudeAt(x: number, widthPx: number): number {
   return ((x - widthPx / 2) / (widthPx / 2)) * Math.PI;
 }
 
-/** φ: the angle above the horizon (ARPAS 2018, equation 6), radians. */
+/**
+ * φ: the angle above the horizon (ARPAS 2018, equation 6), radians.
+ *
+ * @example
+ * latitudeAt(0, 512); // π / 2: the zenith
+ */
 export function latitudeAt(y: number, heightPx: number): number {
   return ((heightPx / 2 - y) / (heightPx / 2)) * (Math.PI / 2);
 }

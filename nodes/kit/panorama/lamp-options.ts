@@ -27,7 +27,12 @@ export function lampOptionsOf(values: Readonly<Record<keyof LampOptions, unknown
   };
 }
 
-/** The key under which a result of a panorama is stored: equal for options that give equal results. */
+/**
+ * The key under which a result of a panorama is stored: equal for options that give equal results.
+ *
+ * @example
+ * lampKey({ method: 'solid-angle', lamps: 3, iterations: 2, intensities: 'ranks', clippedShare: 0.5 }); // 'solid-angle 3 0.5'
+ */
 export function lampKey({ method, lamps, iterations, intensities, clippedShare }: LampOptions): string {
   return method === 'paper' ? `paper ${lamps} ${iterations} ${intensities}` : `solid-angle ${lamps} ${clippedShare}`;
 }

@@ -28,7 +28,12 @@ export function layoutOf(widthPx: number, heightPx: number): PanoramaLayout | nu
   return ASPECTS.find(([wanted]) => Math.abs(aspect / wanted - 1) <= TOLERANCE)?.[1] ?? null;
 }
 
-/** Describes what to do with an image whose shape is that of no panorama, as a sentence for users. */
+/**
+ * Describes what to do with an image whose shape is that of no panorama, as a sentence for users.
+ *
+ * @example
+ * if (layoutOf(widthPx, heightPx) === null) throw new Error(wrongShape(widthPx, heightPx));
+ */
 export function wrongShape(widthPx: number, heightPx: number): string {
   const size = `It has ${widthPx} × ${heightPx} pixels`;
   const wanted =

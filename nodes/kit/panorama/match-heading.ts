@@ -29,7 +29,12 @@ const APART_RAD = (20 * Math.PI) / 180;
 /** The number of images that count. With each further image, the older ones lose weight. */
 const MOST_SHOTS = 12;
 
-/** A match above this correlation, and this much above all others, is certain. */
+/**
+ * Whether a match is certain: its correlation is high, and clearly above that of every other heading.
+ *
+ * @example
+ * isCertain({ headingRad: 0, score: 0.8, nextScore: 0.5 }); // true
+ */
 export function isCertain({ score, nextScore }: HeadingMatch): boolean {
   return score > 0.6 && score - nextScore > 0.12;
 }
@@ -38,6 +43,10 @@ export function isCertain({ score, nextScore }: HeadingMatch): boolean {
  * Creates a search that compares camera images with a panorama.
  *
  * @param panorama Holes that were filled count as well.
+ *
+ * @example
+ * const match = createHeadingSearch(panorama).add(shot);
+ * if (isCertain(match)) setPanoramaPose(pose, match.headingRad, at);
  */
 export function createHeadingSearch(panorama: PanoramaPixels): HeadingSearch {
   const map = reduce(panorama);

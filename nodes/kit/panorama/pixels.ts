@@ -19,12 +19,22 @@ export const ROWS_PER_STEP = 32;
 /** The largest half float; infinite radiance counts as this much. */
 const MAX_RADIANCE = 65504;
 
-/** Whether the pixels are display-referred, so that bright lamps are clipped to white. */
+/**
+ * Whether the pixels are display-referred, so that bright lamps are clipped to white.
+ *
+ * @example
+ * isDisplayReferred({ data: new Uint8Array(24), widthPx: 4, heightPx: 2, channels: 3 }); // true
+ */
 export function isDisplayReferred({ data }: PanoramaPixels): boolean {
   return data.BYTES_PER_ELEMENT === 1;
 }
 
-/** Index in `data` of the first number of row `y`, counted from the top of the image. */
+/**
+ * Index in `data` of the first number of row `y`, counted from the top of the image.
+ *
+ * @example
+ * startOfRow({ data: new Uint8Array(24), widthPx: 4, heightPx: 2, channels: 3 }, 1); // 12
+ */
 export function startOfRow({ widthPx, heightPx, channels, fromBottom = false }: PanoramaPixels, y: number): number {
   return (fromBottom ? heightPx - 1 - y : y) * widthPx * channels;
 }

@@ -60,12 +60,21 @@ export function cosineOfReach({ clipFromView: p }: Pick<ShotPose, 'clipFromView'
 
 /**
  * The weight of a point of a photo, from 1 in the center to 0 at the edges. Photos blend into each other where their weights are similar.
+ *
+ * @example
+ * edgeWeight({ x: 0, y: 0 }); // 1
  */
 export function edgeWeight({ x, y }: ShotPoint): number {
   return ((1 - x * x) * (1 - y * y)) ** 3;
 }
 
-/** The heading of a panorama: the rotation about y from panorama space to world space. */
+/**
+ * The heading of a panorama: the rotation about y from panorama space to world space.
+ *
+ * @example
+ * setPanoramaPose(worldFromPanorama, Math.PI / 2, [0, 1.6, 0]);
+ * headingOf(worldFromPanorama); // π / 2
+ */
 export function headingOf(worldFromPanorama: ArrayLike<number>): number {
   return Math.atan2(worldFromPanorama[8] ?? 0, worldFromPanorama[0] ?? 1);
 }
@@ -76,6 +85,9 @@ export function headingOf(worldFromPanorama: ArrayLike<number>): number {
  * @param out Column-major 4×4.
  * @param headingRad Rotation about y, counterclockwise seen from above.
  * @param at Where it was taken, meters.
+ *
+ * @example
+ * setPanoramaPose(worldFromPanorama, 0, [0, 1.6, 0]); // the center of the panorama is along -z
  */
 export function setPanoramaPose(out: Float32Array, headingRad: number, [x = 0, y = 0, z = 0]: readonly number[]): void {
   const [cos, sin] = [Math.cos(headingRad), Math.sin(headingRad)];

@@ -22,7 +22,12 @@ const CLIPPED_BYTE = 250;
 /** Rec. 709 luminance of linear sRGB. */
 const [RED, GREEN, BLUE] = [0.2126, 0.7152, 0.0722] as const;
 
-/** The luminance of linear-sRGB radiance. */
+/**
+ * The luminance of linear-sRGB radiance.
+ *
+ * @example
+ * luminanceOf(1, 1, 1); // 1
+ */
 export function luminanceOf(red: number, green: number, blue: number): number {
   return RED * red + GREEN * green + BLUE * blue;
 }

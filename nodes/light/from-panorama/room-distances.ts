@@ -4,10 +4,9 @@ import type { SessionService } from '../../kit/runtime.ts';
 /** Measures how far away the room is in the directions of lamps. */
 export interface RoomDistances {
   /**
-   * Returns the distance to the room along a direction.
+   * Measures the distance to the room along a direction.
    *
    * @param index The lamp; its last distance is kept between measurements.
-   *
    * @returns Meters; null if the ray meets nothing, or if the node does not measure the room.
    */
   along(index: number, fromWorld: ArrayLike<number>, towardsWorld: ArrayLike<number>): number | null;

@@ -18,11 +18,7 @@ export interface ArrowShape {
   headRadiusM: number;
 }
 
-/**
- * Creates the shape of an arrow without size.
- *
- * @returns An arrow without size.
- */
+/** Creates the shape of an arrow without size. */
 export function createArrowShape(): ArrowShape {
   return { lengthM: 0, headLengthM: 0, startRadiusM: 0, neckRadiusM: 0, headRadiusM: 0 };
 }

@@ -17,7 +17,6 @@ export interface ShownObjects {
  * Creates the keeper of an output list.
  *
  * @param extra Items of the reticle.
- *
  * @param claimant The node that claims presses on the copies; null if none does.
  */
 export function createShownObjects(output: ObjectList, extra: readonly ObjectItem[], claimant: object | null): ShownObjects {

@@ -24,7 +24,6 @@ export interface ValueFormat {
  * Creates a format.
  *
  * @param unit `auto`: meters and centimeters, or feet and inches, by the region of the locale and the size of the value.
- *
  * @param locale BCP 47. Undefined: that of the browser.
  */
 export function createValueFormat(unit: LengthUnit | 'auto', locale?: string): ValueFormat {

@@ -37,11 +37,7 @@ export interface Measured {
   sigma: number;
 }
 
-/**
- * Creates a point at the origin without noise.
- *
- * @returns A point at the origin without noise.
- */
+/** Creates a point at the origin without noise. */
 export function createSeenPoint(): SeenPoint {
   return { positionM: new Float64Array(3), ray: Float64Array.of(0, 0, -1), alongM: 0, acrossM: 0 };
 }

@@ -10,7 +10,6 @@ export interface Outline {
    * Updates the object.
    *
    * @param worldFromOutline Column-major 4×4, rigid.
-   *
    * @param worldFromCenter Its y axis points to the side that is seen.
    */
   update(
