@@ -40,10 +40,13 @@ export type AnchorKeeping = 'not-asked' | 'pending' | 'kept' | 'refused';
 export type AnchorState = 'pending' | 'tracked' | 'lost' | 'deleted' | 'unsupported';
 
 export interface Anchor {
-  /** Unique within the page. */
+  /** Id of the anchor, unique within the page. */
   readonly id: string;
   readonly state: AnchorState;
-  /** Column-major 4×4, rigid. Until the device confirms it, the pose that it was created with. The same array every frame. */
+  /**
+   * The pose of the anchor: column-major 4×4, rigid. Until the device confirms the anchor, the pose that it was created with. The same
+   * array every frame.
+   */
   readonly worldFromAnchor: Float32Array;
   readonly keeping: AnchorKeeping;
   /** How many older anchors the device had to forget to keep this one. */

@@ -31,7 +31,7 @@ export interface AssetService {
 /** One node's reference to a shared asset. The node must release each of its handles in its `dispose`. */
 export interface AssetHandle<T> {
   readonly kind: AssetKind;
-  /** Null until the asset has loaded, and if loading fails. A failure is reported once, at the node. */
+  /** The loaded asset. Null until it has loaded, and if loading fails. A failure is reported once, at the node. */
   readonly value: T | null;
   /** Resolves when loading has succeeded or failed; never rejects. */
   readonly settled: Promise<void>;

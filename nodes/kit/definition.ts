@@ -175,7 +175,7 @@ export interface NumberParam extends ParamBase {
   readonly unit?: Unit;
 }
 
-/** Two to four numbers. */
+/** A param of two to four numbers. */
 export interface VectorParam extends ParamBase {
   readonly type: 'vector2' | 'vector3' | 'vector4';
   readonly stage: 'uniform';
@@ -194,7 +194,7 @@ export interface ColorParam extends ParamBase {
   readonly default: readonly [number, number, number, number];
 }
 
-/** On or off. */
+/** A param that is on or off. */
 export interface ToggleParam extends ParamBase {
   readonly type: 'toggle';
   readonly stage: 'uniform' | 'structure';

@@ -5,7 +5,10 @@ const NOTHING: readonly ObjectList[] = [];
 
 /** An output list whose items are copies of the items of input lists, kept up to date. */
 export interface DerivedObjects {
-  /** Call it once per frame: copies added and removed items, and the matrices and flags of all items. `shown: false` empties the list. */
+  /**
+   * Updates the output list: adds and removes items as in the inputs, and copies the matrices and flags of all items. `shown: false`
+   * empties the list. Call it once per frame.
+   */
   update(inputs: readonly ObjectList[], shown?: boolean): void;
 }
 

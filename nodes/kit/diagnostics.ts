@@ -13,9 +13,9 @@ export interface Diagnostic {
   readonly port?: string;
   /** The file of a diagnostic in text: `project.scrim.json`, `shaders/edge.fs`. */
   readonly file?: string;
-  /** From 1. */
+  /** Line number in `file`, from 1. */
   readonly line?: number;
-  /** From 1. */
+  /** Column number in the line, from 1. */
   readonly column?: number;
   /** The remedy, as an imperative sentence. */
   readonly fix?: string;

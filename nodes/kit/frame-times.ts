@@ -1,8 +1,8 @@
 /** The start times of the frames of a recording. The recording loops, so frame numbers are unlimited. */
 export interface FrameTimes {
-  /** Seconds since the first frame, ascending; at least one element. */
+  /** Start times of the frames: seconds since the first frame, ascending; at least one element. */
   readonly timesS: readonly number[];
-  /** From the start of the first frame to the end of the last, seconds. */
+  /** Length of the recording, from the start of the first frame to the end of the last, seconds. */
   readonly durationS: number;
 }
 

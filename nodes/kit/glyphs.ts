@@ -8,7 +8,7 @@
 export interface Glyphs {
   readonly capitalHeight: number;
   readonly ascender: number;
-  /** Negative. */
+  /** The lowest point of glyphs below the baseline, font units; negative. */
   readonly descender: number;
   readonly byCharacter: ReadonlyMap<string, Glyph>;
 }

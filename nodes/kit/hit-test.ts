@@ -40,7 +40,10 @@ export interface HitTestOptions {
  * A hit test that runs until it is closed. The node that opens it closes it in `dispose`.
  */
 export interface HitTest {
-  /** The hits of this frame: of one ray nearest first, of `pointers` the nearest of each. The same object every frame. */
+  /**
+   * Returns the hits of this frame. For one ray: nearest first. For `pointers`: the nearest hit of each pointer. The same object every
+   * frame.
+   */
   read(): HitList;
   /** Releases what the device holds for the hit test. Safe to call twice. */
   close(): void;
@@ -58,8 +61,8 @@ export interface HitList {
 
 export interface Hit {
   /**
-   * Column-major 4×4, rigid: y is the surface's normal, towards the ray's origin. On floors and ceilings z points to the viewer; on walls
-   * z points down. x is to the right as the viewer sees it.
+   * The pose of the hit: column-major 4×4, rigid. y is the surface's normal, towards the ray's origin. On floors and ceilings z points to
+   * the viewer; on walls z points down. x is to the right as the viewer sees it.
    */
   readonly worldFromHit: Float32Array;
   /** Distance from the ray's origin. */

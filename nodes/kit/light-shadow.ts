@@ -6,7 +6,7 @@
 export type ShadowFilter = 'basic' | 'pcf' | 'soft' | 'vsm' | 'pcss';
 
 interface AnyShadow {
-  /** Side of the map; a point light has six maps. */
+  /** Side of the shadow map in pixels; a point light has six maps. */
   mapSizePx: number;
   /** How receivers sample the map. Absent: `soft`. Point lights support only `basic`, `pcf` and `soft`. */
   filter?: ShadowFilter;

@@ -18,7 +18,7 @@ export interface PhysicsRoom {
   settings: VoxelSettings;
   friction: number;
   restitution: number;
-  /** Raised with each change of the fields above, and to start again with an empty grid. */
+  /** A number that is raised with each change of the room's settings, and to start again with an empty grid. */
   version: number;
   /** Depth images since the last frame; the world reads them and empties the list. */
   readonly frames: DepthFrame[];
@@ -43,7 +43,7 @@ export interface DepthFrame {
   readonly meters: ArrayLike<number>;
   readonly widthPx: number;
   readonly heightPx: number;
-  /** Column-major 4×4, rigid; the view looks along -z. */
+  /** The pose of the depth camera: column-major 4×4, rigid; the view looks along -z. */
   readonly worldFromDepth: ArrayLike<number>;
   /** The ray (x, y, -1) of a texel (i, j): x = r0 i + r1 j + r2, y = r3 i + r4 j + r5. */
   readonly rayFromTexel: ArrayLike<number>;
@@ -82,23 +82,23 @@ export interface BodyDescription {
   /** The part of the velocity that is lost in a second, in [0, 1). */
   readonly linearDamping: number;
   readonly angularDamping: number;
-  /** Factor on the gravity of the world. */
+  /** Factor on the gravity of the world for this body. */
   readonly gravityFactor: number;
 }
 
 /** A body as nodes and the physics world share it. The world reads the fields up to `acceleration`, and `joints`, and writes the others. */
 export interface PhysicsBody {
-  /** Unique within the graph: node id and key of the object. */
+  /** Key of the body, unique within the graph: node id and key of the object. */
   readonly key: string;
   description: BodyDescription;
-  /** Raised whenever `description` is replaced. */
+  /** A number that is raised whenever `description` is replaced. */
   version: number;
   /**
    * The initial pose of the body; for a kinematic body, the pose that it shall have at the end of this frame. Column-major 4×4, rigid. A
    * matrix that is not finite is ignored.
    */
   readonly worldFromTarget: Float64Array;
-  /** Raised to move the body to `worldFromTarget` at once; it then has `targetVelocity`. */
+  /** A number that is raised to move the body to `worldFromTarget` at once, with the velocity `targetVelocity`. */
   jumps: number;
   /** The velocity of a dynamic body at its start and after a jump, meters per second, world space. */
   readonly targetVelocity: Float64Array;
@@ -170,7 +170,7 @@ export interface PhysicsJoint {
   readonly worldFromTarget: Float64Array;
   /** Whether the joint acts. While it is off, the bodies are free. */
   isOn: boolean;
-  /** Raised with each change of the description. */
+  /** A number that is raised with each change of the description. */
   version: number;
 }
 

@@ -1,12 +1,12 @@
 /** What a `pose` wire carries: a rigid transform in world space. The same object every frame: read it during the frame. */
 export interface PoseView {
-  /** Column-major 4×4, rigid: no scale. Without meaning while `valid` is false. */
+  /** The transform: column-major 4×4, rigid, without scale. Without meaning while `valid` is false. */
   readonly worldFromPose: Float32Array;
-  /** False where nothing is hit, tracked or connected: readers hide what they would place. */
+  /** Whether there is a pose: false if nothing is hit, tracked or connected. Readers then hide what they would place. */
   readonly valid: boolean;
   /**
-   * Raised when the pose jumps for another reason than motion: at re-centering (`SessionFrame.jumps`), or when the node turns to
-   * something else. Filters and physics that follow the pose restart.
+   * A number that is raised when the pose jumps for another reason than motion: at re-centering (`SessionFrame.jumps`), or when the node
+   * turns to something else. Filters and physics that follow the pose restart then.
    */
   readonly jumps: number;
 }

@@ -35,8 +35,8 @@ export interface NodeRuntime {
   /** Computes the outputs of the node. Called once per frame, in program order, before anything is drawn. Must allocate nothing. */
   update(frame: SessionFrame): void;
   /**
-   * For value nodes and behaviors that output objects: called once before the first frame, instead of `update`. Lists the objects that
-   * it may show, as hidden ones, so that their materials are compiled.
+   * Lists the objects that the node may show as hidden items, so that their materials are compiled. Called once before the first frame,
+   * instead of `update`, on value nodes and behaviors that output objects.
    */
   prepare?(): void;
   /**
@@ -47,11 +47,11 @@ export interface NodeRuntime {
    */
   settle?(): Promise<void> | null;
   /**
-   * For definitions with `delay`: called once per frame, after the `update` of all nodes. It reads the inputs for later frames;
-   * `update` of such a node reads no inputs.
+   * Reads the inputs for later frames. Called once per frame, after the `update` of all nodes, on nodes whose definition says `delay`;
+   * their `update` reads no inputs.
    */
   remember?(): void;
-  /** For nodes that draw: called once per view, with the target bound and cleared. */
+  /** Draws the node's layer. Called once per view on nodes that draw, with the target bound and cleared. */
   draw?(view: DrawView): void;
   /** Returns to the initial state. Called when playback was reset or poses are no longer valid. */
   reset?(): void;
@@ -102,7 +102,7 @@ export interface NodeContext<D extends NodeDefinition> {
 export interface Pulse {
   readonly number: number;
   readonly text: string;
-  /** Column-major 4×4; the -z axis of the pose points along a ray. */
+  /** The pose of the event, column-major 4×4; for a ray, its -z axis points along the ray. Null if the event has no pose. */
   readonly worldFromPose: Readonly<Float32Array> | null;
   /** The key of a physics body. */
   readonly bodyKey: string;
@@ -157,7 +157,7 @@ export interface LayerTexture {
   readonly texture: WebGLTexture | null;
   readonly widthPx: number;
   readonly heightPx: number;
-  /** Column-major 3×3: texture UV from view UV (view domain) or from image UV (image domain). */
+  /** The UV matrix, column-major 3×3: texture UV from view UV (view domain) or from image UV (image domain). */
   readonly uvFromViewUv: Float32Array;
 }
 
@@ -324,7 +324,7 @@ export interface SessionService {
 export interface UnderLayer {
   /** What glass shows where the layer has no objects; null: nothing, or `color`. */
   readonly texture: WebGLTexture | null;
-  /** Column-major 3×3: texture UV from view UV. */
+  /** The UV matrix, column-major 3×3: texture UV from view UV. */
   readonly uvFromViewUv: Readonly<Float32Array>;
   readonly encoding: LayerEncoding;
   /** A color that takes the place of the texture: display-referred sRGB, premultiplied. */

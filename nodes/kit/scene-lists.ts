@@ -19,7 +19,7 @@ export interface ObjectList {
 
 /** An object with its transform. */
 export interface ObjectItem {
-  /** Unique within the list and stable over frames. */
+  /** Key of the object, unique within the list and stable over frames. */
   key: string;
   /**
    * The subtree in object space. Its world matrices are current, as if the object were at the origin. It is not part of a drawn scene:
@@ -32,8 +32,8 @@ export interface ObjectItem {
   castsShadow: boolean;
   receivesShadow: boolean;
   /**
-   * Not drawn, casts no shadow and cannot be picked, but its materials are compiled: showing it later compiles nothing. Absent: it is
-   * shown.
+   * True if the object is not drawn, casts no shadow and cannot be picked, while its materials are compiled, so that showing it later
+   * compiles nothing. Absent: it is shown.
    */
   hidden?: boolean;
   /** False if the node Pick ignores the object, as a reticle. Absent: it can be picked. */
@@ -103,7 +103,7 @@ export interface SpotLightItem {
 export interface EnvironmentLightItem {
   key: string;
   readonly kind: 'environment';
-  /** Null until it has loaded. */
+  /** The panorama. Null until it has loaded. */
   environment: EnvironmentAsset | null;
   /** Factor on the radiance of the panorama. */
   intensity: number;
@@ -121,7 +121,7 @@ export interface ProbeLightItem {
   readonly sphericalHarmonics: Float32Array;
   /** The cube map that shiny surfaces reflect; null: they reflect the light of the coefficients. */
   reflection: ReflectionCube | null;
-  /** Factor on the radiance. */
+  /** Factor on the radiance of the light. */
   intensity: number;
 }
 

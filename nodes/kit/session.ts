@@ -94,7 +94,7 @@ export interface DetectedSurfaces {
 
 /** A detected surface. The object is the same as long as the device tracks the surface. */
 export interface DetectedSurface {
-  /** Unique within the session. */
+  /** Id of the surface, unique within the session. */
   readonly id: string;
   /** A number that is increased when the surface's shape changes. Its pose can change in every frame without that. */
   readonly version: number;
@@ -113,7 +113,7 @@ export interface DetectedPlane extends DetectedSurface {
 
 /** The mesh of a scanned object or of a whole room. */
 export interface DetectedMesh extends DetectedSurface {
-  /** x, y, z of each vertex, meters. */
+  /** The vertices of the mesh: x, y, z of each, meters. */
   readonly positions: Float32Array;
   /** Indices of vertices, three per triangle; the winding is not specified. */
   readonly indices: Uint32Array;
@@ -164,11 +164,16 @@ export interface KeyPress {
  * `id`, not the object. A node that handles a press claims the pointer (`nodes/kit/pointers.ts`).
  */
 export interface Pointer {
-  /** From 1, unique within the session. A mouse, controller or hand keeps its id over several presses; each touch has its own. */
+  /**
+   * Id of the pointer, from 1, unique within the session. A mouse, controller or hand keeps its id over several presses; each touch has its
+   * own.
+   */
   readonly id: number;
   readonly by: PointerKind;
   readonly phase: PointerPhase;
-  /** Column-major 4×4, rigid: its origin is the eye or the hand, its -z axis points along the ray. */
+  /**
+   * The ray along which the pointer points: column-major 4×4, rigid. Its origin is the eye or the hand; its -z axis points along the ray.
+   */
   readonly worldFromRay: Float32Array;
   /** The pose of the hand where it holds something (WebXR's grip space). Null for screens, mouse and gaze, and while it is not tracked. */
   readonly worldFromGrip: Float32Array | null;
@@ -197,7 +202,7 @@ export type PointerKind = 'screen' | 'mouse' | 'left' | 'right' | 'left-hand' | 
 
 /** A select action. */
 export interface Tap {
-  /** Column-major 4×4, rigid. The origin is at the camera or the hand; the -z axis points along the ray. */
+  /** The ray of the tap: column-major 4×4, rigid. The origin is at the camera or the hand; the -z axis points along the ray. */
   readonly worldFromRay: Float32Array;
   readonly by: 'screen' | 'left' | 'right' | 'other';
 }
@@ -255,7 +260,7 @@ export interface Hand {
 /** One view of a frame: an eye, or the screen. */
 export interface ViewFrame {
   readonly eye: 'none' | 'left' | 'right';
-  /** Column-major 4×4. */
+  /** Projection of the view, column-major 4×4. */
   readonly clipFromView: Float32Array;
   readonly worldFromView: Float32Array;
   readonly viewFromWorld: Float32Array;
@@ -295,7 +300,7 @@ export interface RoomDepth {
   readonly worldFromDepth: Float32Array;
   /** How readers interpolate. True: between the known ones of the four nearest samples. Otherwise they read the nearest sample. */
   readonly interpolate?: boolean;
-  /** The same samples on the CPU, rows in the order of the texture; null or absent where they are on the GPU alone. */
+  /** The same samples as in `texture` on the CPU, rows in the order of the texture; null or absent if they are only on the GPU. */
   readonly meters?: Float32Array | null;
 }
 

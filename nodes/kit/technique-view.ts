@@ -11,11 +11,11 @@ export interface AppliedTechnique {
 export interface TechniqueView {
   /** A number that is increased when the text or the passes of the technique change: rebuild what is derived from them. */
   readonly version: number;
-  /** A key that is unique among all techniques with another text. */
+  /** A key for the text of the technique: techniques with different texts have different keys. */
   readonly key: string;
   /** GLSL to include in a vertex shader that provides the interface of `export/glsl/technique/interface.ts`. */
   readonly vertex: string;
-  /** GLSL to include in a fragment shader that provides the same interface. */
+  /** GLSL to include in a fragment shader that provides the interface of `export/glsl/technique/interface.ts`. */
   readonly fragment: string;
   /**
    * The passes in which each object is drawn, in order, with the sides of its surface that a pass shows. `object`: those that its own

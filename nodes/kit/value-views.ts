@@ -18,7 +18,7 @@ export interface VectorView {
   readonly value: Readonly<Float64Array>;
 }
 
-/** The same type with writable properties; runtimes write the values of their outputs through it. */
+/** A type with its properties made writable. Runtimes write the values of their outputs through it. */
 export type Writable<T> = { -readonly [K in keyof T]: T[K] };
 
 /** The view of each value type. */

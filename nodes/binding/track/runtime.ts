@@ -4,7 +4,7 @@ import type { NodeRuntime } from '../../kit/runtime.ts';
 import { type Repeat, timeInTrack } from '../../kit/track-time.ts';
 
 interface Config {
-  /** Seconds since the session began, ascending. */
+  /** Times of the keyframes: seconds since the session began, ascending. */
   readonly times: readonly number[];
   /** The numbers of each keyframe, one keyframe after the other. */
   readonly values: readonly number[];

@@ -6,7 +6,7 @@ export interface MotionSensor {
   readonly present: boolean;
   /** Acceleration without gravity, m/s². */
   readonly acceleration: Float64Array;
-  /** Radians per second, counterclockwise seen from the tip of the axis. */
+  /** Angular velocity about each axis of the screen: radians per second, counterclockwise seen from the tip of the axis. */
   readonly rotationRate: Float64Array;
   /** Unit vector that points away from the ground. */
   readonly up: Float64Array;

@@ -6,7 +6,7 @@ import type { Ray } from '../../kit/hit-test.ts';
  * of code for it (three-mesh-bvh, with which the tests compare it: 15 kB).
  */
 export interface TriangleTree {
-  /** Six numbers per box: least x, y, z, greatest x, y, z. The first child of a box follows it. */
+  /** The boxes: six numbers per box, least x, y, z, greatest x, y, z. The first child of a box follows it. */
   readonly bounds: Float32Array;
   /** For an inner box, the index of its second child. For a leaf, the complement (`~`) of the index of its first triangle. */
   readonly links: Int32Array;
@@ -195,7 +195,7 @@ export function castAtTree(out: TriangleHit, { bounds, links, counts, corners }:
   }
 }
 
-/** Where a ray enters a box, or infinity where it does not before `limit`. */
+/** The distance along a ray at which it enters a box, or infinity if it does not enter the box before `limit`. */
 export function entryOf(bounds: ArrayLike<number>, box: number, { ox, oy, oz, dx, dy, dz }: Ray, limit: number): number {
   const at = 6 * box;
   const ix = 1 / (dx || TINY);

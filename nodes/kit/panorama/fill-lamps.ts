@@ -2,7 +2,7 @@
 export interface FillTarget {
   readonly widthPx: number;
   readonly heightPx: number;
-  /** Linear light of a pixel; rows from the top. */
+  /** Returns the linear light of a pixel in one channel; `y` is counted from the top. */
   get(x: number, y: number, channel: number): number;
   set(x: number, y: number, channel: number, value: number): void;
 }

@@ -46,7 +46,7 @@ export interface FoundLamps {
   readonly heightPx: number;
   /** The strongest first. */
   readonly lamps: readonly FoundLamp[];
-  /** Null if there are lamps. */
+  /** Why no lamp was found; null if there are lamps. */
   readonly none: NoLamps | null;
   /** The pixels of the lamps, as `[y, first x, last x + 1, …]` in the analyzed image. */
   readonly runs: readonly number[];

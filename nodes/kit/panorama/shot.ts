@@ -7,9 +7,9 @@ export interface PanoramaShot {
   readonly heightPx: number;
   /** Display-referred sRGB, RGBA8, rows from the bottom. */
   readonly data: Uint8Array<ArrayBuffer>;
-  /** Column-major 4×4. */
+  /** Projection of the camera, column-major 4×4. */
   readonly clipFromView: Float32Array;
-  /** Column-major 4×4, rigid. */
+  /** Pose of the camera, column-major 4×4, rigid. */
   readonly worldFromView: Float32Array;
 }
 
@@ -23,9 +23,9 @@ export interface ShotPoint {
 }
 
 /**
- * Where a photo shows a direction.
+ * Computes the point of a photo that shows a direction.
  *
- * @param direction In world space, of any length.
+ * @param x The direction, with `y` and `z`: world space, of any length.
  * @returns Whether the photo shows it.
  *
  * @example

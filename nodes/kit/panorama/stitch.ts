@@ -112,7 +112,7 @@ function anglesOf(widthPx: number): [sines: Float64Array, cosines: Float64Array]
   return [angles.map(Math.sin), angles.map(Math.cos)];
 }
 
-/** Linear radiance of each byte. */
+/** A table of the linear radiance of each byte of sRGB. */
 export function linearTable(): Float32Array {
   return Float32Array.from({ length: 256 }, (_, byte) => linearFromSrgb(byte / 255));
 }

@@ -29,7 +29,7 @@ export type PhysicsCommand =
   | { readonly kind: 'depth'; readonly frame: DepthFrame };
 
 export interface WorldSettings {
-  /** Meters per second squared. */
+  /** Gravity, meters per second squared. */
   readonly gravity: readonly [number, number, number];
   /** The number of substeps in a step of 1/60 s. */
   readonly substeps: number;
@@ -50,7 +50,7 @@ export interface JointCommand {
 /** The message to the worker: commands and a step. The buffers are transferred, and return with the answer. */
 export interface StepMessage {
   readonly commands: readonly PhysicsCommand[];
-  /** Seconds to simulate; 0 only applies the commands. */
+  /** Time to simulate, seconds; 0 only applies the commands. */
   readonly deltaS: number;
   readonly poses: Float32Array<ArrayBuffer>;
   readonly touches: Float32Array<ArrayBuffer>;

@@ -25,14 +25,14 @@ export interface ChunkSurface {
   /** For each voxel, how many hits both means contain; older hits lose weight. */
   readonly counts: Uint8Array;
   /**
-   * For each voxel, the signed distance of its center from the surface, NaN where unknown. The array after it has the depth frame in which
-   * the distance was computed.
+   * For each voxel, the signed distance of its center from the surface, NaN where unknown. `fieldFrames` has the depth frame in which it
+   * was computed.
    */
   readonly field: Float32Array;
   readonly fieldFrames: Int32Array;
   /**
-   * For each voxel, the vertex of the surface between it and its seven next ones, NaN for none. The array after it has the depth frame in
-   * which the vertex was computed.
+   * For each voxel, the vertex of the surface between it and its seven next ones, NaN for none. `vertexFrames` has the depth frame in which
+   * it was computed.
    */
   readonly vertices: Float32Array;
   readonly vertexFrames: Int32Array;

@@ -47,8 +47,8 @@ export interface GeoMotionNoise {
 /** How many standard deviations contain 95 % of a normal distribution of one number; `RADIUS_95`: of two numbers, as a radius. */
 const NORMAL_95 = 1.96;
 /**
- * `NORMAL_95` for an azimuth that only walks tell: slow errors of positions look like a rotated walk. Found by simulating walks other than
- * those of the test.
+ * How many standard deviations contain 95 % of the errors of an azimuth that only walks tell. More than `NORMAL_95`, because slow errors of
+ * positions look like a rotated walk. Found by simulating walks other than those of the test.
  */
 const WALK_95 = 2.4;
 const RADIUS_95 = 2.448;

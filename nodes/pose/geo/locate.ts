@@ -6,8 +6,8 @@ export interface GeoFix extends Readonly<GeoPlace> {
   /** Radius around the position that contains the true one in 95 % of cases, horizontal, meters (W3C Geolocation, “accuracy”). */
   readonly accuracyM: number;
   /**
-   * The same for the altitude: half-width of the interval that contains the true one in 95 % of cases. Null if the device does not know the
-   * altitude.
+   * Accuracy of the altitude, meters: half-width of the interval that contains the true altitude in 95 % of cases. Null if the device does
+   * not know the altitude.
    */
   readonly altitudeAccuracyM: number | null;
 }

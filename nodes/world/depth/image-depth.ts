@@ -11,7 +11,7 @@ export interface ImageDepth {
 
 type Mutable<T> = { -readonly [K in keyof T]: T[K] };
 
-/** `shades`: whether the gray values are linear in distance or in inverse distance. */
+/** Creates a reader of depth from images. `shades`: whether the gray values are linear in distance or in inverse distance. */
 export function createImageDepth(
   gl: WebGL2RenderingContext,
   drawing: DepthDrawing,

@@ -21,7 +21,7 @@ export interface Candidate {
 /** The detected surfaces as candidates. A candidate is computed again when its surface changes. */
 export interface Candidates {
   readonly all: readonly Candidate[];
-  /** Call it once per frame. */
+  /** Adds, updates and removes candidates as surfaces are detected. Call it once per frame. */
   update(surfaces: DetectedSurfaces | null | undefined): void;
   clear(): void;
 }

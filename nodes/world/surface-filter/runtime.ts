@@ -9,7 +9,10 @@ import { distanceTo, extentAlong } from './polygon.ts';
 
 /** Another surface replaces the chosen one only if it is better by this factor. */
 const BETTER = 1.1;
-/** The same for heights, as a difference, because the zero of heights is arbitrary. */
+/**
+ * If surfaces are chosen by height: another one replaces the chosen one only if it is better by this many meters. Not by a factor, because
+ * the zero of heights is arbitrary.
+ */
 const BETTER_M = 0.1;
 
 // Filled and read within one call.
