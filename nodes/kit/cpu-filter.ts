@@ -11,7 +11,7 @@ import type { NodeContext, NodeModule } from './runtime.ts';
  * }
  */
 export interface Pixels {
-  /** Premultiplied display-referred sRGB, RGBA8, rows from the bottom. */
+  /** The pixels of the image: premultiplied display-referred sRGB, RGBA8, rows from the bottom. */
   readonly data: Uint8Array<ArrayBuffer>;
   readonly widthPx: number;
   readonly heightPx: number;

@@ -1,6 +1,6 @@
 /**
- * The constants of expressions, which users type into a param or an Expression node instead of a number. All values are numbers: a
- * comparison results in 1 or 0, and every number except 0 is true.
+ * The constants that expressions can use. Users type an expression into a param or an Expression node instead of a number. All values are
+ * numbers: a comparison results in 1 or 0, and every number except 0 is true.
  *
  * The compiler translates an expression to postfix notation, words and numbers separated by spaces, which the runtime evaluates:
  * `1 + sin(time * tau)` becomes `1 time 6.283185307179586 * sin +`. A list, `[time, 0, 1]`, results in several numbers: `time 0 1`.

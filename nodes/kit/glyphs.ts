@@ -17,7 +17,7 @@ export interface Glyphs {
 export interface Glyph {
   /** Distance to the origin of the next character. */
   readonly advance: number;
-  /** Commands with absolute coordinates, such as `M0 0L10 0Q…Z`. */
+  /** Outline of the character: SVG path commands with absolute coordinates, such as `M0 0L10 0Q…Z`. */
   readonly path: string;
 }
 

@@ -53,6 +53,8 @@ export interface HitTest {
 export interface HitList {
   readonly count: number;
   /**
+   * Returns one of the hits.
+   *
    * @param index From 0 to `count - 1`.
    * @throws RangeError for another index.
    */

@@ -1,6 +1,6 @@
 /** Params that several lights share, so that the same param has the same label and range everywhere. */
 
-/** The range of a spot or point light, meters. */
+/** The param for the range of a spot or point light, meters. */
 export const LOCAL_LIGHT_RANGE_M = {
   type: 'number',
   stage: 'uniform',
@@ -14,7 +14,8 @@ export const LOCAL_LIGHT_RANGE_M = {
 } as const;
 
 /**
- * Whether a spot, point or panorama light casts shadows. The limit in the text is that of `export/runtime/scenes/lights/light-limits.ts`.
+ * The param for whether a spot, point or panorama light casts shadows. The limit in the text is that of
+ * `export/runtime/scenes/lights/light-limits.ts`.
  */
 export const LOCAL_LIGHT_CASTS_SHADOW = {
   type: 'toggle',
@@ -24,7 +25,7 @@ export const LOCAL_LIGHT_CASTS_SHADOW = {
   default: true,
 } as const;
 
-/** The offset of receivers along their normals against shadow acne, pixels of the shadow map. */
+/** The param for the offset of receivers along their normals against shadow acne, pixels of the shadow map. */
 export const SHADOW_BIAS_PX = {
   type: 'number',
   stage: 'uniform',
@@ -37,7 +38,7 @@ export const SHADOW_BIAS_PX = {
   unit: 'px',
 } as const;
 
-/** The area that a shadow map of a directional light covers. */
+/** The param for the area that a shadow map of a directional light covers. */
 const SHADOW_AREA_M = {
   type: 'number',
   stage: 'uniform',
@@ -67,10 +68,10 @@ const MAP_SIZES = {
 const MAP_SIZE_DOC =
   'Side of the shadow map in pixels. A larger map takes more memory and time: 2048 needs 20 MB, or 170 MB with “Variance”; each step up needs four times as much. A device that does not support the size uses the largest that it supports. With “Variance” the maximum is 4096.';
 
-/** The map size of a directional light. */
+/** The param for the shadow map size of a directional light. */
 const SHADOW_MAP_SIZE = { ...MAP_SIZES, doc: MAP_SIZE_DOC, default: '2048' } as const;
 
-/** The map size of a spot light. */
+/** The param for the shadow map size of a spot light. */
 export const CONE_MAP_SIZE = {
   ...MAP_SIZES,
   doc: `${MAP_SIZE_DOC} The map covers the whole cone, so a narrow cone gives sharper shadows.`,
@@ -88,17 +89,17 @@ const FILTER_DOC =
 
 const FILTER = { type: 'choice', stage: 'structure', label: 'Shadow edges', default: 'soft' } as const;
 
-/** The shadow filter of lights with one map. */
+/** The param for the shadow filter of lights with one shadow map. */
 export const SHADOW_FILTER = {
   ...FILTER,
   doc: `${FILTER_DOC} “Variance” blurs evenly and is the slowest. “Contact-hardening” is sharp where the object touches the receiver and softer with distance, as real shadows are.`,
   options: [...FILTERS, { value: 'vsm', label: 'Variance' }, { value: 'pcss', label: 'Contact-hardening' }],
 } as const;
 
-/** The shadow filter of lights with six maps. */
+/** The param for the shadow filter of point lights, which have six shadow maps. */
 export const POINT_SHADOW_FILTER = { ...FILTER, doc: FILTER_DOC, options: FILTERS } as const;
 
-/** The angular size of a directional light. */
+/** The param for the angular diameter of a directional light. */
 const SHADOW_SOURCE_RAD = {
   type: 'number',
   stage: 'uniform',
@@ -111,7 +112,7 @@ const SHADOW_SOURCE_RAD = {
   unit: 'rad',
 } as const;
 
-/** Diameter of a spot or point light, meters. */
+/** The param for the diameter of a spot or point light, meters. */
 export const SHADOW_SOURCE_M = {
   type: 'number',
   stage: 'uniform',
@@ -124,7 +125,7 @@ export const SHADOW_SOURCE_M = {
   unit: 'm',
 } as const;
 
-/** The strength of the contact shadow. */
+/** The param for the strength of the contact shadow of a directional light. */
 const CONTACT_SHADOW = {
   type: 'number',
   stage: 'uniform',

@@ -1,6 +1,6 @@
 /** Params of objects that nodes make: the same param has the same label and range in each of them. */
 
-/** The color of a surface, without a default. */
+/** The param for the color of a surface, without a default. */
 export const BASE_COLOR = {
   type: 'color',
   stage: 'uniform',
@@ -8,7 +8,7 @@ export const BASE_COLOR = {
   doc: 'Base color of the surface. With alpha below 1 it is transparent.',
 } as const;
 
-/** The roughness of a surface. */
+/** The param for the roughness of a surface. */
 export const ROUGHNESS = {
   type: 'number',
   stage: 'uniform',
@@ -21,7 +21,7 @@ export const ROUGHNESS = {
   unit: 'ratio',
 } as const;
 
-/** The metalness of a surface. */
+/** The param for the metalness of a surface. */
 export const METALNESS = {
   type: 'number',
   stage: 'uniform',
@@ -34,7 +34,7 @@ export const METALNESS = {
   unit: 'ratio',
 } as const;
 
-/** Whether an object casts a shadow. */
+/** The param for whether an object casts a shadow. */
 export const CASTS_SHADOW = {
   type: 'toggle',
   stage: 'uniform',
@@ -43,7 +43,7 @@ export const CASTS_SHADOW = {
   default: true,
 } as const;
 
-/** Whether an object receives shadows. */
+/** The param for whether an object receives shadows. */
 export const RECEIVES_SHADOW = {
   type: 'toggle',
   stage: 'uniform',

@@ -1,4 +1,4 @@
-/** A rotation by Euler angles in radians, applied in the order z, x, y. Spread it into a definition’s params. */
+/** The param for a rotation by Euler angles in radians, applied in the order z, x, y. Spread it into a definition’s params. */
 export const ROTATION_PARAM = {
   type: 'vector3',
   stage: 'uniform',

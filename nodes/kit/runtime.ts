@@ -72,7 +72,7 @@ export interface NodeContext<D extends NodeDefinition> {
   readonly node: string;
   /** The inputs by name. An unconnected input is null, or an empty list if it takes several wires. */
   readonly inputs: { readonly [K in keyof D['inputs']]: InputView<D['inputs'][K]> };
-  /** Outputs with `whenRead` are absent while nothing reads them. */
+  /** The outputs by name. An output with `whenRead` is absent while nothing reads it. */
   readonly outputs: { readonly [K in keyof D['outputs']]: OutputView<D['outputs'][K]['type']> | AbsentOutput<D['outputs'][K]> };
   /** Live values of the `uniform` params. */
   readonly params: {
@@ -115,6 +115,8 @@ export interface Pulse {
 export interface PulseList {
   readonly count: number;
   /**
+   * Returns one of the pulses.
+   *
    * @param index From 0 to `count - 1`.
    */
   at(index: number): Pulse;
@@ -223,7 +225,7 @@ type ConfigValue<P extends ParamDefinition> = P extends { type: 'choice'; option
 export interface Clock {
   /** Seconds since the session began. */
   readonly timeS: number;
-  /** Seconds since the previous frame. */
+  /** Seconds since the previous frame of the program. */
   readonly deltaS: number;
   /** The number of frames since the session began. */
   readonly frame: number;

@@ -73,7 +73,7 @@ export interface DirectionalLightItem {
 export interface PointLightItem {
   key: string;
   readonly kind: 'point';
-  /** Candela per channel of linear-sRGB. */
+  /** Intensity of the light: candela per channel of linear sRGB. */
   readonly intensityCd: Float32Array;
   readonly positionWorld: Float32Array;
   /** Distance at which the light has faded to 0, meters (`getDistanceAttenuation` of three.js). 0: unlimited. */
@@ -85,7 +85,7 @@ export interface PointLightItem {
 export interface SpotLightItem {
   key: string;
   readonly kind: 'spot';
-  /** Candela per channel of linear-sRGB, on the axis of the cone. */
+  /** Intensity of the light on the axis of its cone: candela per channel of linear sRGB. */
   readonly intensityCd: Float32Array;
   readonly positionWorld: Float32Array;
   /** Unit vector from the target towards the light, world space. */

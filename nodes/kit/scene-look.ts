@@ -18,7 +18,7 @@ export type SceneLook =
    */
   | { readonly kind: 'mask'; readonly shows: (item: ObjectItem, part: Object3D) => boolean };
 
-/** Draws only shadows. */
+/** The look of a scene that draws only the shadows on objects. */
 export interface ShadowCatcherLook {
   readonly kind: 'shadow-catcher';
   readonly strength: NumberView;

@@ -1,4 +1,4 @@
-/** Whether detected surfaces receive shadows; shared by the nodes for planes and meshes. */
+/** The param for whether detected surfaces receive shadows; the nodes for planes and for meshes share it. */
 export const SURFACE_CATCHES_SHADOW = {
   type: 'toggle',
   stage: 'uniform',
@@ -7,7 +7,7 @@ export const SURFACE_CATCHES_SHADOW = {
   default: true,
 } as const;
 
-/** Whether detected surfaces cast shadows; shared by the nodes for planes and meshes. */
+/** The param for whether detected surfaces cast shadows; the nodes for planes and for meshes share it. */
 export const SURFACE_CASTS_SHADOW = {
   type: 'toggle',
   stage: 'uniform',

@@ -3,12 +3,12 @@ import type { SphereGrid } from './sphere-grid.ts';
 
 /** A connected region of bright pixels on the sphere, with its energy. */
 export interface BrightRegion {
-  /** Indices of its pixels in the grid. */
+  /** Indices of the region's pixels in the grid. */
   readonly pixels: readonly number[];
   readonly iteration: number;
   /** The irradiance of a surface that faces the region, as a vector: the sum of luminance × solid angle × direction, in panorama space. */
   readonly vector: readonly [x: number, y: number, z: number];
-  /** The sum of luminance × solid angle. */
+  /** The light of the region: the sum of luminance × solid angle. */
   readonly flux: number;
 }
 

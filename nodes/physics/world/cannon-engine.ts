@@ -40,8 +40,9 @@ const scratchRotation = new Quaternion();
 const scratchVector = new Vec3();
 
 /**
- * The engine of the project: bodies and the sweep-and-prune of cannon-es, with Scrim's own contacts and solver (ADR 40). Each step finds
- * contacts once and solves them in substeps (“Small Steps in Physics Simulation”, Macklin et al. 2019; Catto, “Solver2D”, 2024).
+ * Creates the physics engine that Scrim uses: bodies and the sweep-and-prune of cannon-es, with Scrim's own contacts and solver (ADR 40).
+ * Each step finds contacts once and solves them in substeps (“Small Steps in Physics Simulation”, Macklin et al. 2019; Catto, “Solver2D”,
+ * 2024).
  */
 export function createCannonEngine(): PhysicsEngine {
   const world = new World();

@@ -14,7 +14,7 @@ export function symmetric(xx = 0, yy = 0, zz = 0): Symmetric {
   return { xx, xy: 0, xz: 0, yy, yz: 0, zz };
 }
 
-/** Adds `from` times a factor. */
+/** Adds `from` times a factor to `to`. */
 export function addScaled(to: Symmetric, from: Symmetric, factor: number): void {
   to.xx += from.xx * factor;
   to.xy += from.xy * factor;
