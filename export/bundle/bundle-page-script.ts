@@ -82,7 +82,13 @@ function entryText(
     ...(spatial ? [`import { createSpatial } from './export/runtime/spatial/create-spatial.ts';`] : []),
     ...(input ? [`import { SESSION_INPUTS } from './export/runtime/sessions/input/session-inputs.ts';`] : []),
     ...(scenes ? [`import { createLens } from './export/runtime/sessions/camera/lens.ts';`] : []),
-    ...(panoramas ? [`import { readRadiance } from './export/runtime/scenes/environments/read-radiance.ts';`] : []),
+    ...(panoramas
+      ? [
+          `import { readRadianceInWorker } from './export/runtime/scenes/environments/read-radiance-in-worker.ts';`,
+          `import { text as radianceText } from './${WORKERS_FOLDER}decode-radiance.gen.ts';`,
+          'const readRadiance = readRadianceInWorker(radianceText);',
+        ]
+      : []),
     ...(glass ? [`import { createGlass } from './export/runtime/scenes/glass/glass-scene.ts';`] : []),
     ...(controls ? [`import { createRoomPanel } from './export/page/room-panel/room-panel.ts';`] : []),
     ...(labels ? [`import { createLabelLayer } from './export/page/label-layer.ts';`] : []),

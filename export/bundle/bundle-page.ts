@@ -106,7 +106,7 @@ function layOut(
   const content = [...new Map([programFile, ...assetFiles, ...decoderContent].map((file) => [file.path, file])).values()];
   const layOutPage = singleFile ? layOutSingleFile : layOutFiles;
   const licences: PageFile = { path: LICENCES_FILE, kind: 'licences', bytes: toBytes(licencesText(program.title, credits)) };
-  const { workers } = programUse(program);
+  const { workers, panoramas } = programUse(program);
   const files = layOutPage({
     title: program.title,
     ...page,
@@ -125,7 +125,7 @@ function layOut(
     },
     powers: {
       wasm: decoders.length > 0,
-      workers: workers || decoderFiles.length > 0,
+      workers: workers || panoramas || decoderFiles.length > 0,
       media: assets.some(({ asset }) => asset.kind === 'video'),
     },
   });

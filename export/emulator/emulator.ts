@@ -24,7 +24,7 @@ export interface Emulator {
    */
   setLight(state: LightState): void;
   /**
-   * Moves the room's strongest light, in the images and in the light estimate: a unit vector from the scene towards the light. Null
+   * Moves the room's strongest light, in the images, where it is seen as a lamp, and in the light estimate: a unit vector from the scene towards the light. Null
    * restores it.
    */
   moveLight(directionWorld: readonly [number, number, number] | null): void;

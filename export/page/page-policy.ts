@@ -2,7 +2,7 @@
 export interface PagePowers {
   /** Whether the page may compile WebAssembly, which all model decoders use. */
   readonly wasm: boolean;
-  /** Whether the page may start workers from blobs, which most decoders and all CPU filters use. */
+  /** Whether the page may start workers from blobs, which most model decoders, HDR and EXR panoramas and all CPU filters use. */
   readonly workers: boolean;
   /** Whether the page may play videos from blobs. */
   readonly media: boolean;

@@ -62,9 +62,9 @@ export interface EnvironmentAsset {
   readonly heightPx: number;
   /**
    * Reads the pixels at the precision of the file. It decodes the file again, so call it once. The caller owns the pixels, and may transfer
-   * them to a worker.
+   * them to a worker. A worker may decode it, which gives a promise.
    */
-  readPixels(): PanoramaPixels;
+  readPixels(): PanoramaPixels | Promise<PanoramaPixels>;
   /** The lamps that were found when the page was exported; the keys come from `lampKey`. */
   readonly lamps?: Readonly<Record<string, FoundLamps>>;
   /** Finds lamps synchronously, for renders. Exported pages leave the function out: they use stored lamps or a worker. */

@@ -31,3 +31,12 @@ export interface LocalLightShadow extends AnyShadow {
   /** Only for `pcss`: the diameter of the light, meters. */
   sourceM?: number;
 }
+
+/** Reported by nodes that draw shadows on real surfaces while nothing is connected that has surfaces. */
+export const NOTHING_TO_FALL_ON = {
+  code: 'SCR015',
+  severity: 'warning',
+  port: 'receivers',
+  message: 'Neither “Receivers” nor “Room depth” is connected, so no shadow is visible.',
+  fix: 'Connect Detected planes, Room depth or a Phantom.',
+} as const;

@@ -6,14 +6,14 @@ import type { FrameClock } from '../../export/runtime/clock.ts';
 import { createPlayer, type Player } from '../../export/runtime/player.ts';
 import { createLoopGuard } from '../../export/runtime/program-instance/loop-watch.ts';
 import { createScenesWith } from '../../export/runtime/scenes/create-scenes.ts';
-import { readRadiance } from '../../export/runtime/scenes/environments/read-radiance.ts';
+import { readRadianceInWorker } from '../../export/runtime/scenes/environments/read-radiance-in-worker.ts';
 import { createGlass } from '../../export/runtime/scenes/glass/glass-scene.ts';
 import { ALL_DECODERS } from '../../export/runtime/scenes/models/decoders/all-decoders.ts';
 import { type CanvasFitter, createCanvasFitter } from '../../export/runtime/sessions/fit-canvas.ts';
 import { createSpatial } from '../../export/runtime/spatial/create-spatial.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
+import { text as decodeRadiance } from '../../nodes/generated/workers/decode-radiance.gen.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import { findLampsAtOnce } from '../../nodes/kit/panorama/find-lamps.ts';
 import type { FromPreview } from '../preview-protocol.ts';
 import { type CostMeter, createCostMeter } from './cost-meter.ts';
 import { previewDecoderFile } from './decoder-files.ts';
@@ -72,8 +72,7 @@ export function createPlayerHost({ parent, program, assetBaseUrl, clock, onDiagn
     decoders: ALL_DECODERS,
     files: previewDecoderFile,
     inspect,
-    readRadiance,
-    findLamps: findLampsAtOnce,
+    readRadiance: readRadianceInWorker(decodeRadiance),
     createGlass,
   });
   const meter = createCostMeter(gl, clock, send);

@@ -199,6 +199,7 @@ export async function refusals() {
     cutExr: await refusal(exr(good).slice(0, 900)),
     hugeHdr: await refusal(text('#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 50000 +X 100000\n')),
     turned: await refusal(text('#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n+X 16 -Y 32\n')),
+    tiny: await refusal(writeHdr(1, 1, [1, 1, 1]).buffer),
     noise: await refusal(new Uint8Array(500).fill(7).buffer),
     empty: await refusal(new ArrayBuffer(0)),
   };

@@ -78,6 +78,7 @@ test('a file that is no panorama is refused with what to do', async () => {
     cutExr: expect.stringMatching(/^the file is damaged .*Export it again$/),
     hugeHdr: 'it has 100000 × 50000 pixels, and at most 8192 a side can be shown. 4096 × 2048 is sharp enough for a sky',
     turned: 'its rows are not stored from the top left. Open it in another program and save it again',
+    tiny: 'it has only 1 × 1 pixels. Export it again with at least 64 × 32',
     noise: 'it is no picture. Use a Radiance HDR (.hdr), OpenEXR (.exr), JPEG, PNG, WebP or AVIF file',
     empty: 'it is no picture. Use a Radiance HDR (.hdr), OpenEXR (.exr), JPEG, PNG, WebP or AVIF file',
   });

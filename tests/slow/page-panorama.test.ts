@@ -6,11 +6,10 @@ import { projectEye } from '../../export/emulator/session/projection.ts';
 import { linearFromSrgb, srgbFromLinear } from '../../nodes/kit/color-math.ts';
 import { captureTargets, type Direction, uprightPose } from '../../nodes/kit/panorama/capture-targets.ts';
 import { findByPaper } from '../../nodes/kit/panorama/paper-method.ts';
-import type { PanoramaPixels } from '../../nodes/kit/panorama/pixels.ts';
+import { type PanoramaPixels, runWhole } from '../../nodes/kit/panorama/pixels.ts';
 import { findBySolidAngle } from '../../nodes/kit/panorama/solid-angle-method.ts';
 import { toEquirectangular } from '../../nodes/kit/panorama/to-equirectangular.ts';
 import { useBrowser } from '../support/browser.ts';
-import { runWhole } from '../support/decode-panorama.ts';
 import { decodeImage, encodeImage, pixelAt, type RgbaImage } from '../support/image.ts';
 import { type ServedExport, serveProject } from '../support/project-page.ts';
 import { openXrPage, type XrPage } from '../xr/xr-page.ts';
@@ -167,6 +166,10 @@ async function show(name: string, picture: RgbaImage): Promise<void> {
   await writeFile(join(folder, name), encodeImage(picture));
 }
 
+function angleDeg([x, y, z]: Direction, [a, b, c]: Direction): number {
+  return (Math.acos(Math.min(1, x * a + y * b + z * c)) * 180) / Math.PI;
+}
+
 /** The strongest lamp by each method: the others are weaker parts of the same window. */
 function lampsOf(pixels: PanoramaPixels) {
   const bySolidAngle = runWhole(findBySolidAngle(pixels, { lamps: 1, clippedShare: 0.5 }));
@@ -203,10 +206,8 @@ describe('a page with a panorama of the room', () => {
     const db = decibels(taken, truth);
     const [found, expected] = [lampsOf(taken), lampsOf(truth)];
     expect([found.length, expected.length]).toEqual([2, 2]);
-    const anglesDeg = expected.map(({ towards: [x, y, z] }, i) => {
-      const [a, b, c] = found[i]?.towards ?? [0, 0, 0];
-      return (Math.acos(Math.min(1, x * a + y * b + z * c)) * 180) / Math.PI;
-    });
+    const anglesDeg = expected.map(({ towards }, i) => angleDeg(towards, found[i]?.towards ?? [0, 0, 0]));
+    console.info(`Stitched against true: ${db.toFixed(1)} dB, lamps within ${Math.max(...anglesDeg).toFixed(2)}°.`);
     expect(db).toBeGreaterThan(30);
     expect(Math.max(...anglesDeg)).toBeLessThan(2);
     expect(xr.errors).toEqual([]);

@@ -3,7 +3,8 @@ import { join } from 'node:path';
 import { expect, test } from '@jest/globals';
 import { momentsOf } from '../../nodes/kit/panorama/outer-contours.ts';
 import { findByPaper } from '../../nodes/kit/panorama/paper-method.ts';
-import { decodePanorama, runWhole } from '../support/decode-panorama.ts';
+import { runWhole } from '../../nodes/kit/panorama/pixels.ts';
+import { decodePanorama } from '../support/decode-panorama.ts';
 import { describeWithData } from '../support/shared-data.ts';
 
 interface Reference {

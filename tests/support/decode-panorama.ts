@@ -14,11 +14,3 @@ export async function decodePanorama(path: string): Promise<PanoramaPixels> {
   const { data, info } = await sharp(file).removeAlpha().raw().toBuffer({ resolveWithObject: true });
   return { widthPx: info.width, heightPx: info.height, channels: 3, data: new Uint8Array(data) };
 }
-
-/** Runs an analysis to its end. */
-export function runWhole<T>(slices: Generator<undefined, T>): T {
-  for (;;) {
-    const { done, value } = slices.next();
-    if (done) return value;
-  }
-}

@@ -29,59 +29,78 @@ interface Sky {
   readonly energy: Float64Array;
 }
 
-/** Compares lamps and the rest of the panorama with the whole of it, by integration over all pixels. Both are blocked by the box. */
-export function lightError(grid: SphereGrid, found: FoundLamps, rest: Float32Array, gain = 1): LightError {
-  const whole = skyOf(grid, grid.luminance);
-  const remaining = skyOf(grid, rest);
-  const lamps = found.lamps.map((lamp) => discOf(lamp, gain));
-  return compare(
-    (n) => irradiance(whole, n),
-    (n) => irradiance(remaining, n) + lamps.reduce((sum, lamp) => sum + lamp.energy * Math.max(0, dot(lamp.towards, n)), 0),
-    (p, box) => floor(whole, p, box),
-    (p, box) => floor(remaining, p, box) + lamps.reduce((sum, lamp) => sum + floor(lamp.sky, p, box), 0),
-  );
+/** Compares lights with the whole of a panorama, by integration over all pixels. A box blocks both. */
+export interface LightMeasure {
+  /**
+   * Of lamps and the rest of the panorama.
+   *
+   * @param rest Luminance without the lamps.
+   * @param gain Factor on the lamps; `null` for the one with which they give all of the light that the rest lacks.
+   */
+  errorOf(found: FoundLamps, rest: Float32Array, gain?: number | null): LightError;
+  /** Of nine coefficients of spherical harmonics, which cast no shadow. */
+  harmonicsError(): LightError;
 }
 
-/** Compares nine coefficients of spherical harmonics, which cast no shadow, with the whole panorama. */
-export function harmonicsError(grid: SphereGrid): LightError {
+export function measureOf(grid: SphereGrid): LightMeasure {
   const whole = skyOf(grid, grid.luminance);
-  const coefficients = harmonicsBasis(0, 1, 0).map((_, i) =>
-    whole.directions.reduce((sum, direction, k) => sum + (whole.energy[k] ?? 0) * (harmonicsBasis(...direction)[i] ?? 0), 0),
-  );
-  // Ramamoorthi and Hanrahan 2001: factors of the clamped cosine.
-  const factors = [Math.PI, ...[0, 0, 0].fill((2 * Math.PI) / 3), ...[0, 0, 0, 0, 0].fill(Math.PI / 4)];
-  const smooth = (n: Vector): number =>
-    harmonicsBasis(...n).reduce((sum, value, i) => sum + value * (coefficients[i] ?? 0) * (factors[i] ?? 0), 0);
-  return compare(
-    (n) => irradiance(whole, n),
-    smooth,
-    (p, box) => floor(whole, p, box),
-    () => smooth([0, 1, 0]),
-  );
+  const normals = NORMALS.map((n) => irradiance(whole, n));
+  const floors = POINTS.map((p) => floor(whole, p, true));
+  const open = floor(whole, [0, 0], false);
+  const mean = meanOf(normals);
+
+  function compare(byNormal: readonly number[], byPoint: readonly number[]): LightError {
+    return {
+      normals: rootMeanSquare(byNormal.map((value, i) => (value - (normals[i] ?? 0)) / mean)),
+      shadow: rootMeanSquare(byPoint.map((value, i) => (value - (floors[i] ?? 0)) / open)),
+    };
+  }
+
+  return {
+    errorOf: (found, rest, gain = 1) => {
+      const remaining: Sky = { ...whole, energy: energyOf(grid, rest) };
+      const lamps = found.lamps.map(discOf);
+      const restByNormal = NORMALS.map((n) => irradiance(remaining, n));
+      const lampsByNormal = NORMALS.map((n) => lamps.reduce((sum, lamp) => sum + lamp.energy * Math.max(0, dot(lamp.towards, n)), 0));
+      const factor = gain ?? (mean - meanOf(restByNormal)) / meanOf(lampsByNormal);
+      return compare(
+        restByNormal.map((value, i) => value + factor * (lampsByNormal[i] ?? 0)),
+        POINTS.map((p) => floor(remaining, p, true) + factor * lamps.reduce((sum, lamp) => sum + floor(lamp.sky, p, true), 0)),
+      );
+    },
+    harmonicsError: () => {
+      const coefficients = harmonicsBasis(0, 1, 0).map(() => 0);
+      for (const [k, direction] of whole.directions.entries()) {
+        const basis = harmonicsBasis(...direction);
+        for (let i = 0; i < basis.length; i++) coefficients[i] = (coefficients[i] ?? 0) + (whole.energy[k] ?? 0) * (basis[i] ?? 0);
+      }
+      // Ramamoorthi and Hanrahan 2001: factors of the clamped cosine.
+      const factors = [Math.PI, ...[0, 0, 0].fill((2 * Math.PI) / 3), ...[0, 0, 0, 0, 0].fill(Math.PI / 4)];
+      const smooth = (n: Vector): number =>
+        harmonicsBasis(...n).reduce((sum, value, i) => sum + value * (coefficients[i] ?? 0) * (factors[i] ?? 0), 0);
+      return compare(
+        NORMALS.map(smooth),
+        POINTS.map(() => smooth([0, 1, 0])),
+      );
+    },
+  };
 }
 
-function compare(
-  exact: (n: Vector) => number,
-  approximate: (n: Vector) => number,
-  exactFloor: (p: readonly [number, number], box: boolean) => number,
-  approximateFloor: (p: readonly [number, number], box: boolean) => number,
-): LightError {
-  const references = NORMALS.map(exact);
-  const mean = references.reduce((sum, one) => sum + one, 0) / references.length;
-  const normals = rootMeanSquare(NORMALS.map((n, i) => (approximate(n) - (references[i] ?? 0)) / mean));
-  const open = exactFloor([0, 0], false);
-  const shadow = rootMeanSquare(POINTS.map((p) => (approximateFloor(p, true) - exactFloor(p, true)) / open));
-  return { normals, shadow };
+function meanOf(values: readonly number[]): number {
+  return values.reduce((sum, one) => sum + one, 0) / values.length;
 }
 
 function skyOf(grid: SphereGrid, luminance: Float32Array): Sky {
-  const directions = Array.from(luminance, (_, i) => gridDirection(grid, i));
-  return { directions, energy: Float64Array.from(luminance, (l, i) => l * (grid.pixelSr[Math.floor(i / grid.widthPx)] ?? 0)) };
+  return { directions: Array.from(luminance, (_, i) => gridDirection(grid, i)), energy: energyOf(grid, luminance) };
+}
+
+function energyOf({ widthPx, pixelSr }: SphereGrid, luminance: Float32Array): Float64Array {
+  return Float64Array.from(luminance, (l, i) => l * (pixelSr[Math.floor(i / widthPx)] ?? 0));
 }
 
 /** A lamp as 64 directions over its disk. */
-function discOf({ towards, irradiance: [red, green, blue], sizeRad }: FoundLamp, gain: number) {
-  const energy = gain * (0.2126 * red + 0.7152 * green + 0.0722 * blue);
+function discOf({ towards, irradiance: [red, green, blue], sizeRad }: FoundLamp) {
+  const energy = 0.2126 * red + 0.7152 * green + 0.0722 * blue;
   const side = normalize(cross(towards, Math.abs(towards[1]) < 0.9 ? [0, 1, 0] : [1, 0, 0]));
   const up = cross(side, towards);
   const directions = Array.from({ length: 64 }, (_, i): Vector => {

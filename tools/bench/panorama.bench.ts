@@ -25,7 +25,7 @@ export async function benches(): Promise<readonly Bench[]> {
       return {
         name: `lamps of a panorama, ${method.method}, ${widthPx} × ${heightPx}`,
         unit: 'ms',
-        samples: 7,
+        samples: 15,
         sample: () => cpuMs(() => searchWhole(findLamps(pixels, options))),
       };
     });

@@ -1,6 +1,7 @@
+import { existsSync } from 'node:fs';
 import { readdir, rm } from 'node:fs/promises';
 import { join } from 'node:path';
-import { build } from 'esbuild';
+import { build, type Plugin } from 'esbuild';
 import { writeIfChanged } from '../lib/files.ts';
 import type { Found } from './find-nodes.ts';
 import { HEADER } from './header.ts';
@@ -21,7 +22,7 @@ export function workerFile(type: string): string {
 export async function writeWorkers(root: string, { nodes }: Found): Promise<string[]> {
   const folder = join(root, 'nodes', 'generated', WORKERS_FOLDER);
   const found = nodes.filter(({ hasWorker }) => hasWorker);
-  const kept = new Set(found.map(({ type }) => workerFile(type)));
+  const kept = new Set([...found.map(({ type }) => workerFile(type)), DECODER_FILE]);
   for (const file of await readdir(folder).catch(() => [])) if (!kept.has(file)) await rm(join(folder, file));
   const problems: string[] = [];
   for (const { type, hasRuntime } of found) {
@@ -33,17 +34,40 @@ export async function writeWorkers(root: string, { nodes }: Found): Promise<stri
       problems.push(`nodes/${type}/worker.ts: ${error instanceof Error ? error.message : String(error)}`);
     }
   }
+  if (existsSync(join(root, DECODER))) {
+    const text = await bundleText(root, `import { serve } from './${DECODER}';\nserve(self);\n`, 'decode-radiance.ts', [LITTLE_THREE]);
+    await writeIfChanged(join(folder, DECODER_FILE), `${HEADER}\nexport const text = ${JSON.stringify(text)};\n`);
+  }
   return problems;
 }
 
-async function bundleWorker(root: string, type: string, hasRuntime: boolean): Promise<string> {
+/** The worker that decodes panoramas of radiance, which belongs to no node. */
+const DECODER = 'export/runtime/scenes/environments/radiance-worker.ts';
+const DECODER_FILE = 'decode-radiance.gen.ts';
+
+/** What the loaders of three.js need of it: 3 KB instead of 250. Their base class loads files, which the worker does not. */
+const LITTLE_THREE: Plugin = {
+  name: 'little three.js',
+  setup: ({ onResolve, onLoad, initialOptions }) => {
+    onResolve({ filter: /^three$/ }, () => ({ path: 'three', namespace: 'little' }));
+    onLoad({ filter: /.*/, namespace: 'little' }, () => ({
+      contents: `export * from 'three/src/constants.js';
+export { DataUtils } from 'three/src/extras/DataUtils.js';
+export class DataTextureLoader {}
+`,
+      resolveDir: initialOptions.absWorkingDir ?? '',
+    }));
+  },
+};
+
+function bundleWorker(root: string, type: string, hasRuntime: boolean): Promise<string> {
+  return bundleText(root, hasRuntime ? serveNode(type) : servePixels(type), `${type}.ts`);
+}
+
+async function bundleText(root: string, contents: string, sourcefile: string, plugins: readonly Plugin[] = []): Promise<string> {
   const { outputFiles } = await build({
-    stdin: {
-      contents: hasRuntime ? serveNode(type) : servePixels(type),
-      resolveDir: root,
-      sourcefile: `${type}.ts`,
-      loader: 'ts',
-    },
+    stdin: { contents, resolveDir: root, sourcefile, loader: 'ts' },
+    plugins: [...plugins],
     absWorkingDir: root,
     bundle: true,
     write: false,

@@ -1,29 +1,34 @@
-import { decode } from 'fast-png';
+import { decode as decodePng } from 'fast-png';
 import { layoutOf } from '../../../nodes/kit/panorama/layouts.ts';
 import type { PanoramaPixels } from '../../../nodes/kit/panorama/pixels.ts';
 import { readRadianceHeader } from '../../runtime/scenes/environments/radiance-header.ts';
 import { readRadiance } from '../../runtime/scenes/environments/read-radiance.ts';
+import { decodeJpeg } from './decode-jpeg.ts';
 
-/** Maximum side of a PNG. Larger images may be reduced by the page, which then needs the lamps of the reduced image. */
+/** Maximum side of a PNG or JPEG. Larger images may be reduced by the page, which then needs the lamps of the reduced image. */
 const MAX_PICTURE_PX = 4096;
 const PNG_SIGNATURE = [0x89, 0x50, 0x4e, 0x47] as const;
 
 /**
- * Decodes a panorama as a page does: HDR and EXR to floats, PNG to bytes without color conversion.
+ * Decodes a panorama as a page does: HDR and EXR to floats, PNG and JPEG to bytes without color conversion.
  *
- * @returns Null if the page must find the lamps: for other formats, for forms of PNG that a browser converts, and for images that the page
- * reduces or converts.
+ * @returns Null if the page must find the lamps: for other formats, for forms of PNG and JPEG that a browser converts, and for images that
+ * the page reduces or converts.
  * @throws Error if the file is damaged.
  */
 export function decodeInNode(file: Uint8Array): PanoramaPixels | null {
   const bytes = file.buffer.slice(file.byteOffset, file.byteOffset + file.byteLength) as ArrayBuffer;
   const header = readRadianceHeader(bytes);
   if (header) return isConverted(header.widthPx, header.heightPx) ? null : readRadiance.floats(bytes, header);
-  if (!PNG_SIGNATURE.every((byte, i) => file[i] === byte)) return null;
-  const { width, height, channels, depth, data, palette } = decode(file);
+  const pixels = PNG_SIGNATURE.every((byte, i) => file[i] === byte) ? plainPng(file) : decodeJpeg(file);
+  if (!pixels || Math.max(pixels.widthPx, pixels.heightPx) > MAX_PICTURE_PX || isConverted(pixels.widthPx, pixels.heightPx)) return null;
+  return pixels;
+}
+
+function plainPng(file: Uint8Array): PanoramaPixels | null {
+  const { width, height, channels, depth, data, palette } = decodePng(file);
   const plain = depth === 8 && palette === undefined && (channels === 1 || channels === 3) && data instanceof Uint8Array;
-  if (!plain || Math.max(width, height) > MAX_PICTURE_PX || isConverted(width, height)) return null;
-  return { widthPx: width, heightPx: height, channels, data };
+  return plain ? { widthPx: width, heightPx: height, channels, data } : null;
 }
 
 /**

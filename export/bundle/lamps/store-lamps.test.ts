@@ -2,6 +2,7 @@ import { readFile } from 'node:fs/promises';
 import { join, resolve } from 'node:path';
 import { beforeAll, expect, test } from '@jest/globals';
 import { encode } from 'fast-png';
+import { encode as encodeJpeg } from 'jpeg-js';
 import { findLampsAtOnce } from '../../../nodes/kit/panorama/find-lamps.ts';
 import { type LampOptions, lampKey } from '../../../nodes/kit/panorama/lamp-options.ts';
 import { compileExample } from '../../../tests/support/compile-project.ts';
@@ -28,11 +29,20 @@ async function store(bytes: Uint8Array) {
   return { lamps: stored.assets[0]?.asset.lamps, use: programUse(stored.program), said };
 }
 
-/** A dark room with a lamp of 4 × 4 pixels. */
-function png(): Uint8Array {
-  const data = new Uint8Array(64 * 32 * 3).fill(40);
-  for (let y = 10; y < 14; y++) data.fill(255, (y * 64 + 46) * 3, (y * 64 + 50) * 3);
-  return encode({ width: 64, height: 32, channels: 3, data });
+/** A dark room with a lamp of 8 × 8 pixels. */
+function room(channels: 3 | 4): Uint8Array {
+  const data = new Uint8Array(128 * 64 * channels).fill(40);
+  for (let y = 16; y < 24; y++) data.fill(255, (y * 128 + 96) * channels, (y * 128 + 104) * channels);
+  return data;
+}
+
+const png = (): Uint8Array => encode({ width: 128, height: 64, channels: 3, data: room(3) });
+const jpeg = (): Uint8Array => encodeJpeg({ width: 128, height: 64, data: room(4) }, 90).data;
+
+/** EXIF data whose only entry is the orientation, behind the start of the image. */
+function turned(file: Uint8Array): Uint8Array {
+  const exif = [0x45, 0x78, 0x69, 0x66, 0, 0, 0x4d, 0x4d, 0, 42, 0, 0, 0, 8, 0, 1, 0x01, 0x12, 0, 3, 0, 0, 0, 1, 0, 6, 0, 0, 0, 0, 0, 0];
+  return Uint8Array.from([...file.subarray(0, 2), 0xff, 0xe1, 0, exif.length + 2, ...exif, ...file.subarray(2)]);
 }
 
 test('an HDR file of the project: the page has its lamps, equal to those that its own search finds, and neither worker nor search', async () => {
@@ -49,17 +59,19 @@ test('an HDR file of the project: the page has its lamps, equal to those that it
   expect(names.filter((name) => /method|workers|contours/.test(name))).toEqual([]);
 });
 
-test('a PNG file is searched as its bytes', async () => {
-  const bytes = png();
-  const { lamps } = await store(bytes);
+test.each([
+  ['PNG', png],
+  ['JPEG', jpeg],
+])('a %s file is searched as its bytes', async (_format, file) => {
+  const { lamps, use } = await store(file());
   const found = lamps?.[lampKey(OPTIONS)];
-  expect([found?.lamps.length, found?.lamps[0]?.centerPx.map(Math.round)]).toEqual([1, [48, 12]]);
+  expect([found?.lamps.length, found?.lamps[0]?.centerPx.map(Math.round), use.workers]).toEqual([1, [100, 20], false]);
 });
 
-test('the page itself searches what only a browser decodes, and reports a damaged file', async () => {
-  const jpeg = Uint8Array.of(0xff, 0xd8, 0xff, 0xe0, 0, 16);
+test('the page itself searches what only a browser decodes, photos that it turns, and reports a damaged file', async () => {
+  const webp = new TextEncoder().encode('RIFF....WEBP');
   const hdr = (await readFile(join(EXAMPLE, 'assets/room.hdr'))).subarray(0, 30);
-  for (const bytes of [jpeg, hdr]) {
+  for (const bytes of [webp, turned(jpeg()), jpeg().subarray(0, 300), jpeg().subarray(0, 6), hdr]) {
     const { lamps, use } = await store(bytes);
     expect([lamps, use.workers]).toEqual([undefined, true]);
   }

@@ -20,7 +20,7 @@ interface LampNode {
 
 /**
  * Finds the lamps of the panoramas that a project has as files, so that its page neither searches them nor contains the search. A thread
- * decodes and searches. Files that only a browser decodes, such as JPEG, are left to the page.
+ * decodes and searches. Files that only a browser decodes, such as WebP, are left to the page.
  */
 export async function storeLamps(
   program: Program,

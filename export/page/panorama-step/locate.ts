@@ -1,6 +1,6 @@
 import { brightRegionsOf } from '../../../nodes/kit/panorama/bright-regions.ts';
 import { createHeadingSearch, isCertain } from '../../../nodes/kit/panorama/match-heading.ts';
-import type { PanoramaPixels } from '../../../nodes/kit/panorama/pixels.ts';
+import { type PanoramaPixels, runWhole } from '../../../nodes/kit/panorama/pixels.ts';
 import { type PanoramaShot, setPanoramaPose } from '../../../nodes/kit/panorama/shot.ts';
 import { sphereGridOf } from '../../../nodes/kit/panorama/sphere-grid.ts';
 import type { ViewFrame } from '../../../nodes/kit/session.ts';
@@ -51,13 +51,6 @@ function brightestLongitude(panorama: PanoramaPixels): number | null {
   if (!brightest) return null;
   const [x, , z] = brightest.vector;
   return Math.atan2(x, -z);
-}
-
-function runWhole<T>(slices: Generator<undefined, T>): T {
-  for (;;) {
-    const { done, value } = slices.next();
-    if (done) return value;
-  }
 }
 
 /** Returns photos of an earlier session in the world space of this one. */

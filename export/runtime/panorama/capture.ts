@@ -1,6 +1,7 @@
 import { AIM_RAD, captureTargets, type Direction, MOST_TARGETS, targetsForHoles } from '../../../nodes/kit/panorama/capture-targets.ts';
 import type { PanoramaShot } from '../../../nodes/kit/panorama/shot.ts';
 import type { SessionFrame, ViewFrame } from '../../../nodes/kit/session.ts';
+import type { Writable } from '../../../nodes/kit/value-views.ts';
 
 /** A direction to photograph, and whether its photo is taken. */
 export interface CaptureTarget {
@@ -63,14 +64,18 @@ const MOST_SIDE_PX = 1024;
 /** How many times targets are added for holes that the photos leave. Stitching fills what is still left then. */
 const EXTRA_TURNS = 2;
 
+/** Its lists are replaced, not changed. */
+const BEGINNING = {
+  state: 'waiting',
+  targets: [],
+  shots: [],
+  next: null,
+  held: 0,
+  isAway: false,
+} as const satisfies Partial<PanoramaCapture>;
+
 export function createPanoramaCapture({ read, widthPx, holdS }: CaptureOptions): PanoramaCapture {
-  let state: PanoramaCapture['state'] = 'waiting';
-  let targets: CaptureTarget[] = [];
-  let shots: PanoramaShot[] = [];
-  let next: CaptureTarget | null = null;
   let stillSinceS = 0;
-  let held = 0;
-  let isAway = false;
   let blindSinceS = -1;
   let extraTurns = 0;
   /** The angle by which the targets are turned, counterclockwise seen from above. */
@@ -80,13 +85,22 @@ export function createPanoramaCapture({ read, widthPx, holdS }: CaptureOptions):
   /** Projection matrix of the newest frame (`clipFromView`). */
   const lens = new Float32Array(16);
 
+  const capture: Writable<PanoramaCapture> = {
+    ...BEGINNING,
+    update,
+    result: () => ({ shots: sharedLens(), at: [first[0] ?? 0, first[1] ?? 0, first[2] ?? 0] }),
+    adopt: (others, turnedRad) => {
+      restart();
+      capture.shots = [...others];
+      headingRad = turnedRad;
+      const [newest] = others;
+      for (let i = 0; newest && i < 3; i++) first[i] = newest.worldFromView[12 + i] ?? 0;
+    },
+    restart,
+  };
+
   function restart(): void {
-    state = 'waiting';
-    targets = [];
-    shots = [];
-    next = null;
-    held = 0;
-    isAway = false;
+    Object.assign(capture, BEGINNING);
     blindSinceS = -1;
     extraTurns = 0;
     headingRad = 0;
@@ -95,17 +109,17 @@ export function createPanoramaCapture({ read, widthPx, holdS }: CaptureOptions):
 
   function begin(view: ViewFrame): void {
     const [cos, sin] = [Math.cos(headingRad), Math.sin(headingRad)];
-    targets = captureTargets(view.clipFromView).map(([x, y, z]) => ({
+    capture.targets = captureTargets(view.clipFromView).map(([x, y, z]) => ({
       direction: [x * cos + z * sin, y, z * cos - x * sin],
       taken: false,
     }));
-    state = 'taking';
-    for (const shot of shots) mark(shot.worldFromView);
+    capture.state = 'taking';
+    for (const shot of capture.shots) mark(shot.worldFromView);
   }
 
   /** Marks the targets near the center of a photo as taken. */
   function mark(worldFromView: Float32Array): void {
-    for (const target of targets) if (angleTo(worldFromView, target.direction) <= AIM_RAD * 1.5) target.taken = true;
+    for (const target of capture.targets) if (angleTo(worldFromView, target.direction) <= AIM_RAD * 1.5) target.taken = true;
   }
 
   function watchStillness({ worldFromView }: ViewFrame, timeS: number): void {
@@ -122,7 +136,7 @@ export function createPanoramaCapture({ read, widthPx, holdS }: CaptureOptions):
   function nearest(worldFromView: Float32Array): CaptureTarget | null {
     let best: CaptureTarget | null = null;
     let least = Number.POSITIVE_INFINITY;
-    for (const target of targets) {
+    for (const target of capture.targets) {
       const angle = target.taken ? Number.POSITIVE_INFINITY : angleTo(worldFromView, target.direction);
       if (angle >= least) continue;
       least = angle;
@@ -133,21 +147,21 @@ export function createPanoramaCapture({ read, widthPx, holdS }: CaptureOptions):
 
   function takePhoto(view: ViewFrame, target: CaptureTarget): void {
     const { worldFromView } = view;
-    if (shots.length === 0) for (let i = 0; i < 3; i++) first[i] = worldFromView[12 + i] ?? 0;
+    if (capture.shots.length === 0) for (let i = 0; i < 3; i++) first[i] = worldFromView[12 + i] ?? 0;
     const perRad = (widthPx / (2 * Math.PI)) * PIXELS_PER_PIXEL;
     const side = (i: number): number =>
       Math.max(16, Math.min(MOST_SIDE_PX, Math.round(2 * Math.atan(1 / (view.clipFromView[i] ?? 1)) * perRad)));
-    shots.push(read(view, side(0), side(5)));
+    capture.shots = [...capture.shots, read(view, side(0), side(5))];
     target.taken = true;
     if (nearest(worldFromView) === null) finishRound(view);
   }
 
   /** Adds targets for what the photos do not show; if there are none, the capture is complete. */
   function finishRound({ clipFromView }: ViewFrame): void {
-    const extra = extraTurns < EXTRA_TURNS ? targetsForHoles(sharedLens(), clipFromView, MOST_TARGETS - targets.length) : [];
+    const extra = extraTurns < EXTRA_TURNS ? targetsForHoles(sharedLens(), clipFromView, MOST_TARGETS - capture.targets.length) : [];
     extraTurns++;
-    for (const direction of extra) targets.push({ direction, taken: false });
-    if (extra.length === 0) state = 'complete';
+    capture.targets = [...capture.targets, ...extra.map((direction) => ({ direction, taken: false }))];
+    if (extra.length === 0) capture.state = 'complete';
   }
 
   /**
@@ -156,63 +170,37 @@ export function createPanoramaCapture({ read, widthPx, holdS }: CaptureOptions):
    */
   function sharedLens(): PanoramaShot[] {
     const shape = (lens[0] ?? 1) / (lens[5] ?? 1);
-    return shots.map((shot) => {
+    return capture.shots.map((shot) => {
       const own = (shot.clipFromView[0] ?? 1) / (shot.clipFromView[5] ?? 1);
       return Math.abs(own / shape - 1) < 0.01 ? { ...shot, clipFromView: lens.slice() } : shot;
     });
   }
 
-  return {
-    get state() {
-      return state;
-    },
-    get targets() {
-      return targets;
-    },
-    get shots() {
-      return shots;
-    },
-    get next() {
-      return next;
-    },
-    get held() {
-      return held;
-    },
-    get isAway() {
-      return isAway;
-    },
-    update: (frame) => {
-      const view = frame.views[0];
-      if (!view || frame.viewCount === 0 || state === 'complete') return;
-      if (!view.cameraImage) {
-        if (blindSinceS < 0) blindSinceS = frame.timeS;
-        if (state !== 'taking' && frame.timeS - blindSinceS >= BLIND_S) state = 'blind';
-        return;
-      }
-      if (state !== 'taking') begin(view);
-      lens.set(view.clipFromView);
-      watchStillness(view, frame.timeS);
-      next = nearest(view.worldFromView);
-      isAway = shots.length > 0 && Math.hypot(...[0, 1, 2].map((i) => (view.worldFromView[12 + i] ?? 0) - (first[i] ?? 0))) > AWAY_M;
-      const aims = next !== null && angleTo(view.worldFromView, next.direction) <= AIM_RAD;
-      if (!aims) stillSinceS = frame.timeS;
-      held = aims ? Math.min(1, holdS === 0 ? 1 : (frame.timeS - stillSinceS) / holdS) : 0;
-      if (next !== null && held >= 1 && !isAway) {
-        takePhoto(view, next);
-        stillSinceS = frame.timeS;
-        next = nearest(view.worldFromView);
-      }
-    },
-    result: () => ({ shots: sharedLens(), at: [first[0] ?? 0, first[1] ?? 0, first[2] ?? 0] }),
-    adopt: (others, turnedRad) => {
-      restart();
-      shots = [...others];
-      headingRad = turnedRad;
-      const [newest] = others;
-      for (let i = 0; newest && i < 3; i++) first[i] = newest.worldFromView[12 + i] ?? 0;
-    },
-    restart,
-  };
+  function update(frame: SessionFrame): void {
+    const view = frame.views[0];
+    if (!view || frame.viewCount === 0 || capture.state === 'complete') return;
+    if (!view.cameraImage) {
+      if (blindSinceS < 0) blindSinceS = frame.timeS;
+      if (capture.state !== 'taking' && frame.timeS - blindSinceS >= BLIND_S) capture.state = 'blind';
+      return;
+    }
+    if (capture.state !== 'taking') begin(view);
+    lens.set(view.clipFromView);
+    watchStillness(view, frame.timeS);
+    capture.next = nearest(view.worldFromView);
+    capture.isAway =
+      capture.shots.length > 0 && Math.hypot(...[0, 1, 2].map((i) => (view.worldFromView[12 + i] ?? 0) - (first[i] ?? 0))) > AWAY_M;
+    const aims = capture.next !== null && angleTo(view.worldFromView, capture.next.direction) <= AIM_RAD;
+    if (!aims) stillSinceS = frame.timeS;
+    capture.held = aims ? Math.min(1, holdS === 0 ? 1 : (frame.timeS - stillSinceS) / holdS) : 0;
+    if (capture.next !== null && capture.held >= 1 && !capture.isAway) {
+      takePhoto(view, capture.next);
+      stillSinceS = frame.timeS;
+      capture.next = nearest(view.worldFromView);
+    }
+  }
+
+  return capture;
 }
 
 /** Angle between the axis of a camera and a direction. */

@@ -60,7 +60,7 @@ export function* brightRegionsOf(grid: SphereGrid): Generator<undefined, BrightR
     for (let y = 0; y < heightPx; y++) {
       if (y % ROWS_PER_STEP === 0) yield;
       for (let i = y * widthPx; i < (y + 1) * widthPx; i++) {
-        if (taken[i] !== 0 || !((luminance[i] ?? 0) > threshold)) continue;
+        if (!((luminance[i] ?? 0) > threshold) || taken[i] !== 0) continue;
         for (const region of narrowRegions(grid, taken, i, threshold, iteration)) {
           if (region.flux >= MIN_FLUX * total) regions.push(region);
         }

@@ -4,15 +4,8 @@ import { directionAt } from './found-lamps.ts';
 import { medianOf } from './median.ts';
 import { momentsOf, outerContours } from './outer-contours.ts';
 import { findByPaper } from './paper-method.ts';
-import type { PanoramaPixels } from './pixels.ts';
+import { type PanoramaPixels, runWhole } from './pixels.ts';
 import { findBySolidAngle } from './solid-angle-method.ts';
-
-function run<T>(slices: Generator<undefined, T>): T {
-  for (;;) {
-    const { done, value } = slices.next();
-    if (done) return value;
-  }
-}
 
 /** An image of characters: `#` is 1. */
 function image(...rows: string[]): { pixels: Uint8Array; widthPx: number; heightPx: number } {
@@ -68,7 +61,7 @@ describe('the paper’s method', () => {
     return { widthPx: W, heightPx: H, channels: 3, data };
   }
   const search = (pixels: PanoramaPixels, iterations = 1, intensities: 'ranks' | 'area' = 'ranks') =>
-    run(findByPaper(pixels, { lamps: 3, iterations, intensities }));
+    runWhole(findByPaper(pixels, { lamps: 3, iterations, intensities }));
 
   test('finds a dim window only in its second iteration', () => {
     const pixels = bytes(40, [10, 10, 7, 250], [60, 20, 8, 160]);
@@ -113,7 +106,7 @@ describe('the method by solid angle', () => {
     }
     return { widthPx: W, heightPx: H, channels: 3, data };
   }
-  const search = (pixels: PanoramaPixels, lamps = 3) => run(findBySolidAngle(pixels, { lamps, clippedShare: 0.5 }));
+  const search = (pixels: PanoramaPixels, lamps = 3) => runWhole(findBySolidAngle(pixels, { lamps, clippedShare: 0.5 }));
 
   test('measures a round lamp the same at the zenith as at the horizon: π sin² r of its radiance', () => {
     const expected = Math.PI * Math.sin((8 * Math.PI) / 180) ** 2 * (50 - 0.1);

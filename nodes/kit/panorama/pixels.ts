@@ -16,6 +16,14 @@ export interface PanoramaPixels {
 /** Number of rows that an analysis processes between two yields: about a millisecond of work with 1024 pixels per row. */
 export const ROWS_PER_STEP = 32;
 
+/** Runs an analysis to its end, without pauses. */
+export function runWhole<T>(slices: Generator<undefined, T>): T {
+  for (;;) {
+    const { done, value } = slices.next();
+    if (done) return value;
+  }
+}
+
 /** The largest half float; infinite radiance counts as this much. */
 const MAX_RADIANCE = 65504;
 
@@ -59,19 +67,37 @@ export interface RowReader {
 export function createRowReader(pixels: PanoramaPixels): RowReader {
   const { data, widthPx, channels } = pixels;
   const table = data.BYTES_PER_ELEMENT === 1 ? linearTable() : data.BYTES_PER_ELEMENT === 2 ? halfTable() : null;
+  // Offsets from red to green and blue.
+  const [green, blue] = channels === 1 ? ([0, 0] as const) : ([1, 2] as const);
+  // Of the current pixel.
+  let whole = true;
+  const sound = (value: number): number => {
+    if (value >= 0 && value <= MAX_RADIANCE) return value;
+    whole &&= value > 0 && value !== Number.POSITIVE_INFINITY;
+    return value > 0 ? MAX_RADIANCE : 0;
+  };
+  const readBytes = (linear: Float32Array, y: number, into: Float32Array): void => {
+    let from = startOfRow(pixels, y);
+    for (let i = 0; i < widthPx * 3; i += 3, from += channels) {
+      into[i] = linear[data[from] ?? 0] ?? 0;
+      into[i + 1] = linear[data[from + green] ?? 0] ?? 0;
+      into[i + 2] = linear[data[from + blue] ?? 0] ?? 0;
+    }
+  };
   const reader = {
     damaged: 0,
     read: (y: number, into: Float32Array): void => {
+      if (table !== null && data.BYTES_PER_ELEMENT === 1) {
+        readBytes(table, y, into);
+        return;
+      }
       let from = startOfRow(pixels, y);
-      for (let i = 0; i < widthPx * 3; from += channels) {
-        let whole = true;
-        for (let c = 0; c < 3; c++) {
-          const stored = data[channels === 1 ? from : from + c] ?? 0;
-          const value = table === null ? stored : (table[stored] ?? 0);
-          const sound = value >= 0 && value <= MAX_RADIANCE;
-          whole &&= sound || (value > 0 && value !== Number.POSITIVE_INFINITY);
-          into[i++] = sound ? value : value > 0 ? MAX_RADIANCE : 0;
-        }
+      for (let i = 0; i < widthPx * 3; i += 3, from += channels) {
+        const [r, g, b] = [data[from] ?? 0, data[from + green] ?? 0, data[from + blue] ?? 0];
+        whole = true;
+        into[i] = sound(table === null ? r : (table[r] ?? 0));
+        into[i + 1] = sound(table === null ? g : (table[g] ?? 0));
+        into[i + 2] = sound(table === null ? b : (table[b] ?? 0));
         if (!whole) reader.damaged++;
       }
     },

@@ -156,17 +156,17 @@ function lampOf(grid: SphereGrid, rest: Float32Array, group: Group): FoundLamp {
 
 /** The vector irradiance of the upper half of a panorama, which is exact for a floor, as one lamp. */
 function lightFromAbove(grid: SphereGrid, radiance: Float32Array): FoundLamps['rest'] {
-  const { widthPx, heightPx, pixelSr } = grid;
+  const { heightPx, pixelSr } = grid;
   const vector: [number, number, number] = [0, 0, 0];
   const up: [number, number, number] = [0, 0, 0];
-  for (let i = 0; i < widthPx * Math.floor(heightPx / 2); i++) {
-    const sr = pixelSr[Math.floor(i / widthPx)] ?? 0;
-    const direction = gridDirection(grid, i);
-    const energy = luminanceOf(radiance[i * 3] ?? 0, radiance[i * 3 + 1] ?? 0, radiance[i * 3 + 2] ?? 0) * sr;
-    for (let c = 0; c < 3; c++) {
-      vector[c] = (vector[c] ?? 0) + energy * (direction[c] ?? 0);
-      up[c] = (up[c] ?? 0) + (radiance[i * 3 + c] ?? 0) * sr * direction[1];
-    }
+  for (let y = 0; y < Math.floor(heightPx / 2); y++) {
+    const sr = pixelSr[y] ?? 0;
+    const phi = Math.PI / 2 - ((y + 0.5) / heightPx) * Math.PI;
+    const row = rowSums(grid, radiance, y);
+    for (let c = 0; c < 3; c++) up[c] = (up[c] ?? 0) + (row.color[c] ?? 0) * sr * Math.sin(phi);
+    vector[0] += row.right * sr * Math.cos(phi);
+    vector[1] += row.luminance * sr * Math.sin(phi);
+    vector[2] += row.back * sr * Math.cos(phi);
   }
   const length = Math.hypot(...vector);
   if (length === 0) return null;
@@ -175,6 +175,25 @@ function lightFromAbove(grid: SphereGrid, radiance: Float32Array): FoundLamps['r
     towards: [vector[0] / length, height, vector[2] / length],
     irradiance: [up[0] / height, up[1] / height, up[2] / height],
   };
+}
+
+/** Sums over a row: radiance, luminance, and luminance × the horizontal direction. */
+function rowSums({ widthPx }: SphereGrid, radiance: Float32Array, y: number) {
+  const sums = { color: [0, 0, 0], luminance: 0, right: 0, back: 0 };
+  let [red, green, blue] = [0, 0, 0];
+  for (let x = 0, i = y * widthPx * 3; x < widthPx; x++, i += 3) {
+    const [r, g, b] = [radiance[i] ?? 0, radiance[i + 1] ?? 0, radiance[i + 2] ?? 0];
+    const energy = luminanceOf(r, g, b);
+    const theta = ((x + 0.5) / widthPx) * 2 * Math.PI - Math.PI;
+    red += r;
+    green += g;
+    blue += b;
+    sums.luminance += energy;
+    sums.right += energy * Math.sin(theta);
+    sums.back -= energy * Math.cos(theta);
+  }
+  sums.color = [red, green, blue];
+  return sums;
 }
 
 function gridTarget({ widthPx, heightPx }: SphereGrid, radiance: Float32Array): FillTarget {
@@ -188,10 +207,22 @@ function gridTarget({ widthPx, heightPx }: SphereGrid, radiance: Float32Array): 
   };
 }
 
-function longestContour({ widthPx, heightPx }: SphereGrid, pixels: readonly number[]): Contour {
-  const mask = new Uint8Array(widthPx * heightPx);
-  for (const i of pixels) mask[i] = 1;
-  return outerContours(mask, widthPx, heightPx).reduce((longest, one) => (one.length > longest.length ? one : longest), [] as Contour);
+/** Only the rectangle around the pixels is searched. */
+function longestContour({ widthPx }: SphereGrid, pixels: readonly number[]): Contour {
+  let [left, right, top, bottom] = [widthPx, 0, Number.POSITIVE_INFINITY, 0];
+  for (const i of pixels) {
+    const y = Math.floor(i / widthPx);
+    const x = i - y * widthPx;
+    left = Math.min(left, x);
+    right = Math.max(right, x);
+    top = Math.min(top, y);
+    bottom = Math.max(bottom, y);
+  }
+  const [across, down] = [right - left + 1, bottom - top + 1];
+  const mask = new Uint8Array(across * down);
+  for (const i of pixels) mask[(Math.floor(i / widthPx) - top) * across + (i % widthPx) - left] = 1;
+  const longest = outerContours(mask, across, down).reduce((one, other) => (other.length > one.length ? other : one), [] as Contour);
+  return longest.map((value, k) => value + (k % 2 === 0 ? left : top));
 }
 
 function runsOf({ widthPx }: SphereGrid, { pixels }: Group): number[] {

@@ -45,25 +45,30 @@ export function* sphereGridOf(pixels: PanoramaPixels): Generator<undefined, Sphe
   for (let y = 0; y < pixels.heightPx; y++) {
     if (y % ROWS_PER_STEP === 0) yield;
     rows.read(y, row);
-    const to = Math.floor(y / step) * widthPx;
-    for (let x = 0, from = 0; x < pixels.widthPx; x++, from += 3) {
-      const i = to + Math.floor(x / step);
-      const [red, green, blue] = [row[from] ?? 0, row[from + 1] ?? 0, row[from + 2] ?? 0];
+    let i = Math.floor(y / step) * widthPx;
+    for (let x = 0, inPixel = 0; x < pixels.widthPx; x++) {
+      const [red, green, blue] = [row[x * 3] ?? 0, row[x * 3 + 1] ?? 0, row[x * 3 + 2] ?? 0];
       radiance[i * 3] = (radiance[i * 3] ?? 0) + red;
       radiance[i * 3 + 1] = (radiance[i * 3 + 1] ?? 0) + green;
       radiance[i * 3 + 2] = (radiance[i * 3 + 2] ?? 0) + blue;
-      if (clipped && Math.min(red, green, blue) >= limit) clipped[i] = (clipped[i] ?? 0) + 1;
+      if (clipped && red >= limit && green >= limit && blue >= limit) clipped[i] = (clipped[i] ?? 0) + 1;
+      if (++inPixel === step) {
+        inPixel = 0;
+        i++;
+      }
     }
   }
   const luminance = new Float32Array(widthPx * heightPx);
-  for (let i = 0; i < luminance.length; i++) {
-    if (i % (widthPx * ROWS_PER_STEP) === 0) yield;
+  for (let y = 0; y < heightPx; y++) {
+    if (y % ROWS_PER_STEP === 0) yield;
     // The last row and column may average fewer pixels.
-    const across = Math.min(step, pixels.widthPx - (i % widthPx) * step);
-    const down = Math.min(step, pixels.heightPx - Math.floor(i / widthPx) * step);
-    for (let c = 0; c < 3; c++) radiance[i * 3 + c] = (radiance[i * 3 + c] ?? 0) / (across * down);
-    if (clipped) clipped[i] = (clipped[i] ?? 0) / (across * down);
-    luminance[i] = luminanceOf(radiance[i * 3] ?? 0, radiance[i * 3 + 1] ?? 0, radiance[i * 3 + 2] ?? 0);
+    const down = Math.min(step, pixels.heightPx - y * step);
+    for (let x = 0, i = y * widthPx; x < widthPx; x++, i++) {
+      const part = 1 / (Math.min(step, pixels.widthPx - x * step) * down);
+      for (let c = i * 3; c < i * 3 + 3; c++) radiance[c] = (radiance[c] ?? 0) * part;
+      if (clipped) clipped[i] = (clipped[i] ?? 0) * part;
+      luminance[i] = luminanceOf(radiance[i * 3] ?? 0, radiance[i * 3 + 1] ?? 0, radiance[i * 3 + 2] ?? 0);
+    }
   }
   return { widthPx, heightPx, radiance, luminance, pixelSr: solidAngles(widthPx, heightPx), clipped, damaged: rows.damaged };
 }

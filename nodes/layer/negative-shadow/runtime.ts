@@ -1,17 +1,10 @@
 import { linearFromSrgb, srgbFromLinear } from '../../kit/color-math.ts';
+import { NOTHING_TO_FALL_ON } from '../../kit/light-shadow.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import { MAX_GLOW_SPOTS, type ShadowGlow } from '../../kit/scene-look.ts';
 import { createBoundingCylinders } from './bounding-cylinders.ts';
 import type { definition } from './definition.ts';
 import { addSpot, isShadowLight } from './glow-spots.ts';
-
-const NOTHING_TO_FALL_ON = {
-  code: 'SCR015',
-  severity: 'warning',
-  port: 'receivers',
-  message: 'Neither “Receivers” nor “Room depth” is connected, so no shadow is visible.',
-  fix: 'Connect Detected planes, Room depth or a Phantom.',
-} as const;
 
 const TOO_FAINT = {
   code: 'SCR049',

@@ -1,13 +1,6 @@
+import { NOTHING_TO_FALL_ON } from '../../kit/light-shadow.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
-
-const NOTHING_TO_FALL_ON = {
-  code: 'SCR015',
-  severity: 'warning',
-  port: 'receivers',
-  message: 'Neither “Receivers” nor “Room depth” is connected, so no shadow is visible.',
-  fix: 'Connect Detected planes, Room depth or a Phantom.',
-} as const;
 
 const VOLUMES_FALL_ON_NOTHING = {
   code: 'SCR015',

@@ -1,4 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
+import { BRIGHTNESS_FACTOR, ROTATION_ABOUT_Y } from '../../kit/panorama/params.ts';
 
 export const definition = defineNode({
   type: 'light/environment',
@@ -12,26 +13,13 @@ export const definition = defineNode({
   outputs: { lights: { type: 'lights', label: 'Light', doc: 'The light, for a Scene node. A scene uses one light of this type.' } },
   params: {
     intensity: {
-      type: 'number',
-      stage: 'uniform',
+      ...BRIGHTNESS_FACTOR,
       label: 'Intensity',
       doc: 'Factor on the brightness of the panorama: at 1, a plain white panorama renders a white matte surface as white.',
-      default: 1,
-      min: 0,
-      max: 10,
-      step: 0.01,
-      unit: 'ratio',
     },
     rotationRad: {
-      type: 'number',
-      stage: 'uniform',
-      label: 'Rotation',
+      ...ROTATION_ABOUT_Y,
       doc: 'Rotates the environment about the vertical axis, counterclockwise seen from above. It adds to the rotation of the Panorama node.',
-      default: 0,
-      min: -Math.PI,
-      max: Math.PI,
-      step: 0.01,
-      unit: 'rad',
     },
     visible: {
       type: 'toggle',

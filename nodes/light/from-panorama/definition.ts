@@ -1,5 +1,6 @@
 import { type ChoiceParam, defineNode, type NumberParam, type ParamDefinition, type ToggleParam } from '../../kit/definition.ts';
 import { LOCAL_LIGHT_CASTS_SHADOW, SUN_SHADOW } from '../../kit/light-params.ts';
+import { BRIGHTNESS_FACTOR, ROTATION_ABOUT_Y } from '../../kit/panorama/params.ts';
 
 const NTH = ['first', 'second', 'third'] as const;
 
@@ -137,37 +138,18 @@ export const definition = defineNode({
       unit: 'ratio',
     },
     intensity: {
-      type: 'number',
-      stage: 'uniform',
+      ...BRIGHTNESS_FACTOR,
       label: 'Intensity',
       doc: 'Factor on the brightness of the lamps.',
-      default: 1,
-      min: 0,
-      max: 10,
-      step: 0.01,
-      unit: 'ratio',
     },
     ambient: {
-      type: 'number',
-      stage: 'uniform',
+      ...BRIGHTNESS_FACTOR,
       label: 'Ambient light',
       doc: 'Factor on the brightness of the rest of the panorama.',
-      default: 1,
-      min: 0,
-      max: 10,
-      step: 0.01,
-      unit: 'ratio',
     },
     rotationRad: {
-      type: 'number',
-      stage: 'uniform',
-      label: 'Rotation',
+      ...ROTATION_ABOUT_Y,
       doc: 'Rotates lamps and panorama about the vertical axis, counterclockwise seen from above. It adds to the rotation of the Panorama node.',
-      default: 0,
-      min: -Math.PI,
-      max: Math.PI,
-      step: 0.01,
-      unit: 'rad',
     },
     kind: {
       type: 'choice',

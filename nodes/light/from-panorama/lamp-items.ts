@@ -1,6 +1,7 @@
 import type { LightShadow, LocalLightShadow, ShadowFilter } from '../../kit/light-shadow.ts';
+import { createPointItem, createSpotItem } from '../../kit/local-lights.ts';
 import type { FoundLamp } from '../../kit/panorama/found-lamps.ts';
-import type { DirectionalLightItem, DirectLightItem, PointLightItem, SpotLightItem } from '../../kit/scene-lists.ts';
+import type { DirectionalLightItem, DirectLightItem } from '../../kit/scene-lists.ts';
 import type { Writable } from '../../kit/value-views.ts';
 
 /** The kinds of lights, in the order of the param. */
@@ -85,17 +86,8 @@ export const MAX_SIZE_RAD = 1.4;
 
 function spot(key: string, { towards, irradiance, sizeRad }: LampLight, { mapSizePx, filter }: LampShadow): LampItem {
   const shadow: LocalLightShadow = { mapSizePx, biasPx: 0, filter, sourceM: 0 };
-  const item: SpotLightItem = {
-    key,
-    kind: 'spot',
-    intensityCd: new Float32Array(3),
-    positionWorld: new Float32Array(3),
-    towardsLightWorld: new Float32Array(3),
-    rangeM: 0,
-    halfAngleRad: 0,
-    penumbra: PENUMBRA,
-    shadow: null,
-  };
+  const item = createSpotItem(key);
+  item.penumbra = PENUMBRA;
   return {
     item,
     update: (setting) => {
@@ -118,14 +110,7 @@ const MAX_HALF_ANGLE_RAD = 1.3;
 function point(key: string, { towards, irradiance }: LampLight, { mapSizePx, filter }: LampShadow): LampItem {
   // Cube maps have the filters without their own textures only.
   const shadow: LocalLightShadow = { mapSizePx, biasPx: 0, filter: filter === 'basic' || filter === 'pcf' ? filter : 'soft' };
-  const item: PointLightItem = {
-    key,
-    kind: 'point',
-    intensityCd: new Float32Array(3),
-    positionWorld: new Float32Array(3),
-    rangeM: 0,
-    shadow: null,
-  };
+  const item = createPointItem(key);
   return {
     item,
     update: (setting) => {

@@ -1,6 +1,7 @@
 import type { EnvironmentAsset } from '../../kit/assets.ts';
 import type { FoundLamps } from '../../kit/panorama/found-lamps.ts';
 import { type LampOptions, lampKey } from '../../kit/panorama/lamp-options.ts';
+import type { PanoramaPixels } from '../../kit/panorama/pixels.ts';
 import type { NodeWorker, WorkerService } from '../../kit/runtime.ts';
 import type { SearchAnswer, SearchMessage } from './worker.ts';
 
@@ -35,18 +36,25 @@ function finished(found: FoundLamps): LampSearch {
 function inWorker(environment: EnvironmentAsset, options: LampOptions, workers: WorkerService): LampSearch {
   let worker: NodeWorker | null = null;
   let answer: SearchAnswer | null = null;
+  let isCanceled = false;
   const end = (result: SearchAnswer): void => {
     answer ??= result;
     worker?.dispose();
     worker = null;
   };
-  try {
-    const pixels = environment.readPixels();
+  const fail = (error: unknown): void => end({ failure: error instanceof Error ? error.message : String(error) });
+  const search = (pixels: PanoramaPixels): void => {
+    if (isCanceled) return;
     worker = workers.start({ onMessage: (data) => end(data as SearchAnswer), onFailure: (failure) => end({ failure }) });
     const message: SearchMessage = { pixels, options };
     worker.post(message, [pixels.data.buffer as ArrayBuffer]);
+  };
+  try {
+    const pixels = environment.readPixels();
+    if (pixels instanceof Promise) pixels.then(search).catch(fail);
+    else search(pixels);
   } catch (error) {
-    end({ failure: error instanceof Error ? error.message : String(error) });
+    fail(error);
   }
   return {
     take: () => {
@@ -54,6 +62,7 @@ function inWorker(environment: EnvironmentAsset, options: LampOptions, workers: 
       return answer?.found ?? null;
     },
     dispose: () => {
+      isCanceled = true;
       worker?.dispose();
       worker = null;
     },

@@ -1,7 +1,7 @@
 import { Color } from 'three';
 import type { LocalLightShadow } from '../../kit/light-shadow.ts';
+import { createPointItem } from '../../kit/local-lights.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
-import type { PointLightItem } from '../../kit/scene-lists.ts';
 import type { definition } from './definition.ts';
 
 // Filled and read within one call.
@@ -10,14 +10,7 @@ const scratchColor = new Color();
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { color, intensityCd, positionM, rangeM, castShadow, biasPx } = ctx.params;
   const shadow: LocalLightShadow = { mapSizePx: Number(ctx.config.mapSize), biasPx: 0, filter: ctx.config.filter };
-  const light: PointLightItem = {
-    key: 'light',
-    kind: 'point',
-    intensityCd: new Float32Array(3),
-    positionWorld: new Float32Array(3),
-    rangeM: 0,
-    shadow: null,
-  };
+  const light = createPointItem('light');
   ctx.outputs.lights.items.push(light);
   ctx.outputs.lights.version++;
 

@@ -1,7 +1,7 @@
 import { Color, Vector3 } from 'three';
 import type { LocalLightShadow } from '../../kit/light-shadow.ts';
+import { createSpotItem } from '../../kit/local-lights.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
-import type { SpotLightItem } from '../../kit/scene-lists.ts';
 import type { definition } from './definition.ts';
 
 // Filled and read within one call.
@@ -12,17 +12,7 @@ const scratchTarget = new Vector3();
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { color, intensityCd, positionM, targetM, angleRad, penumbra, rangeM, castShadow, biasPx, sourceM } = ctx.params;
   const shadow: LocalLightShadow = { mapSizePx: Number(ctx.config.mapSize), biasPx: 0, filter: ctx.config.filter, sourceM: 0 };
-  const light: SpotLightItem = {
-    key: 'light',
-    kind: 'spot',
-    intensityCd: new Float32Array(3),
-    positionWorld: new Float32Array(3),
-    towardsLightWorld: new Float32Array(3),
-    rangeM: 0,
-    halfAngleRad: 0,
-    penumbra: 0,
-    shadow: null,
-  };
+  const light = createSpotItem('light');
   ctx.outputs.lights.items.push(light);
   ctx.outputs.lights.version++;
 

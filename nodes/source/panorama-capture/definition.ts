@@ -1,4 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
+import { PANORAMA_PARAMS } from '../../kit/panorama/params.ts';
 
 export const definition = defineNode({
   type: 'source/panorama-capture',
@@ -39,27 +40,10 @@ export const definition = defineNode({
         { value: '2048', label: '2048 × 1024' },
       ],
     },
+    ...PANORAMA_PARAMS,
     rotationRad: {
-      type: 'number',
-      stage: 'uniform',
-      label: 'Rotation',
+      ...PANORAMA_PARAMS.rotationRad,
       doc: 'Rotates the panorama about the vertical axis, counterclockwise seen from above.',
-      default: 0,
-      min: -Math.PI,
-      max: Math.PI,
-      step: 0.01,
-      unit: 'rad',
-    },
-    exposure: {
-      type: 'number',
-      stage: 'uniform',
-      label: 'Exposure',
-      doc: 'Brightness in stops: each stop doubles it.',
-      default: 0,
-      min: -10,
-      max: 10,
-      step: 0.1,
-      unit: 'none',
     },
   },
   needs: [

@@ -1,4 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
+import { PANORAMA_PARAMS } from '../../kit/panorama/params.ts';
 
 export const definition = defineNode({
   type: 'source/panorama',
@@ -12,28 +13,7 @@ export const definition = defineNode({
   },
   params: {
     file: { type: 'asset', stage: 'asset', label: 'File', doc: 'The panorama file.', default: '', accept: 'environment' },
-    rotationRad: {
-      type: 'number',
-      stage: 'uniform',
-      label: 'Rotation',
-      doc: 'Rotates the panorama about the vertical axis, counterclockwise seen from above. At 0 its center is straight ahead (−z).',
-      default: 0,
-      min: -Math.PI,
-      max: Math.PI,
-      step: 0.01,
-      unit: 'rad',
-    },
-    exposure: {
-      type: 'number',
-      stage: 'uniform',
-      label: 'Exposure',
-      doc: 'Brightness in stops: each stop doubles it.',
-      default: 0,
-      min: -10,
-      max: 10,
-      step: 0.1,
-      unit: 'none',
-    },
+    ...PANORAMA_PARAMS,
   },
   lowering: { kind: 'source' },
 });

@@ -3,7 +3,7 @@ import { readRadiance } from '../../../export/runtime/scenes/environments/read-r
 import { findLamps, searchWhole } from '../../../nodes/kit/panorama/find-lamps.ts';
 import type { FoundLamps } from '../../../nodes/kit/panorama/found-lamps.ts';
 import { grayImageOf } from '../../../nodes/kit/panorama/gray-image.ts';
-import { createRowReader, isDisplayReferred, type PanoramaPixels } from '../../../nodes/kit/panorama/pixels.ts';
+import { createRowReader, isDisplayReferred, type PanoramaPixels, runWhole } from '../../../nodes/kit/panorama/pixels.ts';
 import type { LampAnswer, LampRequest, LampStage } from './messages.ts';
 
 /** Worker that decodes and searches a panorama for the inspector, and draws the steps of the search. */
@@ -46,7 +46,7 @@ async function decode(bytes: ArrayBuffer): Promise<PanoramaPixels> {
 async function drawStages(pixels: PanoramaPixels, { widthPx, heightPx, steps }: FoundLamps): Promise<LampStage[]> {
   const stages: LampStage[] = [{ kind: 'picture', iteration: 0, image: await draw(pixels.widthPx, pixels.heightPx, imageOf(pixels)) }];
   if (steps.length === 0) return stages;
-  const { gray } = whole(grayImageOf(pixels));
+  const { gray } = runWhole(grayImageOf(pixels));
   for (const [iteration, { bright, smooth }] of steps.entries()) {
     const stage = async (kind: LampStage['kind'], values: Uint8Array, factor: number): Promise<LampStage> => ({
       kind,
@@ -90,11 +90,4 @@ async function draw(widthPx: number, heightPx: number, rgba: Uint8ClampedArray<A
   if (widthPx <= SHOWN_WIDTH_PX) return createImageBitmap(image);
   const scale = SHOWN_WIDTH_PX / widthPx;
   return createImageBitmap(image, { resizeWidth: SHOWN_WIDTH_PX, resizeHeight: Math.max(1, Math.round(heightPx * scale)) });
-}
-
-function whole<T>(slices: Generator<undefined, T>): T {
-  for (;;) {
-    const { done, value } = slices.next();
-    if (done) return value;
-  }
 }

@@ -78,7 +78,16 @@ float windowMirrored(vec3 direction) {
   return inside.x * inside.y;
 }
 
+// A light that was moved is a lamp on the wall or the ceiling, or on what is before them: a disk of 10 degrees seen from the middle.
+bool isMovedLamp() {
+  return throughWindow < 0.5 && dot(normalize(positionWorld - vec3(0.0, LAMP_CENTER_Y, 0.0)), sunDirection) > LAMP_COSINE;
+}
+
 void main() {
+  if (isMovedLamp()) {
+    gl_FragColor = vec4(1.0);
+    return;
+  }
   vec3 albedo = texture(picture, textureUv).rgb * albedoTint;
   if (glow > 0.0) {
     gl_FragColor = vec4(albedo * glow, 1.0);
@@ -95,12 +104,17 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
+/** The lamp of a moved light: the height of the place from which it stands in the direction of the light, and its angular radius there. */
+const MOVED_LAMP = { fromM: 1.2, radiusRad: Math.PI / 36 } as const;
+
 export function createStudioMaterial(style: SurfaceStyle, picture: Texture, sunMapPx: number, shared: StudioUniforms): ShaderMaterial {
   const vec2 = (x: number, y: number): string => `vec2(${x.toFixed(4)}, ${y.toFixed(4)})`;
   return new ShaderMaterial({
     // Leaves and curtains have no thickness.
     side: DoubleSide,
     defines: {
+      LAMP_CENTER_Y: MOVED_LAMP.fromM.toFixed(2),
+      LAMP_COSINE: Math.cos(MOVED_LAMP.radiusRad).toFixed(6),
       SUN_TEXEL: (1 / sunMapPx).toFixed(8),
       WINDOW_CENTER: vec2(WINDOW.centerY, WINDOW.centerZ),
       WINDOW_HALF: vec2(WINDOW.heightM / 2, WINDOW.widthM / 2),

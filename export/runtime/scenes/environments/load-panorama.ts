@@ -7,6 +7,7 @@ import {
   LinearFilter,
   LinearMipmapLinearFilter,
   LinearSRGBColorSpace,
+  RedFormat,
   RepeatWrapping,
   RGBAFormat,
   SRGBColorSpace,
@@ -18,7 +19,7 @@ import { type PlainPixels, toEquirectangular } from '../../../../nodes/kit/panor
 import type { LoadedEnvironment, ModelFinding } from '../../scene-backend.ts';
 import { bytesTexture, ownPixels } from './filled-texture.ts';
 import { PanoramaError, type RadianceHeader, readRadianceHeader } from './radiance-header.ts';
-import type { ReadRadiance } from './read-radiance.ts';
+import type { HalfPixels, ReadRadiance } from './read-radiance.ts';
 
 /** Maximum width of a panorama. With 4096 rows, 16-bit floats with mip levels then take 350 MB. */
 const MAX_WIDTH_PX = 8192;
@@ -48,9 +49,9 @@ export async function loadPanorama(bytes: ArrayBuffer, maxTexturePx: number, rea
   const layout = layoutOf(widthPx, heightPx);
   const findings = findingsOf(layout, widthPx, heightPx);
   if (layout !== null && layout !== 'equirectangular') {
-    return { ...(header ? convertRadiance(bytes, header, layout, readRadiance) : convertPicture(picture, layout)), findings };
+    return { ...(header ? await convertRadiance(bytes, header, layout, readRadiance) : convertPicture(picture, layout)), findings };
   }
-  const texture = header ? readRadiance.halves(bytes, header) : pictureTexture(picture);
+  const texture = header ? radianceTexture(await readRadiance.halves(bytes, header)) : pictureTexture(picture);
   const readPixels = () => (header ? readRadiance.floats(bytes, header) : ownPixels(texture));
   return { ...panoramaOf(texture, readPixels), findings };
 }
@@ -65,11 +66,15 @@ function findingsOf(layout: PanoramaLayout | null, widthPx: number, heightPx: nu
   return [{ code: 'SCR039', severity: 'info', message, fix: 'Export it twice as wide as high if it is a panorama.' }];
 }
 
-function convertRadiance(bytes: ArrayBuffer, header: RadianceHeader, layout: PanoramaLayout, read: ReadRadiance): LoadedPanorama {
+async function convertRadiance(
+  bytes: ArrayBuffer,
+  header: RadianceHeader,
+  layout: PanoramaLayout,
+  read: ReadRadiance,
+): Promise<LoadedPanorama> {
   // It finds out whether the file is whole.
-  const halves = read.halves(bytes, header);
-  halves.dispose();
-  const converted = toEquirectangular(read.floats(bytes, header) as PlainPixels, layout, MOST_CONVERTED_PX);
+  await read.halves(bytes, header);
+  const converted = toEquirectangular((await read.floats(bytes, header)) as PlainPixels, layout, MOST_CONVERTED_PX);
   return panoramaOf(halvesTexture(converted), () => ({ ...converted, data: converted.data.slice() }));
 }
 
@@ -90,9 +95,13 @@ function halvesTexture({ data, widthPx, heightPx, channels }: PlainPixels): Data
     }
     halves[i * 4 + 3] = ONE_HALF;
   }
-  const texture = new DataTexture(halves, widthPx, heightPx, RGBAFormat, HalfFloatType);
+  return radianceTexture({ widthPx, heightPx, channels: 4, data: halves });
+}
+
+function radianceTexture({ data, widthPx, heightPx, channels, fromBottom = false }: HalfPixels): DataTexture {
+  const texture = new DataTexture(data, widthPx, heightPx, channels === 1 ? RedFormat : RGBAFormat, HalfFloatType);
   texture.colorSpace = LinearSRGBColorSpace;
-  texture.flipY = true;
+  texture.flipY = !fromBottom;
   return texture;
 }
 

@@ -29,6 +29,12 @@ export interface PanoramaTools {
   readonly findLamps: FindLamps | null;
 }
 
+/** Renders, which search at once, decode at once too. */
+function atOnce(pixels: PanoramaPixels | Promise<PanoramaPixels>): PanoramaPixels {
+  if (pixels instanceof Promise) throw new Error('A panorama that a worker decodes cannot be searched at once.');
+  return pixels;
+}
+
 export function createPanoramaStore(renderer: SceneRenderer, { readRadiance, findLamps }: PanoramaTools): PanoramaStore {
   const filtered = new Map<EnvironmentAsset, Prefiltered>();
   /** Completes a panorama with what lighting needs. It is filtered immediately, not in the first frame that uses it. */
@@ -36,7 +42,7 @@ export function createPanoramaStore(renderer: SceneRenderer, { readRadiance, fin
     const whole: LoadedEnvironment = {
       ...panorama,
       ...(lamps ? { lamps } : {}),
-      ...(findLamps ? { findLamps: (options) => findLamps(panorama.readPixels(), options) } : {}),
+      ...(findLamps ? { findLamps: (options) => findLamps(atOnce(panorama.readPixels()), options) } : {}),
       withoutLamps: (runs, size) => {
         const texture = filledTexture(panorama.texture, runs, size);
         return complete(panoramaOf(texture, () => ownPixels(texture)));

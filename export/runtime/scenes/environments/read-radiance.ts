@@ -1,48 +1,52 @@
-import { DataTexture, FloatType, HalfFloatType, LinearSRGBColorSpace } from 'three';
+import { FloatType, HalfFloatType } from 'three';
 import { EXRLoader } from 'three/addons/loaders/EXRLoader.js';
 import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
 import type { PanoramaPixels } from '../../../../nodes/kit/panorama/pixels.ts';
 import { isCutOff, PanoramaError, type RadianceHeader } from './radiance-header.ts';
 
+/** Pixels of 16-bit floats, finite and not negative. */
+export type HalfPixels = PanoramaPixels & { readonly data: Uint16Array<ArrayBuffer> };
+
 /**
  * Decodes Radiance HDR and OpenEXR, to 16-bit floats for drawing. It is injected, so that pages without panoramas do not bundle three.js' loaders (15 KB
- * compressed).
+ * compressed), and because pages and the preview decode in a worker: 8192 × 4096 pixels take seconds.
  *
  * @throws PanoramaError if the file is invalid.
  */
 export interface ReadRadiance {
-  halves(bytes: ArrayBuffer, header: RadianceHeader): DataTexture;
+  halves(bytes: ArrayBuffer, header: RadianceHeader): HalfPixels | Promise<HalfPixels>;
   /**
    * Decodes a file that `halves` has accepted to 32-bit floats, for analysis: rounded to 16 bits, pixels near a threshold could fall on its
    * other side.
    */
-  floats(bytes: ArrayBuffer, header: RadianceHeader): PanoramaPixels;
+  floats(bytes: ArrayBuffer, header: RadianceHeader): PanoramaPixels | Promise<PanoramaPixels>;
 }
 
-export const readRadiance: ReadRadiance = { halves: readHalves, floats: readFloats };
+/** Decodes at once, for renders and for workers. */
+export const readRadiance = { halves: readHalves, floats: readFloats } satisfies ReadRadiance;
 
 function readFloats(bytes: ArrayBuffer, header: RadianceHeader): PanoramaPixels {
-  const { data, width, height, flipY } = parse(bytes, header.format, FloatType);
-  if (!(data instanceof Float32Array) || !width || !height) throw new PanoramaError('it holds no picture. Export it again');
-  return { widthPx: width, heightPx: height, channels: data.length === width * height ? 1 : 4, data, fromBottom: flipY !== true };
+  return parse(bytes, header.format, FloatType);
 }
 
-function readHalves(bytes: ArrayBuffer, header: RadianceHeader): DataTexture {
+function readHalves(bytes: ArrayBuffer, header: RadianceHeader): HalfPixels {
   if (isCutOff(bytes, header)) throw new PanoramaError('the file is incomplete. Copy or export it again');
-  const { data, width, height, format, flipY } = parse(bytes, header.format, HalfFloatType);
-  if (!(data instanceof Uint16Array) || !width || !height) throw new PanoramaError('it holds no picture. Export it again');
-  tame(data);
-  const texture = new DataTexture(data, width, height, format, HalfFloatType);
-  texture.colorSpace = LinearSRGBColorSpace;
-  texture.flipY = flipY ?? false;
-  return texture;
+  const pixels = parse(bytes, header.format, HalfFloatType) as HalfPixels;
+  tame(pixels.data);
+  return pixels;
 }
 
-function parse(
-  bytes: ArrayBuffer,
-  format: RadianceHeader['format'],
-  type: typeof FloatType | typeof HalfFloatType,
-): ReturnType<HDRLoader['parse']> {
+function parse(bytes: ArrayBuffer, format: RadianceHeader['format'], type: typeof FloatType | typeof HalfFloatType): PanoramaPixels {
+  const { data, width, height, flipY } = load(bytes, format, type);
+  const isWanted = type === FloatType ? data instanceof Float32Array : data instanceof Uint16Array;
+  const channels = data && width && height ? data.length / (width * height) : 0;
+  if (!isWanted || !width || !height || (channels !== 1 && channels !== 4)) {
+    throw new PanoramaError('it holds no picture. Export it again');
+  }
+  return { widthPx: width, heightPx: height, channels, data: data as Float32Array | Uint16Array, fromBottom: flipY !== true };
+}
+
+function load(bytes: ArrayBuffer, format: RadianceHeader['format'], type: typeof FloatType | typeof HalfFloatType) {
   try {
     return new (format === 'hdr' ? HDRLoader : EXRLoader)().setDataType(type).parse(bytes);
   } catch (error) {
