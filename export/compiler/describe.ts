@@ -78,13 +78,22 @@ function describePass({ id, reads, target, blend, access, shader }: PassOperatio
   return `${id}: ${access ?? 'full-screen'} pass${from}${onto}${file === undefined ? '' : ` (${file})`}`;
 }
 
-function describeDraw({ id, type, target, shadowMaps, occlusion, under, glass }: DrawOperation, { assets }: Program): string {
-  const mayHaveGlass = glass ? 'glass' : assets.some(({ kind }) => kind === 'model') ? 'glass, if a model has any,' : null;
+/** Whether draws show glass: that of materials of the program is certain, that of models is known only once they are loaded. */
+function glassOf(draws: readonly DrawOperation[], { assets }: Program): 'certain' | 'possible' | null {
+  if (draws.some(({ glass }) => glass)) return 'certain';
+  return draws.length > 0 && assets.some(({ kind }) => kind === 'model') ? 'possible' : null;
+}
+
+const GLASS_IN_WORDS = { certain: 'glass', possible: 'glass, if a model has any,' } as const;
+
+function describeDraw(operation: DrawOperation, program: Program): string {
+  const { id, type, target, shadowMaps, occlusion, under } = operation;
+  const glass = glassOf([operation], program);
   const parts = [
     `${id}: draws objects ${target === 'screen' ? 'onto the screen' : `into ${target}`}`,
     ...(shadowMaps === null ? [] : [`with ${shadowMaps}`]),
     ...(occlusion === null ? [] : [`hidden where ${occlusion.roomDepth} is nearer (${occlusion.node})`]),
-    ...(under && mayHaveGlass ? [`${mayHaveGlass} before ${under.resource}`] : []),
+    ...(under && glass ? [`${GLASS_IN_WORDS[glass]} before ${under.resource}`] : []),
   ];
   return `${parts.join(', ')} (${type})`;
 }
@@ -105,15 +114,16 @@ function pictures(program: Program, reference: ReferenceSize): string[] {
  * Describes the images of what is behind glass, one for each encoding of the targets that objects are drawn into. They are no resources of
  * the program, because only the runtime finds out whether a model has glass.
  */
-function behindGlass({ operations, resources, assets }: Program, reference: ReferenceSize): string[] {
+function behindGlass(program: Program, reference: ReferenceSize): string[] {
+  const { operations, resources } = program;
   const draws = operations.filter((operation): operation is DrawOperation => operation.kind === 'draw');
-  const isSure = draws.some(({ glass }) => glass);
-  if (draws.length === 0 || !(isSure || assets.some(({ kind }) => kind === 'model'))) return [];
+  const glass = glassOf(draws, program);
+  if (glass === null) return [];
   const formats = new Set(
     draws.map(({ target }) => resources.find((r) => r.kind === 'target' && r.id === target && r.format === 'scene16f')),
   );
   const bytes = [...formats].reduce((sum, scene) => sum + behindGlassBytes(scene !== undefined, reference), 0);
-  const when = isSure ? 'While glass is in view' : 'If a model has glass, while it is in view';
+  const when = glass === 'certain' ? 'While glass is in view' : 'If a model has glass, while it is in view';
   return [`  ${when}: its objects are drawn once more, into an image of what is behind it, ${inMebibytes(bytes)}.`];
 }
 

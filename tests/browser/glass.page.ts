@@ -6,11 +6,17 @@ import {
   MeshBasicMaterial,
   MeshPhysicalMaterial,
   type MeshPhysicalMaterialParameters,
+  MeshStandardMaterial,
   PlaneGeometry,
+  Raycaster,
+  Sphere,
   SphereGeometry,
+  Vector2,
+  Vector3,
 } from 'three';
 import type { DrawView, UnderLayer } from '../../nodes/kit/runtime.ts';
-import type { ObjectItem } from '../../nodes/kit/scene-lists.ts';
+import type { LightItem, ObjectItem } from '../../nodes/kit/scene-lists.ts';
+import { cube, HARMONICS } from './light-estimate.page.ts';
 import {
   createStand,
   drawView,
@@ -26,6 +32,7 @@ import {
   viewOf,
   WIDTH,
 } from './scenes-kit.ts';
+import { colorful, drawnWith, technique } from './techniques-kit.ts';
 
 /** Scenes with glass, drawn by the backend without a program. Pictures are RGBA, bottom row first. */
 
@@ -39,9 +46,13 @@ interface Shot {
   /** The color that the layer has before. */
   readonly clear?: readonly [number, number, number, number];
   readonly light?: boolean;
+  readonly lamps?: readonly LightItem[];
 }
 
-export function shoot(items: readonly ObjectItem[], { under, occlusion = null, clear, light = false }: Shot = {}): Uint8Array {
+export function shoot(
+  items: readonly ObjectItem[],
+  { under, occlusion = null, clear, light = false, lamps = light ? [sun([0.3, 1, 0.5])] : [] }: Shot = {},
+): Uint8Array {
   const { gl, backend, layer } = stand;
   const depth = occlusion && { views: [room(gl, 2, 1, [occlusion.depthM, 9])] };
   const hiding = depth && {
@@ -49,7 +60,7 @@ export function shoot(items: readonly ObjectItem[], { under, occlusion = null, c
     params: { softnessM: { value: occlusion?.softnessM ?? 0 }, biasM: { value: 0 }, borderPx: { value: 0 } },
   };
   const scene = backend.serviceFor({ shadowMaps: null, occlusion: hiding }).createScene({ kind: 'shaded', ambient: { value: 0 } });
-  scene.update([objects(...items)], light ? [lights(sun([0.3, 1, 0.5]))] : []);
+  scene.update([objects(...items)], lamps.length > 0 ? [lights(...lamps)] : []);
   layer.clear();
   if (clear) {
     gl.clearColor(...clear);
@@ -189,6 +200,57 @@ export function overRoom() {
   const soft = shoot([pane(thick), box], { under, clear, occlusion: { depthM: 1.25, softnessM: 0.5 } });
   const at = (pixels: Uint8Array, x: number): number[] => pixel(pixels, WIDTH / 2 + x, HEIGHT / 2);
   return { room: at(open, -40), object: at(open, 32), hidden: at(hidden, -40), besideHidden: at(hidden, 70), soft: at(soft, -40) };
+}
+
+/** The light of a room as a device measures it, as a panorama that was taken of it, and as coefficients from the mean of its image. */
+async function lightOf(room: Room): Promise<LightItem> {
+  if (room === 'panorama') {
+    const environment = await stand.backend.loadEnvironment(colorful());
+    return { key: 'taken', kind: 'environment', environment, intensity: 1, rotationRad: 0.7, visible: false };
+  }
+  const reflection = room === 'cube' ? cube(stand.gl, 1) : null;
+  return { key: 'around', kind: 'probe', sphericalHarmonics: HARMONICS, reflection, intensity: 1 };
+}
+
+export type Room = 'cube' | 'panorama' | 'coefficients';
+
+const BALL_M = 0.6;
+
+/**
+ * What a ball of glass before black shows at each pixel, in linear light: with the cosine between its normal and the eye, and what a
+ * perfect mirror of three.js shows there.
+ */
+export async function mirrored(room: Room, kind: 'technique' | 'model', ior: number) {
+  const lamps = [await lightOf(room)];
+  const black = sheet(flat(0), 0, 0, -1.1, 9);
+  const ball = (material: Material): Mesh => new Mesh(new SphereGeometry(BALL_M, 192, 96), material);
+  const pure = { ior, thicknessM: 0.3, shine: 0, haze: 0, dispersion: 0 };
+  const clear = kind === 'model' ? item(ball(glass({ ior }))) : drawnWith(ball(flat(0xffffff)), technique('glass', pure));
+  const seen = shoot([black, clear], { lamps });
+  const mirror = shoot([black, item(ball(new MeshStandardMaterial({ metalness: 1, roughness: 0 })))], { lamps });
+  const caster = new Raycaster();
+  const at = new Vector3();
+  const samples: { cosine: number; seen: number[]; mirror: number[] }[] = [];
+  for (let y = 0; y < HEIGHT; y += 2) {
+    for (let x = 0; x < WIDTH; x += 2) {
+      caster.setFromCamera(new Vector2(((x + 0.5) / WIDTH) * 2 - 1, ((y + 0.5) / HEIGHT) * 2 - 1), FRONT);
+      if (!caster.ray.intersectSphere(new Sphere(new Vector3(), BALL_M), at)) continue;
+      const cosine = -at.normalize().dot(caster.ray.direction);
+      const [second = 0, most = 0] = caster.ray.direction
+        .clone()
+        .reflect(at)
+        .toArray()
+        .map(Math.abs)
+        .sort((a, b) => a - b)
+        .slice(1);
+      // Mirrors blur the border of two faces, and three.js' a little more.
+      if (room === 'cube' && second > 0.85 * most) continue;
+      const light = (of: Uint8Array): number[] => pixel(of, x, y).slice(0, 3).map(linear);
+      // At the rim, three.js blurs where normals turn quickly.
+      if (cosine > 0.25) samples.push({ cosine, seen: light(seen), mirror: light(mirror) });
+    }
+  }
+  return { samples, error: stand.gl.getError() };
 }
 
 /** How many textures, framebuffers and renderbuffers scenes with glass of several sizes have left. */

@@ -104,3 +104,44 @@ describe('glass of models', () => {
     expect([textures, framebuffers, renderbuffers]).toEqual([0, 0, 0]);
   });
 });
+
+interface Mirrored {
+  readonly samples: readonly { readonly cosine: number; readonly seen: readonly number[]; readonly mirror: readonly number[] }[];
+  readonly error: number;
+}
+
+/** Reflectance in air for unpolarized light, by Fresnel's equations with the angle inside from Snell's law. */
+function fresnel(cosine: number, ior: number): number {
+  const inside = Math.sqrt(1 - (1 - cosine ** 2) / ior ** 2);
+  const across = ((cosine - ior * inside) / (cosine + ior * inside)) ** 2;
+  const along = ((inside - ior * cosine) / (inside + ior * cosine)) ** 2;
+  return (across + along) / 2;
+}
+
+/** glTF, Appendix B: the approximation by Schlick. */
+function schlick(cosine: number, ior: number): number {
+  const least = ((ior - 1) / (ior + 1)) ** 2;
+  return least + (1 - least) * (1 - cosine) ** 5;
+}
+
+describe.each(['cube', 'panorama', 'coefficients'] as const)('glass in a room that is known by its %s mirrors that room', (room) => {
+  test.each([
+    ['technique', 1.6, fresnel],
+    ['model', 2.3, schlick],
+  ] as const)('%s of index %d, as a mirror does, by the reflectance of glass', async (kind, ior, reflectance) => {
+    const { samples, error } = await page.call<Mirrored>('mirrored', room, kind, ior);
+    expect(error).toBe(0);
+    expect(samples.length).toBeGreaterThan(400);
+    const isFar = ({ cosine, seen, mirror }: Mirrored['samples'][number]): boolean =>
+      seen.some((value, c) => {
+        const wanted = reflectance(cosine, ior) * (mirror[c] ?? 0);
+        return !(Math.abs(value - wanted) <= 0.008 + 0.08 * wanted);
+      });
+    expect(samples.filter(isFar).length / samples.length).toBeLessThan(0.02);
+    // It is no even gray.
+    for (const c of [0, 1, 2]) {
+      const values = samples.map(({ mirror }) => mirror[c] ?? 0);
+      expect(Math.max(...values)).toBeGreaterThan(1.3 * Math.min(...values));
+    }
+  });
+});

@@ -44,7 +44,7 @@ function sharedStand(): Stand {
 }
 
 /** Nine coefficients with colors of their own, bright from above and from the right, nowhere below zero. */
-const HARMONICS = Float32Array.of(
+export const HARMONICS = Float32Array.of(
   ...[1.1, 0.9, 0.8],
   ...[0.3, 0.25, 0.4],
   ...[-0.1, 0.12, 0.05],
@@ -135,7 +135,7 @@ const COLORS: readonly Triple[] = [
   [200, 40, 200],
 ];
 
-function cube(gl: WebGL2RenderingContext, version: number, turn = 0): ReflectionCube {
+export function cube(gl: WebGL2RenderingContext, version: number, turn = 0): ReflectionCube {
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_CUBE_MAP, texture);
   COLORS.forEach((_, i) => {

@@ -24,6 +24,7 @@ import type { DrawBinding } from '../../export/runtime/scene-backend.ts';
 import { SHADERS } from '../../nodes/generated/definitions.gen.ts';
 import type { LightItem, ObjectItem } from '../../nodes/kit/scene-lists.ts';
 import type { TechniqueUniformView, TechniqueView } from '../../nodes/kit/technique-view.ts';
+import { writeHdr } from '../../tools/examples/write-hdr.ts';
 import { createStand, drawView, HEIGHT, item, lights, lookingAt, objects, sun, viewOf, WIDTH } from './scenes-kit.ts';
 
 /** Techniques of the library on three.js' objects, drawn by the scene backend without a program. */
@@ -188,4 +189,12 @@ export function differing(a: Uint8Array, b: Uint8Array): number {
   let count = 0;
   for (let at = 3; at < a.length; at += 4) if ((a[at] ?? 0) > 0 !== (b[at] ?? 0) > 0) count++;
   return count;
+}
+
+/** A panorama of 64 × 32 pixels, with another color in each direction. */
+export function colorful(): ArrayBuffer {
+  const rgb: number[] = [];
+  for (let y = 0; y < 32; y++)
+    for (let x = 0; x < 64; x++) rgb.push(0.5 + 0.4 * Math.sin((x * Math.PI) / 32), 0.9 - y / 40, 0.3 + 0.2 * Math.cos((x * Math.PI) / 32));
+  return writeHdr(64, 32, rgb).buffer;
 }

@@ -1,8 +1,8 @@
 import { BoxGeometry, Matrix4, Mesh, MeshLambertMaterial, MeshStandardMaterial, PlaneGeometry, SphereGeometry, Vector3 } from 'three';
 import type { LightItem } from '../../nodes/kit/scene-lists.ts';
-import { writeHdr } from '../../tools/examples/write-hdr.ts';
 import { bulb, covered, difference, HEIGHT, item, lookingAt, pixel, project, room, sun, translation, WIDTH } from './scenes-kit.ts';
 import {
+  colorful,
   differing,
   drawnWith,
   EYE,
@@ -27,9 +27,24 @@ export interface Sample {
   readonly color: readonly number[];
 }
 
-/** A sphere in Gooch's tones, lit by a lamp: every third pixel that is well inside. */
-export function goochSphere(values: Values, lamp: readonly [number, number, number] | null) {
-  const suns = lamp ? [bulb(lamp, 40)] : [sun(TOWARDS_SUN)];
+/** Colors of an estimated light: that of its strongest lamp, and what comes from everywhere. */
+export interface Estimated {
+  readonly lamp: readonly number[];
+  readonly around: readonly number[];
+}
+
+/** Irradiance per coefficient of a constant radiance: Ramamoorthi and Hanrahan 2001, c4 of eq. 12. */
+const C4 = 0.886227;
+
+/** A sphere in Gooch's tones, lit by a lamp or as estimated: every third pixel that is well inside. */
+export function goochSphere(values: Values, lamp: readonly [number, number, number] | null, estimated: Estimated | null = null) {
+  const suns: LightItem[] = lamp ? [bulb(lamp, 40)] : [sun(TOWARDS_SUN)];
+  if (estimated) {
+    const sphericalHarmonics = new Float32Array(27);
+    sphericalHarmonics.set(estimated.around.map((value) => value / C4));
+    suns.splice(0, 1, { ...sun(TOWARDS_SUN), radiance: Float32Array.from(estimated.lamp) });
+    suns.push({ key: 'around', kind: 'probe', sphericalHarmonics, reflection: null, intensity: 1 });
+  }
   const pixels = shoot({ items: [drawnWith(sphere(0x8080c0), technique('gooch', values))], suns });
   const samples: Sample[] = [];
   for (let y = 0; y < HEIGHT; y += 3) {
@@ -158,14 +173,6 @@ export function parts() {
 }
 
 const HARMONICS = Float32Array.of(1.1, 0.9, 0.8, 0.3, 0.25, 0.4, -0.1, 0.12, 0.05, 0.2, -0.1, 0.02, ...new Array(15).fill(0));
-
-/** A panorama of 64 × 32 pixels, with another color in each direction. */
-function colorful(): ArrayBuffer {
-  const rgb: number[] = [];
-  for (let y = 0; y < 32; y++)
-    for (let x = 0; x < 64; x++) rgb.push(0.5 + 0.4 * Math.sin((x * Math.PI) / 32), 0.9 - y / 40, 0.3 + 0.2 * Math.cos((x * Math.PI) / 32));
-  return writeHdr(64, 32, rgb).buffer;
-}
 
 /** Differences of techniques and three.js' own materials in the light of an environment, and the mean of their bytes. */
 export async function environment(kind: 'panorama' | 'estimate' | 'neutral', stops: number) {

@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { useModule } from '../support/browser.ts';
-import type { Sample } from './techniques.page.ts';
+import type { Estimated, Sample } from './techniques.page.ts';
 
 const page = useModule('tests/browser/techniques.page.ts');
 
@@ -15,20 +15,38 @@ function encoded(c: number): number {
   return 255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055);
 }
 
-/** Gooch et al. 1998, equations 1 and 2, in linear light, and Phong's highlight over it in white. */
-function goochByHand({ facing, mirrored }: Sample, highlight: number, sharpness: number): number[] {
-  const cool = [0.1, 0.2, 0.75];
-  const warm = [0.85, 0.7, 0.15];
-  const own = [0x80, 0x80, 0xc0];
+const WHITE_LIGHT: Estimated = { lamp: [1, 1, 1], around: [1, 1, 1] };
+
+const luminance = ([r = 0, g = 0, b = 0]: readonly number[]): number => 0.2126 * r + 0.7152 * g + 0.0722 * b;
+
+/** A color in light of another color, at the same luminance. */
+function inLight(color: readonly number[], light: readonly number[]): number[] {
+  const lit = color.map((value, i) => value * (light[i] ?? 0));
+  return lit.map((value) => (value * luminance(color)) / luminance(lit));
+}
+
+/** Gooch et al. 1998, equations 1 and 2, in linear light, and Phong's highlight over it. */
+function goochByHand({ facing, mirrored }: Sample, highlight: number, sharpness: number, light = WHITE_LIGHT): number[] {
+  const own = [0x80, 0x80, 0xc0].map((value) => linear(value / 255));
+  const tone = (color: readonly number[], share: number) => color.map((value, i) => linear(value) + share * (own[i] ?? 0));
+  const kCool = inLight(tone([0.1, 0.2, 0.75], 0.25), light.around);
+  const kWarm = inLight(tone([0.85, 0.7, 0.15], 0.5), light.lamp);
+  const shiny = inLight([1, 1, 1], light.lamp);
   const shine = facing > 0 ? highlight * mirrored ** sharpness : 0;
-  const mixed = cool.map((value, i) => {
-    const color = linear((own[i] ?? 0) / 255);
-    const kCool = linear(value) + 0.25 * color;
-    const kWarm = linear(warm[i] ?? 0) + 0.5 * color;
-    const tone = ((1 + facing) / 2) * kWarm + (1 - (1 + facing) / 2) * kCool;
-    return encoded(tone * (1 - shine) + shine);
+  const mixed = kCool.map((cool, i) => {
+    const mean = ((1 + facing) / 2) * (kWarm[i] ?? 0) + (1 - (1 + facing) / 2) * cool;
+    return encoded(mean * (1 - shine) + (shiny[i] ?? 0) * shine);
   });
   return [...mixed, 255];
+}
+
+function expectColors(samples: readonly Sample[], byHand: (sample: Sample) => number[]): void {
+  for (const sample of samples) {
+    const wanted = byHand(sample);
+    const worst = Math.max(...sample.color.map((value, i) => Math.abs(value - (wanted[i] ?? Number.NaN))));
+    // The sphere is made of triangles, so its normals are a little off where they turn quickly.
+    if (!(worst <= 3)) throw new Error(`At ${sample.facing} it shows ${sample.color.join()} instead of ${wanted.map(Math.round).join()}.`);
+  }
 }
 
 describe('technique/gooch', () => {
@@ -43,14 +61,21 @@ describe('technique/gooch', () => {
       const { samples, error } = await page.call<{ samples: Sample[]; error: number }>('goochSphere', { highlight, sharpness }, lamp);
       expect(error).toBe(NO_ERROR);
       expect(samples.length).toBeGreaterThan(300);
-      for (const sample of samples) {
-        const wanted = goochByHand(sample, highlight, sharpness);
-        const worst = Math.max(...sample.color.map((value, i) => Math.abs(value - (wanted[i] ?? Number.NaN))));
-        // The sphere is made of triangles, so its normals are a little off where they turn quickly.
-        if (!(worst <= 3))
-          throw new Error(`At ${sample.facing} it shows ${sample.color.join()} instead of ${wanted.map(Math.round).join()}.`);
-      }
+      expectColors(samples, (sample) => goochByHand(sample, highlight, sharpness));
     }
+  });
+
+  test.each([0, 0.5, 1])('takes the colors of an estimated light by %d, as bright as in white light', async (lightColor) => {
+    const light: Estimated = { lamp: [3, 2.7, 2], around: [0.4, 0.6, 1.1] };
+    const values = { highlight: 0.3, sharpness: 40, lightColor };
+    const { samples, error } = await page.call<{ samples: Sample[]; error: number }>('goochSphere', values, null, light);
+    expect(error).toBe(NO_ERROR);
+    const parts = (color: readonly number[]) => color.map((value) => linear(value / 255));
+    expectColors(samples, (sample) => {
+      const white = parts(goochByHand(sample, 0.3, 40));
+      const colored = parts(goochByHand(sample, 0.3, 40, light));
+      return [...white.map((value, i) => encoded(value + ((colored[i] ?? 0) - value) * lightColor)), 255];
+    });
   });
 
   test('gets warmer and less blue the more a surface faces the light', async () => {

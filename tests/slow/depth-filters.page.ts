@@ -69,12 +69,23 @@ export async function compare(depthUrl: string, colorUrl: string | null, noise: 
   return Object.fromEntries(result);
 }
 
-/** Shares of the pixels without depth, as windows are, whose panel at a distance is hidden: as measured, and with holes filled. */
-export async function hiddenPanel(depthUrl: string, panelM: number): Promise<{ unfilled: number; filled: number; holes: number }> {
+export interface Panel {
+  /** Shares of the pixels without depth, as windows are, whose panel at a distance is hidden: as measured, and with holes filled. */
+  readonly unfilled: number;
+  readonly filled: number;
+  readonly holes: number;
+  /** What a visitor sees with holes filled, at half the size: RGBA, bottom row first. */
+  readonly seen: readonly number[];
+}
+
+const PANEL = [255, 150, 30] as const;
+
+/** A panel across the whole view, at a distance. */
+export async function hiddenPanel(depthUrl: string, colorUrl: string, panelM: number): Promise<Panel> {
   const gl = createGl(WIDTH, HEIGHT);
   const truth = await readMeters(depthUrl);
   const holes = truth.reduce((count, m) => (m === 0 ? count + 1 : count), 0);
-  const hidden = (fillHoles: boolean): number => {
+  const find = (fillHoles: boolean): Float32Array => {
     const { ctx } = fakeContext(definition, { params: { fillHoles }, services: { gl } });
     ctx.outputs.depth.views.push(null);
     const node = create(ctx);
@@ -85,9 +96,28 @@ export async function hiddenPanel(depthUrl: string, panelM: number): Promise<{ u
     if (!refined) throw new Error('There is no depth.');
     const found = readByPixel(gl, refined);
     node.dispose();
-    return found.filter((m, i) => truth[i] === 0 && m > 0 && m < panelM).length / holes;
+    return found;
   };
-  return { unfilled: hidden(false), filled: hidden(true), holes };
+  const isHidden = (m: number): boolean => m > 0 && m < panelM;
+  const share = (found: Float32Array): number => found.filter((m, i) => truth[i] === 0 && isHidden(m)).length / holes;
+  const filled = find(true);
+  const color = await readPixels(colorUrl);
+  const seen: number[] = [];
+  for (let y = 0; y < HEIGHT; y += 2) {
+    for (let x = 0; x < WIDTH; x += 2) {
+      const i = y * WIDTH + x;
+      seen.push(...(isHidden(filled[i] ?? 0) ? color.subarray(i * 4, i * 4 + 3) : PANEL), 255);
+    }
+  }
+  return { unfilled: share(find(false)), filled: share(filled), holes, seen };
+}
+
+/** RGBA, bottom row first. */
+async function readPixels(url: string): Promise<Uint8ClampedArray> {
+  const bitmap = await createImageBitmap(await (await fetch(url)).blob(), { imageOrientation: 'flipY', colorSpaceConversion: 'none' });
+  const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+  context?.drawImage(bitmap, 0, 0);
+  return context?.getImageData(0, 0, bitmap.width, bitmap.height).data ?? new Uint8ClampedArray();
 }
 
 async function readMeters(url: string): Promise<Float32Array> {

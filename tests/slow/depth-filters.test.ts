@@ -1,10 +1,11 @@
-import { mkdtempSync, readdirSync, rmSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { describe, expect, test } from '@jest/globals';
 import { openModule, useBrowser } from '../support/browser.ts';
+import { encodeImage, fromGl } from '../support/image.ts';
 import { describeWithData } from '../support/shared-data.ts';
-import type { Counts, Way } from './depth-filters.page.ts';
+import type { Counts, Panel, Way } from './depth-filters.page.ts';
 import { drawScan } from './draw-scan.ts';
 
 const chromium = useBrowser();
@@ -58,10 +59,12 @@ describeWithData('occlusion by a coarse and noisy sensor', 'sessions/icl-livingr
 
   test('shows a panel before the window, behind its frame', async () => {
     const page = await openModule(chromium.browser, 'tests/slow/depth-filters.page.ts', { mounts: { '/recording/': recording } });
-    const file = readdirSync(`${recording}/depth`).sort()[59];
+    const [depth, color] = ['depth', 'color'].map((folder) => `/recording/${folder}/${readdirSync(`${recording}/${folder}`).sort()[59]}`);
     // Curtain and mullion are 1.8 m to 2 m away, the balcony behind the glass 2.6 m to 3.1 m.
-    const found = await page.call<{ unfilled: number; filled: number; holes: number }>('hiddenPanel', `/recording/depth/${file}`, 2.3);
+    const found = await page.call<Panel>('hiddenPanel', depth, color, 2.3);
     await page.close();
+    mkdirSync('tests/output/depth', { recursive: true });
+    writeFileSync('tests/output/depth/window.png', encodeImage(fromGl(320, 240, found.seen)));
     console.info(`A panel at 2.3 m before the window: ${(found.filled * 100).toFixed(1)} % of its ${found.holes} pixels are hidden.`);
     expect(page.errors).toEqual([]);
     expect(found.holes).toBeGreaterThan(20_000);

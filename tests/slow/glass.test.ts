@@ -6,6 +6,7 @@ import { DECODER_FILES_FOLDER } from '../../export/gltf/decoders.ts';
 import { loadProject } from '../../export/graph/load.ts';
 import type { Program } from '../../export/program/program.ts';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { glassBallBeforeBox } from '../support/glass-project.ts';
 import { encodeImage, fromGl } from '../support/image.ts';
 import { LIBRARY } from '../support/library.ts';
 import { type ProjectText, projectText } from '../support/project-kit.ts';
@@ -110,42 +111,12 @@ describeWithData('models of Khronos with transmission, over a camera image', mod
   });
 });
 
-/** A ball of glass before a red box, over the camera image. */
-function ballBeforeBox(roughness: number): ProjectText {
-  return {
-    nodes: {
-      'video-a1': 'source/camera-video',
-      'ball-a1': ['objects/primitive', { shape: 'sphere', sizeM: [0.5, 0.5, 0.5] }],
-      'box-a1': ['objects/primitive', { shape: 'box', sizeM: [0.3, 0.3, 0.3], color: [1, 0, 0, 1] }],
-      'back-a1': ['objects/transform', { positionM: [0.25, 0, -1.5] }],
-      'glass-a1': ['technique/glass', { thicknessM: 0.5, roughness }],
-      'clear-a1': 'objects/apply-technique',
-      'sun-b2': ['light/directional', { castShadow: false }],
-      'scene-c3': ['layer/scene', { shadows: false }],
-      'over-c3': 'operator/over',
-      'screen-d4': 'output/screen',
-    },
-    wires: [
-      'ball-a1.objects -> clear-a1.objects',
-      'glass-a1.technique -> clear-a1.technique',
-      'video-a1.layer -> glass-a1.behind',
-      'box-a1.objects -> back-a1.objects',
-      'clear-a1.objects -> scene-c3.objects',
-      'back-a1.objects -> scene-c3.objects',
-      'sun-b2.lights -> scene-c3.lights',
-      'scene-c3.layer -> over-c3.top',
-      'video-a1.layer -> over-c3.bottom',
-      'over-c3.layer -> screen-d4.layer',
-    ],
-  };
-}
-
 test.each([0, 0.3])(
   'a ball of the glass material (roughness %d) shows a virtual box behind it, in two views, after a lost context',
   async (roughness) => {
     const { one, two, again, error, told } = await page.call<Played>(
       'play',
-      programOf(ballBeforeBox(roughness)),
+      programOf(glassBallBeforeBox({ ballM: 0.5, boxM: 0.3, boxAt: [0.25, 0, -1.5], roughness })),
       '/',
       [0, 0, 1.2],
       [0, 0, 0],

@@ -1,8 +1,19 @@
-import { Mesh, MeshLambertMaterial, type Object3D, PlaneGeometry, Vector3 } from 'three';
+import { Matrix4, Mesh, MeshLambertMaterial, type Object3D, PlaneGeometry, Vector3 } from 'three';
 import type { LoadedEnvironment } from '../../export/runtime/scene-backend.ts';
 import type { LightItem, ObjectItem } from '../../nodes/kit/scene-lists.ts';
 import type { TechniqueView } from '../../nodes/kit/technique-view.ts';
-import { drawView, item, lights, loadUrl, lookingAt, normalizing, objects, viewOf } from '../browser/scenes-kit.ts';
+import {
+  createLayer,
+  drawView,
+  item,
+  lights,
+  loadUrl,
+  lookingAt,
+  normalizing,
+  objects,
+  translation,
+  viewOf,
+} from '../browser/scenes-kit.ts';
 import { drawnWith, loadImages, stand, technique, viewOfText } from '../browser/techniques-kit.ts';
 import { dimmed, type LampName, type Lamps, lampsOf, reaching } from './light-tones-lamps.ts';
 import { ASKED, type Lit, linear } from './light-tones-styles.ts';
@@ -22,58 +33,103 @@ const VALUES = {
 
 export type Style = keyof typeof VALUES;
 
+/** So large that each model has a thousand pixels, among which the grain of charcoal evens out. */
+const layer = createLayer(stand.gl, 320, 240);
+const VIEWPORT = { x: 0, y: 0, widthPx: layer.widthPx, heightPx: layer.heightPx };
 const CAMERA = lookingAt([1.6, 0.7, 1.5], [0, 0, 0]);
 const STOPS = [-7, -5, -3, -2, -1, 0];
 /** The reference is drawn this much darker, so that nothing brighter than white is cut off. */
 const DARKER = 1 / 8;
 
-const models = new Map<string, { readonly root: Object3D; readonly own: ObjectItem }>();
+/** Where each model stands, from the middle of the picture to the right and up, in meters, and how large it is. */
+const PLACES = [
+  [-0.9, 0.5],
+  [0, 0.5],
+  [0.9, 0.5],
+  [-0.45, -0.5],
+  [0.45, -0.5],
+] as const;
+const RADIUS_M = 0.46;
+const [RIGHT, UP] = [0, 1].map((column) => new Vector3().setFromMatrixColumn(CAMERA.matrixWorld, column)) as [Vector3, Vector3];
+
+/** All models stand in one picture, because most of the time goes into shaders and light, not into pixels. */
+const models: { readonly root: Object3D; readonly own: ObjectItem }[] = [];
 const panoramas = new Map<string, LoadedEnvironment>();
 
 export async function prepare(modelNames: readonly string[], panoramaNames: readonly string[]): Promise<void> {
   await loadImages();
-  for (const name of modelNames) {
+  for (const [i, name] of modelNames.entries()) {
     const root = (await loadUrl(stand.backend, `/models/${name}`)).instantiate();
     root.traverse((node) => {
       if (node instanceof Mesh) node.material = new MeshLambertMaterial({ flatShading: !node.geometry.attributes.normal });
     });
-    models.set(name, { root, own: item(root, { at: normalizing(root) }) });
+    const [right, up] = PLACES[i] ?? [Number.NaN, Number.NaN];
+    const { x, y, z } = RIGHT.clone().multiplyScalar(right).addScaledVector(UP, up);
+    const at = translation(x, y, z)
+      .multiply(new Matrix4().makeScale(RADIUS_M, RADIUS_M, RADIUS_M))
+      .multiply(normalizing(root));
+    models.push({ root, own: item(root, { at }) });
   }
   for (const name of panoramaNames) {
     panoramas.set(name, await stand.backend.loadEnvironment(await (await fetch(`/panoramas/${name}`)).arrayBuffer()));
   }
 }
 
+const drawnBy = (view: TechniqueView): ObjectItem[] => models.map(({ root, own }) => drawnWith(root, view, own.worldFromObject));
+const plain = (): ObjectItem[] => models.map(({ own }) => own);
+
 type Parts = 'all' | 'open' | 'around';
 
-/** Pictures of an object at several brightnesses of a light; the scene compiles once. */
-function shots(thing: ObjectItem, lamps: Lamps, factors: readonly number[], parts: Parts = 'all', camera = CAMERA): Uint8Array[] {
-  const { backend, layer } = stand;
-  const list = objects(thing);
+/** Scenes in one light. They stay, so that shaders and prefiltered light serve all pictures in it. */
+interface Stage {
+  readonly lamps: Lamps;
+  /** Pictures at several brightnesses of the light. */
+  shots(things: readonly ObjectItem[], factors: readonly number[], parts?: Parts, camera?: typeof CAMERA): Uint8Array[];
+}
+
+function createStage(lamps: Lamps): Stage {
+  const { backend } = stand;
+  const list = objects();
   const lit = lights();
-  const set = (factor: number): void => {
+  const ambient = { value: 0 };
+  const set = (factor: number, parts: Parts): void => {
     const direct = parts === 'around' || !lamps.direct ? null : dimmed(lamps.direct, factor);
-    if (direct && parts === 'open') direct.shadow = null;
+    if (direct && parts !== 'all') direct.shadow = null;
     lit.items.splice(0, lit.items.length, ...[direct, lamps.around(factor)].filter((light): light is LightItem => light !== null));
     lit.version++;
-  };
-  set(1);
-  const shadowMaps = parts === 'all' && lamps.direct?.shadow ? backend.createShadowMaps([list], [lit]) : null;
-  const ambient = { value: 0 };
-  const scene = backend.serviceFor({ shadowMaps, occlusion: null }).createScene({ kind: 'shaded', ambient });
-  const drawn = factors.map((factor) => {
     ambient.value = lamps.ambient * factor;
-    set(factor);
-    scene.update([list], [lit]);
-    shadowMaps?.update();
-    layer.clear();
-    backend.invalidateState();
-    scene.draw(drawView(viewOf(camera), layer.framebuffer));
-    return layer.pixels();
-  });
-  scene.dispose();
-  shadowMaps?.dispose();
-  return drawn;
+  };
+  set(1, 'all');
+  const maps = lamps.direct?.shadow ? backend.createShadowMaps([list], [lit]) : null;
+  const sceneWith = (shadowMaps: typeof maps) =>
+    backend.serviceFor({ shadowMaps, occlusion: null }).createScene({ kind: 'shaded', ambient });
+  const open = sceneWith(null);
+  const shadowed = maps && sceneWith(maps);
+  return {
+    lamps,
+    shots: (things, factors, parts = 'all', camera = CAMERA) => {
+      list.items.splice(0, list.items.length, ...things);
+      list.version++;
+      const scene = (parts === 'all' && shadowed) || open;
+      return factors.map((factor) => {
+        set(factor, parts);
+        scene.update([list], [lit]);
+        if (scene === shadowed) maps?.update();
+        layer.clear();
+        backend.invalidateState();
+        scene.draw(drawView(viewOf(camera, VIEWPORT), layer.framebuffer));
+        return layer.pixels();
+      });
+    },
+  };
+}
+
+const stages = new Map<LampName, Stage>();
+
+function stageOf(name: LampName): Stage {
+  const stage = stages.get(name) ?? createStage(lampsOf(name, panoramas));
+  stages.set(name, stage);
+  return stage;
 }
 
 function luminanceAt(pixels: Uint8Array, i: number): number {
@@ -93,13 +149,13 @@ function vectorAt(pixels: Uint8Array, i: number, scale: number): Vector3 {
 }
 
 /** What white planes that face each way receive of the environment: its direction, and the luminance there. */
-function around(lamps: Lamps): { towards: Vector3; onWhite: number; rise: number } {
+function around(stage: Stage): { towards: Vector3; onWhite: number; rise: number } {
+  const plane = new Mesh(new PlaneGeometry(2, 2), new MeshLambertMaterial());
   const facing = (towards: Vector3): number => {
-    const plane = new Mesh(new PlaneGeometry(2, 2), new MeshLambertMaterial());
     plane.lookAt(towards);
     const camera = lookingAt([towards.x, towards.y, towards.z || 1e-4], [0, 0, 0]);
-    const [pixels = new Uint8Array()] = shots(item(plane), lamps, [DARKER], 'around', camera);
-    return luminanceAt(pixels, pixels.length / 8 + 80) / DARKER;
+    const [pixels = new Uint8Array()] = stage.shots([item(plane)], [DARKER], 'around', camera);
+    return luminanceAt(pixels, pixels.length / 8 + layer.widthPx / 2) / DARKER;
   };
   const rise = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)].map(
     (axis) => facing(axis) - facing(axis.clone().negate()),
@@ -112,30 +168,40 @@ function around(lamps: Lamps): { towards: Vector3; onWhite: number; rise: number
   return { towards, onWhite, rise: onWhite - facing(towards.clone().negate()) };
 }
 
-/** The light at each pixel of a model, at full brightness; null beside it. */
-function reference(model: string, lamps: Lamps): (Lit | null)[] {
-  const { own, root } = models.get(model) ?? { own: item(new Mesh()), root: new Mesh() };
-  const styled = (name: string, text: string): Uint8Array =>
-    shots(drawnWith(root, viewOfText(text, name), own.worldFromObject), lamps, [1])[0] ?? new Uint8Array();
+/** The light at a pixel, and the model that is there. */
+type LitModel = Lit & { readonly model: number };
+
+/** The light at each pixel, at full brightness; null beside the models. */
+function reference(stage: Stage): (LitModel | null)[] {
+  const { lamps } = stage;
+  const styled = (name: string, text: string): Uint8Array => stage.shots(drawnBy(viewOfText(text, name)), [1])[0] ?? new Uint8Array();
   const [positions, normals] = [styled('positions', POSITIONS), styled('normals', NORMALS)];
-  const [shaded = new Uint8Array()] = shots(own, lamps, [DARKER]);
-  const [open = shaded] = lamps.direct?.shadow ? shots(own, lamps, [DARKER], 'open') : [];
-  const sky = around(lamps);
+  const [shaded = new Uint8Array()] = stage.shots(plain(), [DARKER]);
+  const [open = shaded] = lamps.direct?.shadow ? stage.shots(plain(), [DARKER], 'open') : [];
+  const sky = around(stage);
   return Array.from({ length: shaded.length / 4 }, (_, i) => {
     if (shaded[i * 4 + 3] !== 255 || positions[i * 4 + 3] !== 255) return null;
     const received = luminanceAt(shaded, i) / DARKER;
     const without = luminanceAt(open, i) / DARKER;
     const normal = vectorAt(normals, i, 0.5).normalize();
-    const direct = lamps.direct ? reaching(lamps.direct, vectorAt(positions, i, 0.4)) : { towards: sky.towards, onWhite: 0 };
+    const position = vectorAt(positions, i, 0.4);
+    const direct = lamps.direct ? reaching(lamps.direct, position) : { towards: sky.towards, onWhite: 0 };
     const strongest = direct.onWhite > sky.rise ? direct.towards : sky.towards;
     const cosine = normal.dot(strongest);
     // Lights with a shadow are alone.
     const lit = lamps.direct?.shadow && without > 0 ? Math.min(received / without, 1) : 1;
-    return { received, onWhite: direct.onWhite + sky.onWhite, facing: cosine > 0 ? cosine * lit : cosine };
+    return { received, onWhite: direct.onWhite + sky.onWhite, facing: cosine > 0 ? cosine * lit : cosine, model: modelAt(position) };
   });
 }
 
-const known = new Map<string, (Lit | null)[]>();
+/** The model whose place is nearest. */
+function modelAt(position: Vector3): number {
+  const [x, y] = [position.dot(RIGHT), position.dot(UP)];
+  const away = PLACES.map(([right, up]) => Math.hypot(x - right, y - up));
+  return away.indexOf(Math.min(...away));
+}
+
+const known = new Map<LampName, (LitModel | null)[]>();
 
 export interface Tones {
   /** Mean luminance by brightness of the light, darkest first: as drawn, and as asked for. */
@@ -144,30 +210,29 @@ export interface Tones {
   readonly pixels: number;
 }
 
-export function tones(style: Style, model: string, lampName: LampName): Tones {
-  const lamps = lampsOf(lampName, panoramas);
-  const key = `${model} ${lampName}`;
-  const lit = known.get(key) ?? reference(model, lamps);
-  known.set(key, lit);
-  const { root, own } = models.get(model) ?? { own: item(new Mesh()), root: new Mesh() };
-  const view: TechniqueView = technique(style, VALUES[style]);
+/** Of each model. */
+export function tones(style: Style, lampName: LampName): Tones[] {
+  const stage = stageOf(lampName);
+  const lit = known.get(lampName) ?? reference(stage);
+  known.set(lampName, lit);
   const factors = STOPS.map((stops) => 2 ** stops);
-  const pictures = shots(drawnWith(root, view, own.worldFromObject), lamps, factors);
-  const pixels = lit.filter((one) => one !== null).length;
-  const mean = (at: (one: Lit, i: number) => number): number => lit.reduce((sum, one, i) => (one ? sum + at(one, i) / pixels : sum), 0);
+  const pictures = stage.shots(drawnBy(technique(style, VALUES[style])), factors);
   const askedFor = ASKED[style] ?? (() => Number.NaN);
-  return {
-    drawn: pictures.map((picture) => mean((_, i) => luminanceAt(picture, i))),
-    asked: factors.map((factor) =>
-      mean(({ received, onWhite, facing }) => askedFor({ received: received * factor, onWhite: onWhite * factor, facing })),
-    ),
-    pixels,
-  };
+  return models.map((_, model) => {
+    const own = lit.flatMap((one, i) => (one?.model === model ? [{ ...one, i }] : []));
+    const mean = (values: readonly number[]): number => values.reduce((sum, value) => sum + value / own.length, 0);
+    return {
+      drawn: pictures.map((picture) => mean(own.map(({ i }) => luminanceAt(picture, i)))),
+      asked: factors.map((factor) =>
+        mean(own.map(({ received, onWhite, facing }) => askedFor({ received: received * factor, onWhite: onWhite * factor, facing }))),
+      ),
+      pixels: own.length,
+    };
+  });
 }
 
 /** The picture itself, to be looked at. */
-export function picture(style: Style | null, model: string, lampName: LampName, stops: number): number[] {
-  const { root, own } = models.get(model) ?? { own: item(new Mesh()), root: new Mesh() };
-  const thing = style ? drawnWith(root, technique(style), own.worldFromObject) : own;
-  return [...(shots(thing, lampsOf(lampName, panoramas), [2 ** stops])[0] ?? [])];
+export function picture(style: Style | null, lampName: LampName, stops: number): number[] {
+  const things = style ? drawnBy(technique(style)) : plain();
+  return [...(stageOf(lampName).shots(things, [2 ** stops])[0] ?? [])];
 }

@@ -1,4 +1,4 @@
-import type { DepthDrawing, DepthImage } from './drawing.ts';
+import { createSizedImage, type DepthDrawing } from './drawing.ts';
 
 /** Rates how far the depth of one view can be trusted. */
 export interface ConfidenceMeter {
@@ -20,22 +20,17 @@ export interface ConfidenceMeter {
  */
 export function createConfidenceMeter(drawing: DepthDrawing): ConfidenceMeter {
   const pass = drawing.link(RATE, ['measured', 'filled']);
-  let image: DepthImage | null = null;
-  const free = (): void => {
-    if (image) drawing.free(image);
-    image = null;
-  };
+  const sized = createSizedImage(drawing, 'gray');
   return {
     rate: (measured, filled, widthPx, heightPx) => {
-      if (image?.widthPx !== widthPx || image.heightPx !== heightPx) free();
-      image ??= drawing.createImage(widthPx, heightPx, 'gray');
+      const image = sized.in(widthPx, heightPx);
       drawing.begin(image, pass);
       drawing.texture(0, measured, 'nearest');
       drawing.texture(1, filled, 'nearest');
       drawing.draw();
       return image.texture;
     },
-    dispose: free,
+    dispose: sized.free,
   };
 }
 

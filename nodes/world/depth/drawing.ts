@@ -25,6 +25,12 @@ export interface DepthImage {
   readonly heightPx: number;
 }
 
+/** An image that is created anew when it is needed in another size; this does not keep its content. */
+export interface SizedImage {
+  in(widthPx: number, heightPx: number): DepthImage;
+  free(): void;
+}
+
 export interface DepthPass {
   readonly program: WebGLProgram;
   readonly samplers: readonly (WebGLUniformLocation | null)[];
@@ -92,6 +98,22 @@ export function createDepthDrawing(gl: WebGL2RenderingContext): DepthDrawing | n
       gl.deleteSampler(samplers.nearest);
       gl.deleteVertexArray(vertexArray);
     },
+  };
+}
+
+export function createSizedImage(drawing: DepthDrawing, content?: 'meters' | 'gray'): SizedImage {
+  let image: DepthImage | null = null;
+  const free = (): void => {
+    if (image) drawing.free(image);
+    image = null;
+  };
+  return {
+    in: (widthPx, heightPx) => {
+      if (image?.widthPx !== widthPx || image.heightPx !== heightPx) free();
+      image ??= drawing.createImage(widthPx, heightPx, content);
+      return image;
+    },
+    free,
   };
 }
 

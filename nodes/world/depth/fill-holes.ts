@@ -1,4 +1,4 @@
-import type { DepthDrawing, DepthImage } from './drawing.ts';
+import { createSizedImage, type DepthDrawing } from './drawing.ts';
 
 /** Fills unknown samples from the known samples around them. */
 export interface HoleFiller {
@@ -21,21 +21,16 @@ export interface HoleFiller {
  */
 export function createHoleFiller(drawing: DepthDrawing): HoleFiller {
   const pass = drawing.link(FILL, ['room']);
-  let image: DepthImage | null = null;
-  const free = (): void => {
-    if (image) drawing.free(image);
-    image = null;
-  };
+  const sized = createSizedImage(drawing);
   return {
     fill: (texture, widthPx, heightPx) => {
-      if (image?.widthPx !== widthPx || image.heightPx !== heightPx) free();
-      image ??= drawing.createImage(widthPx, heightPx);
+      const image = sized.in(widthPx, heightPx);
       drawing.begin(image, pass);
       drawing.texture(0, texture, 'nearest');
       drawing.draw();
       return image.texture;
     },
-    dispose: free,
+    dispose: sized.free,
   };
 }
 

@@ -1,6 +1,6 @@
 import { setInverse3 } from '../../kit/matrices.ts';
 import type { CameraImage, RoomDepth, ViewFrame } from '../../kit/session.ts';
-import type { DepthDrawing, DepthImage } from './drawing.ts';
+import { createSizedImage, type DepthDrawing, type DepthImage } from './drawing.ts';
 import { createRegistrationMeter, TRUSTED } from './registration.ts';
 
 /** Interpolates the depth of one view to the resolution of the view, along the edges of objects. */
@@ -35,17 +35,12 @@ export function createEdgeFollower(gl: WebGL2RenderingContext, drawing: DepthDra
     hasGuide: pass.uniform('hasGuide'),
   };
   const viewUvFromUv = new Float32Array(9);
-  let picture: DepthImage | null = null;
+  const picture = createSizedImage(drawing);
   let registration: DepthImage | null = null;
 
   const fitted = (widthPx: number, heightPx: number): DepthImage => {
     const scale = Math.min(1, MAX_SIDE_PX / Math.max(widthPx, heightPx));
-    const width = Math.max(1, Math.round(widthPx * scale));
-    const height = Math.max(1, Math.round(heightPx * scale));
-    if (picture?.widthPx === width && picture.heightPx === height) return picture;
-    if (picture) drawing.free(picture);
-    picture = drawing.createImage(width, height);
-    return picture;
+    return picture.in(Math.max(1, Math.round(widthPx * scale)), Math.max(1, Math.round(heightPx * scale)));
   };
   return {
     get registration() {
@@ -67,7 +62,7 @@ export function createEdgeFollower(gl: WebGL2RenderingContext, drawing: DepthDra
     },
     dispose: () => {
       meter.dispose();
-      if (picture) drawing.free(picture);
+      picture.free();
     },
   };
 }

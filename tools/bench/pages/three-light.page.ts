@@ -5,6 +5,8 @@ import {
   EquirectangularReflectionMapping,
   HalfFloatType,
   Mesh,
+  MeshPhysicalMaterial,
+  type MeshPhysicalMaterialParameters,
   MeshStandardMaterial,
   PCFShadowMap,
   PerspectiveCamera,
@@ -15,6 +17,7 @@ import {
   WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
+import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
 import { OutputPass } from 'three/addons/postprocessing/OutputPass.js';
 import { type Drawn, measureFrames } from './frame-ms.ts';
@@ -25,8 +28,18 @@ import { type Drawn, measureFrames } from './frame-ms.ts';
  */
 export type LitLayer = 'display' | 'scene';
 
-/** Opens a ball on a floor, lit by a panorama and a sun with shadow, as somebody who knows three.js writes it by hand. */
-export async function open(panoramaUrl: string, widthPx: number, heightPx: number, layer: LitLayer): Promise<void> {
+/**
+ * Opens a ball on a floor, lit by a panorama and a sun with shadow, as somebody who knows three.js writes it by hand.
+ *
+ * @param glass Of the ball, if it is of glass, by three.js' own transmission.
+ */
+export async function open(
+  panoramaUrl: string,
+  widthPx: number,
+  heightPx: number,
+  layer: LitLayer,
+  glass: MeshPhysicalMaterialParameters | null = null,
+): Promise<void> {
   const renderer = new WebGLRenderer({ antialias: layer === 'display', alpha: true });
   renderer.setSize(widthPx, heightPx, false);
   renderer.shadowMap.enabled = true;
@@ -47,8 +60,9 @@ export async function open(panoramaUrl: string, widthPx: number, heightPx: numbe
   scene.add(sun);
 
   const material = { color: 0xcccccc, roughness: 0.6 } as const;
-  const ball = new Mesh(new SphereGeometry(0.8, 48, 32), new MeshStandardMaterial(material));
+  const ball = new Mesh(new SphereGeometry(0.8, 48, 32), glass ? new MeshPhysicalMaterial(glass) : new MeshStandardMaterial(material));
   const floor = new Mesh(new PlaneGeometry(5, 5).rotateX(-Math.PI / 2), new MeshStandardMaterial({ ...material, side: DoubleSide }));
+  shown = ball;
   for (const mesh of [ball, floor]) {
     mesh.castShadow = true;
     mesh.receiveShadow = true;
@@ -73,6 +87,12 @@ export async function open(panoramaUrl: string, widthPx: number, heightPx: numbe
   };
 }
 
+/** The ball as a binary glTF file, for players of such files. */
+export async function ballAsModel(): Promise<number[]> {
+  if (!shown) throw new Error('Nothing is open.');
+  return [...new Uint8Array((await new GLTFExporter().parseAsync(shown, { binary: true })) as ArrayBuffer)];
+}
+
 /** Milliseconds per frame over `count` frames; see `measureFrames`. */
 export function frameMs(count: number): number {
   if (!stage) throw new Error('Nothing is open.');
@@ -80,3 +100,4 @@ export function frameMs(count: number): number {
 }
 
 let stage: Drawn | null = null;
+let shown: Mesh | null = null;
