@@ -44,14 +44,15 @@ export interface GeoMotionNoise {
   readonly turnRad2PerS: number;
 }
 
-/** How many standard deviations contain 95 % of a normal distribution of one number; `RADIUS_95`: of two numbers, as a radius. */
+/** How many standard deviations contain 95 % of a normal distribution of one number. */
 const NORMAL_95 = 1.96;
 /**
  * How many standard deviations contain 95 % of the errors of an azimuth that only walks tell. More than `NORMAL_95`, because slow errors of
  * positions look like a rotated walk. Found by simulating walks other than those of the test.
  */
 const WALK_95 = 2.4;
-const RADIUS_95 = 2.448;
+/** Radius of the circle that contains 95 % of a two-dimensional normal distribution, in standard deviations. */
+export const RADIUS_95 = 2.448;
 /**
  * Time for which one measurement stands for all others, seconds: twice the time in which the correlation of the errors falls to 1/e
  * (satellite positions 20 s, compasses 60 s). This gives the variance of the mean of a first-order Gauss–Markov process.

@@ -8,13 +8,11 @@ import { writeViewerPosition } from '../../kit/viewer.ts';
 import { type EastNorthUp, type GeoPlace, setEastNorthUp, setGeoPlace } from '../../kit/wgs84.ts';
 import { type Compass, listenToCompass } from './compass.ts';
 import type { definition } from './definition.ts';
-import { createGeoAlignment, type GeoMotionNoise } from './geo-alignment.ts';
+import { createGeoAlignment, type GeoMotionNoise, RADIUS_95 } from './geo-alignment.ts';
 import { type GeoFix, locate } from './locate.ts';
 import { inaccurate, NO_NORTH, NORTH_DENIED, REFUSALS } from './notices.ts';
 
 const RAD_PER_DEG = Math.PI / 180;
-/** Radius of the circle that contains 95 % of a two-dimensional normal distribution, in standard deviations. */
-const RADIUS_95 = 2.448;
 /** Noise of sessions with tracking: AR tracking drifts by 2 cm and 1° within a minute. */
 const TRACKED: GeoMotionNoise = { moveM2PerS: 0.02 ** 2 / 60, turnRad2PerS: RAD_PER_DEG ** 2 / 60 };
 /** Noise of other sessions, which do not notice that the visitor walks: at 1.4 m/s, in any direction. */
