@@ -1,5 +1,5 @@
 import type { HeaderFields, HeaderValue } from '../../export/glsl/language/header-edits.ts';
-import { Pipette } from '../preview-panel/pipette.tsx';
+import { EyedropperButton } from '../preview-panel/eyedropper-button.tsx';
 import { endGesture } from '../state/document/apply.ts';
 import { editHeader, moveInput, renameInput } from '../state/document/edit-header.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
@@ -131,7 +131,7 @@ export function HeaderInput({ node, index, isLast, fields, types, disabled, open
               <ColorField
                 label={`Default of ${name}`}
                 value={colorOf(fields)}
-                pipette={<Pipette label={`Default of ${name}`} onTake={takeDefault} />}
+                eyedropper={<EyedropperButton label={`Default of ${name}`} onTake={takeDefault} />}
                 onEdit={(color) => set('DEFAULT', rounded(color))}
                 onEnd={() => endGesture(editor)}
               />

@@ -18,7 +18,7 @@ import { type EditHandlers, NumberField } from '../ui/number-field.tsx';
 import { Slider } from '../ui/slider.tsx';
 import { AssetPicker } from './asset-picker.tsx';
 import './inspector.css';
-import { Pipette } from '../preview-panel/pipette.tsx';
+import { EyedropperButton } from '../preview-panel/eyedropper-button.tsx';
 import { clampTo, formatNumber, rangeOf, shownUnit } from '../state/params/units.ts';
 import { parseTyped } from './typed-number.ts';
 
@@ -132,8 +132,8 @@ function asList(text: string, parts: readonly number[], index: number): string {
 function ColorControl({ param, value, onEdit, onEnd, onCancel }: ControlProps<ColorParam>) {
   const [r = 0, g = 0, b = 0, a = 1] = Array.isArray(value) ? (value as readonly number[]) : param.default;
   const color: Rgba = [r, g, b, a];
-  const pipette = (
-    <Pipette
+  const eyedropper = (
+    <EyedropperButton
       label={param.label}
       onTake={([red, green, blue]) => {
         onEdit([red, green, blue, a]);
@@ -141,7 +141,7 @@ function ColorControl({ param, value, onEdit, onEnd, onCancel }: ControlProps<Co
       }}
     />
   );
-  return <ColorField label={param.label} value={color} pipette={pipette} onEdit={onEdit} onEnd={onEnd} onCancel={onCancel} />;
+  return <ColorField label={param.label} value={color} eyedropper={eyedropper} onEdit={onEdit} onEnd={onEnd} onCancel={onCancel} />;
 }
 
 function ToggleControl({ param, value, id, onEdit, onEnd }: ControlProps<ToggleParam>) {

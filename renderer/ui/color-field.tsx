@@ -8,11 +8,11 @@ interface ColorFieldProps extends EditHandlers<Rgba> {
   readonly value: Rgba;
   readonly label: string;
   /** Button that picks a color from elsewhere. */
-  readonly pipette?: ReactNode;
+  readonly eyedropper?: ReactNode;
 }
 
 /** Color picker of the browser, hexadecimal text, and a slider for alpha. */
-export function ColorField({ value, label, pipette, onEdit, onEnd, onCancel }: ColorFieldProps) {
+export function ColorField({ value, label, eyedropper, onEdit, onEnd, onCancel }: ColorFieldProps) {
   const [typed, setTyped] = useState<string | null>(null);
   const [r, g, b, a] = value;
   const hex = hexFromColor(value);
@@ -23,7 +23,7 @@ export function ColorField({ value, label, pipette, onEdit, onEnd, onCancel }: C
     onEnd();
   };
   return (
-    <div className="color-field" data-pipette={pipette !== undefined}>
+    <div className="color-field" data-eyedropper={eyedropper !== undefined}>
       <span className="swatch" style={{ ['--swatch' as string]: `rgb(${r * 255} ${g * 255} ${b * 255} / ${a})` }}>
         <input
           type="color"
@@ -47,7 +47,7 @@ export function ColorField({ value, label, pipette, onEdit, onEnd, onCancel }: C
           if (event.key === 'Enter') finish();
         }}
       />
-      {pipette}
+      {eyedropper}
       <Slider
         label={`${label}, opacity`}
         min={0}

@@ -36,7 +36,7 @@ const open = useOneEditor(GRAPH, { colorScheme: 'dark' }, async () => {
   await open.editor.node('color').locator('.node-title').click();
 });
 
-const pipette = () => open.editor.inspector.getByRole('button', { name: /pick from the preview/ });
+const button = () => open.editor.inspector.getByRole('button', { name: /pick from the preview/ });
 const eyedropper = () => open.page.getByRole('application', { name: /pick a color from the preview/ });
 const shown = () => open.page.getByRole('status', { name: 'Color to pick' });
 
@@ -70,7 +70,7 @@ test('a click takes the color of the pixel that is shown large, as one step, and
   if (!frame) throw new Error('There is no preview.');
   const { x, y } = await edgePoint();
   const [r = 0, g = 0, b = 0] = colorAt(x, y);
-  await pipette().click();
+  await button().click();
   await page.mouse.move(frame.x + x + 0.5, frame.y + y + 0.5);
   await shown().getByText(`${r} ${g} ${b}`, { exact: true }).waitFor();
   // The pixel beside it is another one, and stands beside it in the magnifier.
@@ -82,7 +82,7 @@ test('a click takes the color of the pixel that is shown large, as one step, and
   await page.mouse.down();
   await page.mouse.up();
   await eyedropper().waitFor({ state: 'detached' });
-  await eventually(async () => expect(await pipette().evaluate((button) => button === document.activeElement)).toBe(true));
+  await eventually(async () => expect(await button().evaluate((button) => button === document.activeElement)).toBe(true));
   // The opacity is the param's own.
   expect(await savedColor()).toEqual([r / 255, g / 255, b / 255, 0.5]);
   await editor.node('color').locator('.node-title').click();
@@ -92,7 +92,7 @@ test('a click takes the color of the pixel that is shown large, as one step, and
 
 test('by keys: arrows go from pixel to pixel, Enter takes, and Escape leaves all as it was', async () => {
   const { page } = open;
-  await pipette().focus();
+  await button().focus();
   await page.keyboard.press('Enter');
   await eyedropper().waitFor();
   const middle = [Math.floor(picture.width / 2), Math.floor((picture.height + FLAG_PX) / 2)] as const;
@@ -107,7 +107,7 @@ test('by keys: arrows go from pixel to pixel, Enter takes, and Escape leaves all
   await eyedropper().waitFor({ state: 'detached' });
   expect(await savedColor()).toEqual([1, 0, 0, 0.5]);
 
-  await pipette().focus();
+  await button().focus();
   await page.keyboard.press('Enter');
   await expectShown(0, 0);
   await page.keyboard.press('Shift+ArrowDown');
@@ -119,11 +119,11 @@ test('by keys: arrows go from pixel to pixel, Enter takes, and Escape leaves all
 
 test('pressed again it ends, and so it does when another node is selected', async () => {
   const { editor } = open;
-  await pipette().click();
+  await button().click();
   await eyedropper().waitFor();
-  await pipette().click();
+  await button().click();
   await eyedropper().waitFor({ state: 'detached' });
-  await pipette().click();
+  await button().click();
   await eyedropper().waitFor();
   await editor.node('video').locator('.node-title').click();
   await eyedropper().waitFor({ state: 'detached' });

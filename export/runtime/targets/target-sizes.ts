@@ -2,7 +2,7 @@ import type { Program, ResourceId, TargetSize } from '../../program/program.ts';
 import type { PlayState } from '../play-state.ts';
 import type { LiveResource, LiveResources } from '../resources/resources.ts';
 import type { Slots } from '../values/slots.ts';
-import { evaluateSize } from './size.ts';
+import { evaluateSize } from './evaluate-size.ts';
 import type { Target } from './target.ts';
 
 /** Resizes the targets of each domain before operations draw to them. */

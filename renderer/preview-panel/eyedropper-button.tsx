@@ -4,14 +4,14 @@ import { useEditor } from '../state/editor/editor-context.ts';
 import type { ColorRequest } from '../state/editor/viewer.ts';
 import { Icon } from '../ui/icon.tsx';
 
-interface PipetteProps {
+interface EyedropperButtonProps {
   /** Label of the param that gets the color. */
   readonly label: string;
   readonly onTake: ColorRequest['take'];
 }
 
 /** Toggles the eyedropper, which picks a color from the preview. */
-export function Pipette({ label, onTake }: PipetteProps) {
+export function EyedropperButton({ label, onTake }: EyedropperButtonProps) {
   const { viewer } = useEditor();
   const button = useRef<HTMLButtonElement>(null);
   const mine = useRef<ColorRequest | null>(null);

@@ -1,7 +1,7 @@
 import { describe, expect, test } from '@jest/globals';
 import type { SizeExpression, SizeToken } from '../../program/program.ts';
 import { createSlots } from '../values/slots.ts';
-import { evaluateSize } from './size.ts';
+import { evaluateSize } from './evaluate-size.ts';
 
 const slots = createSlots({
   numbers: [0.57, 3],
