@@ -5,7 +5,7 @@ import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { useBrowser } from '../support/browser.ts';
 import { eventually } from '../support/patience.ts';
 import { type ServedExport, serveProjectText } from '../support/project-page.ts';
-import { drawnMatrices, WATCH_MATRICES } from './drawn-matrices.ts';
+import { drawnMatrices, forgetDrawn, WATCH_MATRICES } from './drawn-matrices.ts';
 import { openXrPage, type XrPage } from './xr-page.ts';
 
 const chromium = useBrowser();
@@ -51,9 +51,10 @@ interface Visit {
   floorAt(x: number, y: number): readonly number[];
 }
 
-async function visit(options: EmulatorOptions = {}): Promise<Visit> {
+async function visit(options: EmulatorOptions = {}, { tracked = true } = {}): Promise<Visit> {
   const xr = await openXrPage(chromium.browser, served.url, { device: 'phone', room: 'studio', ...options }, SIZE, WATCH_MATRICES);
   await xr.setPose(HEAD);
+  await xr.page.evaluate((on) => scrimEmulator?.current?.setTracked(on), tracked);
   await xr.enter();
   await xr.step(2);
   const tanHalfFovY = Math.tan((await xr.page.evaluate(() => scrimEmulator?.current?.device.fovy ?? 0)) / 2);
@@ -114,6 +115,32 @@ describe('objects that a visitor of a phone places', () => {
     expect(xr.errors).toEqual([]);
     await xr.close();
   });
+});
+
+test('taps before tracking begins, and while it is lost, place nothing and break nothing', async () => {
+  const { xr, boxInRoom, floorAt } = await visit({}, { tracked: false });
+  await forgetDrawn(xr);
+  await xr.touch([0.6, 0.55]);
+  await xr.touch([0.4, 0.6], [0.5, 0.6]);
+  expect(await boxInRoom()).toBe(null);
+  // A finger that is still down when tracking begins places where it points as it lifts.
+  await xr.page.evaluate(() => scrimEmulator?.current?.press(0.5, 0.6));
+  await xr.step(2);
+  await xr.page.evaluate(() => scrimEmulator?.current?.setTracked(true));
+  await xr.step(2);
+  expect(await boxInRoom()).toBe(null);
+  await xr.page.evaluate(() => scrimEmulator?.current?.release());
+  await xr.step(3);
+  expect(await boxInRoom()).toEqual(near(floorAt(0.5, 0.6)));
+  await xr.page.evaluate(() => scrimEmulator?.current?.setTracked(false));
+  await xr.touch([0.3, 0.7]);
+  await xr.page.evaluate(() => scrimEmulator?.current?.setTracked(true));
+  await xr.step(3);
+  expect(await boxInRoom()).toEqual(near(floorAt(0.5, 0.6)));
+  await xr.touch([0.3, 0.7]);
+  expect(await boxInRoom()).toEqual(near(floorAt(0.3, 0.7)));
+  expect(xr.errors).toEqual([]);
+  await xr.close();
 });
 
 test('a controller places the box where its ray meets the floor, and drags it onto a table', async () => {

@@ -23,6 +23,8 @@ const THUMBSTICK_AXIS = 2;
 export interface WebXrInput {
   /** Fills the input of a frame. Call it once per frame. */
   fill(input: MutableInput, frame: XRFrame): void;
+  /** In a frame without a viewer pose: what was pressed since the last frame is forgotten. */
+  skip(): void;
 }
 
 export function createWebXrInput(session: XRSession, referenceSpace: XRReferenceSpace): WebXrInput {
@@ -36,6 +38,7 @@ export function createWebXrInput(session: XRSession, referenceSpace: XRReference
     return out;
   };
   return {
+    skip: pointers.skip,
     fill: (input, frame) => {
       hands.fill(input, frame);
       input.pointerCount = 0;

@@ -40,6 +40,7 @@ function start(...sources: Source[]) {
     sources,
     places,
     fire: (type: string, inputSource: Source) => void events.dispatchEvent(Object.assign(new Event(type), { frame, inputSource })),
+    skip: pointers.skip,
     frame: () => {
       input.pointerCount = 0;
       pointers.fill(input, frame as never);
@@ -61,6 +62,26 @@ describe('pointers of a WebXR session', () => {
     const { frame } = start({ ...CONTROLLER });
     const [hover] = frame();
     expect(hover).toEqual({ by: 'right', id: 1, phase: 'hover', at: 1, grip: 2, pinch: 0, tapped: false });
+  });
+
+  test('a tap while tracking is lost does not come later; a press that was seen before ends after it', () => {
+    const touch = { ...CONTROLLER, targetRayMode: 'screen' };
+    const { fire, frame, skip, sources } = start(touch);
+    fire('selectstart', touch);
+    skip();
+    fire('select', touch);
+    fire('selectend', touch);
+    skip();
+    sources.length = 0;
+    expect(frame()).toEqual([]);
+    sources.push(touch);
+    fire('selectstart', touch);
+    expect(frame().map(({ phase }) => phase)).toEqual(['start']);
+    skip();
+    fire('select', touch);
+    fire('selectend', touch);
+    skip();
+    expect(frame().map(({ phase, tapped }) => [phase, tapped])).toEqual([['end', true]]);
   });
 
   test('a press goes from selectstart to selectend, and is a tap by select', () => {

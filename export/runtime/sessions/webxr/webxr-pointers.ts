@@ -14,6 +14,8 @@ const TRIGGER = 0;
 export interface WebXrPointers {
   /** Adds the pointers to the input. Called once per frame, after the joints of hands are set. */
   fill(input: MutableInput, frame: XRFrame): void;
+  /** In a frame without a viewer pose. Presses that no frame has shown are forgotten: they would come late, when tracking returns. */
+  skip(): void;
 }
 
 interface SourcePress {
@@ -99,6 +101,14 @@ export function createWebXrPointers(session: XRSession, referenceSpace: XRRefere
   });
 
   return {
+    skip: () => {
+      for (let i = 0; i < presses.length; i++) {
+        const each = presses[i];
+        if (!each?.source || !each.press.began || each.press.shown) continue;
+        dropPress(each.press);
+        if (isTransient(each.source)) free(each);
+      }
+    },
     fill: (input, frame) => {
       for (let i = 0; i < presses.length; i++) {
         const each = presses[i];

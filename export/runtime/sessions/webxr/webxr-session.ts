@@ -81,6 +81,7 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
     const found = xrFrame.getViewerPose(referenceSpace);
     const pose = found && isPose(found.transform.matrix) ? found : null;
     setTracked(pose ? !pose.emulatedPosition : false);
+    if (!pose) input?.skip();
     if (!pose || !target) return;
     time.write(frame, timeMs / 1000);
     const { layer } = target;
