@@ -3,6 +3,7 @@
 import { installEmulator } from '../../export/emulator/install-emulator.ts';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { createBrowserClock } from '../../export/runtime/clock.ts';
+import { createCameraSession } from '../../export/runtime/sessions/camera/camera-session.ts';
 import { SESSION_INPUTS } from '../../export/runtime/sessions/input/session-inputs.ts';
 import { createOrbitSession } from '../../export/runtime/sessions/orbit/orbit-session.ts';
 import { requestWebXrSession } from '../../export/runtime/sessions/webxr/request-session.ts';
@@ -150,6 +151,55 @@ export async function gamepadPointer() {
   pad.connected = false;
   await seen();
   return { tap, phases: told, left: ring?.style.left };
+}
+
+/**
+ * A gamepad in a camera session without a sensor: the left stick to the left, then A. Gives the tap, the pointer's phases, and the
+ * direction of the view's axis.
+ */
+export async function cameraGamepad() {
+  const canvas = document.createElement('canvas');
+  canvas.style.cssText = 'position:absolute;left:0;top:400px;width:400px;height:400px';
+  document.body.append(canvas);
+  const gl = canvas.getContext('webgl2') as WebGL2RenderingContext;
+  const angles = { alphaRad: 0, betaRad: Math.PI / 2, gammaRad: 0, screenRad: 0 };
+  const stream = { video: document.createElement('video'), start: async () => {}, stop: () => {} };
+  const sensor = { angles, present: false, dispose: () => {} };
+  const camera = createCameraSession({ gl, canvas, clock: createBrowserClock(), stream, sensor, inputs: SESSION_INPUTS });
+  const tapped: TapSeen[] = [];
+  const told: string[] = [];
+  let axis: number[] = [];
+  let count = 0;
+  camera.start(
+    (frame) => {
+      count++;
+      tapped.push(...tapsOf(frame));
+      for (const { by, phase } of frame.input.pointers.slice(0, frame.input.pointerCount)) {
+        if (told.at(-1) !== `${by} ${phase}`) told.push(`${by} ${phase}`);
+      }
+      axis = [...(frame.views[0]?.worldFromView.slice(8, 11) ?? [])].map((x) => -x);
+    },
+    () => {},
+  );
+  const frames = async (n: number) => {
+    for (const until = count + n; count < until; ) await new Promise((resolve) => requestAnimationFrame(resolve));
+  };
+  const buttons = Array.from({ length: 16 }, () => ({ pressed: false, touched: false, value: 0 }));
+  const pad = { connected: true, mapping: 'standard', axes: [-1, 0, 0, 0], buttons };
+  Object.defineProperty(navigator, 'getGamepads', { configurable: true, value: () => [pad] });
+  window.dispatchEvent(new Event('gamepadconnected'));
+  await frames(20);
+  pad.axes = [0, 0, 0, 0];
+  for (const pressed of [true, false]) {
+    Object.assign(buttons[0] ?? {}, { pressed });
+    await frames(3);
+  }
+  const hasRing = canvas.nextElementSibling !== null;
+  await camera.end();
+  const ringStays = canvas.nextElementSibling !== null;
+  pad.connected = false;
+  canvas.remove();
+  return { tapped, told, axis, hasRing, ringStays };
 }
 
 export async function end(): Promise<number> {

@@ -171,6 +171,27 @@ describe('a canvas on a page', () => {
   });
 });
 
+test('over the camera a gamepad points and presses too: at the left of what the camera sees, as its ring shows', async () => {
+  interface Told {
+    readonly tapped: readonly TapSeen[];
+    readonly told: readonly string[];
+    readonly axis: readonly number[];
+    readonly hasRing: boolean;
+    readonly ringStays: boolean;
+  }
+  const { tapped, told, axis, hasRing, ringStays } = await page.call<Told>('cameraGamepad');
+  expect(told.filter((phase) => phase !== 'mouse hover')).toEqual(['mouse start', 'mouse hold', 'mouse end']);
+  const [tap, ...more] = tapped;
+  expect(more).toEqual([]);
+  expect(tap?.origin).toEqual(near([0, 1.5, 2]));
+  const [x = 0, y = 0, z = 0] = tap?.direction ?? [];
+  const [, down = 0, ahead = 0] = axis;
+  // As high in the view as its axis, and left of it.
+  expect(x).toBeLessThan(-0.02);
+  expect(y / z).toBeCloseTo(down / ahead, 4);
+  expect([hasRing, ringStays]).toEqual([true, false]);
+});
+
 describe('an AR session', () => {
   test('is tapped on the screen of a phone: once, when the finger lets go, along the view', async () => {
     const perFrame = await page.call<TapSeen[][]>('phone');
