@@ -54,6 +54,8 @@ export type ToPreview =
   | { readonly kind: 'render-end' }
   /** Starts or stops the recording of a video. `captured` follows when it stops. */
   | { readonly kind: 'record'; readonly on: boolean }
+  /** Starts or stops the recording of a session in an emulated room. `session-recorded` follows, also where it ends by itself. */
+  | { readonly kind: 'record-session'; readonly on: boolean; readonly title: string }
   /**
    * Probes a point, given as fractions of the preview’s size from the top left. `layer`: the viewed layer to read depth from.
    * `aroundPx`: pixels on each side to return as well.
@@ -205,12 +207,26 @@ export type FromPreview =
   | { readonly kind: 'key'; readonly keybinding: string }
   /** A screenshot or a video. Null if nothing is shown or the browser cannot record. */
   | { readonly kind: 'captured'; readonly what: 'screenshot' | 'video'; readonly file: Blob | null }
+  /** The recording of a session has ended, and its images are being made. */
+  | { readonly kind: 'session-filming' }
+  /** The answer to `record-session`. `text`: a sentence for the user, why nothing was recorded. */
+  | { readonly kind: 'session-recorded'; readonly recorded: RecordedFiles | null; readonly text: string }
   /** The answer to `take-panorama`. `text` is a sentence for the user. */
   | { readonly kind: 'panorama'; readonly state: 'taken' | 'failed'; readonly text: string }
   /** Sent twice a second while measuring is on. */
   | { readonly kind: 'costs'; readonly costs: readonly OperationCost[] }
   /** The answer to `poster`. `bytes`: the JPEG; null if nothing is shown. */
   | { readonly kind: 'poster'; readonly request: number; readonly bytes: Uint8Array<ArrayBuffer> | null };
+
+/** A recorded session. */
+export interface RecordedFiles {
+  /** Text of `session.json`. */
+  readonly session: string;
+  /** Its images, in the order of `content`. */
+  readonly files: readonly { readonly path: string; readonly bytes: number }[];
+  /** The bytes of all images, one after another. */
+  readonly content: Uint8Array<ArrayBuffer>;
+}
 
 /** Cost of one operation of the program in one frame, all views together. */
 export interface OperationCost {

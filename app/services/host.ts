@@ -18,7 +18,8 @@ import { createOpenProjects } from './open-projects.ts';
 import { findProject } from './project-files.ts';
 import { readAsset } from './read-asset.ts';
 import { ROOMS } from './rooms.ts';
-import { findSessions } from './session-list.ts';
+import { saveSession } from './save-session.ts';
+import { findSessions, SESSIONS_FOLDER } from './session-list.ts';
 import { createProject, findTemplates } from './templates.ts';
 
 /** What a shell (Electron or the loopback server) provides to the host. */
@@ -121,8 +122,11 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
     },
     'asset.import': async ({ handle, name, bytes }) => ({ path: await importAsset(projects.rootOf(handle), name, bytes, files) }),
     'asset.read': async ({ handle, path }) => ({ base64: Buffer.from(await readAsset(projects.rootOf(handle), path)).toString('base64') }),
+    'session.save': async ({ handle, session, files: images, content: bytes }) => ({
+      id: `project/${await saveSession(projects.rootOf(handle), { session, images, bytes }, files)}`,
+    }),
     'session.list': async ({ handle }) => {
-      const own = await findSessions(join(projects.rootOf(handle), 'sessions'));
+      const own = await findSessions(join(projects.rootOf(handle), SESSIONS_FOLDER));
       const shipped = await findSessions(installation.sessionsDir);
       for (const { name, folder } of shipped) content.show(`sessions/${name}`, folder);
       return [

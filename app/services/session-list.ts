@@ -3,6 +3,9 @@ import { join } from 'node:path';
 import { resolveInside } from './confine.ts';
 import { readText } from './read-file.ts';
 
+/** Folder of a project with its recorded sessions. */
+export const SESSIONS_FOLDER = 'sessions';
+
 /** Limit of `session.json`. Recordings have some hundred kilobytes of poses per minute. */
 export const MAX_SESSION_BYTES = 64 * 2 ** 20;
 

@@ -4,7 +4,7 @@ import type { PreviewTier } from '../preview-protocol.ts';
 import { runCommand } from '../state/commands/app-commands.ts';
 import { useKeys } from '../state/commands/command-item.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
-import { chosenSource, type DeviceFrame } from '../state/editor/preview-state.ts';
+import { chosenSource, type DeviceFrame, type PreviewState } from '../state/editor/preview-state.ts';
 import { usePreviewSync } from '../state/preview-sync/preview-sync-context.ts';
 import { IconButton } from '../ui/button.tsx';
 import { ContextMenu } from '../ui/context-menu.tsx';
@@ -32,6 +32,7 @@ export function PreviewMenu() {
   const frame = useStore(preview, (state) => state.frame);
   const tier = useStore(preview, (state) => state.tier);
   const recording = useStore(preview, (state) => state.recording);
+  const sessionRecording = useStore(preview, (state) => state.sessionRecording);
   const isRoom = useStore(preview, (state) => chosenSource(state)?.kind === 'room');
   const probing = useStore(editor.viewer, (viewer) => viewer.probing);
   const probeKeys = useKeys('view.probe');
@@ -44,6 +45,7 @@ export function PreviewMenu() {
   const items: MenuItem[] = [
     { kind: 'action', label: 'Take screenshot', run: () => previewSync.send({ kind: 'screenshot' }) },
     { kind: 'action', label: recording ? 'Stop recording' : 'Record video', run: () => record(!recording) },
+    ...(isRoom || sessionRecording === 'recording' ? [sessionItem(sessionRecording, () => runCommand(editor, 'play.record'))] : []),
     { kind: 'line' },
     ...FRAMES.map(
       ([name, label]): MenuItem => ({
@@ -57,6 +59,9 @@ export function PreviewMenu() {
   ];
   return (
     <>
+      {sessionRecording === 'recording' && (
+        <IconButton icon="stop" label="Stop recording the session" onPress={() => runCommand(editor, 'play.record')} />
+      )}
       {recording && <IconButton icon="stop" label="Stop recording" onPress={() => record(false)} />}
       <IconButton icon="probe" label="Pixel probe" keys={probeKeys} pressed={probing} onPress={() => runCommand(editor, 'view.probe')} />
       <span ref={button}>
@@ -72,6 +77,11 @@ export function PreviewMenu() {
       {at && <ContextMenu label="Preview options" at={at} items={items} onClose={() => setAt(null)} />}
     </>
   );
+}
+
+function sessionItem(state: PreviewState['sessionRecording'], run: () => void): MenuItem {
+  const label = { no: 'Record session', recording: 'Stop recording the session', filming: 'Making the images of the session…' }[state];
+  return { kind: 'action', label, run, disabled: state === 'filming' };
 }
 
 function tierItems(chosen: PreviewTier, choose: (tier: PreviewTier) => void): MenuItem[] {

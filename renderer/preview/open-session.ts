@@ -17,6 +17,7 @@ import type { Session } from '../../nodes/kit/session.ts';
 import type { PreviewRange, PreviewSource } from '../preview-protocol.ts';
 import { pageFetch } from './network.ts';
 import { createRoomHands } from './room-hands.ts';
+import { createRoomTouches } from './room-touches.ts';
 import { createStillStream } from './still-stream.ts';
 import { createWalk } from './walk.ts';
 
@@ -167,10 +168,11 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
   const sizePx = [Math.max(1, Math.round(window.innerWidth * ratio)), Math.max(1, Math.round(window.innerHeight * ratio))] as const;
   const { device, views, tier, refuse } = source;
   const emulator = installEmulator({ device, views, refuse, room, frameClock: clock, container: screen, sizePx });
-  const walk = createWalk(emulator, screen, clock);
   const hint = screen.ownerDocument.getElementById('hint');
+  const walk = createWalk(emulator, screen, clock, device === 'phone' && program.readsInput === true);
   // Phones have neither controllers nor hands; pages that read no input have no use for them.
-  const hands = device !== 'phone' && hint && program.readsInput ? createRoomHands(emulator, screen, hint, clock) : null;
+  const createInput = device === 'phone' ? createRoomTouches : createRoomHands;
+  const input = hint && program.readsInput ? createInput(emulator, screen, hint, clock) : null;
   const { output, diagnostics } = await requestWebXrSession({
     xr: navigator.xr,
     inputs: SESSION_INPUTS,
@@ -189,7 +191,7 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
     setHead: (worldFromHead) => (worldFromHead ? emulator.setPose({ matrix: worldFromHead }) : walk.restore()),
     end: async () => {
       walk.dispose();
-      hands?.dispose();
+      input?.dispose();
       await output?.end();
       await emulator.uninstall();
     },

@@ -16,6 +16,7 @@ import { type CaptureSource, createPosters, type PosterRequest } from './posters
 import { createProbes } from './probes.ts';
 import { isHandKey } from './room-hands.ts';
 import { createRoomPanorama } from './room-panorama.ts';
+import { createSessionRecorder } from './session-recorder.ts';
 import { createSimulatedSensors } from './simulated-sensors.ts';
 import { createStatus } from './status.ts';
 import { createThumbnails } from './thumbnails.ts';
@@ -74,6 +75,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
   const posters = createPosters(send, () => clock.wake());
   const captures = createCaptures(send, () => clock.wake());
   const panorama = createRoomPanorama(send, () => clock.wake());
+  const recorder = createSessionRecorder(send);
   const probes = createProbes(send, () => clock.wake());
   let lightWorld: Extract<ToPreview, { kind: 'room-light' }>['directionWorld'] = null;
   const gizmo = createGizmo(parent, send, () => clock.wake());
@@ -134,6 +136,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
   };
 
   const endSession = async () => {
+    recorder.stop();
     const ending = open;
     open = null;
     openKey = '';
@@ -200,6 +203,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     panorama.beforeDraw(frame);
     sensors.beforeFrame(frame);
     host.player.draw(frame);
+    recorder.afterFrame(frame);
     status.end(frame, open?.recording?.isLate ?? false);
     host.meter.afterFrame();
     if (!posters.busy) showViewer(host.player, frame, viewer);
@@ -308,6 +312,9 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
         case 'record':
           captures.record(message.on, captureSource());
           return;
+        case 'record-session':
+          recorder.receive(message, open?.session ? source : null, lightWorld);
+          return;
         case 'probe':
           probes.ask(message);
           return;
@@ -381,7 +388,8 @@ function sessionKey(source: PreviewSource, program: Program, resizes: number): s
       return `recorded ${source.url}`;
     case 'room': {
       const { captureUrl, views, device, tier, refuse } = source;
-      return JSON.stringify([captureUrl, views, device, tier, refuse, program.needs, program.presentation.antialias, resizes]);
+      const { needs, presentation, readsInput } = program;
+      return JSON.stringify([captureUrl, views, device, tier, refuse, needs, presentation.antialias, readsInput ?? false, resizes]);
     }
     case 'still':
       return `still ${source.key}`;

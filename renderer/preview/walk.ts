@@ -1,5 +1,6 @@
 import type { Emulator, HeadPose } from '../../export/emulator/emulator.ts';
 import type { FrameClock } from '../../export/runtime/clock.ts';
+import { isTouch } from './room-touches.ts';
 
 /** Moves the head of the emulated device: dragging looks around; W, A, S, D and the arrow keys walk. */
 export interface Walk {
@@ -39,7 +40,8 @@ export function isStep({ code, ctrlKey, metaKey, altKey }: KeyboardEvent): boole
   return code in DIRECTIONS && !ctrlKey && !metaKey && !altKey;
 }
 
-export function createWalk(emulator: Pick<Emulator, 'setPose'>, screen: HTMLElement, clock: FrameClock): Walk {
+/** @param touches Whether the mouse may be a finger, see `isTouch`. */
+export function createWalk(emulator: Pick<Emulator, 'setPose'>, screen: HTMLElement, clock: FrameClock, touches: boolean): Walk {
   const head = { ...START };
   const held = new Set<string>();
   let drag: { readonly pointer: number; x: number; y: number } | null = null;
@@ -77,6 +79,10 @@ export function createWalk(emulator: Pick<Emulator, 'setPose'>, screen: HTMLElem
     place();
   };
   const onDown = (event: PointerEvent) => {
+    if (touches && isTouch(event)) {
+      screen.setPointerCapture(event.pointerId);
+      return;
+    }
     drag = { pointer: event.pointerId, x: event.clientX, y: event.clientY };
     screen.setPointerCapture(event.pointerId);
   };

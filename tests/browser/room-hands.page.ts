@@ -7,14 +7,17 @@ import { requestWebXrSession } from '../../export/runtime/sessions/webxr/request
 import { grabStrength, pinchStrength } from '../../nodes/kit/hands.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
 import { createRoomHands } from '../../renderer/preview/room-hands.ts';
+import { createRoomTouches } from '../../renderer/preview/room-touches.ts';
+import { createWalk } from '../../renderer/preview/walk.ts';
 
 const HANDS: ProgramNeed = { capability: 'hands', required: false, nodes: [], why: 'to test', without: '' };
 
 const press = (code: string) => window.dispatchEvent(new KeyboardEvent('keydown', { code, cancelable: true }));
 const release = (code: string) => window.dispatchEvent(new KeyboardEvent('keyup', { code }));
 
-/** A headset in the preview, whose frames come one by one. */
+/** A headset or a phone in the preview, whose frames come one by one. */
 async function inPreview<T>(
+  device: 'headset' | 'phone',
   act: (parts: {
     frame: () => Promise<SessionFrame>;
     emulator: ReturnType<typeof installEmulator>;
@@ -22,24 +25,20 @@ async function inPreview<T>(
     hint: HTMLElement;
   }) => Promise<T>,
 ): Promise<T> {
-  const emulator = installEmulator({ device: 'headset', clock: 'manual', display: false, sizePx: [64, 64], views: 1 });
+  const emulator = installEmulator({ device, clock: 'manual', display: false, sizePx: [64, 64], views: 1 });
   const [screen, hint] = [document.createElement('div'), document.createElement('p')];
   screen.style.cssText = 'position:absolute;left:0;top:0;width:400px;height:400px';
   hint.hidden = true;
   document.body.append(screen, hint);
-  let place: ((timeS: number) => void) | null = null;
+  let waiting: ((timeS: number) => void)[] = [];
   const clock = {
     nowS: () => 0,
-    requestFrame: (callback: (timeS: number) => void) => {
-      place = callback;
-      return 1;
-    },
-    cancelFrame: () => {
-      place = null;
-    },
+    requestFrame: (callback: (timeS: number) => void) => waiting.push(callback),
+    cancelFrame: () => {},
   };
   emulator.setPose({ position: [1, 1.6, 2] });
-  const hands = createRoomHands(emulator, screen, hint, clock as never);
+  const walk = device === 'phone' ? createWalk(emulator, screen, clock as never, true) : null;
+  const hands = (device === 'phone' ? createRoomTouches : createRoomHands)(emulator, screen, hint, clock as never);
   const gl = document.createElement('canvas').getContext('webgl2') as WebGL2RenderingContext;
   const { output } = await requestWebXrSession({ xr: navigator.xr, inputs: SESSION_INPUTS, gl, needs: [HANDS], antialias: false });
   if (!output) throw new Error('There is no session.');
@@ -51,7 +50,9 @@ async function inPreview<T>(
     () => {},
   );
   const frame = async (): Promise<SessionFrame> => {
-    place?.(0);
+    const callbacks = waiting;
+    waiting = [];
+    for (const callback of callbacks) callback(0);
     await emulator.stepFrame();
     if (!last) throw new Error('There was no frame.');
     return last;
@@ -61,6 +62,7 @@ async function inPreview<T>(
     return await act({ frame, emulator, screen, hint });
   } finally {
     hands.dispose();
+    walk?.dispose();
     await output.end();
     await emulator.uninstall();
     screen.remove();
@@ -76,7 +78,7 @@ const phasesOf = ({ input }: SessionFrame) =>
 
 /** Keys of controllers: trigger, squeeze, and what the page lets them play. */
 export function controllers() {
-  return inPreview(async ({ frame, emulator, screen, hint }) => {
+  return inPreview('headset', async ({ frame, emulator, screen, hint }) => {
     const hints = [hint.textContent, hint.hidden];
     screen.dispatchEvent(new PointerEvent('pointermove', { clientX: 300, clientY: 200 }));
     press('KeyR');
@@ -101,7 +103,7 @@ export function controllers() {
 
 /** Keys of bare hands: two that pinch, one that is lost in its pinch and comes back, a poke, a grab and a capture. */
 export function hands() {
-  return inPreview(async ({ frame, emulator, hint }) => {
+  return inPreview('headset', async ({ frame, emulator, hint }) => {
     press('KeyH');
     await frame();
     const seen: string[][] = [];
@@ -144,5 +146,61 @@ export function hands() {
       refused = (error as Error).message;
     }
     return { seen, shapes, refused, hint: hint.textContent };
+  });
+}
+
+/** The mouse on a phone: a click, a drag with Shift, one with Alt, and one that looks around. Phases per frame, and the rays. */
+export function touches() {
+  return inPreview('phone', async ({ frame, emulator, screen, hint }) => {
+    screen.setPointerCapture = () => {};
+    const send = (type: string, clientX: number, clientY: number, keys: PointerEventInit = {}) =>
+      screen.dispatchEvent(new PointerEvent(type, { pointerId: 1, button: type === 'pointermove' ? -1 : 0, clientX, clientY, ...keys }));
+    /** Phases of the frames, and where the pointers of each point: right and up per distance ahead, in the view. */
+    const play = async (frames: number) => {
+      const phases: string[][] = [];
+      let rays: number[][] = [];
+      let taps = 0;
+      for (let i = 0; i < frames; i++) {
+        const shown = await frame();
+        const { pointers, pointerCount, tapCount } = shown.input;
+        phases.push(phasesOf(shown));
+        taps += tapCount;
+        if (pointerCount > 0) {
+          rays = pointers.slice(0, pointerCount).map(({ worldFromRay: m }) => {
+            const v = shown.views[0]?.viewFromWorld ?? [];
+            const [x = 0, y = 0, z = 1] = [0, 1, 2].map((i) =>
+              [0, 1, 2].reduce((sum, k) => sum + (v[4 * k + i] ?? 0) * (m[8 + k] ?? 0), 0),
+            );
+            return [-x / z, -y / z];
+          });
+        }
+      }
+      return { phases: phases.filter((each) => each.length > 0), rays, taps };
+    };
+    const headOf = () => {
+      const { x, y, z, w } = emulator.device.quaternion;
+      return [x, y, z, w];
+    };
+    const level = headOf();
+    send('pointerdown', 300, 200);
+    send('pointerup', 300, 200);
+    const click = await play(6);
+    const drag = async (keys: PointerEventInit) => {
+      send('pointerdown', 300, 200, keys);
+      const down = await play(2);
+      send('pointermove', 200, 100, keys);
+      const moved = await play(2);
+      send('pointerup', 200, 100, keys);
+      const up = await play(3);
+      return { down, moved, up, turned: Math.hypot(...headOf().map((x, i) => x - (level[i] ?? 0))) > 1e-3 };
+    };
+    return {
+      click,
+      one: await drag({ shiftKey: true }),
+      two: await drag({ altKey: true }),
+      look: await drag({}),
+      hint: hint.textContent,
+      tan: Math.tan(emulator.device.fovy / 2),
+    };
   });
 }

@@ -40,3 +40,31 @@ describe('hands and controllers of a headset in the preview', () => {
     expect(hint).toContain('pinch');
   });
 });
+
+test('on a phone in the preview a click taps, Shift and Alt make drags of one finger and of two, and other drags look around', async () => {
+  interface Played {
+    readonly phases: readonly (readonly string[])[];
+    readonly rays: readonly (readonly number[])[];
+    readonly taps: number;
+  }
+  type Drag = Readonly<Record<'down' | 'moved' | 'up', Played>> & { readonly turned: boolean };
+  const { click, one, two, look, hint, tan } = await page.call<{
+    click: Played;
+    one: Drag;
+    two: Drag;
+    look: Drag;
+    hint: string;
+    tan: number;
+  }>('touches');
+  const phases = ({ phases }: Played) => [...new Set(phases.flat())];
+  expect([phases(click)[0], phases(click).at(-1), click.taps]).toEqual(['screen start', 'screen end', 1]);
+  // At (300, 200) of 400 × 400 pixels, then at (200, 100).
+  expect(click.rays).toEqual([[expect.closeTo(tan / 2, 2), expect.closeTo(0, 2)]]);
+  expect([phases(one.down)[0], phases(one.moved), phases(one.up)]).toEqual(['screen start', ['screen hold'], ['screen end']]);
+  expect([one.down.rays.length, one.moved.rays.length, one.turned]).toEqual([1, 1, false]);
+  expect([two.down.rays.length, two.moved.rays.length, two.turned]).toEqual([2, 2, false]);
+  const [a, b] = two.moved.rays;
+  expect([a?.[0], a?.[1]]).toEqual(near([-(b?.[0] ?? 0), -(b?.[1] ?? 0)]));
+  expect([phases(look.down), phases(look.moved), phases(look.up), look.up.taps, look.turned]).toEqual([[], [], [], 0, true]);
+  expect(hint).toContain('Shift + drag');
+});

@@ -72,6 +72,7 @@ export function createFakeHost(
     'project.close': () => ({}),
     'asset.read': ({ path }) => ({ base64: btoa(`bytes of ${path}`) }),
     'asset.import': ({ name }) => ({ path: `assets/${name}` }),
+    'session.save': () => ({ id: 'project/recording' }),
     'session.list': () => [],
     'export.run': ({ out }) => ({ ok: true, out, diagnostics: [], bytes: 1 }),
     'export.cancel': () => ({}),

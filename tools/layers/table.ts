@@ -76,7 +76,7 @@ export const LAYERS: readonly Layer[] = [
     imports: [...EXPORT_KIT, 'program', 'gltf', 'runtime'],
     packages: ['three', 'cannon-es'],
   },
-  { name: 'recorded session format', files: ['export/runtime/sessions/session-format.ts'] },
+  { name: 'recorded session format', files: ['export/runtime/sessions/{session-format,print-session}.ts'] },
   // Plays recordings, in the preview and `scrim render`; like the emulator it is never in a page.
   {
     name: 'recorded session',
@@ -93,7 +93,7 @@ export const LAYERS: readonly Layer[] = [
   {
     name: 'emulator',
     files: ['export/emulator/**'],
-    imports: [...EXPORT_KIT, 'program', 'runtime', 'scenes'],
+    imports: [...EXPORT_KIT, 'program', 'runtime', 'recorded session format', 'scenes'],
     packages: ['iwer', '@iwer/sem', 'three', 'three-mesh-bvh'],
   },
   { name: 'page', files: ['export/page/**'], imports: [...EXPORT_KIT, 'program', 'gltf', 'runtime', 'scenes'] },
@@ -149,13 +149,14 @@ export const LAYERS: readonly Layer[] = [
       'gltf',
       'preview protocol',
       'runtime',
+      'recorded session format',
       'scenes',
       'decoder as text',
       'emulator',
       'recorded session',
       'registry of runtimes',
     ],
-    packages: ['three', 'mediabunny'],
+    packages: ['three', 'mediabunny', 'fast-png'],
   },
   // Decodes panoramas as the page does; it is loaded only while the inspector shows one.
   {

@@ -1,13 +1,13 @@
 import { copyFile, mkdir, readdir, readFile, writeFile } from 'node:fs/promises';
 import { dirname, join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
+import { printSession } from '../../export/runtime/sessions/print-session.ts';
 import type { SessionFile } from '../../export/runtime/sessions/session-format.ts';
 import type { ToolMain } from '../lib/tool.ts';
 import { alignToFloor, meanUp } from './align.ts';
 import { convexHull, simplifyPolygon } from './convex-hull.ts';
 import { decodeDepthPng, type SurfacePoint, surfacePoints, withoutInvalid } from './depth-image.ts';
 import { type Floor, findFloor } from './find-floor.ts';
-import { printSession } from './print-session.ts';
 import { type FrameFolderWishes, isFrameFolder, readFrameFolder } from './read-frame-folder.ts';
 import { type PosedRecording, readOpen3d } from './read-open3d.ts';
 import { type Matrix, multiply, transformDirection, transformPoint } from './vector.ts';

@@ -5,10 +5,11 @@ import { build } from 'esbuild';
 import { encode } from 'fast-png';
 import { findChromium } from '../../app/services/chromium.ts';
 import { startBrowser } from '../../app/services/start-browser.ts';
+import type { FilmCamera } from '../../export/emulator/rooms/room-film.ts';
+import { printSession } from '../../export/runtime/sessions/print-session.ts';
 import type { Intrinsics, SessionFile } from '../../export/runtime/sessions/session-format.ts';
 import type { ToolMain } from '../lib/tool.ts';
-import { printSession } from './print-session.ts';
-import type { StudioCamera, StudioFrame } from './studio.page.ts';
+import type { StudioFrame } from './studio.page.ts';
 import { cross, fromAxes, type Matrix, normalize, subtract, type Vector } from './vector.ts';
 
 const FRAMES = 36;
@@ -81,12 +82,13 @@ async function filmInBrowser(root: string, poses: readonly Matrix[]) {
   try {
     const page = await browser.newPage();
     await page.addScriptTag({ content: await bundlePage(root) });
-    const camera: StudioCamera = {
+    const camera: FilmCamera = {
       ...COLOR,
       depthWidthPx: DEPTH.widthPx,
       depthHeightPx: DEPTH.heightPx,
       clipFromView: projection(COLOR),
       jpegQuality: 0.82,
+      oversampling: 2,
     };
     const { light, surfaces } = await page.evaluate(() => globalThis.studio.survey());
     const frames: readonly StudioFrame[] = await page.evaluate(([c, p]) => globalThis.studio.film(c, p), [camera, poses] as const);

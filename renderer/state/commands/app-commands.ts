@@ -23,6 +23,7 @@ import {
   toggleLoop,
   togglePlay,
 } from '../preview/playback.ts';
+import { canRecordSession, toggleSessionRecording } from '../preview/record-session.ts';
 import { openRenderDialog } from '../preview/render-frames.ts';
 import type { AppCommand } from './app-command.ts';
 import { askToSaveSubgraph, canvasCenter, openPalette, openSwapPalette } from './command-actions.ts';
@@ -244,6 +245,13 @@ const COMMANDS = {
     where: 'time',
   },
   'play.loop': { label: 'Loop', keywords: ['repeat'], keys: ['Shift+L'], enabled: hasFrames, run: toggleLoop, where: 'time' },
+  'play.record': {
+    label: 'Record session',
+    keywords: ['input', 'pointers', 'hands', 'capture', 'stop recording', 'macro'],
+    keys: [],
+    enabled: canRecordSession,
+    run: toggleSessionRecording,
+  },
   'help.commands': {
     label: 'All commands…',
     // The second key is that of text editors.

@@ -115,6 +115,8 @@ export const MENUS: readonly { readonly label: string; readonly entries: readonl
       'play.to-out',
       'play.whole',
       'play.loop',
+      'line',
+      'play.record',
     ],
   },
   { label: 'Help', entries: ['view.help', 'help.commands', 'help.shortcuts', 'line', 'help.tour'] },

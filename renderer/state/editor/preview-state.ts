@@ -41,6 +41,8 @@ export interface PreviewState {
   /** The image that replaces the camera. */
   readonly still: File | null;
   readonly recording: boolean;
+  /** The recording of a session: none, in progress, or its images are being made. */
+  readonly sessionRecording: 'no' | 'recording' | 'filming';
   /** Frame times of the recording; null if the source is not a recording. */
   readonly frames: FrameTimes | null;
   /** The play range; null for the whole recording. */
@@ -107,6 +109,7 @@ export function createPreviewState(): PreviewStore {
     roomLight: null,
     still: null,
     recording: false,
+    sessionRecording: 'no',
     frames: null,
     range: null,
     loop: false,

@@ -262,7 +262,7 @@ export async function reload(editor: Editor): Promise<boolean> {
 }
 
 /** Lists the preview sources of the open project. */
-async function listSessions(editor: Editor): Promise<void> {
+export async function listSessions(editor: Editor): Promise<void> {
   const { open } = editor.document.getState();
   if (open === null) return;
   try {

@@ -12,6 +12,7 @@ import { resetViewer } from '../editor/viewer.ts';
 import { createGizmoSync } from '../gizmo/apply-gizmo.ts';
 import { previewRange } from '../preview/playback.ts';
 import { previewSource } from '../preview/preview-source.ts';
+import { saveRecordedSession } from '../preview/record-session.ts';
 import { consequenceOf } from './changes.ts';
 import { type PlacedEdit, placesOf } from './param-places.ts';
 import { createPosterRequests } from './preview-posters.ts';
@@ -114,7 +115,8 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
       setPending([]);
       trials.reset();
       editor.compile.setState({ program: null, programRevision: null, diagnostics: [] });
-      editor.preview.setState({ diagnostics: [], shaderDiagnostics: [], playing: null });
+      // What is recorded belongs to the project before.
+      editor.preview.setState({ diagnostics: [], shaderDiagnostics: [], playing: null, sessionRecording: 'no' });
     }
     const consequence = reopened ? { kind: 'program' as const } : consequenceOf(before.project, state.project, state.library);
     if (consequence.kind === 'program') compile();
@@ -141,7 +143,8 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
   const receive = (message: FromPreview): void => {
     switch (message.kind) {
       case 'ready':
-        editor.preview.setState({ ready: true });
+        // A page that was loaded again records nothing.
+        editor.preview.setState({ ready: true, sessionRecording: 'no' });
         asked = '';
         postSource();
         if (editor.preview.getState().roomLight) postLight();
@@ -177,6 +180,13 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
       case 'captured':
         saveCapture(editor, message);
         return;
+      case 'session-filming':
+        editor.preview.setState({ sessionRecording: 'filming' });
+        addToast(editor.ui, { tone: 'info', text: 'Making the images of the recorded session…' });
+        return;
+      case 'session-recorded':
+        void saveRecordedSession(editor, message);
+        return;
       case 'panorama':
         addToast(editor.ui, { tone: message.state === 'taken' ? 'success' : 'error', text: message.text });
         return;
@@ -210,7 +220,7 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
         send = null;
         editor.posters.take = null;
         posters.stop();
-        editor.preview.setState({ ready: false, playing: null, status: null });
+        editor.preview.setState({ ready: false, playing: null, status: null, sessionRecording: 'no' });
       };
     },
     receive,

@@ -1,9 +1,9 @@
-import type { SessionFile } from '../../export/runtime/sessions/session-format.ts';
+import type { SessionFile } from './session-format.ts';
 
 /** Decimals of all numbers in the file. Lengths are thus rounded to a micrometer, far below the precision of any camera. */
 const DECIMALS = 6;
 
-/** Text of the file: one frame per line, without floating-point noise. */
+/** Text of `session.json`: one frame per line, without floating-point noise. */
 export function printSession(session: SessionFile): string {
   const { frames, ...head } = session;
   const lines = Object.entries(head).map(([name, value]) => `  ${JSON.stringify(name)}: ${print(value)}`);
