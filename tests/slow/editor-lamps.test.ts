@@ -12,7 +12,7 @@ const GRAPH: GraphText = {
   nodes: {
     'box-aaaa': { type: 'objects/primitive' },
     'room-aaaa': { type: 'source/panorama', params: { file: 'room' } },
-    'lamps-aaaa': { type: 'light/from-panorama', params: { lamps: 2 } },
+    'lamps-aaaa': { type: 'light/from-panorama', params: { lamps: 2, visible: true } },
     'scene-aaaa': { type: 'layer/scene' },
     'screen-aaaa': { type: 'output/screen' },
   },
@@ -59,6 +59,17 @@ test('the inspector shows the panorama with the window and the lamp at their cen
   expect(await section().locator('polygon').count()).toBe(2);
 });
 
+test('the preview shows the panorama behind the box', async () => {
+  await eventually(async () => {
+    const { data, width, height } = await open.editor.picture();
+    // Its walls and its ceiling are gray and brighter than nothing.
+    for (const x of [0.1, 0.9]) {
+      const at = (Math.floor(height * 0.3) * width + Math.floor(width * x)) * 4;
+      expect(Math.min(...data.slice(at, at + 3))).toBeGreaterThan(30);
+    }
+  });
+});
+
 test('a lamp that is dragged stays where it is dropped, for the project too; undo lets it go', async () => {
   const from = await mark(2).boundingBox();
   if (!from) throw new Error('The mark is shown.');
@@ -75,7 +86,7 @@ test('a lamp that is dragged stays where it is dropped, for the project too; und
   await open.page.locator('.canvas').focus();
   await open.page.keyboard.press('Control+z');
   await eventually(async () => expect((await place(2)).x).toBeCloseTo(before.x, 3));
-  expect(await savedParams()).toEqual({ lamps: 2 });
+  expect(await savedParams()).toEqual({ lamps: 2, visible: true });
 });
 
 test('the steps of “Brightest areas” and the histogram with the threshold can be looked at', async () => {

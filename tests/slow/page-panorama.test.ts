@@ -166,6 +166,22 @@ async function show(name: string, picture: RgbaImage): Promise<void> {
   await writeFile(join(folder, name), encodeImage(picture));
 }
 
+/** Where the lamp of the room is moved to, from the middle of the room at 1.2 m. */
+const MOVED: readonly [Direction, Direction] = [
+  [0, 0.35, -0.937],
+  [-0.302, 0.302, 0.904],
+];
+
+/** The direction of the lamp from where photos are taken. */
+async function lampFrom(xr: XrPage, direction: Direction): Promise<Direction> {
+  const middle = [0, 1.2, 0] as const;
+  const far = await xr.measure(middle, direction);
+  if (far === null) throw new Error('The lamp is on a wall.');
+  const way = direction.map((part, i) => (middle[i] ?? 0) + part * far - (EYE[i] ?? 0));
+  const length = Math.hypot(...way);
+  return [(way[0] ?? 0) / length, (way[1] ?? 0) / length, (way[2] ?? 0) / length];
+}
+
 function angleDeg([x, y, z]: Direction, [a, b, c]: Direction): number {
   return (Math.acos(Math.min(1, x * a + y * b + z * c)) * 180) / Math.PI;
 }
@@ -245,6 +261,40 @@ describe('a page with a panorama of the room', () => {
     await barOf(xr).getByText('0 of 34 photos.').waitFor();
     await xr.page.getByRole('button', { name: 'Skip' }).click();
     await barOf(xr).waitFor({ state: 'hidden' });
+    expect(xr.errors).toEqual([]);
+  });
+
+  test('finds the lamp where it is now, when the panorama is taken again after the lamp was moved', async () => {
+    const xr = await open({ sizePx: [200, 150] });
+    const places: Direction[] = [];
+    for (const direction of MOVED) places.push(await lampFrom(xr, direction));
+    const near = TARGETS.filter((target) => places.some((place) => angleDeg(target, place) < 45));
+    const move = (to: Direction) => xr.page.evaluate((at) => scrimEmulator?.current?.moveLight(at), to);
+    const errors: number[][] = [];
+    await xr.setPose(poseOf([0, 0, -1]));
+    await move(MOVED[0]);
+    await xr.enter();
+    for (const [i, direction] of MOVED.entries()) {
+      if (i > 0) {
+        await move(direction);
+        await xr.page.getByRole('button', { name: 'Take the panorama again' }).click();
+        await xr.step(1);
+      }
+      // A target may be ahead already.
+      await barOf(xr).getByText('of 34 photos.').waitFor();
+      await takePhotos(xr, near);
+      await xr.page.getByRole('button', { name: 'Use these photos' }).click();
+      await untilReady(xr);
+      const taken = await storedPanorama(xr);
+      await show(`moved-${i}.png`, pictureOf(taken));
+      const { lamps } = runWhole(findBySolidAngle(taken, { lamps: 5, clippedShare: 0.5 }));
+      errors.push(places.map((place) => Math.min(...lamps.map(({ towards }) => angleDeg(towards, place)))));
+    }
+    // At each time there is a lamp where it is, and none where it was or will be.
+    expect(errors.map((each) => each.map((error) => (error < 2 ? 'lamp' : error > 10 ? 'none' : error)))).toEqual([
+      ['lamp', 'none'],
+      ['none', 'lamp'],
+    ]);
     expect(xr.errors).toEqual([]);
   });
 

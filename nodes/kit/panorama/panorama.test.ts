@@ -158,3 +158,44 @@ test('lamps are filled from what is around them, also across the seam', () => {
   fillLamps(target, runs, { widthPx, heightPx });
   expect([...new Set(levels)]).toEqual([2]);
 });
+
+test('a larger image is filled as its pixels one by one, by 1 / distance to the next pixels outside lamps', () => {
+  // Cells of 3 × 3 pixels; the last column has a single pixel.
+  const [widthPx, heightPx, step] = [22, 12, 3];
+  const size = { widthPx: 8, heightPx: 4 };
+  const runs = [0, 2, 4, 1, 0, 3, 1, 6, 8, 2, 0, 1, 2, 7, 8, 3, 4, 5];
+  const isLamp = (x: number, y: number): boolean => {
+    const [column, row] = [Math.floor(x / step), Math.floor(y / step)];
+    return runs.some((first, k) => k % 3 === 0 && first === row && column >= (runs[k + 1] ?? 0) && column < (runs[k + 2] ?? 0));
+  };
+  const levels = Float64Array.from({ length: widthPx * heightPx }, (_, i) => (i * 37) % 101);
+  const expected = levels.map((level, i) => {
+    const [x, y] = [i % widthPx, Math.floor(i / widthPx)];
+    if (!isLamp(x, y)) return level;
+    let [sum, weights] = [0, 0];
+    for (const [dx, dy] of [
+      [1, 0],
+      [-1, 0],
+      [0, 1],
+      [0, -1],
+    ] as const) {
+      for (let far = 1; far < widthPx; far++) {
+        const [at, row] = [(x + dx * far + widthPx * far) % widthPx, y + dy * far];
+        if (row < 0 || row >= heightPx) break;
+        if (isLamp(at, row)) continue;
+        sum += (levels[row * widthPx + at] ?? 0) / far;
+        weights += 1 / far;
+        break;
+      }
+    }
+    return sum / weights;
+  });
+  const target = {
+    widthPx,
+    heightPx,
+    get: (x: number, y: number) => levels[y * widthPx + x] ?? 0,
+    set: (x: number, y: number, _channel: number, value: number) => void levels.fill(value, y * widthPx + x, y * widthPx + x + 1),
+  };
+  fillLamps(target, runs, size);
+  for (const [i, level] of levels.entries()) expect(level).toBeCloseTo(expected[i] ?? 0, 9);
+});
