@@ -23,6 +23,11 @@ export const definition = defineNode({
       label: 'Kind of surface',
       doc: '“floor” for surfaces that face up within 20°, tables too; “wall”, “ceiling” or “sloped” for others; empty while nothing is hit.',
     },
+    label: {
+      type: 'text',
+      label: 'Label',
+      doc: 'What the device calls the surface, such as “floor”, “wall” or “table”, where a detected plane or mesh answered; otherwise empty.',
+    },
     source: {
       type: 'text',
       label: 'Source',

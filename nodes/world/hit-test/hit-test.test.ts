@@ -31,19 +31,38 @@ function start(
       at: outputs.pose.valid ? [...outputs.pose.worldFromPose.slice(12, 15)].map((x) => Math.round(x * 1e5) / 1e5 + 0) : null,
       distanceM: outputs.distanceM.value,
       orientation: outputs.orientation.value,
+      label: outputs.label.value,
       source: outputs.source.value,
     };
   };
   return { spatial, node, frame, step };
 }
 
-const NOTHING = { hit: false, at: null, distanceM: 0, orientation: '', source: '' };
+const NOTHING = { hit: false, at: null, distanceM: 0, orientation: '', label: '', source: '' };
 
 describe('world/hit-test', () => {
   test('finds the floor from the center of the view', () => {
     const { frame, step } = start('center');
     frame.views[0]?.worldFromView.set(down(2, -3));
-    expect(step()).toEqual({ hit: true, at: [2, 0, -3], distanceM: expect.closeTo(1.6, 6), orientation: 'floor', source: 'floor' });
+    const floor = { hit: true, at: [2, 0, -3], distanceM: expect.closeTo(1.6, 6), orientation: 'floor', label: '', source: 'floor' };
+    expect(step()).toEqual(floor);
+  });
+
+  test('tells what the device calls the surface', () => {
+    const { frame, step } = start('center');
+    frame.views[0]?.worldFromView.set(down(2, -3));
+    const table = {
+      id: 'table-0',
+      version: 0,
+      label: 'table',
+      orientation: 'horizontal' as const,
+      worldFromSurface: Float32Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 2, 0.6, -3, 1),
+      outlineXZ: Float32Array.of(-1, -1, 1, -1, 1, 1, -1, 1),
+    };
+    frame.surfaces = { planes: [table], meshes: [] };
+    expect(step()).toMatchObject({ at: [2, 0.6, -3], orientation: 'floor', label: 'table', source: 'plane' });
+    frame.surfaces = null;
+    expect(step()).toMatchObject({ label: '', source: 'floor' });
   });
 
   test('finds nothing where the ray goes up', () => {

@@ -54,6 +54,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       outputs.hit.value = hit !== null;
       outputs.distanceM.value = hit?.distanceM ?? 0;
       outputs.orientation.value = hit ? surfaceOrientation(hit.worldFromHit) : '';
+      outputs.label.value = hit?.label ?? '';
       outputs.source.value = hit?.source ?? '';
     },
     reset: () => {
