@@ -20,13 +20,13 @@ import { ASKED, type Lit, linear } from './light-tones-styles.ts';
 
 /** Mean luminance of models that techniques draw, and the tone that the light asks for, from pictures by three.js' own materials. */
 
-/** Shaded surfaces alone: no outlines, no color of their own. */
+/** Shaded surfaces alone: no highlight, no color of their own. */
 const VALUES = {
-  toon: { outlinePx: 0 },
-  hatching: { linePx: 0 },
-  charcoal: { linePx: 0 },
-  gooch: { linePx: 0, highlight: 0 },
-  'loose-lines': { strokePx: 0, loosePx: 0, TIME: 0 },
+  toon: {},
+  hatching: {},
+  charcoal: {},
+  gooch: { highlight: 0 },
+  'loose-lines': { TIME: 0 },
   custom: { tint: [0, 0, 0, 0] },
   brick: { brickM: [2, 1], variation: 0, bump: 0, mortarM: 0, brickColor: [1, 1, 1, 1] },
 } as const;
@@ -73,6 +73,12 @@ export async function prepare(modelNames: readonly string[], panoramaNames: read
   for (const name of panoramaNames) {
     panoramas.set(name, await stand.backend.loadEnvironment(await (await fetch(`/panoramas/${name}`)).arrayBuffer()));
   }
+}
+
+/** A style without its outlines and strokes, which are its later passes. */
+function surfaceOf(style: Style): TechniqueView {
+  const view = technique(style, VALUES[style]);
+  return { ...view, passes: view.passes.slice(0, 1) };
 }
 
 const drawnBy = (view: TechniqueView): ObjectItem[] => models.map(({ root, own }) => drawnWith(root, view, own.worldFromObject));
@@ -150,6 +156,7 @@ function vectorAt(pixels: Uint8Array, i: number, scale: number): Vector3 {
 
 /** What white planes that face each way receive of the environment: its direction, and the luminance there. */
 function around(stage: Stage): { towards: Vector3; onWhite: number; rise: number } {
+  if (stage.lamps.ambient === 0 && !stage.lamps.around(1)) return { towards: new Vector3(0, 1, 0), onWhite: 0, rise: 0 };
   const plane = new Mesh(new PlaneGeometry(2, 2), new MeshLambertMaterial());
   const facing = (towards: Vector3): number => {
     plane.lookAt(towards);
@@ -171,11 +178,19 @@ function around(stage: Stage): { towards: Vector3; onWhite: number; rise: number
 /** The light at a pixel, and the model that is there. */
 type LitModel = Lit & { readonly model: number };
 
+/** What is the same in all light. */
+let surface: { readonly positions: Uint8Array; readonly normals: Uint8Array } | null = null;
+
+function surfaceBy(stage: Stage): NonNullable<typeof surface> {
+  const styled = (name: string, text: string): Uint8Array => stage.shots(drawnBy(viewOfText(text, name)), [1])[0] ?? new Uint8Array();
+  return { positions: styled('positions', POSITIONS), normals: styled('normals', NORMALS) };
+}
+
 /** The light at each pixel, at full brightness; null beside the models. */
 function reference(stage: Stage): (LitModel | null)[] {
   const { lamps } = stage;
-  const styled = (name: string, text: string): Uint8Array => stage.shots(drawnBy(viewOfText(text, name)), [1])[0] ?? new Uint8Array();
-  const [positions, normals] = [styled('positions', POSITIONS), styled('normals', NORMALS)];
+  surface ??= surfaceBy(stage);
+  const { positions, normals } = surface;
   const [shaded = new Uint8Array()] = stage.shots(plain(), [DARKER]);
   const [open = shaded] = lamps.direct?.shadow ? stage.shots(plain(), [DARKER], 'open') : [];
   const sky = around(stage);
@@ -216,7 +231,7 @@ export function tones(style: Style, lampName: LampName): Tones[] {
   const lit = known.get(lampName) ?? reference(stage);
   known.set(lampName, lit);
   const factors = STOPS.map((stops) => 2 ** stops);
-  const pictures = stage.shots(drawnBy(technique(style, VALUES[style])), factors);
+  const pictures = stage.shots(drawnBy(surfaceOf(style)), factors);
   const askedFor = ASKED[style] ?? (() => Number.NaN);
   return models.map((_, model) => {
     const own = lit.flatMap((one, i) => (one?.model === model ? [{ ...one, i }] : []));
