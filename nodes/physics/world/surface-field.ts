@@ -1,10 +1,14 @@
 import type { VoxelSettings } from '../../kit/physics.ts';
 import { indexIn, type VoxelChunks } from './voxel-chunks.ts';
 
+/**
+ * Parts of the threshold between which the points of a voxel lose their share. Beside an occupied voxel also others count, because
+ * those that come and go with the noise of a sensor would shake what lies on them.
+ */
+const FADE_START = 0.5;
+const FADE_END = 0.2;
 /** Radius within which measured points have weight, in edges of a voxel. */
 const KERNEL = 0.7;
-/** Added to the weight of measured points, so that those of a voxel at the threshold count too. */
-const LEAST_WEIGHT = 0.01;
 
 /**
  * A smooth surface through the occupied voxels, computed on demand. Its signed distance at the middle of a voxel is the mean of the
@@ -28,7 +32,8 @@ export interface SurfaceField {
 // Filled and read within one call.
 const corners = new Float64Array(8);
 
-export function createSurfaceField(chunks: VoxelChunks, { edgeM, threshold }: VoxelSettings): SurfaceField {
+export function createSurfaceField(chunks: VoxelChunks, settings: VoxelSettings): SurfaceField {
+  const { edgeM, threshold } = settings;
   let version = 1;
   const falloff = -1 / (KERNEL * edgeM) ** 2;
 
@@ -38,6 +43,7 @@ export function createSurfaceField(chunks: VoxelChunks, { edgeM, threshold }: Vo
     const z = (vz + 0.5) * edgeM;
     let sum = 0;
     let weights = 0;
+    let most = 0;
     const own = isInner(vx) && isInner(vy) && isInner(vz) ? chunks.of(vx, vy, vz) : null;
     if (own === undefined) return Number.NaN;
     for (let i = vx - 1; i <= vx + 1; i++) {
@@ -46,10 +52,11 @@ export function createSurfaceField(chunks: VoxelChunks, { edgeM, threshold }: Vo
           const chunk = own ?? chunks.of(i, j, k);
           if (!chunk?.surface) continue;
           const index = indexIn(i, j, k);
-          // Nothing at the threshold, so that voxels that come and go do not shake what lies on them.
-          const sure = (chunk.weights[index] ?? 0) - threshold;
-          if (sure < 0) continue;
-          const { points, normals } = chunk.surface;
+          const occupancy = (chunk.weights[index] ?? 0) / threshold;
+          most = Math.max(most, occupancy);
+          const share = Math.min((occupancy - FADE_END) / (FADE_START - FADE_END), 1);
+          if (share <= 0) continue;
+          const { points, normals, rates } = chunk.surface;
           const o = 3 * index;
           const dx = x - (points[o] ?? 0);
           const dy = y - (points[o + 1] ?? 0);
@@ -59,13 +66,13 @@ export function createSurfaceField(chunks: VoxelChunks, { edgeM, threshold }: Vo
           const nz = normals[o + 2] ?? 0;
           const length = Math.sqrt(nx * nx + ny * ny + nz * nz);
           if (length < 1e-6) continue;
-          const weight = (sure + LEAST_WEIGHT) * Math.exp(falloff * (dx * dx + dy * dy + dz * dz));
+          const weight = share * (rates[index] ?? 0) * Math.exp(falloff * (dx * dx + dy * dy + dz * dz));
           sum += (weight * (nx * dx + ny * dy + nz * dz)) / length;
           weights += weight;
         }
       }
     }
-    return weights > 0 ? sum / weights : Number.NaN;
+    return most >= 1 && weights > 0 ? sum / weights : Number.NaN;
   }
   function at(vx: number, vy: number, vz: number): number {
     const surface = chunks.of(vx, vy, vz)?.surface;

@@ -24,6 +24,8 @@ export interface ChunkSurface {
   readonly normals: Float32Array;
   /** For each voxel, how many hits both means contain; older hits lose weight. */
   readonly counts: Uint8Array;
+  /** For each voxel, the mean number of points per depth frame, over some seconds. */
+  readonly rates: Float32Array;
   /**
    * For each voxel, the signed distance of its center from the surface, NaN where unknown. `fieldFrames` has the depth frame in which it
    * was computed.
@@ -94,6 +96,7 @@ function createSurface(): ChunkSurface {
     points: new Float32Array(3 * VOXELS),
     normals: new Float32Array(3 * VOXELS),
     counts: new Uint8Array(VOXELS),
+    rates: new Float32Array(VOXELS),
     field: new Float32Array(VOXELS),
     fieldFrames: new Int32Array(VOXELS),
     vertices: new Float32Array(3 * VOXELS),

@@ -7,6 +7,12 @@ import { type Chunk, createVoxelChunks, indexIn, keyOf, SIDE, VOXELS } from './v
 const GONE = 0.01;
 /** The number of hits over which a voxel's means run: those of about a second, so that bodies rest steadily on it. */
 const MEAN_HITS = 255;
+/** Time constant of the mean number of points of a voxel. With less, the noise of a sensor shakes bodies that rest. */
+const SLOW_S = 3;
+/** From the center of a voxel to its corners, in edges. */
+const MOST_REACH = 0.87;
+/** Rays through a voxel that are tested along each axis of the image. */
+const MAX_RAYS = 8;
 
 /**
  * A probabilistic voxel grid of the surfaces that depth shows. Each depth frame updates the weight V of each voxel once: V' = V · (1 − U) +
@@ -54,7 +60,7 @@ export function createVoxelGrid(settings: VoxelSettings): VoxelGrid {
     return chunks.of(x, y, z)?.weights[indexIn(x, y, z)] ?? 0;
   }
 
-  function addHits(frame: DepthFrame, rate: number): void {
+  function addHits(frame: DepthFrame, rate: number, slow: number): void {
     const { meters, widthPx, heightPx, worldFromDepth: m, rayFromTexel: r } = frame;
     const [r0, r1, r2, r3, r4, r5] = [at(r, 0), at(r, 1), at(r, 2), at(r, 3), at(r, 4), at(r, 5)];
     const [m0, m1, m2, m4, m5, m6] = [at(m, 0), at(m, 1), at(m, 2), at(m, 4), at(m, 5), at(m, 6)];
@@ -74,8 +80,13 @@ export function createVoxelGrid(settings: VoxelSettings): VoxelGrid {
         const chunk = chunks.make(vx, vy, vz);
         if (!chunk) continue;
         const index = indexIn(vx, vy, vz);
-        if (chunk.surface) addPoint(chunk.surface, index, ox + dx, oy + dy, oz + dz, frame, i, j);
-        if (chunk.hits[index] === frameIndex) continue;
+        const isFirst = chunk.hits[index] !== frameIndex;
+        if (chunk.surface) {
+          addPoint(chunk.surface, index, ox + dx, oy + dy, oz + dz, frame, i, j);
+          const { rates } = chunk.surface;
+          rates[index] = (rates[index] ?? 0) * (isFirst ? 1 - slow : 1) + slow;
+        }
+        if (!isFirst) continue;
         chunk.hits[index] = frameIndex;
         touched++;
         setWeight(chunk, index, (chunk.weights[index] ?? 0) * (1 - rate) + rate);
@@ -108,9 +119,42 @@ export function createVoxelGrid(settings: VoxelSettings): VoxelGrid {
     points[o + 2] = (points[o + 2] ?? 0) + share * (pz - (points[o + 2] ?? 0));
     for (let k = 0; k < 3; k++) normals[o + k] = (normals[o + k] ?? 0) + share * ((scratchNormal[k] ?? 0) - (normals[o + k] ?? 0));
   }
-  /** Lowers the weight of voxels that were not hit and behind which depth measures a surface more than an edge away. */
-  function decay(frame: DepthFrame, rate: number): void {
+  /**
+   * Whether a ray through a voxel, whose center is seen at a texel (i, j), ends more than an edge behind where it enters. Of a near voxel,
+   * only some of the rays are tested.
+   */
+  function isPassed(frame: DepthFrame, px: number, py: number, pz: number, d: number, i: number, j: number): boolean {
     const { meters, widthPx, heightPx, worldFromDepth: m, rayFromTexel: r } = frame;
+    const half = 0.5 * edgeM;
+    const least = d - MOST_REACH * edgeM + edgeM;
+    const reach = (MOST_REACH * edgeM) / (Math.max(d - half, half) * Math.sqrt(Math.abs(at(r, 0) * at(r, 4) - at(r, 1) * at(r, 3))));
+    const u0 = Math.max(Math.ceil(i - reach), 0);
+    const u1 = Math.min(Math.floor(i + reach), widthPx - 1);
+    const v0 = Math.max(Math.ceil(j - reach), 0);
+    const v1 = Math.min(Math.floor(j + reach), heightPx - 1);
+    const stride = Math.max(1, Math.ceil((2 * reach) / MAX_RAYS));
+    for (let v = v0; v <= v1; v += stride) {
+      for (let u = u0; u <= u1; u += stride) {
+        const measured = meters[v * widthPx + u] ?? 0;
+        if (!(measured > least && measured < farM)) continue;
+        const x = at(r, 0) * u + at(r, 1) * v + at(r, 2);
+        const y = at(r, 3) * u + at(r, 4) * v + at(r, 5);
+        const dx = 1 / (at(m, 0) * x + at(m, 4) * y - at(m, 8));
+        const dy = 1 / (at(m, 1) * x + at(m, 5) * y - at(m, 9));
+        const dz = 1 / (at(m, 2) * x + at(m, 6) * y - at(m, 10));
+        const hx = Math.abs(half * dx);
+        const hy = Math.abs(half * dy);
+        const hz = Math.abs(half * dz);
+        const enter = Math.max(px * dx - hx, py * dy - hy, pz * dz - hz);
+        const leave = Math.min(px * dx + hx, py * dy + hy, pz * dz + hz, measured - edgeM);
+        if (enter > 0 && enter < leave) return true;
+      }
+    }
+    return false;
+  }
+  /** Lowers the weight of voxels that were not hit and behind which depth measures a surface more than an edge away. */
+  function decay(frame: DepthFrame, rate: number, slow: number): void {
+    const { worldFromDepth: m, rayFromTexel: r } = frame;
     const determinant = at(r, 0) * at(r, 4) - at(r, 1) * at(r, 3);
     const half = (SIDE * edgeM) / 2;
     const radius = half * Math.sqrt(3);
@@ -138,20 +182,13 @@ export function createVoxelGrid(settings: VoxelSettings): VoxelGrid {
           const i = (at(r, 4) * rx - at(r, 1) * ry) / determinant;
           const j = (at(r, 0) * ry - at(r, 3) * rx) / determinant;
           touched++;
-          // A ray through any part of the voxel frees it: its middle and a ring around it are looked up.
-          const reach = (0.35 * edgeM) / (d * Math.sqrt(Math.abs(determinant)));
-          let isFree = false;
-          for (let k = 0; k < 5 && !isFree; k++) {
-            const u = Math.round(i + (k === 1 ? reach : k === 2 ? -reach : 0));
-            const v = Math.round(j + (k === 3 ? reach : k === 4 ? -reach : 0));
-            if (u < 0 || v < 0 || u >= widthPx || v >= heightPx) continue;
-            const measured = meters[v * widthPx + u] ?? 0;
-            isFree = measured > 0 && measured < farM && measured - d > edgeM;
-          }
-          if (!isFree) continue;
+          if (!isPassed(frame, px, py, pz, d, i, j)) continue;
           const left = weight * (1 - rate);
           setWeight(chunk, index, left < GONE ? 0 : left);
-          if (left < GONE && chunk.surface) chunk.surface.counts[index] = 0;
+          if (!chunk.surface) continue;
+          const { rates, counts } = chunk.surface;
+          rates[index] = (rates[index] ?? 0) * (1 - slow);
+          if (left < GONE) rates[index] = counts[index] = 0;
         }
       }
       if (most === 0) chunks.remove(chunk);
@@ -168,8 +205,9 @@ export function createVoxelGrid(settings: VoxelSettings): VoxelGrid {
       changed.clear();
       if (!isFrame(frame)) return;
       const rate = 1 - (1 - speed) ** Math.min(30 * Math.max(frame.deltaS, 1 / 240), 30);
-      addHits(frame, rate);
-      decay(frame, rate);
+      const slow = 1 - Math.exp(-Math.max(frame.deltaS, 1 / 240) / SLOW_S);
+      addHits(frame, rate, slow);
+      decay(frame, rate, slow);
       surface?.invalidate();
     },
     isOccupied: (x, y, z) => weightAt(x, y, z) >= threshold,

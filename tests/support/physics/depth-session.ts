@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { Matrix4, Ray, Vector3 } from 'three';
 import { decodeDepth } from '../../../export/runtime/sessions/recorded/decode-depth.ts';
+import { readSessionFile, SESSION_FILE } from '../../../export/runtime/sessions/recorded/read-session-file.ts';
 import type { DepthFrame } from '../../../nodes/kit/physics.ts';
 
 /** Images are thinned to at most so many columns, as the physics room does it. */
@@ -9,15 +10,17 @@ const MAX_WIDTH_PX = 160;
 
 /** The depth of a recorded session, as the voxel grid takes it. */
 export function readDepthSession(folder: string): { frames(count: number): DepthFrame[] } {
-  // biome-ignore lint/suspicious/noExplicitAny: the file is checked by its own test.
-  const session: any = JSON.parse(readFileSync(join(folder, 'session.json'), 'utf8'));
-  const { widthPx, heightPx, intrinsics: k } = session.depth;
+  const { output: session, diagnostics } = readSessionFile(JSON.parse(readFileSync(join(folder, SESSION_FILE), 'utf8')));
+  if (!session?.depth) throw new Error(`There is no depth in ${folder}: ${JSON.stringify(diagnostics)}`);
+  const images = session.depth;
+  const { widthPx, heightPx, intrinsics: k } = images;
   const stride = Math.ceil(widthPx / MAX_WIDTH_PX);
   const width = Math.floor(widthPx / stride);
   const height = Math.floor(heightPx / stride);
   const frameAt = (index: number): DepthFrame => {
-    const { depth, worldFromCamera } = session.frames[index];
-    const all = decodeDepth(new Uint8Array(readFileSync(join(folder, depth))).buffer, session.depth);
+    const { depth, worldFromCamera } = session.frames[index] ?? {};
+    if (depth === undefined || worldFromCamera === undefined) throw new Error(`Frame ${index} has no depth.`);
+    const all = decodeDepth(new Uint8Array(readFileSync(join(folder, depth))).buffer, images);
     const meters = Float32Array.from(
       { length: width * height },
       (_, n) => all[Math.floor(n / width) * stride * widthPx + (n % width) * stride] ?? 0,
