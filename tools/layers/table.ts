@@ -199,9 +199,15 @@ export const LAYERS: readonly Layer[] = [
     packages: ['three'],
   },
   {
+    name: 'measured physics',
+    files: ['tools/bench/physics/**'],
+    imports: ['kit', 'kit runtime', 'node', 'node definition'],
+    packages: ['node:*', 'three', 'cannon-es', '@dimforge/rapier3d-compat'],
+  },
+  {
     name: 'tools',
     files: ['tools/**'],
-    imports: [...HOST, 'services', 'server shell', 'makers of examples', 'measured page'],
+    imports: [...HOST, 'services', 'server shell', 'makers of examples', 'measured page', 'measured physics'],
     packages: [
       'node:*',
       'esbuild',
