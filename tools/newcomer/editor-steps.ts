@@ -1,6 +1,6 @@
 import type { Locator, Page } from 'playwright-core';
 import { centerOf, type Point } from '../lib/center-of.ts';
-import type { Hands, Interaction } from './hands.ts';
+import { Hands, type Interaction } from './hands.ts';
 
 /** Options of a newcomer script, which uses the editor as a new user would. */
 export interface NewcomerOptions {
@@ -40,7 +40,17 @@ export function onWire(from: Point, to: Point, part = 0.5): Point {
   return { x: from.x + part * (to.x - from.x), y: from.y + part * (to.y - from.y) };
 }
 
-export function createEditorSteps(page: Page, hands: Hands): EditorSteps {
+/** How both scripts begin: a new project, in which a dropped model is seen. */
+export async function startWithModel({ page, model, project, onDone }: NewcomerOptions) {
+  const hands = new Hands(page, onDone ?? (async () => {}));
+  const steps = createEditorSteps(page, hands);
+  const at = await steps.newProject(project);
+  await hands.dropFile('Drop a model', model, at(30, 330));
+  await steps.node('scene').waitFor();
+  return { hands, at, ...steps };
+}
+
+function createEditorSteps(page: Page, hands: Hands): EditorSteps {
   const field = (name: string) => page.getByRole('textbox', { name, exact: true });
   const node = (stem: string) => page.locator(`[data-node^="${stem}"]`);
   const port = async (owner: Locator, name: string, side: 'source' | 'target'): Promise<Point> => {

@@ -1,28 +1,24 @@
 import type { Page } from 'playwright-core';
 import { centerOf, type Point } from '../lib/center-of.ts';
-import { createEditorSteps, type NewcomerOptions } from './editor-steps.ts';
+import { type NewcomerOptions, startWithModel } from './editor-steps.ts';
 import { Hands, type Interaction } from './hands.ts';
 
 /**
  * Goes from no project to an exported page, by pointer and keys alone. In the page the visitor places a model by a tap, drags, rotates and
  * scales it, measures a distance from it by further taps, and reads the length on a label. Returns the interactions in order.
  */
-export async function playPlacing({ page, model, project, exportTo, onDone }: NewcomerOptions): Promise<readonly Interaction[]> {
-  const hands = new Hands(page, onDone ?? (async () => {}));
-  const steps = createEditorSteps(page, hands);
+export async function playPlacing(options: NewcomerOptions): Promise<readonly Interaction[]> {
+  const { hands, at, ...steps } = await startWithModel(options);
   const { field, node, output, input } = steps;
-  const at = await steps.newProject(project);
-  await hands.dropFile('Drop a model', model, at(30, 330));
-  await node('scene').waitFor();
   await hands.type('Where the tap is: 0 m', '0', field('Position Z'));
   await steps.insert(await output('transform', 'objects'), await input('scene', 'objects'), 'place', 'place');
-  await hands.choose('A tap places it once', page.getByRole('combobox', { name: 'Taps', exact: true }), 'Place once');
+  await hands.choose('A tap places it once', options.page.getByRole('combobox', { name: 'Taps', exact: true }), 'Place once');
   await steps.grow(await input('scene', 'objects'), at(330, 700), 'measure', 'measure');
-  await hands.choose('Further taps measure', page.getByRole('combobox', { name: 'Points', exact: true }), 'Taps');
+  await hands.choose('Further taps measure', options.page.getByRole('combobox', { name: 'Points', exact: true }), 'Taps');
   await steps.grow(await output('measure', 'pose'), at(560, 700), 'label', 'label');
   await hands.drag('The label shows the length', await output('measure', 'text'), await centerOf(node('label')));
   await hands.drag('Draw the label', await output('label', 'objects'), await input('scene', 'objects'));
-  await steps.exportTo(exportTo);
+  await steps.exportTo(options.exportTo);
   return hands.done;
 }
 

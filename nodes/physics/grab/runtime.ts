@@ -95,7 +95,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     findAlong(pointer.worldFromRay);
     if (found && claimPointer(pointer, ctx, foundM)) add(pointer.id, 'ray', found, input);
   }
-  /** Begins a hold by a closed hand: a fist holds the body in it; a squeezed controller also the one that its ray meets. */
+  /** A fist grabs the body that it encloses. A squeezed controller grabs the body near its grip, or else the first one along its ray. */
   function close(side: Side, input: SessionInput): void {
     const carrier = handAt(side, input).tracked ? 'palm' : 'grip';
     const pose = poseOf(side, carrier, input);

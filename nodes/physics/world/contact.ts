@@ -1,22 +1,14 @@
+import type { Levers } from './impulse-math.ts';
 import type { RigidBody } from './rigid-body.ts';
 
 /** One point at which two bodies touch or nearly touch. Numbers only: the solver runs over thousands of them. */
-export interface Contact {
-  a: RigidBody;
-  b: RigidBody;
+export interface Contact extends Levers {
   /** Key of the pair of bodies; the same in the next step. */
   pair: number;
   /** The normal: a unit vector from a to b, world axes. */
   nx: number;
   ny: number;
   nz: number;
-  /** The vectors from both centers of mass to the point, world axes. */
-  ax: number;
-  ay: number;
-  az: number;
-  bx: number;
-  by: number;
-  bz: number;
   /** Distance of the bodies along the normal when the contact was found; negative if they overlap. */
   gapM: number;
   /** The point in the axes of `a` (or of the world, if `a` is the room), to find the contact again in the next step. */

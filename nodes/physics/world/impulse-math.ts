@@ -2,21 +2,21 @@ import type { RigidBody } from './rigid-body.ts';
 
 /** Two bodies, and the vectors from their centers of mass to a point, world axes. */
 export interface Levers {
-  readonly a: RigidBody;
-  readonly b: RigidBody;
-  readonly ax: number;
-  readonly ay: number;
-  readonly az: number;
-  readonly bx: number;
-  readonly by: number;
-  readonly bz: number;
+  a: RigidBody;
+  b: RigidBody;
+  ax: number;
+  ay: number;
+  az: number;
+  bx: number;
+  by: number;
+  bz: number;
 }
 
 /**
  * The effective mass at the point: impulse divided by the change of relative velocity along a unit direction; 0 if both bodies are
  * immovable.
  */
-export function effectiveMass(l: Levers, x: number, y: number, z: number): number {
+export function effectiveMass(l: Readonly<Levers>, x: number, y: number, z: number): number {
   const k = l.a.invMass + l.b.invMass + angularPart(l.a, l.ax, l.ay, l.az, x, y, z) + angularPart(l.b, l.bx, l.by, l.bz, x, y, z);
   return k > 0 ? 1 / k : 0;
 }
@@ -29,7 +29,7 @@ function angularPart({ inverseWorld: m }: RigidBody, rx: number, ry: number, rz:
 }
 
 /** Applies an impulse to `b` and the opposite impulse to `a`, at the point. */
-export function applyImpulse(l: Levers, x: number, y: number, z: number): void {
+export function applyImpulse(l: Readonly<Levers>, x: number, y: number, z: number): void {
   push(l.a, l.ax, l.ay, l.az, -x, -y, -z);
   push(l.b, l.bx, l.by, l.bz, x, y, z);
 }

@@ -10,14 +10,6 @@ const RIGID_DAMPING = 2;
 
 /** One direction, linear or angular, in which a joint holds two bodies. */
 interface Row extends Levers {
-  a: RigidBody;
-  b: RigidBody;
-  ax: number;
-  ay: number;
-  az: number;
-  bx: number;
-  by: number;
-  bz: number;
   isAngular: boolean;
   x: number;
   y: number;

@@ -126,10 +126,10 @@ export function collideSpherePlane(
   marginM: number,
   out: ContactList,
 ): void {
-  rotation.vmult(Z, scratchNormal);
+  const offset = readPlane(position, rotation);
   const n = scratchNormal;
   const r = sphere.radius;
-  const gapM = n.x * (center.x - position.x) + n.y * (center.y - position.y) + n.z * (center.z - position.z) - r;
+  const gapM = n.dot(center) - offset - r;
   if (gapM > marginM) return;
   out.add(a, b, center.x - r * n.x, center.y - r * n.y, center.z - r * n.z, -n.x, -n.y, -n.z, gapM);
 }
@@ -145,13 +145,18 @@ export function collideHullPlane(
   marginM: number,
   out: ContactList,
 ): void {
-  rotation.vmult(Z, scratchNormal);
+  const offset = readPlane(position, rotation);
   const n = scratchNormal;
-  const offset = n.dot(position);
   for (const { x, y, z } of hull.vertices) {
     const gapM = n.x * x + n.y * y + n.z * z - offset;
     if (gapM <= marginM) out.add(a, b, x, y, z, -n.x, -n.y, -n.z, gapM);
   }
+}
+
+/** Writes the normal of a plane. Gives its distance from the origin along the normal. */
+function readPlane(position: Vec3, rotation: Quaternion): number {
+  rotation.vmult(Z, scratchNormal);
+  return scratchNormal.dot(position);
 }
 
 const Z = new Vec3(0, 0, 1);
