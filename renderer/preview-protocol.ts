@@ -65,6 +65,12 @@ export type ToPreview =
   | { readonly kind: 'gizmo'; readonly gizmo: PreviewGizmo | null }
   /** Whether clicks report the object that they hit. */
   | { readonly kind: 'picking'; readonly on: boolean }
+  /** Physics apart from the time of the source. Reset: all bodies begin anew. */
+  | { readonly kind: 'physics'; readonly action: 'play' | 'pause' | 'step' | 'reset' }
+  /** Bodies of these nodes of the program, or of all if the list is empty, begin anew at rest. */
+  | { readonly kind: 'physics-drop'; readonly nodes: readonly string[] }
+  /** What is shown over the preview: shapes of bodies, voxels of the room. */
+  | { readonly kind: 'physics-view'; readonly bodies: boolean; readonly voxels: boolean }
   /** Keys that the editor handles, as `keybindingOf` writes them. The preview forwards them unless it uses them itself. */
   | { readonly kind: 'keys'; readonly keybindings: readonly string[]; readonly mac: boolean }
   /** Whether to measure the cost of operations. */

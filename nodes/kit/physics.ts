@@ -127,6 +127,26 @@ export interface PhysicsBody {
 export interface BodyWorld {
   /** Copies the result of the last step to all bodies, at most once per frame. Nodes with bodies call it first in `update`. */
   applyPoses(): void;
+  readonly control: WorldControl;
+}
+
+/** What tools of the editor ask of a world and read of it. Pages do not use it. */
+export interface WorldControl {
+  /** The bodies stand still, whatever the graph says. */
+  isPaused: boolean;
+  /** Steps of 1/60 s to simulate while it is paused. The world sets it to 0. */
+  steps: number;
+  /** All bodies shall begin anew. The world sets it to false. */
+  wantsReset: boolean;
+  wantsVoxels: boolean;
+  /** Middles of the occupied voxels of the room after the last step (x, y, z, meters), if they are wanted; null otherwise. */
+  voxels: Float32Array | null;
+  /** Edge of a voxel, meters. */
+  edgeM: number;
+}
+
+export function createWorldControl(): WorldControl {
+  return { isPaused: false, steps: 0, wantsReset: false, wantsVoxels: false, voxels: null, edgeM: 0 };
 }
 
 /** The impulses and forces on a body in a frame, in a buffer that is reused. */

@@ -11,6 +11,7 @@ import { usePreviewSync } from '../state/preview-sync/preview-sync-context.ts';
 import { Button, IconButton } from '../ui/button.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { GizmoBar } from './gizmo-bar.tsx';
+import { PhysicsMenu } from './physics-menu.tsx';
 import { connectPreview } from './preview-link.ts';
 import { RoomLight } from './room-light.tsx';
 import { ViewerOverlay } from './viewer-overlay.tsx';
@@ -133,6 +134,7 @@ function Transport() {
       <IconButton icon="reset" label="Go to first frame" onPress={() => goToStart(editor)} />
       <TransportTime />
       <span className="transport-gap" />
+      <PhysicsMenu />
       <PreviewMenu />
       <RoomLight />
       <ViewsToggle />

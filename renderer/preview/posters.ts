@@ -108,3 +108,18 @@ function cover({ canvas, views }: CaptureSource, { widthPx, heightPx }: PosterSi
   context.drawImage(canvas, (viewWidthPx - width) / 2, (canvas.height - height) / 2, width, height, 0, 0, widthPx, heightPx);
   return image;
 }
+
+/** The canvas of the page as a source, for sources other than emulated devices. */
+export function sourceOnCanvas(canvas: HTMLCanvasElement): CaptureSource {
+  const { width: widthPx, height: heightPx } = canvas;
+  return {
+    canvas,
+    views: 1,
+    shows: 'in the frame',
+    resize: (size) => {
+      const to = size ?? { widthPx, heightPx };
+      canvas.width = to.widthPx;
+      canvas.height = to.heightPx;
+    },
+  };
+}

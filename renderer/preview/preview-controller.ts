@@ -11,8 +11,9 @@ import { coalesce } from './coalesce.ts';
 import { createGizmo } from './gizmo/gizmo.ts';
 import { createKeys } from './keys.ts';
 import { type OpenSession, openSession } from './open-session.ts';
+import { createPhysicsView } from './physics/physics-view.ts';
 import { createPlayerHost, type PlayerHost } from './player-host.ts';
-import { type CaptureSource, createPosters, type PosterRequest } from './posters.ts';
+import { type CaptureSource, createPosters, type PosterRequest, sourceOnCanvas } from './posters.ts';
 import { createProbes } from './probes.ts';
 import { isHandKey } from './room-hands.ts';
 import { createRoomPanorama } from './room-panorama.ts';
@@ -79,6 +80,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
   const probes = createProbes(send, () => clock.wake());
   let lightWorld: Extract<ToPreview, { kind: 'room-light' }>['directionWorld'] = null;
   const gizmo = createGizmo(parent, send, () => clock.wake());
+  const physics = createPhysicsView(parent, () => clock.wake());
   const sensors = createSimulatedSensors(window, sensorHint);
   const keys = createKeys(
     window,
@@ -211,6 +213,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     probes.afterFrame(host.player, frame, captureSource());
     captures.afterFrame(captureSource());
     if (!posters.busy) gizmo.afterFrame(host.player, frame, captureSource());
+    if (!posters.busy) physics.afterFrame(host.player, frame, captureSource());
     const restS = thumbnails.afterFrame(host.player);
     if (restS !== null) wakeIn(restS);
   };
@@ -322,6 +325,11 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
         case 'picking':
           gizmo.receive(message);
           return;
+        case 'physics':
+        case 'physics-drop':
+        case 'physics-view':
+          physics.receive(message);
+          return;
         case 'keys':
           keys.receive(message);
           return;
@@ -365,20 +373,6 @@ function showViewer(
     if (leftLayer) showLayer(leftLayer, view, 0, split);
     if (rightLayer) showLayer(rightLayer, view, split, 1);
   }
-}
-
-function sourceOnCanvas(canvas: HTMLCanvasElement): CaptureSource {
-  const { width: widthPx, height: heightPx } = canvas;
-  return {
-    canvas,
-    views: 1,
-    shows: 'in the frame',
-    resize: (size) => {
-      const to = size ?? { widthPx, heightPx };
-      canvas.width = to.widthPx;
-      canvas.height = to.heightPx;
-    },
-  };
 }
 
 /** Two sources with the same key share a session. A recording depends only on its URL. */

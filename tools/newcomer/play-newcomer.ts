@@ -7,7 +7,7 @@ import type { Interaction } from './hands.ts';
  */
 export async function playNewcomer(options: NewcomerOptions): Promise<readonly Interaction[]> {
   const { hands, at, ...steps } = await startWithModel(options);
-  const { field, node, output, input } = steps;
+  const { field, output, input } = steps;
   await hands.type('To the right: 0.3 m', '0.3', field('Position X'));
   await hands.type('Away: −0.85 m', '-0.85', field('Position Z'));
   await hands.type('Larger: 2.2', '2.2', field('Scale'));

@@ -16,7 +16,7 @@ import {
 } from 'three';
 import { createPulseQueue } from '../../../export/runtime/values/pulses.ts';
 import { fakeContext } from '../../../tests/support/node-context.ts';
-import type { BodyShape } from '../../kit/physics.ts';
+import { type BodyShape, createWorldControl } from '../../kit/physics.ts';
 import type { ObjectItem, ObjectList } from '../../kit/scene-lists.ts';
 import { massProperties } from '../world/mass-properties.ts';
 import { shapeOf } from './body-shape.ts';
@@ -154,7 +154,7 @@ describe('physics/body', () => {
     expect(made?.description.shapes).toMatchObject([{ kind: 'hull' }]);
     expect(volumeOf(made?.description.shapes ?? [])).toBeCloseTo(0.064, 6);
     made?.worldFromBody.set(new Matrix4().makeRotationY(1).setPosition(3, 0, 0).elements);
-    if (made) made.world = { applyPoses: () => {} };
+    if (made) made.world = { applyPoses: () => {}, control: createWorldControl() };
     update();
     const [moved] = ctx.outputs.objects.items;
     expect(moved?.worldFromObject.elements.slice(12, 15)).toEqual([3, 0, 0]);
@@ -222,7 +222,7 @@ describe('physics/body', () => {
     update();
     const [made] = body();
     if (!made) throw new Error('There is no body.');
-    made.world = { applyPoses: () => {} };
+    made.world = { applyPoses: () => {}, control: createWorldControl() };
     // A world that is late tells it twice.
     for (let i = 0; i < 2; i++) {
       made.isLost = true;

@@ -319,6 +319,18 @@ describe('physics/room', () => {
     stage.play(60, idle, fakeContext(definition));
     expect(placeOf(body)[1]).toBeGreaterThan(0.05);
     expect([body.isLost, away.isLost]).toEqual([false, true]);
+    const control = body.world?.control;
+    if (!control) throw new Error('No world has taken the body.');
+    expect(control.voxels).toBeNull();
+    control.wantsVoxels = true;
+    stage.play(3, idle, fakeContext(definition));
+    // The floor, which is half a voxel thick in each of them.
+    const heights = (control.voxels ?? new Float32Array()).filter((_, i) => i % 3 === 1);
+    expect(heights.length).toBeGreaterThan(100);
+    expect(Math.max(...heights)).toBeLessThanOrEqual(control.edgeM);
+    control.wantsVoxels = false;
+    stage.play(3, idle, fakeContext(definition));
+    expect(control.voxels).toBeNull();
     delete stage.list.room;
     stage.list.version++;
     stage.play(60, idle, fakeContext(definition));

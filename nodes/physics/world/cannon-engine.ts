@@ -338,12 +338,19 @@ export function createCannonEngine(): PhysicsEngine {
         out[o + 14] = body.isDynamic && grid && p.y < grid.lowestM - LOST_M ? LOST : body.sleeps ? ASLEEP : 0;
       });
     },
+    voxels: () => Float32Array.from(grid ? middlesOf(grid) : []),
     writeTouches: (out) => {
       const count = Math.min(Math.floor(out.length / TOUCH_STRIDE), touches.length / TOUCH_STRIDE);
       for (let i = 0; i < count * TOUCH_STRIDE; i++) out[i] = touches[i] ?? 0;
       return count;
     },
   };
+}
+
+function middlesOf({ settings: { edgeM }, forEachOccupied }: VoxelGrid): number[] {
+  const middles: number[] = [];
+  forEachOccupied((x, y, z) => middles.push((x + 0.5) * edgeM, (y + 0.5) * edgeM, (z + 0.5) * edgeM));
+  return middles;
 }
 
 function* pairsOf(joints: readonly Joint[]): Iterable<readonly [RigidBody, RigidBody]> {

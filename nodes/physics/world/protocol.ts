@@ -54,6 +54,7 @@ export interface StepMessage {
   readonly deltaS: number;
   readonly poses: Float32Array<ArrayBuffer>;
   readonly touches: Float32Array<ArrayBuffer>;
+  readonly wantsVoxels: boolean;
 }
 
 export interface StepAnswer {
@@ -63,6 +64,8 @@ export interface StepAnswer {
   readonly touches: Float32Array<ArrayBuffer>;
   readonly bodyCount: number;
   readonly touchCount: number;
+  /** As `PhysicsEngine.voxels`; null if they are not wanted. */
+  readonly voxels: Float32Array | null;
   /** The message of an error, after which the engine is lost; null otherwise. */
   readonly failure: string | null;
 }
@@ -106,4 +109,6 @@ export interface PhysicsEngine {
   writePoses(out: Float32Array): void;
   /** Writes the contacts that began in the last step, as many as fit. Returns their number. */
   writeTouches(out: Float32Array): number;
+  /** Middles of the occupied voxels of the room: x, y, z, meters. For tools of the editor. */
+  voxels(): Float32Array;
 }

@@ -1,4 +1,4 @@
-import { type BodyDescription, type BodyList, createPhysicsBody } from '../../kit/physics.ts';
+import { type BodyDescription, type BodyList, createPhysicsBody, createWorldControl } from '../../kit/physics.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import { createCannonEngine } from './cannon-engine.ts';
 import type { definition } from './definition.ts';
@@ -33,7 +33,8 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   let aheadS = 0;
   let isFirst = true;
   const settings = { gravity: [0, 0, 0] as [number, number, number], substeps: 0, iterations: 0, sleep: false };
-  const world = { applyPoses };
+  const control = createWorldControl();
+  const world = { applyPoses, control };
   const tracked = createTrackedBodies(world);
   const driver = createStepDriver({
     workers: ctx.workers,
@@ -59,6 +60,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     const answer = driver.take();
     if (answer) {
       tracked.take(answer);
+      control.voxels = answer.voxels;
       aheadS = 0;
     } else if (!driver.isIdle) {
       aheadS = Math.min(aheadS + ctx.clock.deltaS, MAX_AHEAD_S);
@@ -101,10 +103,12 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     update: () => {
       applyPoses();
       isApplied = false;
-      if (ctx.inputs.reset.count > 0) reset();
+      if (ctx.inputs.reset.count > 0 || control.wantsReset) reset();
+      control.wantsReset = false;
       const { deltaS } = ctx.clock;
-      if (!playing.value) owedS += ctx.inputs.step.count * STEP_S;
+      if (control.isPaused || !playing.value) owedS += (ctx.inputs.step.count + control.steps) * STEP_S;
       else if (deltaS > 0) owedS = Math.min(owedS + deltaS, MAX_OWED_S);
+      control.steps = 0;
       driver.watch();
       if (!driver.isIdle) return;
       if (isFirst) commands.push({ kind: 'clear' });
@@ -115,7 +119,10 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       tracked.writeCommands(lists, commands);
       const { awake } = ctx.outputs;
       if (awake) awake.value = tracked.awakeCount;
-      if (commands.length > 0 || owedS > 0) driver.send(commands, owedS, tracked.count);
+      control.edgeM = lists.find(({ room }) => room)?.room?.settings.edgeM ?? 0;
+      const looks = control.wantsVoxels && control.voxels === null;
+      if (!control.wantsVoxels) control.voxels = null;
+      if (commands.length > 0 || owedS > 0 || looks) driver.send(commands, owedS, tracked.count, control.wantsVoxels);
       commands.length = 0;
       owedS = 0;
     },

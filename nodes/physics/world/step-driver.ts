@@ -7,7 +7,7 @@ export interface StepDriver {
   readonly isIdle: boolean;
   readonly isOnMainThread: boolean;
   /** Starts a step. Call it only while idle. The driver does not keep `commands` after the call. */
-  send(commands: readonly PhysicsCommand[], deltaS: number, bodyCount: number): void;
+  send(commands: readonly PhysicsCommand[], deltaS: number, bodyCount: number, wantsVoxels?: boolean): void;
   /** Returns the newest answer once; null if there is no new one. Valid until the next `send`. */
   take(): StepAnswer | null;
   /** Resolves when the running step is answered; null while idle. */
@@ -100,14 +100,14 @@ export function createStepDriver({ workers, createStepper, restore, onRestart }:
     }
     onMain = createStepper();
   }
-  function send(commands: readonly PhysicsCommand[], deltaS: number, bodyCount: number): void {
+  function send(commands: readonly PhysicsCommand[], deltaS: number, bodyCount: number, wantsVoxels = false): void {
     start();
     const needed = bodyCount * POSE_STRIDE;
     // Twice the room, so that a growing world allocates rarely.
     if (poses.length < needed) poses = new Float32Array(2 * needed);
     inWork = { commands: [...commands], deltaS, bodyCount };
     framesAway = 0;
-    const message: StepMessage = { commands, deltaS, poses, touches };
+    const message: StepMessage = { commands, deltaS, poses, touches, wantsVoxels };
     if (onMain) {
       const answer = onMain(message);
       if (answer.failure !== null) throw new Error(`The physics engine failed: ${answer.failure}`);

@@ -171,6 +171,33 @@ describe('steps', () => {
     expect(stood).toBeLessThan(1.05);
   });
 
+  test('the editor pauses, steps and resets it, whatever the graph says', async () => {
+    const { frame, bodies, play } = start(noWorker);
+    await frame();
+    const [body] = bodies as [PhysicsBody];
+    const control = body.world?.control;
+    if (!control) throw new Error('No world has taken the body.');
+    await play(20);
+    control.isPaused = true;
+    await play(2);
+    const heightM = body.worldFromBody[13] ?? 0;
+    expect(heightM).toBeLessThan(0.25);
+    await play(10);
+    expect(body.worldFromBody[13]).toBe(heightM);
+    control.wantsReset = true;
+    await play(3);
+    expect(body.worldFromBody[13]).toBeCloseTo(0.3, 6);
+    control.steps = 3;
+    await play(3);
+    // A step takes at most 1/60 s, and falls with the velocity at its end.
+    expect(0.3 - (body.worldFromBody[13] ?? 0)).toBeCloseTo((9.81 * 0.05 ** 2) / 2, 2);
+    const [, steppedM] = [await play(5), body.worldFromBody[13] ?? 0];
+    expect(steppedM).toBeLessThan(0.2995);
+    control.isPaused = false;
+    await play(3);
+    expect(body.worldFromBody[13]).toBeLessThan(steppedM);
+  });
+
   test('bodies that leave the list leave the world', async () => {
     const { list, bodies, play, heights } = start(noWorker);
     await play(120);
@@ -229,6 +256,7 @@ describe('the protocol', () => {
         for (const [i, id] of ids.entries()) out.set([id, 1, 2, 3, 0, 0, 0, 1], i * POSE_STRIDE);
       },
       writeTouches: () => 0,
+      voxels: () => new Float32Array(3),
     });
     const driver = createStepDriver({
       workers: noWorker,

@@ -240,7 +240,7 @@ function ahead(worldFromView: Float32Array): Vector3 {
 }
 
 /** Rectangle of the first view on the page. */
-function boxOf(canvas: HTMLCanvasElement, { views, framebufferWidthPx, framebufferHeightPx }: SessionFrame): ViewBox | null {
+export function boxOf(canvas: HTMLCanvasElement, { views, framebufferWidthPx, framebufferHeightPx }: SessionFrame): ViewBox | null {
   const viewport = views[0]?.viewport;
   if (!viewport || viewport.widthPx < 1 || framebufferWidthPx < 1) return null;
   const page = canvas.getBoundingClientRect();

@@ -43,6 +43,7 @@ export interface PreviewState {
   readonly recording: boolean;
   /** The recording of a session: none, in progress, or its images are being made. */
   readonly sessionRecording: 'no' | 'recording' | 'filming';
+  readonly physics: PhysicsChoice;
   /** Frame times of the recording; null if the source is not a recording. */
   readonly frames: FrameTimes | null;
   /** The play range; null for the whole recording. */
@@ -51,6 +52,13 @@ export interface PreviewState {
   readonly loop: boolean;
   /** While paused: the frame that was requested last and may not be shown yet. */
   readonly asked: number | null;
+}
+
+/** Physics in the preview, apart from the source. */
+export interface PhysicsChoice {
+  readonly paused: boolean;
+  readonly showsBodies: boolean;
+  readonly showsVoxels: boolean;
 }
 
 /** A range of frames of a recording, both included. Frame numbers continue to count when the recording loops. */
@@ -110,6 +118,7 @@ export function createPreviewState(): PreviewStore {
     still: null,
     recording: false,
     sessionRecording: 'no',
+    physics: { paused: false, showsBodies: false, showsVoxels: false },
     frames: null,
     range: null,
     loop: false,

@@ -92,6 +92,11 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
     const { roomLight } = editor.preview.getState();
     post({ kind: 'room-light', directionWorld: roomLight && towardsLight(roomLight) });
   };
+  const postPhysics = () => {
+    const { paused, showsBodies, showsVoxels } = editor.preview.getState().physics;
+    post({ kind: 'physics', action: paused ? 'pause' : 'play' });
+    post({ kind: 'physics-view', bodies: showsBodies, voxels: showsVoxels });
+  };
   const compiler: CompilerLink = createCompilerLink(worker, (answer, more) => {
     if (answer.revision < since) return;
     storeAnswer(editor, answer, more);
@@ -139,6 +144,7 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
     if (state.range !== before.range || state.loop !== before.loop || state.frames !== before.frames) postRange();
     if (SOURCE_PARTS.some((part) => state[part] !== before[part])) postSource();
     if (state.roomLight !== before.roomLight) postLight();
+    if (state.physics !== before.physics) postPhysics();
   });
   const receive = (message: FromPreview): void => {
     switch (message.kind) {
@@ -148,6 +154,7 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
         asked = '';
         postSource();
         if (editor.preview.getState().roomLight) postLight();
+        postPhysics();
         postProgram();
         trials.sendAll();
         viewerSync.sendAll();
