@@ -209,7 +209,7 @@ describe('the way from document to preview', () => {
     expect(editor.compile.getState().diagnostics.some(({ severity }) => severity === 'error')).toBe(true);
     expect(editor.compile.getState().program).toBe(program);
     previewSync.receive({ kind: 'ready' });
-    expect(kinds()).toEqual(['program', 'trials', 'thumbnails', 'viewer', 'cost', 'gizmo', 'picking', 'keys']);
+    expect(kinds()).toEqual(['physics', 'physics-view', 'program', 'trials', 'thumbnails', 'viewer', 'cost', 'gizmo', 'picking', 'keys']);
   });
 
   test('the preview counts as loading from the moment another source is chosen until it is there', () => {
