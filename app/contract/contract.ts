@@ -57,7 +57,7 @@ const openProject = z.object({
   files: projectFiles,
   /** Hash of the files. A save names the revision that it is based on. */
   revision: z.string(),
-  /** URL on the origin of the preview, ending in `/`. Followed by a project path, it reads that file. */
+  /** URL on the origin of the preview, ending in `/`. Append a path inside the project folder to load that file. */
   assetBaseUrl: z.string(),
   /** Files in `assets/` with their sizes. */
   assetFiles: z.array(z.object({ path: projectPath, bytes: z.number() })),

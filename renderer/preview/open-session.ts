@@ -95,7 +95,7 @@ async function openStill(image: Blob, { gl, clock, canvas }: SessionPlace): Prom
     await stream.start();
   } catch {
     stream.stop();
-    const message = 'The image could not be read.';
+    const message = 'The image for the preview could not be read.';
     return opened({ output: null, diagnostics: [{ code: 'SCR032', severity: 'error', message, fix: 'Choose a PNG, JPEG or WebP file.' }] });
   }
   return opened({

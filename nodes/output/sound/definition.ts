@@ -65,7 +65,7 @@ export const definition = defineNode({
     quietest: {
       type: 'number',
       stage: 'uniform',
-      label: 'Least strength',
+      label: 'Minimum strength',
       doc: 'Pulses with a smaller number play nothing.',
       default: 0,
       min: 0,

@@ -19,7 +19,7 @@ export const definition = defineNode({
     leastNs: {
       type: 'number',
       stage: 'uniform',
-      label: 'Least strength',
+      label: 'Minimum strength',
       doc: 'Weaker contacts cause no pulse. In newton seconds: 1 kg that stops from 1 m/s has a strength of 1.',
       default: 0.01,
       min: 0,

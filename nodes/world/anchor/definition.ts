@@ -10,7 +10,7 @@ export const definition = defineNode({
     pose: {
       type: 'pose',
       label: 'Pose',
-      doc: 'The pose to keep. Without a wire, the poses of the pulses at “Set” are kept.',
+      doc: 'The pose to anchor. If it is not connected, each pulse at “Set” anchors the pose that the pulse carries.',
       required: false,
     },
     set: {

@@ -204,8 +204,8 @@ export const definition = defineNode({
     moveM: {
       type: 'number',
       stage: 'uniform',
-      label: 'New point beyond',
-      doc: 'A point that moves by less keeps the line of sight along which it was first seen, so that the uncertainty stays while the viewer walks. 0 always uses the present line of sight.',
+      label: 'Minimum movement',
+      doc: 'A point that moves less than this counts as still: its uncertainty is that of the line of sight along which it was first seen, even while the viewer walks. 0: always the current line of sight.',
       default: 0.01,
       min: 0,
       max: 10,
