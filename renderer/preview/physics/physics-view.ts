@@ -21,6 +21,8 @@ const TOUCH_PX = 6;
 
 /** @param wake Requests a frame, also while the preview is paused. */
 export function createPhysicsView(parent: HTMLElement, wake: () => void): PhysicsView {
+  /** Whether a message has not reached the world yet. */
+  let isPending = false;
   let isPaused = false;
   let steps = 0;
   let wantsReset = false;
@@ -67,6 +69,7 @@ export function createPhysicsView(parent: HTMLElement, wake: () => void): Physic
 
   return {
     receive: (message) => {
+      isPending = true;
       if (message.kind === 'physics-view') {
         showsBodies = message.bodies;
         showsVoxels = message.voxels;
@@ -77,8 +80,12 @@ export function createPhysicsView(parent: HTMLElement, wake: () => void): Physic
       wake();
     },
     afterFrame: (player, frame, place) => {
+      // Other frames need no list of bodies.
+      if (!isPending && !isPaused && !showsBodies && !showsVoxels) return;
       const bodies = bodiesOf(player);
       const world = control(bodies);
+      // A new world plays by itself and shows nothing; steps, resets and drops wait for it.
+      isPending = world === null && (steps > 0 || wantsReset || drops !== null);
       const box = place && boxOf(place.canvas, frame);
       const [view] = frame.views;
       if (!world || !box || !view || !(showsBodies || showsVoxels)) {
