@@ -2,51 +2,12 @@ import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { expect, test } from '@jest/globals';
 import { readSessionFile } from '../../export/runtime/sessions/recorded/read-session-file.ts';
-import { type GraphText, useOneEditor } from '../support/open-editor.ts';
+import { useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
+import { ballPixels, PLACED_BALL } from '../support/placed-ball.ts';
 import { loadSession, quantile, worldPoints } from '../unit/sessions-kit.ts';
 
-/** A magenta ball, which a tap places. */
-const PLACED: GraphText = {
-  nodes: {
-    'ball-aaaa': { type: 'objects/primitive', params: { shape: 'sphere', color: [1, 0, 1, 1] } },
-    'sun-aaaa': { type: 'light/directional' },
-    'place-aaaa': { type: 'objects/place', params: { mode: 'once', reticle: false } },
-    'video-aaaa': { type: 'source/camera-video' },
-    'scene-aaaa': { type: 'layer/scene' },
-    'over-aaaa': { type: 'operator/over' },
-    'screen-aaaa': { type: 'output/screen' },
-  },
-  wires: [
-    'ball-aaaa.objects -> place-aaaa.objects',
-    'place-aaaa.objects -> scene-aaaa.objects',
-    'sun-aaaa.lights -> scene-aaaa.lights',
-    'scene-aaaa.layer -> over-aaaa.top',
-    'video-aaaa.layer -> over-aaaa.bottom',
-    'over-aaaa.layer -> screen-aaaa.layer',
-  ],
-  places: {
-    'ball-aaaa': [0, 160],
-    'sun-aaaa': [240, 320],
-    'place-aaaa': [240, 160],
-    'video-aaaa': [0, 0],
-    'scene-aaaa': [480, 160],
-    'over-aaaa': [720, 0],
-    'screen-aaaa': [960, 0],
-  },
-};
-
-const open = useOneEditor(PLACED, {});
-
-async function magentaPixels(): Promise<number> {
-  const { data } = await open.editor.picture();
-  let count = 0;
-  for (let i = 0; i < data.length; i += 4) {
-    const [red = 0, green = 0, blue = 0] = data.subarray(i, i + 3);
-    if (red > 120 && blue > 120 && green < Math.min(red, blue) / 3) count++;
-  }
-  return count;
-}
+const open = useOneEditor(PLACED_BALL, {});
 
 async function choose(item: string): Promise<void> {
   await open.page.getByRole('button', { name: 'Preview options' }).click();
@@ -64,7 +25,7 @@ test('what a visitor of an emulated room does is recorded with the room, and a r
     const from = await editor.frame();
     await eventually(async () => expect(await editor.frame()).toBeGreaterThan(from + frames));
   };
-  expect(await magentaPixels()).toBe(0);
+  expect(await ballPixels(open.editor)).toBe(0);
   await choose('Record session');
   await later(3);
   await page.mouse.click(box.x + box.width * 0.5, box.y + box.height * 0.8);
@@ -73,7 +34,7 @@ test('what a visitor of an emulated room does is recorded with the room, and a r
   const told = page.getByText(/^(Recorded “Recording 1”|The session could not|Nothing was recorded)/);
   await told.waitFor();
   expect(await told.textContent()).toBe('Recorded “Recording 1”. Choose it as the preview source to replay it.');
-  expect(await magentaPixels()).toBeGreaterThan(50);
+  expect(await ballPixels(open.editor)).toBeGreaterThan(50);
 
   const folder = join(project, 'sessions/recording-1');
   const { output: file, diagnostics } = readSessionFile(JSON.parse(await readFile(join(folder, 'session.json'), 'utf8')));
@@ -95,5 +56,5 @@ test('what a visitor of an emulated room does is recorded with the room, and a r
   await source.selectOption('project/recording-1');
   await editor.settled();
   expect(await page.locator('.stage-notice').count()).toBe(0);
-  await eventually(async () => expect(await magentaPixels()).toBeGreaterThan(50));
+  await eventually(async () => expect(await ballPixels(open.editor)).toBeGreaterThan(50));
 });
