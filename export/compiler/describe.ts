@@ -8,6 +8,9 @@ import { behindGlassBytes, REFERENCE_SIZE, type ReferenceSize, type Target, targ
  * requested features with their reasons, the tiers, and what is missing on which devices.
  *
  * @param reference Size of a view, for sizes in pixels and bytes.
+ * @returns Lines of text without a trailing line break.
+ * @example
+ * console.log(describeProgram(program, { widthPx: 1280, heightPx: 720 }));
  */
 export function describeProgram(program: Program, reference: ReferenceSize = REFERENCE_SIZE): string {
   const { operations, needs, tiers, assets, taps } = program;

@@ -16,6 +16,12 @@ export function importedAssetId(file: string, path: string): string {
   return `${PREFIX}${parts.join('/')}`;
 }
 
+/**
+ * Whether a shader imports the asset by a path, so that the project does not list it.
+ *
+ * @example
+ * isImported({ id: 'imported:assets/leak.png', kind: 'image', path: 'assets/leak.png' }); // true
+ */
 export function isImported({ id }: ProgramAsset): boolean {
   return id.startsWith(PREFIX);
 }

@@ -12,6 +12,12 @@ export const REFERENCE_SIZE: ReferenceSize = { widthPx: 1920, heightPx: 1080 };
 
 export type Target = Extract<Resource, { kind: 'target' }>;
 
+/**
+ * The render targets among the resources of a program.
+ *
+ * @example
+ * targetsOf(program).length;
+ */
 export function targetsOf({ resources }: Program): Target[] {
   return resources.filter((resource): resource is Target => resource.kind === 'target');
 }
@@ -40,6 +46,9 @@ const RESOLVED_DEPTHS = 2;
  * Texture memory of a target. A multisampled target includes its resolve textures, a persistent one counts twice, a shared one is 0.
  *
  * @returns Bytes per view, or null if the size depends on a file.
+ * @example
+ * // 8 bits per channel, one sample, no depth: 4 bytes per pixel
+ * targetBytes(target, program, { widthPx: 100, heightPx: 50 }); // 20_000
  */
 export function targetBytes(target: Target, program: Program, reference: ReferenceSize): number | null {
   if (target.shares !== undefined) return 0;

@@ -38,12 +38,22 @@ export function isNodeType(text: string): boolean {
 /**
  * Whether the text is the name of a file in `shaders/`: `edge.fs`, its vertex shader `edge.vs`, the technique `ink.glsl` or the chunk
  * `chunks/ink/dots.glsl`.
+ *
+ * @example
+ * isShaderFile('3d Rotate.fs'); // true
+ * isShaderFile('../edge.fs'); // false
  */
 export function isShaderFile(text: string): boolean {
   return text.length <= MAX_LENGTH && (SHADER_FILE.test(text) || isChunkFile(text));
 }
 
-/** Whether the text is the name of a chunk, which techniques include and which adds no node type. */
+/**
+ * Whether the text is the name of a chunk, which techniques include and which adds no node type.
+ *
+ * @example
+ * isChunkFile('chunks/ink/dots.glsl'); // true
+ * isChunkFile('ink.glsl'); // false
+ */
 export function isChunkFile(text: string): boolean {
   return text.length <= MAX_LENGTH && CHUNK_FILE.test(text);
 }
@@ -68,6 +78,9 @@ export function makeShaderFile(title: string): string {
 /**
  * Files in `shaders/` that may define a type, most likely first: `edge.fs` for `filter/edge`, `ink.glsl` for `technique/ink`, and `wipe.fs`
  * or the transition `wipe.glsl` for `operator/wipe`.
+ *
+ * @example
+ * shaderFilesOf('operator/wipe'); // ['wipe.fs', 'wipe.glsl']
  */
 export function shaderFilesOf(type: string): readonly string[] {
   const [kind = '', name = ''] = type.split('/');
@@ -77,12 +90,23 @@ export function shaderFilesOf(type: string): readonly string[] {
 
 const GRAPH_PREFIX = 'graph/';
 
-/** @returns The name of the subgraph whose type this is, or null for a type of the library. */
+/**
+ * @returns The name of the subgraph whose type this is, or null for a type of the library.
+ *
+ * @example
+ * subgraphName('graph/glow'); // 'glow'
+ * subgraphName('filter/sepia'); // null
+ */
 export function subgraphName(type: string): string | null {
   return type.startsWith(GRAPH_PREFIX) ? type.slice(GRAPH_PREFIX.length) : null;
 }
 
-/** @returns The node type of a subgraph: `graph/NAME`. */
+/**
+ * @returns The node type of a subgraph: `graph/NAME`.
+ *
+ * @example
+ * subgraphType('glow'); // 'graph/glow'
+ */
 export function subgraphType(name: string): string {
   return `${GRAPH_PREFIX}${name}`;
 }
@@ -108,6 +132,9 @@ export function makeNodeId(project: Pick<Project, 'graphs'>, type: string, rando
  * Creates an id for an asset from its file name.
  *
  * @param random Returns numbers in [0, 1).
+ *
+ * @example
+ * makeAssetId(project, 'assets/statue.glb', random); // 'statue-x7k2'
  */
 export function makeAssetId(project: Pick<Project, 'assets'>, path: string, random: () => number): string {
   return makeId(stemOf(path.replace(/\.[^./]*$/, '')), random, (id) => getOwn(project.assets, id) !== undefined);
@@ -119,6 +146,9 @@ export type LayoutKind = 'frame' | 'note' | 'reroute';
  * Creates an id for a node frame, a note or a reroute of the graph.
  *
  * @param random Returns numbers in [0, 1).
+ *
+ * @example
+ * makeLayoutId(project, 'main', 'frame', random); // 'frame-x7k2'
  */
 export function makeLayoutId(project: Pick<Project, 'layout'>, graph: string, kind: LayoutKind, random: () => number): string {
   const layout = getOwn(project.layout, graph);

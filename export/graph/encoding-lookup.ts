@@ -30,7 +30,13 @@ interface Inside {
 /** Encoding of the layer that a subgraph gets at an inner port from outside; null if it gets none. */
 type Outside = (inner: PortAddress) => LayerEncoding | null;
 
-/** Creates the lookup. While a subgraph is edited, its exposed inputs count as not connected. */
+/**
+ * Creates the lookup. While a subgraph is edited, its exposed inputs count as not connected.
+ *
+ * @example
+ * const lookup = createEncodingLookup(project, library, 'main');
+ * lookup.outputOf({ node: 'video-a1b2', port: 'layer' }); // 'display'
+ */
 export function createEncodingLookup(project: Pick<Project, 'graphs'>, library: NodeLibrary, graphName: string): EncodingLookup {
   const interfaceOf = createInterfaceLookup(project, library);
 

@@ -27,7 +27,13 @@ export interface HistoryStep {
   readonly after: number;
 }
 
-/** @param limit Maximum number of steps to undo. */
+/**
+ * @param limit Maximum number of steps to undo.
+ *
+ * @example
+ * let history = emptyHistory();
+ * undo(history, project); // null
+ */
 export function emptyHistory(limit = 500): History {
   return { past: [], future: [], state: 0, lastState: 0, limit };
 }

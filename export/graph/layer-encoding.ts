@@ -10,7 +10,12 @@ export interface EncodedNode {
   encodingAt(port: string): LayerEncoding | null;
 }
 
-/** The encoding of a layer output (ADR 38). */
+/**
+ * The encoding of a layer output (ADR 38).
+ *
+ * @example
+ * outputEncoding(scene, 'layer'); // 'scene' if the param that decides has this value
+ */
 export function outputEncoding(node: EncodedNode, port: string): LayerEncoding {
   const encoding = getOwn(node.definition.outputs, port)?.encoding ?? 'display';
   if (encoding === 'same') return sharedEncoding(node, null) ?? 'display';
@@ -24,6 +29,9 @@ export function outputEncoding(node: EncodedNode, port: string): LayerEncoding {
  * @param port A layer input of the node.
  * @param among The connected inputs that decide the encoding if `port` has the encoding `either`. `earlier`: those before `port`, so that
  * only one of two different layers is wrong. `others`: all but `port`.
+ *
+ * @example
+ * neededEncoding(sepia, 'inputImage'); // 'display'
  */
 export function neededEncoding(node: EncodedNode, port: string, among: 'earlier' | 'others' = 'earlier'): LayerEncoding | null {
   const encoding = getOwn(node.definition.inputs, port)?.encoding ?? 'display';

@@ -17,7 +17,12 @@ export function nodesBehind(graph: Graph, roots: Iterable<string>): ReadonlySet<
   return live;
 }
 
-/** @returns The ids of the Output nodes of a graph (`output/screen`), sorted. */
+/**
+ * @returns The ids of the Output nodes of a graph (`output/screen`), sorted.
+ *
+ * @example
+ * screensOf(graph, library); // ['screen-b2c3', 'screen-d4e5']
+ */
 export function screensOf(
   graph: Pick<Graph, 'nodes'>,
   library: { definition(type: string): { lowering: { kind: string } } | undefined },

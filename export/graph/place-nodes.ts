@@ -10,6 +10,10 @@ const ROW_PX = 180;
  * nodes.
  *
  * @returns Positions by node id, canvas units.
+ *
+ * @example
+ * // A camera, connected to a sepia filter.
+ * placeNodes(graph, undefined); // { 'sepia-k7q2': { x: 280, y: 0 }, 'video-a1b2': { x: 0, y: 0 } }
  */
 export function placeNodes(graph: Graph, layout: GraphLayout | undefined): Readonly<Record<string, NodeLayout>> {
   const columns = columnsOf(graph);

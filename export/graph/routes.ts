@@ -16,7 +16,12 @@ export interface Stretch {
 
 const STRAIGHT: readonly string[] = [];
 
-/** @returns The reroutes of a wire from source to target; empty for a direct wire. */
+/**
+ * @returns The reroutes of a wire from source to target; empty for a direct wire.
+ *
+ * @example
+ * routeOf(layout, wire); // ['reroute-p3m9']
+ */
 export function routeOf({ routes }: Pick<GraphLayout, 'routes'>, wire: Wire): readonly string[] {
   return getOwn(routes, printWire(wire)) ?? STRAIGHT;
 }
@@ -26,7 +31,13 @@ export function stretchId({ source, wires, before, to }: Stretch): string {
   return to === null ? printWire(wires[0]) : `${printAddress(source)} via ${before.at(-1) ?? 'nothing'} to ${to}`;
 }
 
-/** @returns All segments of a graph by id, those of a wire in order. Requires pruned routes. */
+/**
+ * @returns All segments of a graph by id, those of a wire in order. Requires pruned routes.
+ *
+ * @example
+ * // One wire through one reroute.
+ * [...stretchesOf(graph, layout).values()].map(({ to }) => to); // ['reroute-p3m9', null]
+ */
 export function stretchesOf({ wires }: Pick<Graph, 'wires'>, layout: Pick<GraphLayout, 'routes'>): ReadonlyMap<string, Stretch> {
   const stretches = new Map<string, Stretch>();
   for (const wire of wires) {
@@ -41,7 +52,12 @@ export function stretchesOf({ wires }: Pick<Graph, 'wires'>, layout: Pick<GraphL
   return stretches;
 }
 
-/** @returns The wires whose route contains the reroute. */
+/**
+ * @returns The wires whose route contains the reroute.
+ *
+ * @example
+ * wiresThrough(graph, layout, 'reroute-p3m9').map(printWire); // ['video-a1b2.layer -> sepia-k7q2.inputImage']
+ */
 export function wiresThrough({ wires }: Pick<Graph, 'wires'>, layout: Pick<GraphLayout, 'routes'>, reroute: string): readonly Wire[] {
   return wires.filter((wire) => routeOf(layout, wire).includes(reroute));
 }
@@ -61,10 +77,13 @@ export function routesAfter(
 }
 
 /**
- * Removes invalid routes: those of missing wires or through missing reroutes, and those that reach a reroute along another path than an
- * earlier route. Reroutes without a route are removed too.
+ * Removes the routes of missing wires, and from other routes the reroutes that are missing or that were reached along another path before.
+ * Reroutes without a route are removed too.
  *
  * @returns The layout, or the same object if nothing was invalid.
+ *
+ * @example
+ * pruneRoutes({ wires: [] }, layout); // { ...layout, routes: {}, reroutes: {} }
  */
 export function pruneRoutes({ wires }: Pick<Graph, 'wires'>, layout: GraphLayout): GraphLayout {
   if (Object.keys(layout.routes).length + Object.keys(layout.reroutes).length === 0) return layout;

@@ -5,14 +5,26 @@ const ID = '[a-z0-9-]+';
 const PORT = '[A-Za-z0-9_]+';
 const WIRE = new RegExp(`^(${ID})\\.(${PORT}) -> (${ID})\\.(${PORT})$`);
 
-/** Parses `video-a1b2.layer -> sepia-k7q2.inputImage`; returns null if the text is not a wire. */
+/**
+ * Parses `video-a1b2.layer -> sepia-k7q2.inputImage`; returns null if the text is not a wire.
+ *
+ * @example
+ * parseWire('video-a1b2.layer -> sepia-k7q2.inputImage')?.to; // { node: 'sepia-k7q2', port: 'inputImage' }
+ * parseWire('video-a1b2.layer'); // null
+ */
 export function parseWire(text: string): Wire | null {
   const [, fromNode, fromPort, toNode, toPort] = WIRE.exec(text) ?? [];
   if (fromNode === undefined || fromPort === undefined || toNode === undefined || toPort === undefined) return null;
   return { from: { node: fromNode, port: fromPort }, to: { node: toNode, port: toPort } };
 }
 
-/** Prints a wire as `video-a1b2.layer -> sepia-k7q2.inputImage`, as in `project.scrim.json`. */
+/**
+ * Prints a wire as `video-a1b2.layer -> sepia-k7q2.inputImage`, as in `project.scrim.json`.
+ *
+ * @example
+ * printWire({ from: { node: 'video-a1b2', port: 'layer' }, to: { node: 'sepia-k7q2', port: 'inputImage' } });
+ * // 'video-a1b2.layer -> sepia-k7q2.inputImage'
+ */
 export function printWire({ from, to }: Wire): string {
   return `${printAddress(from)} -> ${printAddress(to)}`;
 }
@@ -21,6 +33,12 @@ export function printAddress({ node, port }: PortAddress): string {
   return `${node}.${port}`;
 }
 
+/**
+ * Whether both addresses are of the same port of the same node.
+ *
+ * @example
+ * sameAddress({ node: 'sepia-k7q2', port: 'layer' }, { node: 'sepia-k7q2', port: 'inputImage' }); // false
+ */
 export function sameAddress(a: PortAddress, b: PortAddress): boolean {
   return a.node === b.node && a.port === b.port;
 }

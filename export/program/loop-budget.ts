@@ -61,6 +61,8 @@ bool scrim_isShut() {
  *
  * @param bytes RGBA, four bytes per pixel.
  * @returns The author's line that exceeded the budget, from 1, or null where no pixel did.
+ * @example
+ * readProbe(Uint8Array.of(0, 0, 0, 0, 12, 0, 0, 0)); // 12
  */
 export function readProbe(bytes: Uint8Array): number | null {
   for (let i = 0; i + 1 < bytes.length; i += 4) {

@@ -22,7 +22,13 @@ export function createSpotItem(key: string): Writable<SpotLightItem> {
   };
 }
 
-/** The same for a point light. */
+/**
+ * Creates the item of a point light, dark and at the origin.
+ *
+ * @example
+ * const item = createPointItem('lamp-1');
+ * item.intensityCd.set([60, 55, 50]);
+ */
 export function createPointItem(key: string): Writable<PointLightItem> {
   return { key, kind: 'point', intensityCd: new Float32Array(3), positionWorld: new Float32Array(3), rangeM: 0, shadow: null };
 }

@@ -145,6 +145,14 @@ export interface WorldControl {
   edgeM: number;
 }
 
+/**
+ * Creates the controls of a world that plays.
+ *
+ * @example
+ * const control = createWorldControl();
+ * control.isPaused = true;
+ * control.steps = 1;
+ */
 export function createWorldControl(): WorldControl {
   return { isPaused: false, steps: 0, wantsReset: false, wantsVoxels: false, voxels: null, edgeM: 0 };
 }

@@ -30,7 +30,15 @@ export interface RoomFilm {
   dispose(): void;
 }
 
-/** Films a room on a canvas of its own. Disposes the film, not the room. */
+/**
+ * Films a room on a canvas of its own. `dispose` frees the canvas, not the room.
+ *
+ * @throws Error if the browser has no 2D canvas outside of a document.
+ * @example
+ * const film = createRoomFilm(room, camera);
+ * const { jpeg, meters } = await film.shoot(worldFromCamera);
+ * film.dispose();
+ */
 export function createRoomFilm(room: Room, camera: FilmCamera): RoomFilm {
   const view = createRoomView(room, true);
   view.resize(camera.widthPx * camera.oversampling, camera.heightPx * camera.oversampling);
@@ -57,7 +65,12 @@ export function createRoomFilm(room: Room, camera: FilmCamera): RoomFilm {
   };
 }
 
-/** What a device would estimate of the room's light, and the planes that it would detect. */
+/**
+ * What a device would estimate of the room's light, and the planes that it would detect.
+ *
+ * @example
+ * const { light, surfaces } = surveyRoom(room);
+ */
 export function surveyRoom(room: Room): { readonly light: SessionFileLight; readonly surfaces: readonly SessionFileSurface[] } {
   const view = createRoomView(room, false);
   const { sphericalHarmonics, directionWorld, intensity } = measureLight(view, room);

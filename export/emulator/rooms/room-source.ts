@@ -15,6 +15,9 @@ export type RoomSource =
  * Creates a room; the caller disposes it.
  *
  * @throws Error if a capture is invalid.
+ * @example
+ * const room = createRoom('studio');
+ * room.dispose();
  */
 export function createRoom(source: RoomSource): Room {
   if (source === 'studio') return createStudioRoom();

@@ -55,7 +55,12 @@ export function refuse(project: Project, code: DiagnosticCode, message: string, 
   return { project, patches: [], inverse: [], diagnostics: [{ code, severity: 'error', ...place, message }] };
 }
 
-/** Creates the result of a command that has nothing to do: the same project, no patches. */
+/**
+ * Creates the result of a command that has nothing to do: the same project, no patches.
+ *
+ * @example
+ * if (getOwn(project.sources, file) === text) return unchanged(project);
+ */
 export function unchanged(project: Project): Change {
   return { project, patches: [], inverse: [], diagnostics: [] };
 }

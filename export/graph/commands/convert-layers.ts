@@ -51,7 +51,13 @@ export function convertLayers(project: Project, options: ConvertLayers): Change 
   );
 }
 
-/** Wires of a graph whose layers do not fit their inputs. */
+/**
+ * Wires of a graph whose layers do not fit their inputs.
+ *
+ * @example
+ * // A scene layer goes through a blur to a sepia filter, which takes display layers only.
+ * misfittingWires(project, library, 'main').map(printWire); // ['blur-a1b2.layer -> sepia-k7q2.inputImage']
+ */
 export function misfittingWires(project: Project, library: NodeLibrary, graph: string): readonly Wire[] {
   const lookup = createEncodingLookup(project, library, graph);
   return graphOf(project, graph).wires.filter((wire) => lookup.conversionOf(wire, 'earlier') !== null);

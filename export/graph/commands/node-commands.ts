@@ -124,7 +124,13 @@ export function draftLayout(draft: ProjectDraft, graph: string) {
   return draft.layout[graph];
 }
 
-/** Whether the graph `used` is `graph` or uses it, directly or through other subgraphs. */
+/**
+ * Whether the graph `used` is `graph` or uses it, directly or through other subgraphs.
+ *
+ * @example
+ * usesGraph(project, 'glow', 'glow'); // true
+ * usesGraph(project, 'look', 'glow'); // true if `look` has a node of the type `graph/glow`
+ */
 export function usesGraph(project: Project, used: string, graph: string): boolean {
   const reached = new Set([used]);
   for (const name of reached) {

@@ -58,6 +58,9 @@ export function setRoutes(project: Project, { graph, routes }: SetRoutes): Chang
  *
  * @param before The project before the change.
  * @param made The change of a command.
+ *
+ * @example
+ * const { project: pruned } = pruneRoutesAfter(project, disconnect(project, { graph: 'main', wires: [wire] }));
  */
 export function pruneRoutesAfter(before: Project, made: Change): Change {
   const pruned = Object.entries(made.project.layout).flatMap(([name, layout]): [string, GraphLayout][] => {

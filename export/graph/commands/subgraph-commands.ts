@@ -147,7 +147,12 @@ function nameProblem(project: Project, name: string): Change | null {
   return getOwn(project.graphs, name) ? refuse(project, 'SCR020', `A graph named “${name}” already exists.`) : null;
 }
 
-/** @returns Graph and node id of each instance of the subgraph. */
+/**
+ * @returns Graph and node id of each instance of the subgraph.
+ *
+ * @example
+ * usersOfGraph(project, 'glow'); // [['main', 'glow-p3m9']]
+ */
 export function usersOfGraph(project: Project, name: string): [graph: string, node: string][] {
   const type = subgraphType(name);
   return Object.entries(project.graphs).flatMap(([graph, { nodes }]) =>

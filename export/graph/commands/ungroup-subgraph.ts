@@ -143,7 +143,12 @@ export function duplicateSubgraph(project: Project, { from, to, random }: Duplic
   );
 }
 
-/** Copies a graph and its layout under node ids that the project does not use. */
+/**
+ * Copies a graph and its layout under node ids that the project does not use.
+ *
+ * @example
+ * const copy = copyOfGraph(project, graphOf(project, 'glow'), getOwn(project.layout, 'glow'), random);
+ */
 export function copyOfGraph(
   project: Pick<Project, 'graphs'>,
   graph: Graph,

@@ -14,6 +14,9 @@ const MAX_EXPRESSION_CHARACTERS = 10_000;
 /**
  * Why the param cannot have this binding, or null if it can. Limits, assets and the text of expressions are not checked, because an
  * expression may be incomplete.
+ *
+ * @example
+ * bindingMisfit(amount, { value: 'much' }); // { code: 'SCR018', message: 'must be a finite number, but is "much".' }
  */
 export function bindingMisfit(param: ParamDefinition, binding: Binding): BindingMisfit | null {
   if ('value' in binding) return valueMisfit(param, binding.value);

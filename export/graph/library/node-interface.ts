@@ -18,7 +18,13 @@ export type NodeInterface = Pick<NodeDefinition, 'type' | 'version' | 'title' | 
 /** Returns the interface of a node type of the library or of `graph/NAME`; undefined for unknown types. Caches its results. */
 export type InterfaceLookup = (type: string) => NodeInterface | undefined;
 
-/** Creates a lookup for the current graphs of a project; create another after a change. */
+/**
+ * Creates a lookup for the current graphs of a project; create another after a change.
+ *
+ * @example
+ * const interfaceOf = createInterfaceLookup(project, library);
+ * interfaceOf('graph/glow')?.title; // 'glow'
+ */
 export function createInterfaceLookup(project: Pick<Project, 'graphs'>, library: NodeLibrary): InterfaceLookup {
   const subgraphInterfaces = new Map<string, NodeInterface | undefined>();
   return (type) => {
@@ -37,7 +43,13 @@ export type ConnectableInput =
   | { readonly kind: 'port'; readonly type: WireType; readonly port: InputPort }
   | { readonly kind: 'param'; readonly type: ValueType; readonly param: ParamDefinition };
 
-/** @returns The input or connectable param with this name, or undefined. */
+/**
+ * @returns The input or connectable param with this name, or undefined.
+ *
+ * @example
+ * inputOf(sepia, 'inputImage')?.kind; // 'port'
+ * inputOf(sepia, 'layer'); // undefined: an output
+ */
 export function inputOf(nodeInterface: NodeInterface, name: string): ConnectableInput | undefined {
   const port = getOwn(nodeInterface.inputs, name);
   if (port) return { kind: 'port', type: port.type, port };

@@ -4,7 +4,13 @@ import { VALUE_SIZES } from '../../../nodes/kit/wire-types.ts';
 import { MAX_NUMBER } from '../json/shape-reader.ts';
 import type { Binding } from '../project.ts';
 
-/** @returns The value of a binding, or undefined for a track or an expression. */
+/**
+ * @returns The value of a binding, or undefined for a track or an expression.
+ *
+ * @example
+ * boundValue({ value: 0.5 }); // 0.5
+ * boundValue({ expression: 'sin(time)' }); // undefined
+ */
 export function boundValue(binding: Binding): ParamValue | undefined {
   if ('value' in binding) return binding.value;
   return 'port' in binding ? binding.port : undefined;
@@ -41,7 +47,13 @@ export function misfit(param: ParamDefinition, value: unknown): string | null {
   }
 }
 
-/** The limits that a valid value exceeds, in words, or null. */
+/**
+ * The limits that a valid value exceeds, in words, or null.
+ *
+ * @example
+ * outOfRange(amount, 2); // 'from 0 to 1' for a number param with these limits
+ * outOfRange(amount, 0.5); // null
+ */
 export function outOfRange(param: ParamDefinition, value: ParamValue): string | null {
   if (sameValue(clampToRange(param, value), value)) return null;
   switch (param.type) {
@@ -63,7 +75,12 @@ export function outOfRange(param: ParamDefinition, value: ParamValue): string | 
   }
 }
 
-/** @returns The nearest value within the limits of the param. */
+/**
+ * @returns The nearest value within the limits of the param.
+ *
+ * @example
+ * clampToRange(amount, 2); // 1 for a number param from 0 to 1
+ */
 export function clampToRange(param: ParamDefinition, value: ParamValue): ParamValue {
   switch (param.type) {
     case 'number':

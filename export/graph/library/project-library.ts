@@ -60,8 +60,13 @@ export function projectLibrary(base: NodeLibrary, sources: Readonly<Record<strin
 }
 
 /**
- * Caches results of `readShader` by file and text, because most edits change no shader. `endGeneration` drops texts that neither the
- * current nor the previous generation has read.
+ * Caches results of `readShader` by file and text, because most edits change no shader. `endGeneration` drops the texts that were not read
+ * since its previous call.
+ *
+ * @example
+ * const cache = createShaderCache(readShader);
+ * projectLibrary(base, project.sources, cache.read);
+ * cache.endGeneration();
  */
 export function createShaderCache(readShader: ReadShader): { readonly read: ReadShader; endGeneration(): void } {
   let current = new Map<string, Result<NodeDefinition>>();

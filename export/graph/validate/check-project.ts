@@ -15,7 +15,13 @@ export function checkAssetPaths(project: ProjectLogic): Diagnostic[] {
   });
 }
 
-/** No subgraph may contain itself, directly or through others. The main graph must not expose ports. */
+/**
+ * No subgraph may contain itself, directly or through others. The main graph must not expose ports.
+ *
+ * @example
+ * // `glow` contains a node of the type `graph/glow`.
+ * checkGraphs(project)[0]?.message; // 'A subgraph contains itself: glow → glow.'
+ */
 export function checkGraphs(project: ProjectLogic): Diagnostic[] {
   const uses = usesOfGraphs(project);
   const cycles = findCycles(uses.keys(), (name) => uses.get(name) ?? []);

@@ -16,7 +16,13 @@ export interface PanoramaPixels {
 /** Number of rows that an analysis processes between two yields: about a millisecond of work with 1024 pixels per row. */
 export const ROWS_PER_STEP = 32;
 
-/** Runs an analysis to its end, without pauses. */
+/**
+ * Runs an analysis to its end, without pauses.
+ *
+ * @returns What the generator returns.
+ * @example
+ * const lamps = runWhole(findBySolidAngle(pixels, { lamps: 3, clippedShare: 0.5 }));
+ */
 export function runWhole<T>(slices: Generator<undefined, T>): T {
   for (;;) {
     const { done, value } = slices.next();

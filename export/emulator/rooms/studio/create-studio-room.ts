@@ -30,6 +30,10 @@ const ESTIMATED_SUN: Triple = [3.3, 2.9, 2.3];
 /**
  * Creates a textured living room of exactly known geometry, lit through a window, with sunlight on the rug. Code generates all of it from
  * fixed seeds, in about a second. Moving the sun does not update indirect light.
+ *
+ * @example
+ * const room = createStudioRoom();
+ * room.moveLight([0, 1, 0]);
  */
 export function createStudioRoom(): Room {
   const parts = furnish();
