@@ -22,6 +22,7 @@ export default {
   // Above what a test waits for (tests/support/patience.ts): it ends what hangs, and is no measure of speed. Jest heeds no timeout
   // of a project's own.
   testTimeout: 420_000,
+  testSequencer: '<rootDir>/tests/support/longest-first.mjs',
   projects: [
     project('unit', [
       '{app,export,nodes,renderer,tools,shader-library}/**/*.test.ts',

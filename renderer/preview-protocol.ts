@@ -54,7 +54,7 @@ export type ToPreview =
   | { readonly kind: 'render-end' }
   /** Starts or stops the recording of a video. `captured` follows when it stops. */
   | { readonly kind: 'record'; readonly on: boolean }
-  /** Starts or stops the recording of a session in an emulated room. `session-recorded` follows, also where it ends by itself. */
+  /** Starts or stops the recording of a session. `session-recorded` follows, also where it ends by itself or cannot begin. */
   | { readonly kind: 'record-session'; readonly on: boolean; readonly title: string }
   /**
    * Probes a point, given as fractions of the preview’s size from the top left. `layer`: the viewed layer to read depth from.

@@ -380,3 +380,13 @@ describe('scrim shader import', () => {
     expect(await readdir(base)).not.toContain('rings.fs');
   });
 });
+
+test.each([
+  [['--out', 'report', '--method', 'splats'], EXIT.notUnderstood, '--method needs one of plain, nearest, lumigraph'],
+  [['--out', 'report', '--blended', '9'], EXIT.notUnderstood, '--blended needs a whole number from 1 to 4'],
+  [[], EXIT.notUnderstood, '--out DIR is missing'],
+  [['--out', 'report'], EXIT.problems, 'is not a capture: it has no capture.json'],
+])('rephotograph %j of a project is refused', async (options, status, reason) => {
+  const said = await scrim('rephotograph', project, ...options);
+  expect([said.status, said.err]).toEqual([status, expect.stringContaining(reason)]);
+});

@@ -4,10 +4,12 @@ import type { Installation } from '../services/installation.ts';
 import { type Call, type Command, type Context, EXIT, failed, type Outcome, UsageError } from './command.ts';
 import { checkCommand } from './commands/check.ts';
 import { exportCommand } from './commands/export.ts';
+import { importCaptureCommand } from './commands/import-capture.ts';
 import { newCommand } from './commands/new.ts';
 import { openCommand } from './commands/open.ts';
 import { planCommand } from './commands/plan.ts';
 import { renderCommand } from './commands/render.ts';
+import { rephotographCommand } from './commands/rephotograph.ts';
 import { shaderCheckCommand } from './commands/shader-check.ts';
 import { shaderImportCommand } from './commands/shader-import.ts';
 import { commandHelp, overviewHelp } from './help.ts';
@@ -23,6 +25,8 @@ export const COMMANDS: readonly Command[] = [
   planCommand,
   exportCommand,
   renderCommand,
+  importCaptureCommand,
+  rephotographCommand,
   shaderCheckCommand,
   shaderImportCommand,
 ];

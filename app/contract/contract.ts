@@ -38,14 +38,14 @@ function isWithinLimit(bytes: Uint8Array): boolean {
   return bytes.length <= MAX_ASSET_BYTES;
 }
 
+/** Text of a JSON document of a project. */
+const documentText = z.string().max(64 * 2 ** 20);
+
 const projectFiles = z.object({
   /** Text of `project.scrim.json`. */
-  project: z.string().max(64 * 2 ** 20),
+  project: documentText,
   /** Text of `project.layout.json`; null if there is none. */
-  layout: z
-    .string()
-    .max(64 * 2 ** 20)
-    .nullable(),
+  layout: documentText.nullable(),
   /** Texts of the files in `shaders/`, by file name. */
   sources: z.record(z.string(), z.string().max(4 * 2 ** 20)),
 });
@@ -74,7 +74,7 @@ const openProject = z.object({
 const sessionSource = z.object({ id: z.string(), title: z.string(), kind: z.enum(['recorded', 'room']), url: z.string().nullable() });
 
 /** Path of an image in the folder of a session. */
-const sessionImage = z.string().regex(/^(?:color\/\d{6}\.jpg|depth\/\d{6}\.png)$/);
+const sessionFile = z.string().regex(/^(?:color\/\d{6}\.jpg|depth\/\d{6}\.png|room\.voxels)$/);
 
 /** Side of a rendered image in pixels. */
 const side = z.number().int().min(1).max(8192);
@@ -166,15 +166,15 @@ export const HOST_CONTRACT = {
   /** Reads an asset file, to copy it to another project. Rejects with SCR005 above `MAX_COPIED_BYTES`. */
   'asset.read': { input: z.object({ handle, path: projectPath }), output: z.object({ base64: z.string() }) },
   /**
-   * Writes a recorded session into a new folder in `sessions/`, in one step. `content`: the bytes of all images, one after another. Gives
+   * Writes a recorded session into a new folder in `sessions/`, in one step. `content`: the bytes of all files, one after another. Gives
    * the id of `session.list`. SCR073 if the lengths do not add up.
    */
   'session.save': {
     input: z.object({
       handle,
       /** Text of `session.json`. */
-      session: z.string().max(64 * 2 ** 20),
-      files: z.array(z.object({ path: sessionImage, bytes: z.number().int().min(1) })).max(20_000),
+      session: documentText,
+      files: z.array(z.object({ path: sessionFile, bytes: z.number().int().min(1) })).max(20_000),
       content: z.instanceof(Uint8Array).refine(isWithinLimit, 'too large'),
     }),
     output: z.object({ id: z.string() }),

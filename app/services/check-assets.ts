@@ -1,5 +1,6 @@
 import type { FileHandle } from 'node:fs/promises';
 import type { Asset } from '../../export/graph/project.ts';
+import { CaptureError, readCapture } from '../../nodes/kit/capture.ts';
 import type { AssetKind } from '../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { HostError } from '../contract/host-error.ts';
@@ -61,6 +62,8 @@ async function problemOf(root: string, { path, kind }: Asset): Promise<Problem |
 /** Checks the content after a valid header. Models are checked later (`check-models.ts`). */
 async function contentFault(file: FileHandle, kind: AssetKind, head: Buffer, size: number): Promise<string | null> {
   switch (kind) {
+    case 'capture':
+      return captureFault(await file.readFile('utf8'));
     case 'image':
       return imageFileFault(file, size);
     case 'environment':
@@ -92,6 +95,7 @@ const LARGE: Readonly<Record<AssetKind, { readonly bytes: number; readonly fix: 
   image: null,
   model: null,
   audio: null,
+  capture: null,
   video: { bytes: 40 * 2 ** 20, fix: 'Shorten it, reduce its size, or lower its bit rate.' },
   environment: { bytes: 16 * 2 ** 20, fix: 'Reduce its size: 2048 × 1024 is enough for light, 4096 × 2048 for a visible background.' },
 };
@@ -147,7 +151,21 @@ const WRONG: Readonly<Record<AssetKind, (head: Buffer, size: number) => string |
   video: wrongVideo,
   audio: wrongSound,
   environment: wrongPanorama,
+  capture: (head, size) => (size < MAX_CAPTURE_BYTES && head.toString('latin1').startsWith('{') ? null : 'is not a capture.'),
 };
+
+/** A document of the most views has a third of it. */
+const MAX_CAPTURE_BYTES = 4 * 2 ** 20;
+
+function captureFault(text: string): string | null {
+  try {
+    readCapture(text);
+    return null;
+  } catch (error) {
+    if (!(error instanceof CaptureError)) throw error;
+    return `is not a valid capture: ${error.message}.`;
+  }
+}
 
 const IMAGES: readonly ((head: Buffer) => boolean)[] = [
   (head) => head.toString('latin1', 0, 8) === '\x89PNG\r\n\x1a\n',

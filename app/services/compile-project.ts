@@ -1,13 +1,14 @@
 import { compileApart } from '../../export/bundle/compile/compile-apart.ts';
-import { type CompileOptions, compile } from '../../export/compiler/compile.ts';
+import { type Compiled, type CompileOptions, compile } from '../../export/compiler/compile.ts';
 import { isImported } from '../../export/compiler/imported-assets.ts';
+import type { SeparateWire } from '../../export/compiler/schedule/fuse/separate-wire.ts';
 import { migrateNodes } from '../../export/graph/library/migrate-nodes.ts';
 import { loadProject } from '../../export/graph/load.ts';
 import type { Project } from '../../export/graph/project.ts';
 import type { Program } from '../../export/program/program.ts';
 import { DEFINITIONS, SHADERS } from '../../nodes/generated/definitions.gen.ts';
 import { libraryOf, type NodeLibrary } from '../../nodes/kit/definition.ts';
-import { type Diagnostic, hasErrors, type Result } from '../../nodes/kit/diagnostics.ts';
+import { type Diagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
 import type { ProjectFiles } from '../contract/contract.ts';
 import { checkAssets } from './check-assets.ts';
 import { checkModels } from './check-models.ts';
@@ -18,6 +19,8 @@ export interface CompiledProject {
   /** The compiled program; null after an error. */
   readonly program: Program | null;
   readonly diagnostics: readonly Diagnostic[];
+  /** Layers that passes read as textures, and why they are not fused; empty if fusion is off. */
+  readonly separate: readonly SeparateWire[];
 }
 
 /** Options to compile large projects in a worker. */
@@ -45,7 +48,7 @@ export async function compileProject(
 ): Promise<CompiledProject> {
   const loaded = loadProject(files);
   const project = loaded.output;
-  if (project === null) return { project, program: null, diagnostics: loaded.diagnostics };
+  if (project === null) return { project, program: null, diagnostics: loaded.diagnostics, separate: [] };
   const options = optionsOf(project);
   const compiled =
     apart !== null && isLarge(project) ? await compileMigrated(project, options, apart) : compile({ project, library: LIBRARY, options });
@@ -58,13 +61,13 @@ export async function compileProject(
   const known = new Set(assets.flatMap(({ file }) => file ?? []));
   const models = compiled.output === null ? [] : await checkModels(root, compiled.output, known);
   const diagnostics = [...loaded.diagnostics, ...compiled.diagnostics, ...assets, ...models];
-  return { project, program: hasErrors(diagnostics) ? null : compiled.output, diagnostics };
+  return { project, program: hasErrors(diagnostics) ? null : compiled.output, diagnostics, separate: compiled.separate };
 }
 
 /** Migrates the params and then compiles in a worker, which cannot migrate params. */
-async function compileMigrated(loaded: Project, options: CompileOptions, { root, interrupted }: Apart): Promise<Result<Program>> {
+async function compileMigrated(loaded: Project, options: CompileOptions, { root, interrupted }: Apart): Promise<Compiled> {
   const { project, diagnostics } = migrateNodes(loaded, LIBRARY);
-  if (hasErrors(diagnostics)) return { output: null, diagnostics };
+  if (hasErrors(diagnostics)) return { output: null, diagnostics, above: [], separate: [] };
   const compiled = await compileApart(root, { project, definitions: DEFINITIONS, shaders: SHADERS, options }, interrupted);
   return { ...compiled, diagnostics: [...diagnostics, ...compiled.diagnostics] };
 }

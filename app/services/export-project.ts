@@ -56,7 +56,7 @@ export async function exportProject(job: ExportJob): Promise<ExportOutcome> {
   const files = watchedFiles(job.files ?? NODE_FILES, interrupted, (count) => say(`Writing file ${count}…`));
   const { singleFile = false, address = null, drawPoster } = job;
   say('Compiling…');
-  const { project, program, diagnostics } = await compileProject(root, projectFiles, () => ({ sourceMaps: false }), {
+  const { project, program, diagnostics } = await compileProject(root, projectFiles, () => ({ sourceMaps: false, fuse: true }), {
     root: installation.root,
     interrupted,
   });

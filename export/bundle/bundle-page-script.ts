@@ -1,8 +1,7 @@
 import { resolve } from 'node:path';
-import { build, type Metafile } from 'esbuild';
-import { RUNTIME_FILES } from '../../nodes/generated/runtime-files.gen.ts';
-import type { DecoderName } from '../gltf/decoders.ts';
-import type { ProgramUse } from './program-use.ts';
+import { build, type Metafile, type Plugin } from 'esbuild';
+import { leaveOut } from './optional-parts.ts';
+import { type PageUse, pageEntry, SESSIONS_MODULE, sessionsEntry } from './page-entry.ts';
 
 export interface Script {
   readonly bytes: Uint8Array;
@@ -10,29 +9,43 @@ export interface Script {
   readonly parts: Readonly<Record<string, number>>;
 }
 
-/** What the models of a page need. */
-export interface ModelUse {
-  readonly decoders: readonly DecoderName[];
-  /** Whether any has glass. */
-  readonly glass: boolean;
+/** The scripts of a page. */
+export interface Scripts {
+  readonly page: Script;
+  /** The sessions that a visitor enters; null if `page` contains them. */
+  readonly sessions: Script | null;
 }
 
 /** JavaScript version of the script: that of browsers with WebXR, and of other browsers since 2022. There are no polyfills. */
 const TARGET = 'es2022';
 
 /**
- * Bundles the page's only script: player, page and the runtimes of the used nodes. It is a classic script, because browsers load no modules
- * from `file:` URLs. esbuild returns the same bytes for the same sources.
+ * Bundles the scripts of a page: player, page and the runtimes of the used nodes; and, as an own script, the sessions that a visitor enters.
+ * The first is a classic script, because browsers load no modules from `file:` URLs. The second is a module that is complete in itself:
+ * the few functions that both use are in both. esbuild returns the same bytes for the same sources.
  */
-export async function bundleScript(root: string, use: ProgramUse, models: ModelUse): Promise<Script> {
+export async function bundleScripts(root: string, use: PageUse): Promise<Scripts> {
+  const [page, sessions] = await Promise.all([
+    bundle(root, use, { contents: pageEntry(use), sourcefile: 'page.ts' }, 'iife'),
+    use.singleFile ? null : bundle(root, use, { contents: sessionsEntry(use), sourcefile: 'sessions.ts' }, 'esm'),
+  ]);
+  return { page, sessions };
+}
+
+async function bundle(
+  root: string,
+  use: PageUse,
+  entry: { readonly contents: string; readonly sourcefile: string },
+  format: 'iife' | 'esm',
+): Promise<Script> {
   const { outputFiles, metafile } = await build({
-    stdin: { contents: entryText(use, models), resolveDir: root, sourcefile: 'page.ts', loader: 'ts' },
+    stdin: { ...entry, resolveDir: root, loader: 'ts' },
     absWorkingDir: root,
     bundle: true,
     write: false,
     metafile: true,
     minify: true,
-    format: 'iife',
+    format,
     platform: 'browser',
     target: TARGET,
     charset: 'utf8',
@@ -40,11 +53,24 @@ export async function bundleScript(root: string, use: ProgramUse, models: ModelU
     loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
     // three.js decoders refer to files by `import.meta.url`, which classic scripts do not have. The URLs are not used.
     define: { 'process.env.NODE_ENV': '"production"', 'import.meta.url': 'document.baseURI' },
+    plugins: [sessionsModule(root, use), leaveOut(root, use)],
     logLevel: 'silent',
   });
   const [file] = outputFiles;
   if (!file) throw new Error('esbuild made no script.');
   return { bytes: file.contents, parts: partsOf(metafile) };
+}
+
+/** Gives the sessions to the script of a single-file page. */
+function sessionsModule(root: string, use: PageUse): Plugin {
+  const namespace = 'sessions';
+  return {
+    name: namespace,
+    setup: ({ onResolve, onLoad }) => {
+      onResolve({ filter: new RegExp(`^${SESSIONS_MODULE}$`) }, ({ path }) => ({ path, namespace, sideEffects: false }));
+      onLoad({ filter: /./, namespace }, () => ({ contents: sessionsEntry(use), resolveDir: root, loader: 'ts' }));
+    },
+  };
 }
 
 /** Bundles the style sheet. */
@@ -60,47 +86,6 @@ export async function bundleStyle(root: string): Promise<Uint8Array> {
   const [file] = outputFiles;
   if (!file) throw new Error('esbuild made no style sheet.');
   return file.contents;
-}
-
-const OPENERS: Readonly<Record<DecoderName, string>> = { draco: 'openDraco', meshopt: 'openMeshopt', ktx2: 'openKtx2' };
-
-const WORKERS_FOLDER = 'nodes/generated/workers/';
-
-function entryText(
-  { nodeTypes, scenes, spatial, input, panoramas, controls, labels, workerTypes, takesPanorama, glass: ownGlass }: ProgramUse,
-  { decoders, glass: modelGlass }: ModelUse,
-): string {
-  const glass = scenes && (ownGlass || modelGlass);
-  const tools = ['decoders', 'files', ...(panoramas ? ['readRadiance'] : []), ...(glass ? ['createGlass'] : [])];
-  const played = nodeTypes.filter((type) => Object.hasOwn(RUNTIME_FILES, type));
-  // A node that starts no worker is played without its text.
-  const fileOf = (type: string): string | undefined =>
-    RUNTIME_FILES[type]?.startsWith(WORKERS_FOLDER) && !workerTypes.has(type) ? `nodes/${type}/runtime.ts` : RUNTIME_FILES[type];
-  const lines = [
-    `import { startPage } from './export/page/start-page.ts';`,
-    ...(scenes ? [`import { createScenesWith } from './export/runtime/scenes/create-scenes.ts';`] : []),
-    ...(spatial ? [`import { createSpatial } from './export/runtime/spatial/create-spatial.ts';`] : []),
-    ...(input ? [`import { SESSION_INPUTS } from './export/runtime/sessions/input/session-inputs.ts';`] : []),
-    ...(scenes ? [`import { createLens } from './export/runtime/sessions/camera/lens.ts';`] : []),
-    ...(panoramas
-      ? [
-          `import { readRadianceInWorker } from './export/runtime/scenes/environments/read-radiance-in-worker.ts';`,
-          `import { text as radianceText } from './${WORKERS_FOLDER}decode-radiance.gen.ts';`,
-          'const readRadiance = readRadianceInWorker(radianceText);',
-        ]
-      : []),
-    ...(glass ? [`import { createGlass } from './export/runtime/scenes/glass/glass-scene.ts';`] : []),
-    ...(controls ? [`import { createRoomPanel } from './export/page/room-panel/room-panel.ts';`] : []),
-    ...(labels ? [`import { createLabelLayer } from './export/page/label-layer.ts';`] : []),
-    ...(takesPanorama ? [`import { createPagePanorama as createPanorama } from './export/page/panorama-step/page-panorama.ts';`] : []),
-    ...decoders.map((name) => `import { ${OPENERS[name]} } from './export/runtime/scenes/models/decoders/${name}.ts';`),
-    ...played.map((type, i) => `import * as node${i} from ${JSON.stringify(`./${fileOf(type)}`)};`),
-    `const modules = { ${played.map((type, i) => `${JSON.stringify(type)}: node${i}`).join(', ')} };`,
-    `const decoders = { ${decoders.map((name) => `${name}: ${OPENERS[name]}`).join(', ')} };`,
-    `const createScenes = ${scenes ? `(files) => createScenesWith({ ${tools.join(', ')} })` : 'null'};`,
-    `startPage(window, { modules, createScenes, createSpatial${spatial ? '' : ': null'}, inputs: ${input ? 'SESSION_INPUTS' : 'null'}, createRoomPanel${controls ? '' : ': null'}, createLabelLayer${labels ? '' : ': null'}, createLens${scenes ? '' : ': null'}, createPanorama${takesPanorama ? '' : ': null'} });`,
-  ];
-  return lines.join('\n');
 }
 
 function partsOf(metafile: Metafile): Record<string, number> {

@@ -150,9 +150,25 @@ describe('a bundled page', () => {
     for (const word of NEVER) expect([word, new RegExp(`\\b${word}\\b`, 'i').test(script)]).toEqual([word, false]);
     expect(script).not.toMatch(/THREE|WebGLRenderer|GLTFLoader|BufferGeometry/);
     const parts = Object.keys((output as ExportReport).script);
-    expect(parts).toEqual(['export/page', 'export/program', 'export/runtime', 'nodes/kit', 'nodes/source/image-file', 'page.ts']);
-    expect(script.length).toBeLessThan(122_000);
+    const sessions = ['sessions.ts'];
+    const expected = ['export/page', 'export/program', 'export/runtime', 'nodes/kit', 'nodes/source/image-file', 'page.ts', ...sessions];
+    expect(parts.filter((part) => !expected.includes(part))).toEqual([]);
+    expect(script.length).toBeLessThan(75_000);
     expect(script).not.toMatch(/selectstart|requestHitTestSource/);
+    // What its program does not use: videos, sound, workers, controls, pulses, files in the page.
+    expect(script).not.toMatch(/createElement\("video"\)|decodeAudioData|postMessage|type:"range"|x-scrim-file/);
+  });
+
+  test('has the sessions that a visitor enters in an own script, and a single-file page in the page itself', async () => {
+    const { files, text } = await exported(IMAGE_ONLY);
+    const path = [...files.keys()].find((name) => /^sessions-.*\.js$/.test(name));
+    expect(text(/^page-.*\.js$/)).not.toMatch(/requestSession|getUserMedia\(|XRWebGLLayer/);
+    expect(text(/^sessions-.*\.js$/)).toMatch(/requestSession.*XRWebGLLayer|XRWebGLLayer.*requestSession/s);
+    expect(text(/^index\.html$/)).toContain(`"sessions":"${path}"`);
+    expect(text(/^offline\.js$/)).toContain(`"${path}"`);
+    const alone = await exported(IMAGE_ONLY, { singleFile: true });
+    expect(alone.text(/^index\.html$/)).toContain('"sessions":null');
+    expect(alone.text(/^index\.html$/)).toMatch(/requestSession/);
   });
 
   test('with objects holds three.js and the nodes in use, no others', async () => {
@@ -170,6 +186,7 @@ describe('a bundled page', () => {
       'nodes/source/image-file',
       'nodes/source/model',
       'page.ts',
+      'sessions.ts',
       'three',
     ];
     expect(Object.keys(parts).filter((part) => !expected.includes(part))).toEqual([]);

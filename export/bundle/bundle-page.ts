@@ -1,13 +1,14 @@
-import type { Result } from '../../nodes/kit/diagnostics.ts';
+import type { Diagnostic, Result } from '../../nodes/kit/diagnostics.ts';
 import { asksOf } from '../page/needs-text.ts';
 import type { Program } from '../program/program.ts';
 import { webXrFeatures } from '../program/webxr-features.ts';
 import type { AssetCache } from './assets/model-cache.ts';
 import { type PreparedAsset, type PreparedAssets, prepareAssets } from './assets/prepare-assets.ts';
-import { bundleScript, bundleStyle, type Script } from './bundle-page-script.ts';
+import { bundleScripts, bundleStyle, type Scripts } from './bundle-page-script.ts';
 import { hashedName } from './hashed-name.ts';
 import { storeLamps } from './lamps/store-lamps.ts';
 import { LICENCES_FILE, licencesText, licenceWarnings, type PageCredit, pageCredits } from './page-credits.ts';
+import type { PageUse } from './page-entry.ts';
 import { layOutFiles, layOutSingleFile, type PageFile, toBytes } from './page-layout.ts';
 import { neutralPoster, type PosterImage } from './poster.ts';
 import { programUse } from './program-use.ts';
@@ -57,17 +58,21 @@ export async function bundlePage(input: BundleInput): Promise<Result<ExportRepor
   const used = input.program.assets.filter(({ id }) => usedIds.has(id));
   const prepared = await prepareAssets(used, { root, readAsset, compress, cache, say });
   if (prepared.output === null) return { output: null, diagnostics: prepared.diagnostics };
+  const tooLarge = input.singleFile ? prepared.output.assets.flatMap(largeCapture) : [];
+  if (tooLarge.length > 0) return { output: null, diagnostics: tooLarge };
   const { program, assets } = await storeLamps(input.program, prepared.output.assets, { root, say });
   const use = programUse(program);
+  const works = pageCredits(input.program.credits ?? [], prepared.output.assets);
+  const { decoders, glass: modelGlass } = prepared.output;
+  const pageUse: PageUse = { ...use, decoders, modelGlass, credits: works.length > 0, singleFile: input.singleFile ?? false };
   let code: Code;
   try {
-    code = { script: await bundleScript(input.root, use, prepared.output), style: await bundleStyle(input.root) };
+    code = { scripts: await bundleScripts(input.root, pageUse), style: await bundleStyle(input.root) };
   } catch (error) {
     const message = `The page could not be bundled: ${error instanceof Error ? error.message : String(error)}`;
     return { output: null, diagnostics: [{ code: 'SCR064', severity: 'error', message }] };
   }
   const files: ReportedFile[] = [];
-  const works = pageCredits(input.program.credits ?? [], prepared.output.assets);
   const credits = works.map(({ nodes: _, ...credit }): PageCredit => credit);
   for (const { path, kind, bytes } of layOut({ ...input, program }, code, { ...prepared.output, assets }, credits)) {
     await input.sink.write(path, bytes);
@@ -77,7 +82,7 @@ export async function bundlePage(input: BundleInput): Promise<Result<ExportRepor
     program: input.program,
     generator: input.generator,
     files: files.sort((a, b) => (a.path < b.path ? -1 : 1)),
-    scriptParts: code.script.parts,
+    scripts: code.scripts,
     features: webXrFeatures(input.program.needs),
     assets: prepared.output.assets.map(({ report }) => report),
     credits,
@@ -86,21 +91,34 @@ export async function bundlePage(input: BundleInput): Promise<Result<ExportRepor
   return { output: report, diagnostics: [...prepared.diagnostics, ...licenceWarnings(works)] };
 }
 
+/** The largest capture of a page of one file, bytes: browsers keep such a page in memory several times. */
+const MAX_EMBEDDED_CAPTURE_BYTES = 20 * 2 ** 20;
+
+function largeCapture({ asset, report }: PreparedAsset): Diagnostic[] {
+  const bytes = report.fileBytes.after;
+  if (asset.kind !== 'capture' || bytes <= MAX_EMBEDDED_CAPTURE_BYTES) return [];
+  const message = `${asset.path} has ${Math.round(bytes / 2 ** 20)} MB; a page of one file may contain captures of ${MAX_EMBEDDED_CAPTURE_BYTES / 2 ** 20} MB.`;
+  const fix = 'Export a page of several files, or import the capture with a smaller --size.';
+  return [{ code: 'SCR034', severity: 'error', message, file: asset.path, fix }];
+}
+
 interface Code {
-  readonly script: Script;
+  readonly scripts: Scripts;
   readonly style: Uint8Array;
 }
 
 function layOut(
   input: BundleInput,
-  { script, style }: Code,
+  { scripts, style }: Code,
   { assets, decoders, decoderFiles }: PreparedAssets,
   credits: readonly PageCredit[],
 ): PageFile[] {
   const { program, page, poster, singleFile = false, address = null } = input;
   const bytes = toBytes(JSON.stringify(exportedProgram(program, assets)));
   const programFile: PageFile = { path: hashedName('program.json', bytes), kind: 'program', bytes };
-  const assetFiles = assets.map(({ asset, path, bytes }): PageFile => ({ path, kind: asset.kind, bytes }));
+  const assetFiles = assets.flatMap(({ asset, path, bytes, others }): PageFile[] =>
+    [{ path, bytes }, ...others].map((file) => ({ ...file, kind: asset.kind })),
+  );
   const decoderContent = decoderFiles.map(({ path, bytes }): PageFile => ({ path, kind: 'decoder', bytes }));
   // Two assets may refer to the same file.
   const content = [...new Map([programFile, ...assetFiles, ...decoderContent].map((file) => [file.path, file])).values()];
@@ -111,7 +129,8 @@ function layOut(
     title: program.title,
     ...page,
     address,
-    script: script.bytes,
+    script: scripts.page.bytes,
+    sessions: scripts.sessions?.bytes ?? null,
     style,
     poster: poster ?? neutralPoster(),
     content,

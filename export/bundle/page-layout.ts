@@ -20,11 +20,13 @@ export interface LayoutInput {
   /** Address of the published page, ending in `/`, or null. */
   readonly address: string | null;
   readonly script: Uint8Array;
+  /** Script with the sessions that a visitor enters; null if `script` contains them. */
+  readonly sessions: Uint8Array | null;
   readonly style: Uint8Array;
   readonly poster: PosterImage;
   /** Files that the script loads, including the program, in any order. */
   readonly content: readonly PageFile[];
-  readonly config: Omit<PageConfig, 'bytes' | 'offline' | 'title' | 'description'>;
+  readonly config: Omit<PageConfig, 'bytes' | 'sessions' | 'offline' | 'title' | 'description'>;
   readonly powers: PagePowers;
 }
 
@@ -33,8 +35,9 @@ export interface LayoutInput {
  * limit.
  */
 export function layOutFiles(input: LayoutInput): PageFile[] {
-  const { script, style, poster, content, address } = input;
+  const { script, sessions, style, poster, content, address } = input;
   const page: PageFile = { path: hashedName('page.js', script), kind: 'script', bytes: script };
+  const entered = sessions && ({ path: hashedName('sessions.js', sessions), kind: 'script', bytes: sessions } satisfies PageFile);
   const sheet: PageFile = { path: hashedName('page.css', style), kind: 'style', bytes: style };
   const image: PageFile = { path: hashedName(`poster.${poster.type}`, poster.bytes), kind: 'poster', bytes: poster.bytes };
   const html = pageHtml({
@@ -42,13 +45,14 @@ export function layOutFiles(input: LayoutInput): PageFile[] {
     address,
     parts: { kind: 'files', script: page.path, style: sheet.path },
     poster: posterOf(image.path, poster),
-    config: configOf(input, OFFLINE_FILE),
+    config: configOf(input, entered?.path ?? null, OFFLINE_FILE),
   });
   const index: PageFile = { path: 'index.html', kind: 'page', bytes: toBytes(html) };
   // A neutral poster is used by link previews only.
-  const shown = [page, sheet, ...(poster.drawn ? [image] : []), ...content];
+  const scripts = entered ? [page, entered] : [page];
+  const shown = [...scripts, sheet, ...(poster.drawn ? [image] : []), ...content];
   const worker: PageFile = { path: OFFLINE_FILE, kind: 'offline', bytes: toBytes(offlineScript(index, shown)) };
-  return [index, page, sheet, image, worker, ...content];
+  return [index, ...scripts, sheet, image, worker, ...content];
 }
 
 /** The page as one file, which opens without a server. It loads nothing, so it needs no service worker. */
@@ -64,7 +68,7 @@ export function layOutSingleFile(input: LayoutInput): PageFile[] {
       files: Object.fromEntries(content.map(({ path, bytes }) => [path, base64(bytes)])),
     },
     poster: posterOf(`data:image/${poster.type === 'jpg' ? 'jpeg' : poster.type};base64,${base64(poster.bytes)}`, poster),
-    config: configOf(input, null),
+    config: configOf(input, null, null),
   });
   return [{ path: 'index.html', kind: 'page', bytes: toBytes(html) }];
 }
@@ -77,8 +81,9 @@ function posterOf(source: string, { widthPx, heightPx, drawn }: PosterImage): Po
   return { source, widthPx, heightPx, drawn };
 }
 
-function configOf({ title, description, config, content }: LayoutInput, offline: string | null): PageConfig {
-  return { title, description, ...config, bytes: Object.fromEntries(content.map(({ path, bytes }) => [path, bytes.length])), offline };
+function configOf({ title, description, config, content }: LayoutInput, sessions: string | null, offline: string | null): PageConfig {
+  const bytes = Object.fromEntries(content.map(({ path, bytes }) => [path, bytes.length]));
+  return { title, description, ...config, bytes, sessions, offline };
 }
 
 /**

@@ -1,4 +1,6 @@
-import type { Program, ProgramAsset } from '../program/program.ts';
+import type { Capability } from '../../nodes/kit/definition.ts';
+import type { Tier } from '../program/needs.ts';
+import type { Operation, Program, ProgramAsset, Resource } from '../program/program.ts';
 
 /** The parts of Scrim that a program needs. */
 export interface ProgramUse {
@@ -24,6 +26,23 @@ export interface ProgramUse {
   readonly workers: boolean;
   /** Node types that have a worker and start it. */
   readonly workerTypes: ReadonlySet<string>;
+  readonly operationKinds: ReadonlySet<Operation['kind']>;
+  readonly resourceKinds: ReadonlySet<Resource['kind']>;
+  /** Kinds of the assets that operations refer to. */
+  readonly assetKinds: ReadonlySet<ProgramAsset['kind']>;
+  /** Whether its shaders import images. */
+  readonly importsImages: boolean;
+  /** Whether a pass is drawn once per frame, whatever the number of views. */
+  readonly passesOnce: boolean;
+  /** Whether frames may repeat the last image: nothing draws objects, and no layer comes from the camera. */
+  readonly mayRest: boolean;
+  /** Whether nodes send or receive pulses. */
+  readonly pulses: boolean;
+  /** Whether nodes receive poses. */
+  readonly poses: boolean;
+  /** What its nodes ask of a session. */
+  readonly capabilities: ReadonlySet<Capability>;
+  readonly tiers: ReadonlySet<Tier['id']>;
   /** Ids of the assets that operations refer to. */
   readonly assets: ReadonlySet<string>;
 }
@@ -33,16 +52,18 @@ export function programUse(program: Program): ProgramUse {
   const passes = program.operations.filter((operation) => operation.kind === 'pass');
   const imported = passes.flatMap(({ samplers }) => samplers.flatMap(({ source }) => (source.kind === 'import' ? source.assets : [])));
   const assets = new Set([...nodes.flatMap((node) => Object.values(node.assets)), ...imported].filter((id) => id !== null));
+  const resourceKinds = new Set(program.resources.map(({ kind }) => kind));
   const uses = (...kinds: ProgramAsset['kind'][]) => program.assets.some(({ id, kind }) => kinds.includes(kind) && assets.has(id));
   const working = program.operations.filter(
     (operation) => operation.kind === 'cpu' || ('worker' in operation && operation.worker === true),
   );
-  const spatial = program.needs.some(({ capability }) => capability === 'hit-test' || capability === 'anchors');
+  const capabilities = new Set(program.needs.map(({ capability }) => capability));
+  const spatial = capabilities.has('hit-test') || capabilities.has('anchors');
   const controls = (program.controls ?? []).length > 0;
   return {
     nodeTypes: [...new Set(nodes.map((node) => node.type))].sort(),
     scenes:
-      program.operations.some(({ kind }) => kind === 'geometry' || kind === 'draw' || kind === 'shadow-maps') ||
+      program.operations.some((operation) => operation.kind === 'geometry' || operation.kind === 'shadow-maps' || needsScenes(operation)) ||
       uses('model', 'environment'),
     spatial,
     input: spatial || controls || program.readsInput === true,
@@ -53,6 +74,27 @@ export function programUse(program: Program): ProgramUse {
     controls,
     takesPanorama: nodes.some(({ type }) => type === 'source/panorama-capture'),
     labels: nodes.some(({ type }) => type === 'objects/label'),
+    operationKinds: new Set(program.operations.map(({ kind }) => kind)),
+    resourceKinds,
+    assetKinds: new Set(program.assets.filter(({ id }) => assets.has(id)).map(({ kind }) => kind)),
+    importsImages: imported.length > 0,
+    passesOnce: passes.some(({ view }) => view === 'once'),
+    mayRest: !program.operations.some(({ kind }) => RESTLESS.has(kind)) && !program.resources.some(isCamera),
+    pulses: resourceKinds.has('pulses') || nodes.some(({ pulses }) => pulses !== undefined),
+    poses: nodes.some(({ poses }) => poses !== undefined),
+    capabilities,
+    tiers: new Set(program.tiers.map(({ id }) => id)),
     assets,
   };
+}
+
+const RESTLESS: ReadonlySet<Operation['kind']> = new Set(['draw', 'cpu', 'shadow-maps']);
+
+/** Layers of the view domain that no pass draws come from the camera. */
+function isCamera(resource: Resource): boolean {
+  return resource.kind === 'external' && resource.domain === 'view';
+}
+
+function needsScenes(operation: Operation): boolean {
+  return operation.kind === 'draw' && !('ownDrawing' in operation);
 }

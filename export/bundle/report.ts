@@ -4,7 +4,9 @@ import type { ProgramNeed, Tier } from '../program/needs.ts';
 import type { Program, ProgramAsset } from '../program/program.ts';
 import type { WebXrFeatures } from '../program/webxr-features.ts';
 import type { ReportedAsset } from './assets/prepare-assets.ts';
+import type { Scripts } from './bundle-page-script.ts';
 import type { PageCredit } from './page-credits.ts';
+import { nodeBytes, type ReportedNode } from './report-nodes.ts';
 
 export type FileKind = 'page' | 'script' | 'style' | 'offline' | 'poster' | 'program' | 'decoder' | 'licences' | ProgramAsset['kind'];
 
@@ -17,8 +19,15 @@ export interface ExportReport {
   readonly files: readonly ReportedFile[];
   /** Total size of the files, without this report, which visitors do not load. */
   readonly bytes: Sizes & { readonly byKind: Readonly<Partial<Record<FileKind, Sizes>>> };
-  /** Content of the script: npm packages and Scrim's folders → minified bytes. */
+  /** Content of the scripts: npm packages and Scrim's folders → minified bytes. */
   readonly script: Readonly<Record<string, number>>;
+  /** Content of each script by source file, in minified bytes, largest first. `sessions` is null if `page` contains them. */
+  readonly modules: {
+    readonly page: Readonly<Record<string, number>>;
+    readonly sessions: Readonly<Record<string, number>> | null;
+  };
+  /** What the nodes of the program cost, largest first. */
+  readonly nodes: readonly ReportedNode[];
   /** WebXR features that the page requests for AR. */
   readonly features: WebXrFeatures;
   /** Result of the export for each asset, with sizes before and after compression. */
@@ -52,13 +61,13 @@ export interface ReportInput {
   readonly program: Program;
   readonly generator: string;
   readonly files: readonly ReportedFile[];
-  readonly scriptParts: Readonly<Record<string, number>>;
+  readonly scripts: Scripts;
   readonly features: WebXrFeatures;
   readonly assets: readonly ReportedAsset[];
   readonly credits: readonly PageCredit[];
 }
 
-export function makeReport({ program, generator, files, scriptParts, features, assets, credits }: ReportInput): ExportReport {
+export function makeReport({ program, generator, files, scripts, features, assets, credits }: ReportInput): ExportReport {
   const byKind: Partial<Record<FileKind, Sizes>> = {};
   for (const { kind, raw, gzip } of files) byKind[kind] = add(byKind[kind], { raw, gzip });
   const total = files.reduce<Sizes>(add, { raw: 0, gzip: 0 });
@@ -69,7 +78,9 @@ export function makeReport({ program, generator, files, scriptParts, features, a
     generator,
     files,
     bytes: { raw: total.raw, gzip: total.gzip, byKind },
-    script: groupParts(scriptParts),
+    script: groupParts([...Object.entries(scripts.page.parts), ...Object.entries(scripts.sessions?.parts ?? {})]),
+    modules: { page: largestFirst(scripts.page.parts), sessions: scripts.sessions && largestFirst(scripts.sessions.parts) },
+    nodes: nodeBytes(program, scripts.page.parts, assets),
     features,
     assets,
     credits,
@@ -77,6 +88,10 @@ export function makeReport({ program, generator, files, scriptParts, features, a
     tiers: program.tiers,
     devices: deviceTable(program),
   };
+}
+
+function largestFirst(parts: Readonly<Record<string, number>>): Record<string, number> {
+  return Object.fromEntries(Object.entries(parts).sort(([a, m], [b, n]) => n - m || (a < b ? -1 : 1)));
 }
 
 function add(a: Sizes | undefined, b: Sizes): Sizes {
@@ -87,9 +102,9 @@ function add(a: Sizes | undefined, b: Sizes): Sizes {
  * Groups source files by package or folder: `node_modules/three/build/x.js` → `three`; `export/runtime/passes/pass.ts` → `export/runtime`;
  * `nodes/a/b/runtime.ts` → `nodes/a/b`.
  */
-function groupParts(parts: Readonly<Record<string, number>>): Record<string, number> {
+function groupParts(parts: readonly (readonly [path: string, bytes: number])[]): Record<string, number> {
   const groups = new Map<string, number>();
-  for (const [path, bytes] of Object.entries(parts)) {
+  for (const [path, bytes] of parts) {
     const name = groupOf(path);
     groups.set(name, (groups.get(name) ?? 0) + bytes);
   }

@@ -3,12 +3,14 @@ import { type Diagnostic, hasErrors, type Result } from '../../nodes/kit/diagnos
 import type { Before } from '../glsl/link/link-above.ts';
 import { type ProjectLibrary, projectLibrary } from '../graph/library/project-library.ts';
 import type { ProjectLogic } from '../graph/project.ts';
+import { deviceTable, deviceWarnings } from '../program/devices/device-table.ts';
 import type { LinkedShader, Program } from '../program/program.ts';
 import { check } from './check/check-resolved.ts';
 import type { FlatGraph } from './flat-graph.ts';
 import { link, named } from './link/link.ts';
 import { print } from './print/print-program.ts';
 import { resolve } from './resolve/resolve.ts';
+import type { SeparateWire } from './schedule/fuse/separate-wire.ts';
 import { type ScheduleResult, schedule } from './schedule/schedule.ts';
 import { createShaderStore } from './shaders/shader-store.ts';
 
@@ -19,6 +21,8 @@ export interface CompileOptions {
   readonly loopBudget?: boolean;
   /** Keep the source maps of shaders; true by default. */
   readonly sourceMaps?: boolean;
+  /** Draw several passes by one shader where the image stays the same (docs/adr/0043): for exports and plans. */
+  readonly fuse?: boolean;
   /** Report nodes that the output does not depend on (SCR021). */
   readonly reportUnused?: boolean;
 }
@@ -38,6 +42,8 @@ export interface Compiler {
 export interface Compiled extends Result<Program> {
   /** If shaders cannot be read: their texts above the mistakes, so that a driver can check these. Empty if there is a program. */
   readonly above: readonly ShaderAbove[];
+  /** Layers that passes read as textures, and why they are not fused. */
+  readonly separate: readonly SeparateWire[];
 }
 
 /** The text above a mistake, completed to a valid shader. It is only compiled, to find mistakes further above, and never drawn. */
@@ -60,22 +66,29 @@ export function createCompiler(): Compiler {
   const shaders = createShaderStore();
   return {
     compile: ({ project, library: base, options = {} }) => {
-      const { taps = [], loopBudget = false, sourceMaps = true, reportUnused = false } = options;
+      const { taps = [], loopBudget = false, sourceMaps = true, reportUnused = false, fuse = false } = options;
       const diagnostics: Diagnostic[] = [];
       const library = projectLibrary(base, project.sources, shaders.readDefinition);
 
       const resolved = resolve(project, library);
       diagnostics.push(...resolved.diagnostics);
-      if (resolved.output === null) return { output: null, diagnostics, above: [] };
+      if (resolved.output === null) return { output: null, diagnostics, above: [], separate: [] };
       const checked = check(resolved.output, taps);
       diagnostics.push(...headerDiagnostics(library, resolved.output.project), ...checked.diagnostics);
-      if (checked.output === null || hasErrors(diagnostics)) return { output: null, diagnostics, above: [] };
-      const scheduled = schedule(checked.output, { library, shaders, loopBudget });
+      if (checked.output === null || hasErrors(diagnostics)) return { output: null, diagnostics, above: [], separate: [] };
+      const scheduled = schedule(checked.output, { library, shaders, loopBudget, fuse });
       diagnostics.push(...scheduled.diagnostics);
-      if (scheduled.output === null) return { output: null, diagnostics, above: shadersAbove(scheduled) };
+      if (scheduled.output === null) return { output: null, diagnostics, above: shadersAbove(scheduled), separate: [] };
       const linked = link(scheduled.output, { sourceMaps });
       if (reportUnused) diagnostics.push(...unusedNodes(resolved.output.graph, checked.output.live));
-      return { output: print(resolved.output.project, scheduled.output, linked), diagnostics, above: [] };
+      const program = print(resolved.output.project, scheduled.output, linked);
+      diagnostics.push(...deviceWarnings(deviceTable(program)));
+      return {
+        output: program,
+        diagnostics,
+        above: [],
+        separate: scheduled.output.separate,
+      };
     },
   };
 }

@@ -1,6 +1,7 @@
 import { deviceTable } from '../program/devices/device-table.ts';
 import type { CpuOperation, DrawOperation, Operation, PassOperation, Program } from '../program/program.ts';
 import { bindingInWords, deviceInWords, needInWords, tierInWords } from './describe-terms.ts';
+import { SEPARATE_REASONS, type SeparateWire } from './schedule/fuse/separate-wire.ts';
 import { behindGlassBytes, REFERENCE_SIZE, type ReferenceSize, type Target, targetBytes, targetSize, targetsOf } from './target-bytes.ts';
 
 /**
@@ -74,11 +75,26 @@ function describeOperation(operation: Operation, program: Program): string {
   }
 }
 
-function describePass({ id, reads, target, blend, access, shader }: PassOperation, program: Program): string {
+/**
+ * Describes, for `scrim plan --why`, the layers that passes read as textures, with the reason why each is not fused.
+ *
+ * @returns Lines of text.
+ * @example
+ * const { separate } = compile({ project, library, options: { fuse: true } });
+ * console.log(describeSeparate(separate));
+ */
+export function describeSeparate(separate: readonly SeparateWire[]): string {
+  const lines = separate.map(({ resource, reader, reason }) => `${resource} → ${reader}: ${SEPARATE_REASONS[reason]} (${reason})`);
+  return `${['Layers that are not fused into their readers', ...list(lines)].join('\n')}\n`;
+}
+
+function describePass(operation: PassOperation, program: Program): string {
+  const { id, reads, target, blend, access, shader, nodes } = operation;
   const from = reads.length === 0 ? '' : ` from ${reads.join(', ')}`;
   const onto = target === 'screen' ? (blend === 'over' ? ' over what is on the screen' : ' onto the screen') : ` into ${target}`;
-  const file = program.shaders[shader]?.sourceMap?.sources[0];
-  return `${id}: ${access ?? 'full-screen'} pass${from}${onto}${file === undefined ? '' : ` (${file})`}`;
+  const files = program.shaders[shader]?.sourceMap?.sources ?? [];
+  const fused = nodes === undefined ? '' : `, fused of ${nodes.join(', ')}`;
+  return `${id}: ${access ?? 'full-screen'} pass${from}${onto}${fused}${files.length === 0 ? '' : ` (${files.join(', ')})`}`;
 }
 
 /** Whether draws show glass: that of materials of the program is certain, that of models is known only once they are loaded. */
@@ -87,8 +103,6 @@ function glassOf(draws: readonly DrawOperation[], { assets }: Program): 'certain
   return draws.length > 0 && assets.some(({ kind }) => kind === 'model') ? 'possible' : null;
 }
 
-const GLASS_IN_WORDS = { certain: 'glass', possible: 'glass, if a model has any,' } as const;
-
 function describeDraw(operation: DrawOperation, program: Program): string {
   const { id, type, target, shadowMaps, occlusion, under } = operation;
   const glass = glassOf([operation], program);
@@ -96,7 +110,7 @@ function describeDraw(operation: DrawOperation, program: Program): string {
     `${id}: draws objects ${target === 'screen' ? 'onto the screen' : `into ${target}`}`,
     ...(shadowMaps === null ? [] : [`with ${shadowMaps}`]),
     ...(occlusion === null ? [] : [`hidden where ${occlusion.roomDepth} is nearer (${occlusion.node})`]),
-    ...(under && glass ? [`${GLASS_IN_WORDS[glass]} before ${under.resource}`] : []),
+    ...(under && glass ? [`${glass === 'certain' ? 'glass' : 'glass, if a model has any,'} before ${under.resource}`] : []),
   ];
   return `${parts.join(', ')} (${type})`;
 }
@@ -122,10 +136,11 @@ function behindGlass(program: Program, reference: ReferenceSize): string[] {
   const draws = operations.filter((operation): operation is DrawOperation => operation.kind === 'draw');
   const glass = glassOf(draws, program);
   if (glass === null) return [];
-  const formats = new Set(
-    draws.map(({ target }) => resources.find((r) => r.kind === 'target' && r.id === target && r.format === 'scene16f')),
+  // One image for each encoding.
+  const inScene = new Set(
+    draws.map(({ target }) => resources.some((r) => r.kind === 'target' && r.id === target && r.format === 'scene16f')),
   );
-  const bytes = [...formats].reduce((sum, scene) => sum + behindGlassBytes(scene !== undefined, reference), 0);
+  const bytes = [...inScene].reduce((sum, scene) => sum + behindGlassBytes(scene, reference), 0);
   const when = glass === 'certain' ? 'While glass is in view' : 'If a model has glass, while it is in view';
   return [`  ${when}: its objects are drawn once more, into an image of what is behind it, ${inMebibytes(bytes)}.`];
 }

@@ -18,6 +18,8 @@ export interface FlatGraph {
 export interface FlatNode {
   readonly id: string;
   readonly definition: NodeDefinition;
+  /** Whether its passes keep shaders of their own. */
+  readonly unfused: boolean;
   /** Connected ports and params with their sources, in order. */
   readonly inputs: ReadonlyMap<string, readonly Source[]>;
   /** Bindings of the node, overridden by those of the subgraph's instance. */

@@ -33,7 +33,8 @@ export function targetSize(target: Target, { slots }: Program, { widthPx, height
   return { widthPx: pixels(target.size.width), heightPx: pixels(target.size.height) };
 }
 
-const BYTES_PER_PIXEL: Readonly<Record<Target['format'], number>> = { rgba8: 4, scene16f: 8, rgba16f: 8, rgba32f: 16, r32f: 4 };
+/** Bytes of a pixel of a target, by its format. */
+export const BYTES_PER_PIXEL: Readonly<Record<Target['format'], number>> = { rgba8: 4, scene16f: 8, rgba16f: 8, rgba32f: 16, r32f: 4 };
 const DEPTH_BYTES_PER_PIXEL = 4;
 
 /**

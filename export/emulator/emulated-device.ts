@@ -1,4 +1,4 @@
-import { metaQuest3, P_DEVICE, XRDevice, type XRDeviceConfig, type XRInputSource } from 'iwer';
+import { metaQuest3, P_DEVICE, P_GAMEPAD, XRDevice, type XRDeviceConfig, type XRInputSource } from 'iwer';
 import { createScreenInput, type ScreenInput } from './input/screen-input.ts';
 import { DEVICE_PROFILES, type DeviceName } from './profiles.ts';
 
@@ -28,10 +28,22 @@ export class EmulatedDevice extends XRDevice {
       { fovy: fovYRad, ipd: ipdM, visibilityMask: null },
     );
     this.screenInput = createScreenInput(this[P_DEVICE].viewerSpace);
+    for (const controller of Object.values(this.controllers)) if (controller) fillPlaceholderAxes(controller.inputSource);
   }
 
   override get inputSources(): XRInputSource[] {
     // Undefined while the constructor of the base class runs.
     return [...super.inputSources, ...(this.screenInput?.sources() ?? [])];
   }
+}
+
+/** Name of an axis that is always 0. */
+const PLACEHOLDER = 'placeholder';
+
+/** Axes that a controller does not have are 0 (WebXR Gamepads §3.3); iwer gives null. */
+function fillPlaceholderAxes({ gamepad }: XRInputSource): void {
+  const state = gamepad?.[P_GAMEPAD];
+  if (!state) return;
+  state.axesMap[PLACEHOLDER] = { x: 0, y: 0 };
+  state.axesResolvers = state.axesResolvers.map((resolver) => resolver ?? { axisId: PLACEHOLDER, isY: false });
 }

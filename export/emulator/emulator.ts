@@ -10,6 +10,8 @@ export interface Emulator {
   readonly device: XRDevice;
   /** Sets the pose of the head from the next frame on. */
   setPose(pose: HeadPose): void;
+  /** Pose of the first view in the room in the last frame, column-major 4×4; null before the first. Drift does not affect it. */
+  viewPose(): Float32Array | null;
   /** Sets the vertical field of view, in radians. */
   setFovY(fovYRad: number): void;
   /** Rotates the device or resizes its window: layers have this size from the next frame on, as in Chrome on Android. */

@@ -87,6 +87,7 @@ export function installEmulator(options: EmulatorOptions = {}): Emulator {
   return {
     device,
     setPose: (pose) => setPose(device, pose),
+    viewPose: () => world.session?.[P_EMULATED].eyes[0]?.worldFromView ?? null,
     setFovY: (fovYRad) => {
       device.fovy = fovYRad;
     },

@@ -17,6 +17,10 @@ export interface GltfDocument {
 export interface GltfNode {
   readonly children?: readonly number[];
   readonly mesh?: number;
+  readonly matrix?: readonly number[];
+  readonly translation?: readonly number[];
+  readonly rotation?: readonly number[];
+  readonly scale?: readonly number[];
 }
 
 export interface GltfMesh {

@@ -56,6 +56,8 @@ export interface GraphNode {
   readonly params: Readonly<Record<string, Binding>>;
   /** Whether the node is bypassed: its first layer passes through. */
   readonly muted?: boolean;
+  /** Whether the node's passes keep shaders of their own (docs/adr/0043). */
+  readonly unfused?: boolean;
 }
 
 /** Source of a param's value. `port` holds the value while the port is not connected. */

@@ -43,11 +43,12 @@ function saveGraph({ nodes, wires, exposed }: Graph): PrintableJson {
   };
 }
 
-function saveNode({ type, version, muted, params }: GraphNode): PrintableJson {
+function saveNode({ type, version, muted, unfused, params }: GraphNode): PrintableJson {
   return {
     type,
     version,
     ...(muted === true && { muted }),
+    ...(unfused === true && { unfused }),
     ...(Object.keys(params).length > 0 && { params: mapSorted(params, saveBinding) }),
   };
 }

@@ -17,8 +17,8 @@ export interface MountOptions {
   /** The element that contains labels; null if the program has none. */
   readonly overlay: HTMLElement | null;
   readonly assets: AssetSource;
-  /** Creates the panel for sessions that hide the page; null without controls. */
-  readonly createPanel: ((gl: WebGL2RenderingContext) => RoomPanel) | null;
+  /** Creates the panel for sessions that hide the page. Returns null without controls. */
+  readonly createPanel: (gl: WebGL2RenderingContext) => RoomPanel | null;
   /** What may draw instead of the program for a time, such as the step that takes a panorama; null for none. */
   readonly interlude: Interlude | null;
   /** Creates the first session for the context of the canvas. */
@@ -42,6 +42,8 @@ export interface Mounted {
   readonly player: Player;
   /** Ends the current session and starts another one; null starts none. */
   play(session: Session | null): Promise<void>;
+  /** Shows a panel in the room instead of that with the controls until the session ends, and disposes it then; null removes it. */
+  cover(panel: RoomPanel | null): void;
   dispose(): Promise<void>;
 }
 
@@ -62,12 +64,18 @@ export function mount(canvas: HTMLCanvasElement, options: MountOptions): Mounted
   const player = createPlayer({ ...options, gl, canvas, seed: 1 });
   let playing: Session | null = null;
   let panel: RoomPanel | null = null;
+  let covering: RoomPanel | null = null;
 
+  const cover = (next: RoomPanel | null) => {
+    covering?.dispose();
+    covering = next;
+  };
   const lost = (event: Event) => {
     // Without it, the browser does not restore the context.
     event.preventDefault();
     player.contextLost();
     panel?.contextLost();
+    covering?.contextLost();
     options.interlude?.contextLost();
     options.onContext('lost');
   };
@@ -84,19 +92,25 @@ export function mount(canvas: HTMLCanvasElement, options: MountOptions): Mounted
     // Another session was set while this one was waiting for its predecessor to end.
     if (playing !== session) return void session?.end();
     player.setSession(session);
-    const shown = session?.hidesPage === true ? (options.createPanel?.(gl) ?? null) : null;
+    const shown = session?.hidesPage === true ? options.createPanel(gl) : null;
     panel = shown;
     const draw = (frame: SessionFrame) => {
-      const passed = shown?.take(frame) ?? frame;
+      const top = covering ?? shown;
+      const passed = top?.take(frame) ?? frame;
       options.interlude?.frame(passed);
-      if (options.interlude?.covers !== true) player.draw(passed);
-      shown?.draw(frame);
+      // Headsets need every frame, and a canvas that others draw to does not keep the image.
+      const keepsImage = frame.framebuffer === null && top === null && options.interlude === null;
+      if (keepsImage) player.drawChanges(passed);
+      else if (options.interlude?.covers !== true) player.draw(passed);
+      // A press may have removed the covering panel in this frame.
+      (covering ?? shown)?.draw(frame);
     };
     session?.start(draw, (event) => {
       if (event.kind === 'reset') player.reset(event.cause);
-      if (event.kind === 'reset' || event.kind === 'recentered') shown?.reset();
+      if (event.kind === 'reset' || event.kind === 'recentered') for (const each of [shown, covering]) each?.reset();
       if (event.kind === 'ended') {
         shown?.dispose();
+        cover(null);
         if (playing === session) playing = null;
         if (panel === shown) panel = null;
       }
@@ -109,6 +123,7 @@ export function mount(canvas: HTMLCanvasElement, options: MountOptions): Mounted
     gl,
     player,
     play,
+    cover,
     dispose: async () => {
       await play(null);
       canvas.removeEventListener('webglcontextlost', lost);

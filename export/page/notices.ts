@@ -5,6 +5,8 @@ export interface Notice {
   readonly text: string;
   /** Urgency of the notice. Screen readers announce a `problem` immediately and a `hint` when they are idle. */
   readonly tone: 'problem' | 'hint';
+  /** A button after the text. */
+  readonly action?: HTMLElement;
 }
 
 /** Short messages above the page, one per topic: a new message replaces the previous one of its topic. */
@@ -25,7 +27,7 @@ export function createNotices(document: Document): Notices {
   };
   return {
     element: element(document, 'div', { className: 'notices' }, problems, hints),
-    show: (topic, { text, tone }) => {
+    show: (topic, { text, tone, action }) => {
       if (shown.get(topic)?.dataset.text === text) return;
       clear(topic);
       const dismiss = element(document, 'button', {
@@ -33,7 +35,14 @@ export function createNotices(document: Document): Notices {
         attributes: { type: 'button', 'aria-label': 'Dismiss' },
         onClick: () => clear(topic),
       });
-      const notice = element(document, 'div', { className: `notice ${tone}` }, element(document, 'p', {}, text), dismiss);
+      const notice = element(
+        document,
+        'div',
+        { className: `notice ${tone}` },
+        element(document, 'p', {}, text),
+        ...(action ? [action] : []),
+        dismiss,
+      );
       notice.dataset.text = text;
       shown.set(topic, notice);
       (tone === 'problem' ? problems : hints).append(notice);

@@ -1,4 +1,3 @@
-import type { Capability } from '../../nodes/kit/definition.ts';
 import type { Result } from '../../nodes/kit/diagnostics.ts';
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
 import type { Session, SessionEvent } from '../../nodes/kit/session.ts';
@@ -6,12 +5,10 @@ import type { Program } from '../program/program.ts';
 import type { AssetSource } from '../runtime/assets/asset-source.ts';
 import { createBrowserClock } from '../runtime/clock.ts';
 import type { CreateSceneBackend } from '../runtime/scene-backend.ts';
-import type { CreateLens } from '../runtime/sessions/camera/lens.ts';
-import { requestCameraSession } from '../runtime/sessions/camera/request-camera.ts';
 import type { SessionInputs } from '../runtime/sessions/input/session-inputs.ts';
 import { createOrbitSession } from '../runtime/sessions/orbit/orbit-session.ts';
-import { requestWebXrSession } from '../runtime/sessions/webxr/request-session.ts';
 import type { CreateSpatial } from '../runtime/spatial/spatial.ts';
+import type { EnteredSessions } from './entered-sessions.ts';
 import { type Mounted, type MountOptions, mount } from './mount.ts';
 import { showDiagnostics } from './notices.ts';
 import type { PageRoot } from './page-root.ts';
@@ -24,7 +21,6 @@ export interface PageControllerOptions {
   readonly createScenes: CreateSceneBackend | null;
   readonly createSpatial: CreateSpatial | null;
   readonly inputs: SessionInputs | null;
-  readonly createLens: CreateLens | null;
   readonly createPanel: MountOptions['createPanel'];
   readonly overlay: MountOptions['overlay'];
   /** Creates the step that takes a panorama of the room; null if the program uses none. */
@@ -41,7 +37,14 @@ export interface PageController {
   /** Resolves when the first frame can be drawn. */
   readonly ready: Promise<void>;
   readonly isReady: boolean;
-  /** Enters a session mode. Call it from a click handler. On failure it shows the reason and the fallbacks and keeps the orbit view. */
+  /**
+   * Sets the sessions that can be entered, and offers them.
+   *
+   * @param loaded Null if they could not be loaded or this device has none.
+   * @param reason Why no better mode is offered, as text for visitors, or null.
+   */
+  offer(loaded: EnteredSessions | null, reason: string | null): void;
+  /** Enters a session mode that was offered. Call it from a click handler. On failure it shows the reason and the fallbacks and keeps the orbit view. */
   enter(mode: SessionMode): Promise<void>;
   lookAround(): Promise<void>;
   /** Sets the param of a control, also after the player is set up again. */
@@ -60,7 +63,9 @@ export function createPageController({ page, root, program, modes, createPanoram
   /** Mode of the current WebXR session. */
   let immersive: 'ar' | 'vr' = 'ar';
   let { offers } = modes;
-  const offer = () => panel.show({ kind: 'ready', offers, reason: modes.noAr });
+  let sessions: EnteredSessions | null = null;
+  let noBetter = modes.noAr;
+  const offer = () => panel.show({ kind: 'ready', offers: sessions ? offers : [], reason: noBetter });
   const { around } = program.presentation;
   const orbit = (gl: WebGL2RenderingContext) =>
     createOrbitSession({ gl, canvas, clock, inputs: parts.inputs, ...(around && { start: around }) });
@@ -81,9 +86,9 @@ export function createPageController({ page, root, program, modes, createPanoram
     onSessionEvent: (event, session) => {
       switch (session.kind) {
         case 'webxr':
-          return onEvent(immersive, event);
+          return sessions ? onEvent(immersive, event, session, sessions) : undefined;
         case 'camera':
-          return onEvent('camera', event);
+          return sessions ? onEvent('camera', event, session, sessions) : undefined;
         case 'orbit':
         case 'recorded':
           if (event.kind === 'problem') notices.show('session', { text: event.message, tone: 'problem' });
@@ -100,32 +105,35 @@ export function createPageController({ page, root, program, modes, createPanoram
   step = createPanorama?.({ page, root, program, modules: parts.modules, gl: mounted.gl, setPanorama: mounted.player.setPanorama }) ?? null;
   const lookAround = () => mounted.play(orbit(mounted.gl));
 
-  const onEvent = (mode: SessionMode, event: SessionEvent) => {
+  const onEvent = (mode: SessionMode, event: SessionEvent, { hidesPage = false }: Session, { texts, offerRoomScan }: EnteredSessions) => {
     switch (event.kind) {
       case 'ended':
-        for (const topic of ['tracking', 'missing', 'hint', ...Object.keys(SILENT)]) notices.clear(topic);
+        for (const topic of ['tracking', 'missing', 'hint', 'room', ...Object.keys(texts.silent)]) notices.clear(topic);
         step?.end();
         offer();
         root.setMode(null);
         if (event.by === 'page') return;
-        notices.show('ended', { text: ENDED[mode], tone: 'hint' });
+        notices.show('ended', { text: texts.ended[mode], tone: 'hint' });
         void lookAround();
         return;
       case 'tracking':
         step?.setTracked(event.tracked);
         if (event.tracked) notices.clear('tracking');
-        else notices.show('tracking', { text: UNTRACKED[mode], tone: 'hint' });
+        else notices.show('tracking', { text: texts.untracked[mode], tone: 'hint' });
         // The hint says to turn the device.
         if (mode === 'camera' && !event.tracked) notices.clear('hint');
         return;
       case 'sensing': {
-        const text = SILENT[event.capability];
+        const text = texts.silent[event.capability];
         if (event.working) notices.clear(event.capability);
         else if (text !== undefined) notices.show(event.capability, { text, tone: 'hint' });
         return;
       }
       case 'problem':
         notices.show('session', { text: event.message, tone: 'problem' });
+        return;
+      case 'room-unknown':
+        offerRoomScan?.({ document: page.document, notices, mounted, hidesPage, capture: event.capture });
         return;
       case 'visibility':
       case 'reset':
@@ -135,14 +143,17 @@ export function createPageController({ page, root, program, modes, createPanoram
         event satisfies never;
     }
   };
-  const request = (mode: SessionMode): Promise<Result<Session>> => {
+  const request = (
+    mode: SessionMode,
+    { requestCamera, requestWebXr, createLens, inputs: ofPanel }: EnteredSessions,
+  ): Promise<Result<Session>> => {
     const { gl } = mounted;
-    if (mode === 'camera') {
-      const { inputs, createLens } = parts;
-      return requestCameraSession({ window: page, media: page.navigator.mediaDevices, gl, canvas, clock, inputs, createLens });
+    const { inputs } = parts;
+    if (mode === 'camera' && requestCamera) {
+      return requestCamera({ window: page, media: page.navigator.mediaDevices, gl, canvas, clock, inputs, createLens });
     }
-    return requestWebXrSession({
-      inputs: parts.inputs,
+    return requestWebXr({
+      inputs: inputs ?? ofPanel,
       mode: mode === 'vr' ? 'immersive-vr' : 'immersive-ar',
       xr: page.navigator.xr,
       gl,
@@ -160,10 +171,17 @@ export function createPageController({ page, root, program, modes, createPanoram
     get isReady() {
       return isReady;
     },
+    offer: (loaded, reason) => {
+      sessions = loaded;
+      noBetter = reason;
+      offer();
+    },
     enter: async (mode) => {
+      if (sessions === null) return;
+      const { texts } = sessions;
       panel.show({ kind: 'entering', mode });
       for (const topic of ['ended', 'session']) notices.clear(topic);
-      const { output, diagnostics } = await request(mode);
+      const { output, diagnostics } = await request(mode, sessions);
       showDiagnostics(notices, 'missing', diagnostics);
       if (output === null) {
         // Offers the fallbacks and another attempt.
@@ -174,7 +192,7 @@ export function createPageController({ page, root, program, modes, createPanoram
       }
       if (mode !== 'camera') immersive = mode;
       root.setMode(mode);
-      if (mode === 'camera') notices.show('hint', { text: CAMERA_HINT, tone: 'hint' });
+      if (mode === 'camera') notices.show('hint', { text: texts.cameraHint, tone: 'hint' });
       if (mode !== 'vr') await step?.begin(output);
       await mounted.play(output);
     },
@@ -185,24 +203,5 @@ export function createPageController({ page, root, program, modes, createPanoram
   };
 }
 
-const ENDED: Readonly<Record<SessionMode, string>> = {
-  ar: 'AR has ended. You can enter it again.',
-  camera: 'The camera stopped. Close other apps that use it, then try again.',
-  vr: 'VR has ended. You can enter it again.',
-};
-
-const UNTRACKED: Readonly<Record<SessionMode, string>> = {
-  ar: 'Looking for the room: move slowly, with enough light.',
-  camera: 'This device has no motion sensor. Drag to look around.',
-  vr: 'The headset lost tracking. Look around slowly, with enough light.',
-};
-
-/** Notice for each feature that was granted but currently delivers no data. */
-const SILENT: Readonly<Partial<Record<Capability, string>>> = {
-  depth: 'The device measures no depth at the moment, so real objects hide nothing. Move it slowly from side to side.',
-  'light-estimation': 'The device does not measure the light of the room at the moment. Default light is used.',
-};
-
-const CAMERA_HINT = 'Turn the device to look around. Drag up or down until objects stand on the floor. Pinch or scroll to zoom.';
 const CONTEXT_LOST = 'Graphics were interrupted. If they do not return, reload the page.';
 const SHADERS_BROKEN = 'Part of this page cannot be drawn on this device. Try another browser or device.';

@@ -3,11 +3,11 @@ import { type Program, readProgram } from '../program/program.ts';
 import { type AssetSource, createFetchAssetSource } from '../runtime/assets/asset-source.ts';
 import type { CreateSceneBackend } from '../runtime/scene-backend.ts';
 import type { DecoderFiles } from '../runtime/scenes/models/decoders/decoder.ts';
-import type { CreateLens } from '../runtime/sessions/camera/lens.ts';
 import type { SessionInputs } from '../runtime/sessions/input/session-inputs.ts';
 import type { CreateSpatial, KeptAnchors } from '../runtime/spatial/spatial.ts';
 import { createControlValues } from './control-values.ts';
 import { createEmbeddedAssetSource, hasEmbeddedFiles } from './embedded-files.ts';
+import type { EnteredSessions } from './entered-sessions.ts';
 import type { CreateLabelLayer } from './label-layer.ts';
 import { countingFetch } from './load-progress.ts';
 import { browserFetch } from './network.ts';
@@ -15,7 +15,6 @@ import { createPageController, type PageController } from './page-controller.ts'
 import { CONFIG_ID, type PageConfig } from './page-html.ts';
 import { createPageRoot } from './page-root.ts';
 import type { CreatePagePanorama } from './panorama-step/page-panorama.ts';
-import type { CreateRoomPanel } from './room-panel/room-panel.ts';
 import { findSessionModes, lacksOf } from './session-modes.ts';
 
 /** Parts that the page's own script supplies: the runtimes of its nodes, and optional modules. */
@@ -25,17 +24,12 @@ export interface PageParts {
   readonly createSpatial: CreateSpatial | null;
   /** Functions by which sessions read input; null if the program reads no input. */
   readonly inputs: SessionInputs | null;
-  /** Creates the panel with the controls in the room; null if there are no controls. */
-  readonly createRoomPanel: CreateRoomPanel | null;
   /** Creates the element that contains labels; null if there are no labels. */
   readonly createLabelLayer: CreateLabelLayer | null;
-  /**
-   * Creates the estimation of the camera's field of view; null if the program draws no objects, because only objects must keep their place
-   * in the camera image.
-   */
-  readonly createLens: CreateLens | null;
   /** Creates the step that takes a panorama of the room; null if the program uses none. */
   readonly createPanorama: CreatePagePanorama | null;
+  /** Loads the sessions that a visitor enters from the path of their script, or returns those of the page's own script. */
+  readonly loadSessions: (path: string) => Promise<EnteredSessions>;
 }
 
 /** Runs an exported page: loads the program, starts the orbit view and offers the available session modes. */
@@ -64,8 +58,8 @@ export async function startPage(page: Window, parts: PageParts): Promise<void> {
     const program = await loadProgram(files, config.program);
     const modes = await found;
     const createScenes = parts.createScenes?.((file) => files.load(config.decoders[file] ?? file)) ?? null;
-    const { modules, createSpatial, inputs, createRoomPanel, createLens, createPanorama } = parts;
-    const createPanel = createRoomPanel && ((gl: WebGL2RenderingContext) => createRoomPanel({ gl, document, title: config.title, values }));
+    const { modules, createSpatial, inputs, createPanorama } = parts;
+    let sessions: EnteredSessions | null = null;
     controller = createPageController({
       page,
       root,
@@ -76,14 +70,15 @@ export async function startPage(page: Window, parts: PageParts): Promise<void> {
       createScenes,
       createSpatial: createSpatial && ((given) => createSpatial({ ...given, keptAnchors: keptAnchorsOf(page) })),
       inputs,
-      createLens,
-      createPanel,
+      createPanel: (gl) => sessions?.createRoomPanel?.({ gl, document, title: config.title, values }) ?? null,
       createPanorama,
       overlay: parts.createLabelLayer?.(root) ?? null,
     });
     await controller.ready;
-    panel.show({ kind: 'ready', offers: modes.offers, reason: modes.noAr });
     root.showCanvas();
+    // After the first image, which needs none of them. A device with no session to enter does not load them.
+    if (modes.fallbacks.length > 0) sessions = await parts.loadSessions(config.sessions ?? '').catch(() => null);
+    controller.offer(sessions, sessions === null && modes.fallbacks.length > 0 ? NOT_LOADED : modes.noAr);
   } catch (error) {
     panel.show({ kind: 'failed', reason: error instanceof Error ? error.message : String(error) });
   }
@@ -95,6 +90,8 @@ function readConfig(document: Document): PageConfig {
   if (!text) throw new Error(`The page has no #${CONFIG_ID}.`);
   return JSON.parse(text) as PageConfig;
 }
+
+const NOT_LOADED = 'The page did not load completely, so AR and the camera are missing. Check the connection, then reload the page.';
 
 async function loadProgram(files: AssetSource, path: string): Promise<Program> {
   const bytes = await files.load(path).catch(() => {

@@ -172,10 +172,7 @@ export interface TargetSize {
   readonly height: SizeExpression;
 }
 
-/**
- * Postfix code over the base's `$WIDTH` and `$HEIGHT`, constants and slots, so that the runtime needs no parser. `nodes/kit/arithmetic.ts`
- * defines the operations.
- */
+/** Postfix code over the base's `$WIDTH` and `$HEIGHT`, constants and slots. `nodes/kit/arithmetic.ts` defines the operations. */
 export type SizeExpression = readonly (number | SizeToken)[];
 export type SizeToken = { readonly slot: number } | { readonly op: 'width' | 'height' | ArithmeticOperation };
 
@@ -240,7 +237,7 @@ export type InputRef =
 
 export type OutputRef = InputRef;
 
-/** Draws objects to a target or to the session's framebuffer. */
+/** Draws objects to a target or to the session's framebuffer; with `ownDrawing` by the node's own GL program, without three.js. */
 export interface DrawOperation extends NodeOperation {
   readonly kind: 'draw';
   readonly view: 'each';
@@ -252,13 +249,11 @@ export interface DrawOperation extends NodeOperation {
   readonly under?: DrawUnder | null;
   /** Whether techniques of its objects read what is behind them. Models may contain glass without it. */
   readonly glass?: true;
+  readonly ownDrawing?: true;
 }
 export type DrawUnder = { readonly resource: ResourceId; readonly fit: PassSampler['fit']; readonly encoding: LayerEncoding };
 
-/**
- * Sends a texture to a worker and draws the result of an earlier frame, or the texture itself if there is no result. Both are targets of
- * the same size.
- */
+/** Sends a texture to a worker and draws the result of an earlier frame, else the texture itself. Both targets have the same size. */
 export interface CpuOperation extends NodeOperation {
   readonly kind: 'cpu';
   readonly picture: ResourceId;
@@ -291,8 +286,12 @@ export interface PassOperation extends OperationBase {
   readonly uniforms: readonly PassUniform[];
   /** ISF `PASSINDEX`. */
   readonly passIndex: number;
-  /** How it reads its inputs, from the cheapest. Informative: the runtime does not use it. */
+  /** How it reads its inputs, from the cheapest. Informative, like `nodes`: the runtime does not use it. */
   readonly access?: 'pointwise' | 'displaced' | 'neighborhood' | 'persistent' | 'resize';
+  /** Present if it only copies the image of its sampler. */
+  readonly copies?: true;
+  /** The nodes whose passes are fused in it, in drawing order; absent if it is a pass of `node` alone. */
+  readonly nodes?: readonly string[];
 }
 
 export interface PassSampler {

@@ -74,7 +74,7 @@ export function createEngine(options: EngineOptions): Engine {
   let backend: SceneBackend | null = null;
   const scenes = (): SceneBackend => {
     if (!options.createScenes) throw new Error('The program draws objects, but the page was made without three.js.');
-    backend ??= options.createScenes({ gl, canvas });
+    backend ??= options.createScenes({ gl, canvas, delay: options.held ? null : clock.delay });
     return backend;
   };
   const spatial = (): Spatial => {
@@ -149,9 +149,13 @@ export function createEngine(options: EngineOptions): Engine {
         },
         openHitTest: (hitTest) => spatial().openHitTest(hitTest),
         castRay: (worldFromRay, out, sources) => spatial().castRay(worldFromRay, out, sources),
+        answerRays: (by) => spatial().answerRays(by),
         depthImage: (viewIndex) => spatial().depthImage(viewIndex),
         get anchors() {
           return spatial().anchors;
+        },
+        get keptFiles() {
+          return spatial().keptFiles;
         },
       },
       assets,

@@ -85,6 +85,11 @@ export interface Player {
   /** Draws all views of a frame into its framebuffer. */
   draw(frame: SessionFrame): void;
   /**
+   * Draws a frame like `draw`, but draws nothing if it would look like the last one. For frames on a canvas that nothing else draws to: it
+   * keeps showing what was drawn last.
+   */
+  drawChanges(frame: SessionFrame): void;
+  /**
    * For a held player, and sessions whose frames last until the next: waits for everything that the frame shows, such as the seek of
    * a video, then draws. Resolves when the frame is drawn.
    */
@@ -210,6 +215,14 @@ export function createPlayer(options: PlayerOptions): Player {
     loopGuard?.dispose();
     engine.dispose();
   };
+  /** Updates the nodes for a frame. Returns null if nothing can be drawn. */
+  const enter = (frame: SessionFrame): ProgramInstance | null => {
+    if (!live || !instance || preparing) return null;
+    state.frame = frame;
+    spatial?.enterFrame(frame);
+    instance.update();
+    return instance;
+  };
   const forget = (): void => {
     if (retained) disposeNodeInstances(retained.instances);
     retained = null;
@@ -226,19 +239,11 @@ export function createPlayer(options: PlayerOptions): Player {
     setPanorama: (panorama) => {
       state.panorama = panorama;
     },
-    draw: (frame) => {
-      if (!live || !instance || preparing) return;
-      state.frame = frame;
-      spatial?.enterFrame(frame);
-      instance.update();
-      instance.draw(session);
-    },
+    draw: (frame) => enter(frame)?.draw(session),
+    drawChanges: (frame) => enter(frame)?.drawChanges(session),
     drawSettled: async (frame) => {
-      if (!live || !instance || preparing) return;
-      const current = instance;
-      state.frame = frame;
-      spatial?.enterFrame(frame);
-      current.update();
+      const current = enter(frame);
+      if (current === null) return;
       await Promise.all([current.settle(), spatial?.settle()]);
       // Meanwhile the context may be lost, or another program may play.
       if (live && instance === current) current.draw(session);

@@ -1,4 +1,4 @@
-import type { EnvironmentAsset, ModelAsset } from '../../nodes/kit/assets.ts';
+import type { DerivedEnvironment, EnvironmentAsset, ModelAsset } from '../../nodes/kit/assets.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { PanoramaPixels } from '../../nodes/kit/panorama/pixels.ts';
 import type { SceneService, UnderLayer } from '../../nodes/kit/runtime.ts';
@@ -6,6 +6,7 @@ import type { LightList, ObjectList, RoomDepthOutput } from '../../nodes/kit/sce
 import type { ViewFrame } from '../../nodes/kit/session.ts';
 import type { NumberView } from '../../nodes/kit/value-views.ts';
 import type { DrawOperation, Program } from '../program/program.ts';
+import type { FrameClock } from './clock.ts';
 import type { LiveResources } from './resources/resources.ts';
 import type { CreateNearestDepth } from './targets/nearest-depth.ts';
 
@@ -21,6 +22,8 @@ export type CreateSceneBackend = (host: SceneHost) => SceneBackend;
 export interface SceneHost {
   readonly gl: WebGL2RenderingContext;
   readonly canvas: HTMLCanvasElement | OffscreenCanvas;
+  /** Waits while large panoramas are uploaded and filtered over several frames. Absent or null: they are at once, as in renders. */
+  readonly delay?: FrameClock['delay'] | null;
 }
 
 export interface SceneBackend {
@@ -40,7 +43,7 @@ export interface SceneBackend {
    */
   loadEnvironment(bytes: ArrayBuffer, lamps?: EnvironmentAsset['lamps']): Promise<LoadedEnvironment>;
   /** Creates a panorama from pixels: implements `AssetService.createEnvironment`. */
-  createEnvironment(pixels: PanoramaPixels): LoadedEnvironment;
+  createEnvironment(pixels: PanoramaPixels, lamps?: EnvironmentAsset['lamps']): LoadedEnvironment;
   /**
    * Creates what computes the nearest depth of multisampled targets. The backend has it, because only scenes draw such depth, and other
    * pages do not bundle it.
@@ -71,10 +74,9 @@ export interface LoadedModel extends ModelAsset {
 
 export type ModelFinding = Pick<Diagnostic, 'code' | 'severity' | 'message' | 'fix'>;
 
-export interface LoadedEnvironment extends EnvironmentAsset {
+export interface LoadedEnvironment extends DerivedEnvironment {
   /** Diagnostics about the file, reported at the nodes that use it; absent if there are none. */
   readonly findings?: readonly ModelFinding[];
-  dispose(): void;
 }
 
 /** What the scenes of one drawing operation need from the player. It is set before the first draw and read in every draw. */

@@ -12,6 +12,7 @@ export const ASSET_WORDS: Readonly<Record<AssetKind, string>> = {
   video: 'video',
   audio: 'sound',
   environment: 'panorama',
+  capture: 'capture',
 };
 
 /**

@@ -1,4 +1,5 @@
 import type { AnimationClip, Object3D, Texture } from 'three';
+import type { CaptureAsset } from './capture-asset.ts';
 import type { AssetKind } from './definition.ts';
 import type { FoundLamps } from './panorama/found-lamps.ts';
 import type { LampOptions } from './panorama/lamp-options.ts';
@@ -19,13 +20,15 @@ export interface AssetService {
   environment(id: string): AssetHandle<EnvironmentAsset>;
   video(id: string): AssetHandle<VideoAsset>;
   audio(id: string): AssetHandle<AudioAsset>;
+  capture(id: string): AssetHandle<CaptureAsset>;
   /**
    * Creates a panorama that is not a file, filtered for lighting.
    *
-   * @param pixels Bytes with four channels, rows from the top. They are not copied.
+   * @param pixels Bytes or half floats with four channels. They are not copied.
+   * @param lamps Lamps that were found in it when the page was exported.
    * @returns The caller disposes it.
    */
-  createEnvironment(pixels: PanoramaPixels): DerivedEnvironment;
+  createEnvironment(pixels: PanoramaPixels, lamps?: EnvironmentAsset['lamps']): DerivedEnvironment;
 }
 
 /** One node's reference to a shared asset. The node must release each of its handles in its `dispose`. */
@@ -81,6 +84,11 @@ export interface EnvironmentAsset {
 
 /** A panorama that a node has created or derived from another. */
 export interface DerivedEnvironment extends EnvironmentAsset {
+  /**
+   * Whether it can be drawn. A large panorama is uploaded and filtered over several frames; nodes output it from then on. While the clock is
+   * held it is ready at once.
+   */
+  readonly ready: boolean;
   dispose(): void;
 }
 
@@ -101,6 +109,8 @@ export interface VideoAsset {
 export interface VideoPlayback {
   /** The newest decoded frame; null before the first. */
   readonly image: ImageAsset | null;
+  /** Increases with every decoded frame. */
+  readonly version: number;
   /**
    * Requests the frame at a position. Call it every frame.
    *

@@ -244,7 +244,7 @@ export interface AssetParam extends ParamBase {
 }
 
 /** The kinds of files in the asset table. */
-export const ASSET_KINDS = ['image', 'model', 'video', 'audio', 'environment'] as const;
+export const ASSET_KINDS = ['image', 'model', 'video', 'audio', 'environment', 'capture'] as const;
 
 /** The kind of a file in the asset table. */
 export type AssetKind = (typeof ASSET_KINDS)[number];
@@ -279,8 +279,8 @@ export type Lowering =
     }
   /** Pixels of one layer, changed on the CPU in a worker (`worker.ts` of the node); the output is one frame late (ADR 21). */
   | { readonly kind: 'cpu' }
-  /** Creates, arranges or draws objects and lights (three.js). It draws if it has a layer output. */
-  | { readonly kind: 'geometry'; readonly shadowMap?: ShadowMapUse }
+  /** Creates, arranges or draws objects and lights. It draws if it has a layer output: by three.js, or (`ownDrawing`) by its own program. */
+  | { readonly kind: 'geometry'; readonly shadowMap?: ShadowMapUse; readonly ownDrawing?: true }
   /** A custom material from a technique file. `shader` is its name in the library or the project. */
   | { readonly kind: 'technique'; readonly shader: string }
   /** A function of values, evaluated on the CPU once per frame. */

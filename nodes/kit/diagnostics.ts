@@ -49,6 +49,7 @@ export const DIAGNOSTICS = {
   SCR025: 'The device does not support the shadow settings',
   SCR026: 'The project has too many nodes',
   SCR027: 'The graph has several nodes of a type of which it may have one',
+  SCR076: 'A kind of device lacks what a node requires',
   SCR028: 'The panorama has no lamps',
   SCR029: 'Pixels of the panorama are invalid',
   // Assets
@@ -62,6 +63,8 @@ export const DIAGNOSTICS = {
   SCR037: 'A body has the shape of a box instead of its object',
   SCR038: 'A body belongs to no physics world',
   SCR039: 'The panorama has an unusual shape',
+  SCR068: 'The shots of a panorama do not fit together',
+  SCR069: 'The photographs of a capture, or their cameras, are invalid',
   // Shaders
   SCR040: 'The shader header is invalid',
   SCR041: 'The shader has a syntax error',
@@ -81,7 +84,7 @@ export const DIAGNOSTICS = {
   SCR054: 'The session folder is invalid',
   SCR055: 'A feature is not available; the project plays without it',
   SCR056: 'A node received more pulses in one frame than it can pass on',
-  SCR057: 'The device does not keep an anchor over visits',
+  SCR057: 'The device does not keep an anchor or the room over visits',
   SCR058: 'The worker of the physics world ended',
   SCR059: 'A text cannot be drawn completely',
   // Files and export

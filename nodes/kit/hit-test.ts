@@ -4,10 +4,10 @@
  */
 
 /**
- * The source of a hit: the device's own hit test, a detected plane, a detected mesh, room depth, or the floor at y = 0. The sources are
- * asked in this order, and the first that has a hit answers.
+ * The source of a hit: the device's own hit test, a detected plane, a detected mesh, room depth, the voxels of a physics room, or the floor
+ * at y = 0. The sources are asked in this order, and the first that has a hit answers.
  */
-export type HitSource = 'session' | 'plane' | 'mesh' | 'depth' | 'floor';
+export type HitSource = 'session' | 'plane' | 'mesh' | 'depth' | 'voxels' | 'floor';
 
 /** A ray as six numbers, in a space that its user defines; the direction may have any length. Such objects are reused: do not keep one. */
 export interface Ray {
@@ -17,6 +17,26 @@ export interface Ray {
   dx: number;
   dy: number;
   dz: number;
+}
+
+/** Where a ray meets a surface: the distance along the ray in meters, and the normal, which may have any length. */
+export interface RayMeeting {
+  distanceM: number;
+  nx: number;
+  ny: number;
+  nz: number;
+}
+
+/** A room that a node measures, which answers the source `voxels`. The node offers it by `SessionService.answerRays`. */
+export interface MeasuredRoom {
+  /** Whether rays may come: hit tests are open, or the last frame has cast rays. Set once per frame, before nodes are updated. */
+  isAsked: boolean;
+  /**
+   * Follows a ray, whose direction has the length 1, to the first surface.
+   *
+   * @returns False if it meets nothing; `out` is then unchanged.
+   */
+  cast(out: RayMeeting, ray: Ray): boolean;
 }
 
 /**

@@ -9,6 +9,8 @@
 export interface BodyList {
   version: number;
   readonly bodies: PhysicsBody[];
+  /** Whether a physics world reads the list. The world writes it in each frame, also while its engine has not answered yet. */
+  isInWorld?: boolean;
   /** The room that all bodies of the world collide with; absent if none is measured. */
   room?: PhysicsRoom;
 }
@@ -22,7 +24,24 @@ export interface PhysicsRoom {
   version: number;
   /** Depth images since the last frame; the world reads them and empties the list. */
   readonly frames: DepthFrame[];
+  /** Changes of the whole grid, oldest first, before the depth of this frame; the world carries them out and empties the list. */
+  readonly edits: RoomEdit[];
+  /** Whether the world shall write the grid to `file`. The world then sets it to false. */
+  wantsFile: boolean;
+  /** The grid as a file (`nodes/kit/voxel-file.ts`) when it was last asked for; null until then. */
+  file: Uint8Array | null;
+  /** How often the whole grid was changed or begun again so far. The room counts. */
+  changes: number;
+  /** `changes` when `file` was asked for: with another number, the file is that of a former grid or of a former world space. */
+  fileChanges: number;
 }
+
+/** A change of all voxels of the room. The matrices are rigid, column-major 4×4. */
+export type RoomEdit =
+  /** The voxels are those of a file. */
+  | { readonly kind: 'load'; readonly file: Uint8Array; readonly worldFromFile: ArrayLike<number> }
+  /** World space has moved. */
+  | { readonly kind: 'move'; readonly worldFromFormer: ArrayLike<number> };
 
 /** Settings of the voxel grid that depth images fill; the letters are those of equation 1 of the mixed-reality paper (section 3.6). */
 export interface VoxelSettings {
@@ -60,7 +79,9 @@ export type BodyShape =
   /** A convex polyhedron. `faces` lists the vertices of each flat face counterclockwise, seen from outside. */
   | { readonly kind: 'hull'; readonly verticesM: readonly Triple[]; readonly faces: readonly (readonly number[])[] }
   /** The half-space below the plane through the origin of the body whose normal is y. Only of bodies that are not dynamic. */
-  | { readonly kind: 'plane' };
+  | { readonly kind: 'plane' }
+  /** Triangles, of which both sides collide: x, y, z of each vertex, and three indices per triangle. Only of bodies that are not dynamic. */
+  | { readonly kind: 'mesh'; readonly positionsM: Float32Array; readonly indices: Uint32Array };
 
 export type Triple = readonly [x: number, y: number, z: number];
 
@@ -128,6 +149,8 @@ export interface BodyWorld {
   /** Copies the result of the last step to all bodies, at most once per frame. Nodes with bodies call it first in `update`. */
   applyPoses(): void;
   readonly control: WorldControl;
+  /** Mass and center of mass of a body, in the axes of the body. Only for tools: it is computed with each call. */
+  massOf(body: PhysicsBody): { readonly massKg: number; readonly centerM: Triple };
 }
 
 /** What tools of the editor ask of a world and read of it. Pages do not use it. */

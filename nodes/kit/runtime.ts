@@ -2,7 +2,8 @@ import type { AnchorService } from './anchors.ts';
 import type { AssetService } from './assets.ts';
 import type { InputPort, LayerEncoding, NodeDefinition, OutputPort, ParamDefinition } from './definition.ts';
 import type { Diagnostic } from './diagnostics.ts';
-import type { HitRecord, HitSource, HitTest, HitTestOptions } from './hit-test.ts';
+import type { HitRecord, HitSource, HitTest, HitTestOptions, MeasuredRoom } from './hit-test.ts';
+import type { KeptFiles } from './kept-files.ts';
 import type { BodyList } from './physics.ts';
 import type { PoseOutput, PoseView } from './pose.ts';
 import type { EnvironmentOutput, LightList, ObjectList, RoomDepthOutput } from './scene-lists.ts';
@@ -161,7 +162,12 @@ export interface LayerTexture {
   readonly heightPx: number;
   /** The UV matrix, column-major 3×3: texture UV from view UV (view domain) or from image UV (image domain). */
   readonly uvFromViewUv: Float32Array;
+  /** An integer that changes whenever the pixels, the size or the UV matrix change. `MAY_CHANGE`: they may change in every frame. */
+  readonly version: number;
 }
+
+/** The version of a layer whose owner does not tell when it changes. */
+export const MAY_CHANGE = -1;
 
 /** What a runtime reads from an input, by wire type. */
 export interface WireViews extends ValueViews {
@@ -296,8 +302,8 @@ export interface SessionService {
    */
   openHitTest(options: HitTestOptions): HitTest;
   /**
-   * The first hit of a ray with detected planes, detected meshes, room depth and the floor; the device's own hit test follows no such
-   * ray. Only for nodes whose definition needs `hit-test`.
+   * The first hit of a ray with detected planes, detected meshes, room depth, measured rooms and the floor; the device's own hit test
+   * follows no such ray. Only for nodes whose definition needs `hit-test`.
    *
    * @param worldFromRay Column-major 4×4, rigid: the ray begins at its origin, along its -z axis.
    * @param out Receives the hit.
@@ -308,6 +314,16 @@ export interface SessionService {
    * if (ctx.session.castRay(pose.worldFromPose, hit)) distance.value = hit.distanceM;
    */
   castRay(worldFromRay: ArrayLike<number>, out: HitRecord, sources?: readonly HitSource[]): boolean;
+  /**
+   * Lets a room that the node measures answer hit tests and rays, as the source `voxels`. Only for nodes whose definition needs
+   * `hit-test`.
+   *
+   * @returns Ends it; the node calls it in `dispose`.
+   *
+   * @example
+   * const endAnswers = ctx.session.answerRays(createVoxelRays());
+   */
+  answerRays(by: MeasuredRoom): () => void;
   /**
    * The newest room depth of a view that is available on the CPU: that of this frame, or the last one that was read back from the GPU. Only
    * for nodes whose definition needs `hit-test`.
@@ -320,6 +336,8 @@ export interface SessionService {
   depthImage(viewIndex: number): DepthImage | null;
   /** Creates and restores anchors. Only for nodes whose definition needs `anchors`. */
   readonly anchors: AnchorService;
+  /** Files that the page keeps for later visits. Only for nodes whose definition needs `hit-test` or `anchors`. */
+  readonly keptFiles: KeptFiles;
 }
 
 /** The image behind a layer while the layer is drawn, which glass objects in the layer show. */

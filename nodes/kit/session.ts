@@ -38,6 +38,11 @@ export type SessionEvent =
   | { readonly kind: 'tracking'; readonly tracked: boolean }
   /** A granted feature has returned no data for a while, or returns data again. */
   | { readonly kind: 'sensing'; readonly capability: Capability; readonly working: boolean }
+  /**
+   * The device has detected no surface of the room for a while. `capture` starts a scan of the room, in which the device asks the visitor;
+   * it resolves to false if the device or the visitor refuses, and can be called once. Null: surfaces have come, so that no scan is needed.
+   */
+  | { readonly kind: 'room-unknown'; readonly capture: (() => Promise<boolean>) | null }
   /** The recording jumped to another time, or repeats while time continues. Nodes return to their initial state. */
   | { readonly kind: 'reset'; readonly cause: ResetCause }
   /** World space moved against the room, as when the visitor re-centers. State stays; `SessionFrame.jumps` has been raised. */
@@ -68,6 +73,13 @@ export interface SessionFrame {
   readonly input: SessionInput;
   /** A number that is raised when world space moves relative to the room, as at re-centering. Filters of poses restart then. */
   readonly jumps: number;
+  /**
+   * How world space moved with the last jump, if the device tells: from the former world space to the present one, rigid, column-major 4×4.
+   * Null or absent: unknown.
+   */
+  readonly worldFromFormer?: Float32Array | null;
+  /** The room as voxels when the recording began (`voxel-file.ts`); null or absent where none were recorded. */
+  readonly roomFile?: Uint8Array | null;
   /**
    * The WebXR frame from which this frame was made, for the runtime's own hit tests and anchors; null or absent in other sessions. Nodes do
    * not read it.

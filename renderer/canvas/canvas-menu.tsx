@@ -38,6 +38,7 @@ const ON_NODE = [
   'edit.duplicate-wired',
   'edit.copy',
   'edit.mute',
+  'edit.unfuse',
   'line',
   'graph.swap',
   'graph.collapse',

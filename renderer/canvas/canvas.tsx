@@ -21,6 +21,7 @@ import { useCanvasCenter, useScale, useWheel } from './canvas-view.ts';
 import { ConnectionHint } from './connection-hint.tsx';
 import { DetailProvider, detailOf } from './detail.ts';
 import { useFileDrop } from './file-drop.ts';
+import { FirstSteps } from './first-steps.tsx';
 import { FrameView, NoteView } from './item-view.tsx';
 import { NodeView } from './node-view.tsx';
 import { OverviewWires } from './overview-wires.tsx';
@@ -142,7 +143,7 @@ function CanvasInside() {
           </ReactFlow>
         </DetailProvider>
       </CostsProvider>
-      {all.length === 0 && <EmptyCanvas />}
+      <FirstSteps isEmpty={all.length === 0} />
       {drop.over && <div className="canvas-drop">Drop models, images or ISF shaders here</div>}
       <CanvasMenu menu={menu.open} onClose={menu.close} />
       <PaletteHost toCanvas={flow.screenToFlowPosition} canvas={root} />
@@ -153,15 +154,4 @@ function CanvasInside() {
 function minimapColor(node: AnyNode): string {
   if (node.type !== 'scrim') return 'var(--minimap-mask)';
   return node.data.type ? WIRE_TYPES[node.data.type].color : 'var(--line-strong)';
-}
-
-function EmptyCanvas() {
-  return (
-    <div className="canvas-empty">
-      <p>This graph is empty.</p>
-      <p>
-        Press <kbd>Tab</kbd> or double-click to add a node, or drop a model or an image.
-      </p>
-    </div>
-  );
 }

@@ -2,7 +2,7 @@ import { useRef } from 'react';
 import { oneAsset } from '../../nodes/kit/asset-words.ts';
 import type { AssetKind } from '../../nodes/kit/definition.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
-import { acceptedNames, importAsset } from '../state/files/add-files.ts';
+import { acceptedNames, type FileKind, importAsset } from '../state/files/add-files.ts';
 import { IconButton } from '../ui/button.tsx';
 
 interface AssetPickerProps {
@@ -16,8 +16,6 @@ interface AssetPickerProps {
 
 /** Chooses an asset of one kind, or imports one. */
 export function AssetPicker({ id, label, kind, value, onChoose }: AssetPickerProps) {
-  const editor = useEditor();
-  const input = useRef<HTMLInputElement>(null);
   const assets = useDocument((state) => state.project.assets);
   const choices = Object.entries(assets).filter(([, asset]) => asset.kind === kind);
   const missing = value !== '' && !choices.some(([asset]) => asset === value);
@@ -32,6 +30,21 @@ export function AssetPicker({ id, label, kind, value, onChoose }: AssetPickerPro
           </option>
         ))}
       </select>
+      {kind !== 'capture' && <FileButton kind={kind} label={label} onChoose={onChoose} />}
+    </div>
+  );
+}
+
+interface FileButtonProps extends Pick<AssetPickerProps, 'label' | 'onChoose'> {
+  readonly kind: FileKind;
+}
+
+/** Imports files. */
+function FileButton({ kind, label, onChoose }: FileButtonProps) {
+  const editor = useEditor();
+  const input = useRef<HTMLInputElement>(null);
+  return (
+    <>
       <IconButton icon="folder" label={`Import ${oneAsset(kind)}`} onPress={() => input.current?.click()} />
       <input
         ref={input}
@@ -49,6 +62,6 @@ export function AssetPicker({ id, label, kind, value, onChoose }: AssetPickerPro
           if (asset !== null) onChoose(asset);
         }}
       />
-    </div>
+    </>
   );
 }

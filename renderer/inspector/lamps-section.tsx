@@ -30,7 +30,7 @@ export function LampsSection({ id }: { readonly id: string }) {
     <section className="inspector-section" aria-label="Lamps" aria-busy={view?.state === 'searching'}>
       <h3>Lamps</h3>
       {text === 'null' ? (
-        <p className="inspector-note">Connect a Panorama node with a file to see its lamps here.</p>
+        <p className="inspector-note">Connect a node with a panorama file to see its lamps here.</p>
       ) : view === null || view.state === 'searching' ? (
         <progress className="lamps-progress" aria-label="Searching the panorama" value={view?.part ?? 0} />
       ) : view.state === 'failed' ? (

@@ -49,6 +49,7 @@ export function NodeInspector({ id }: { readonly id: string }) {
       {node.type === LAMPS_TYPE && <LampsSection id={id} />}
       <Params id={id} definition={definition} params={node.params} sourceOf={(name) => wires.find(({ to }) => to.port === name)?.from} />
       <ExposedSection node={id} definition={definition} />
+      {node.unfused === true && <Unfused />}
       <Facts definition={definition} />
     </>
   );
@@ -138,6 +139,17 @@ function Params({ id, definition, params, sourceOf }: ParamsProps) {
       {entries.map(([name, param]) => (
         <ParamRow key={name} node={id} name={name} param={param} binding={getOwn(params, name)} source={sourceOf(name)} />
       ))}
+    </section>
+  );
+}
+
+/** Says that fusion is turned off for the node. */
+function Unfused() {
+  const editor = useEditor();
+  return (
+    <section className="inspector-section" aria-label="Fusion">
+      <p className="inspector-note">In exported pages, the passes of this node are not fused with others.</p>
+      <Button onPress={() => runCommand(editor, 'edit.unfuse')}>Fuse passes</Button>
     </section>
   );
 }

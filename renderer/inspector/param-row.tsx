@@ -61,9 +61,17 @@ export const ParamRow = memo(function ParamRow({ node, name, param, binding, sou
       className={`param-row${isVector || param.type === 'color' ? ' param-row-wide' : param.type === 'curve' ? ' param-row-curve' : ''}`}
       aria-label={param.label}
       data-param={name}
+      data-changed={changed ? '' : undefined}
       onContextMenu={openMenu}
     >
-      <label htmlFor={id} className="param-label" data-tip={param.doc}>
+      <label
+        htmlFor={id}
+        className="param-label"
+        data-tip={changed ? `${param.doc}\nDouble-click to reset.` : param.doc}
+        onDoubleClick={() => {
+          if (changed) void resetParam(editor, node, name);
+        }}
+      >
         {type && <PortMark type={type} />}
         <span>
           {param.label}

@@ -1,12 +1,16 @@
+import { useId } from 'react';
 import { useStore } from 'zustand';
 import { runCommand } from '../state/commands/app-commands.ts';
 import { withTitles } from '../state/document/message-titles.ts';
-import { titleOf } from '../state/editor/document.ts';
+import { useUndoGroup } from '../state/document/use-undo-group.ts';
+import { graphOf, titleOf } from '../state/editor/document.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { selectOnly } from '../state/editor/selection.ts';
+import { editShared, type SharedParam, sharedParams } from '../state/params/shared-params.ts';
 import { Button } from '../ui/button.tsx';
+import { ParamControl } from './param-control.tsx';
 
-/** Inspector of several selected nodes: their types, and actions on all of them. */
+/** Inspector of several selected nodes: their types, the params that they share, and actions on all of them. */
 export function SelectionInspector() {
   const editor = useEditor();
   const { nodes, wires } = useStore(editor.selection);
@@ -37,7 +41,53 @@ export function SelectionInspector() {
           </Button>
         </div>
       </section>
+      <SharedParams nodes={[...nodes]} />
     </>
+  );
+}
+
+/** Params of all selected nodes. An edit sets the value in each of them. */
+function SharedParams({ nodes }: { readonly nodes: readonly string[] }) {
+  const graph = useDocument(graphOf);
+  const library = useDocument((state) => state.library);
+  const shared = sharedParams(graph, library, nodes);
+  if (shared.length === 0) return null;
+  return (
+    <section className="inspector-section" aria-label="Parameters of all">
+      <h3>Parameters of all</h3>
+      {shared.map((param) => (
+        <SharedRow key={`${param.name} ${nodes.join()}`} nodes={nodes} shared={param} />
+      ))}
+    </section>
+  );
+}
+
+function SharedRow({ nodes, shared }: { readonly nodes: readonly string[]; readonly shared: SharedParam }) {
+  const editor = useEditor();
+  const id = useId();
+  const { param, value, mixed } = shared;
+  const gesture = useUndoGroup((next) => void editShared(editor, nodes, shared, next));
+  const isWide = param.type.startsWith('vector') || param.type === 'color';
+  return (
+    <fieldset
+      className={`param-row${isWide ? ' param-row-wide' : param.type === 'curve' ? ' param-row-curve' : ''}`}
+      aria-label={param.label}
+      data-param={shared.name}
+    >
+      <label htmlFor={id} className="param-label" data-tip={param.doc}>
+        <span>{param.label}</span>
+      </label>
+      <div className="param-control">
+        <ParamControl id={id} param={param} value={value} {...gesture} onExpression={() => false} />
+      </div>
+      <span className="param-actions">
+        {mixed && (
+          <span className="param-mixed" data-tip="The nodes have different values. The one shown is that of the first.">
+            Mixed
+          </span>
+        )}
+      </span>
+    </fieldset>
   );
 }
 

@@ -45,7 +45,7 @@ export function PreviewMenu() {
   const items: MenuItem[] = [
     { kind: 'action', label: 'Take screenshot', run: () => previewSync.send({ kind: 'screenshot' }) },
     { kind: 'action', label: recording ? 'Stop recording' : 'Record video', run: () => record(!recording) },
-    ...(isRoom || sessionRecording === 'recording' ? [sessionItem(sessionRecording, () => runCommand(editor, 'play.record'))] : []),
+    sessionItem(sessionRecording, () => runCommand(editor, 'play.record')),
     { kind: 'line' },
     ...FRAMES.map(
       ([name, label]): MenuItem => ({

@@ -18,6 +18,7 @@ import type { PreviewRange, PreviewSource } from '../preview-protocol.ts';
 import { pageFetch } from './network.ts';
 import { createRoomHands } from './room-hands.ts';
 import { createRoomTouches } from './room-touches.ts';
+import { createRoomTracking } from './room-tracking.ts';
 import { createStillStream } from './still-stream.ts';
 import { createWalk } from './walk.ts';
 
@@ -35,6 +36,10 @@ export interface OpenSession {
   moveLight(directionWorld: readonly [number, number, number] | null): void;
   /** Turns the head of an emulated device, column-major 4×4; null gives it back to the visitor. Null for other sessions. */
   readonly setHead: ((worldFromHead: Float32Array | null) => void) | null;
+  /** The image of a camera; null for other sessions. */
+  readonly video: HTMLVideoElement | null;
+  /** Pose of the first view in an emulated room, against which world space drifts; null for other sessions. */
+  readonly roomFromView: (() => Float32Array | null) | null;
   end(): Promise<void>;
 }
 
@@ -84,9 +89,9 @@ export function openSession(source: PreviewSource, place: SessionPlace): Promise
 }
 
 async function openCamera({ gl, clock, canvas }: SessionPlace): Promise<OpenSession> {
-  return opened(
-    await requestCameraSession({ window, media: navigator.mediaDevices, gl, canvas, clock, inputs: SESSION_INPUTS, createLens }),
-  );
+  const media = navigator.mediaDevices;
+  const result = await requestCameraSession({ window, media, gl, canvas, clock, inputs: SESSION_INPUTS, createLens });
+  return { ...opened(result), video: result.output?.video ?? null };
 }
 
 async function openStill(image: Blob, { gl, clock, canvas }: SessionPlace): Promise<OpenSession> {
@@ -98,13 +103,11 @@ async function openStill(image: Blob, { gl, clock, canvas }: SessionPlace): Prom
     const message = 'The image for the preview could not be read.';
     return opened({ output: null, diagnostics: [{ code: 'SCR032', severity: 'error', message, fix: 'Choose a PNG, JPEG or WebP file.' }] });
   }
-  return opened({
-    output: createCameraSession({ gl, canvas, clock, stream, sensor: listenForOrientation(window), inputs: SESSION_INPUTS }),
-    diagnostics: [],
-  });
+  const output = createCameraSession({ gl, canvas, clock, stream, sensor: listenForOrientation(window), inputs: SESSION_INPUTS });
+  return { ...opened({ output, diagnostics: [] }), video: output.video };
 }
 
-/** Wraps a session that cannot seek or resize. */
+/** Wraps a session without controls. */
 function opened({ output, diagnostics }: Result<Session>): OpenSession {
   return {
     session: output,
@@ -114,6 +117,8 @@ function opened({ output, diagnostics }: Result<Session>): OpenSession {
     resize: () => {},
     moveLight: () => {},
     setHead: null,
+    video: null,
+    roomFromView: null,
     end: async () => output?.end(),
   };
 }
@@ -123,8 +128,7 @@ async function openRecording(url: string, { gl, clock, onEnd, onArrival }: Sessi
   const session = createRecordedSession({ gl, files, mode: { kind: 'clock', clock }, inputs: SESSION_INPUTS, onEnd, onArrival });
   const { output, diagnostics } = await session.ready;
   return {
-    session: output === null ? null : session,
-    diagnostics,
+    ...opened({ output: output && session, diagnostics }),
     recording: output && {
       frames: output.frames,
       get isLate() {
@@ -140,9 +144,6 @@ async function openRecording(url: string, { gl, clock, onEnd, onArrival }: Sessi
       enterRange: session.enterRange,
     },
     rewind: () => session.seek(0),
-    resize: () => {},
-    moveLight: () => {},
-    setHead: null,
     end: () => session.end(),
   };
 }
@@ -153,26 +154,18 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
   if (room === null) {
     const message = 'The emulated room could not be read.';
     const broken: Diagnostic = { code: 'SCR054', severity: 'error', message, fix: 'Install Scrim again, or choose another source.' };
-    return {
-      session: null,
-      diagnostics: [broken],
-      recording: null,
-      rewind: () => {},
-      resize: () => {},
-      moveLight: () => {},
-      setHead: null,
-      end: async () => {},
-    };
+    return opened({ output: null, diagnostics: [broken] });
   }
   const ratio = Math.min(window.devicePixelRatio, MAX_PIXEL_RATIO);
   const sizePx = [Math.max(1, Math.round(window.innerWidth * ratio)), Math.max(1, Math.round(window.innerHeight * ratio))] as const;
   const { device, views, tier, refuse } = source;
   const emulator = installEmulator({ device, views, refuse, room, frameClock: clock, container: screen, sizePx });
-  const hint = screen.ownerDocument.getElementById('hint');
+  const [hint, trackingHint] = ['hint', 'tracking-hint'].map((id) => screen.ownerDocument.getElementById(id));
   const walk = createWalk(emulator, screen, clock, device === 'phone' && program.readsInput === true);
   // Phones have neither controllers nor hands; pages that read no input have no use for them.
   const createInput = device === 'phone' ? createRoomTouches : createRoomHands;
   const input = hint && program.readsInput ? createInput(emulator, screen, hint, clock) : null;
+  const tracking = trackingHint && standsInRoom(program) ? createRoomTracking(emulator, trackingHint) : null;
   const { output, diagnostics } = await requestWebXrSession({
     xr: navigator.xr,
     inputs: SESSION_INPUTS,
@@ -182,20 +175,25 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
     mode: tier === 'vr' ? 'immersive-vr' : 'immersive-ar',
   });
   return {
-    session: output,
-    diagnostics,
-    recording: null,
+    ...opened({ output, diagnostics }),
     rewind: walk.rewind,
     resize: (asked) => emulator.setSize(asked ?? sizePx),
     moveLight: emulator.moveLight,
     setHead: (worldFromHead) => (worldFromHead ? emulator.setPose({ matrix: worldFromHead }) : walk.restore()),
+    roomFromView: emulator.viewPose,
     end: async () => {
       walk.dispose();
       input?.dispose();
+      tracking?.dispose();
       await output?.end();
       await emulator.uninstall();
     },
   };
+}
+
+/** Whether the program puts something at points of the real room, so that faults of tracking show. */
+export function standsInRoom({ needs }: Program): boolean {
+  return needs.some(({ capability }) => capability === 'anchors' || capability === 'hit-test');
 }
 
 export async function loadRoom(captureUrl: string | null): Promise<NonNullable<EmulatorOptions['room']> | null> {

@@ -10,14 +10,15 @@ import { createCaptures } from './captures.ts';
 import { coalesce } from './coalesce.ts';
 import { createGizmo } from './gizmo/gizmo.ts';
 import { createKeys } from './keys.ts';
-import { type OpenSession, openSession } from './open-session.ts';
-import { createPhysicsView } from './physics/physics-view.ts';
+import { type OpenSession, openSession, standsInRoom } from './open-session.ts';
+import { createPhysicsView, roomOf } from './physics/physics-view.ts';
 import { createPlayerHost, type PlayerHost } from './player-host.ts';
 import { type CaptureSource, createPosters, type PosterRequest, sourceOnCanvas } from './posters.ts';
 import { createProbes } from './probes.ts';
+import { createSessionRecorder } from './recording/session-recorder.ts';
 import { isHandKey } from './room-hands.ts';
 import { createRoomPanorama } from './room-panorama.ts';
-import { createSessionRecorder } from './session-recorder.ts';
+import { isTrackingKey } from './room-tracking.ts';
 import { createSimulatedSensors } from './simulated-sensors.ts';
 import { createStatus } from './status.ts';
 import { createThumbnails } from './thumbnails.ts';
@@ -80,13 +81,11 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
   const probes = createProbes(send, () => clock.wake());
   let lightWorld: Extract<ToPreview, { kind: 'room-light' }>['directionWorld'] = null;
   const gizmo = createGizmo(parent, send, () => clock.wake());
-  const physics = createPhysicsView(parent, () => clock.wake());
+  const physics = createPhysicsView(parent, send, () => clock.wake());
   const sensors = createSimulatedSensors(window, sensorHint);
-  const keys = createKeys(
-    window,
-    send,
-    (event) => sensors.isKey(event) || (source?.kind === 'room' && (isStep(event) || (source.device !== 'phone' && isHandKey(event)))),
-  );
+  const isRoomKey = (event: KeyboardEvent, device: string): boolean =>
+    isStep(event) || (device !== 'phone' && isHandKey(event)) || (wanted !== null && standsInRoom(wanted.program) && isTrackingKey(event));
+  const keys = createKeys(window, send, (event) => sensors.isKey(event) || (source?.kind === 'room' && isRoomKey(event, source.device)));
   let viewer: Extract<ToPreview, { kind: 'viewer' }> = { kind: 'viewer', left: null, right: null, split: 1 };
   const clock = createTransportClock(base, () => {
     posters.beforeFrame();
@@ -205,15 +204,17 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     panorama.beforeDraw(frame);
     sensors.beforeFrame(frame);
     host.player.draw(frame);
-    recorder.afterFrame(frame);
+    recorder.afterFrame(frame, () => host && roomOf(host.player));
     status.end(frame, open?.recording?.isLate ?? false);
     host.meter.afterFrame();
     if (!posters.busy) showViewer(host.player, frame, viewer);
     if (plays) posters.afterFrame();
     probes.afterFrame(host.player, frame, captureSource());
     captures.afterFrame(captureSource());
-    if (!posters.busy) gizmo.afterFrame(host.player, frame, captureSource());
-    if (!posters.busy) physics.afterFrame(host.player, frame, captureSource());
+    if (!posters.busy) {
+      gizmo.afterFrame(host.player, frame, captureSource());
+      physics.afterFrame(host.player, frame, captureSource());
+    }
     const restS = thumbnails.afterFrame(host.player);
     if (restS !== null) wakeIn(restS);
   };
@@ -316,7 +317,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
           captures.record(message.on, captureSource());
           return;
         case 'record-session':
-          recorder.receive(message, open?.session ? source : null, lightWorld);
+          recorder.receive(message, open?.session && source ? { ...open, source, lightDirectionWorld: lightWorld } : null);
           return;
         case 'probe':
           probes.ask(message);

@@ -5,15 +5,17 @@ import { TimelinePanel } from '../timeline/timeline-panel.tsx';
 import { IconButton } from '../ui/button.tsx';
 import './bottom-panel.css';
 import { useEditor } from '../state/editor/editor-context.ts';
+import { HistoryPanel } from './history-panel.tsx';
 import { ProblemsPanel } from './problems-panel.tsx';
 
 const TABS: readonly { readonly id: BottomTab; readonly label: string }[] = [
   { id: 'code', label: 'Shader' },
   { id: 'timeline', label: 'Timeline' },
+  { id: 'history', label: 'History' },
   { id: 'problems', label: 'Problems' },
 ];
 
-/** Tabs below the graph: shader source, timeline and problems. */
+/** Tabs below the graph: shader source, timeline, history and problems. */
 export function BottomPanel({ tab }: { readonly tab: BottomTab }) {
   const { ui } = useEditor();
   return (
@@ -27,9 +29,24 @@ export function BottomPanel({ tab }: { readonly tab: BottomTab }) {
         <span className="bottom-gap" />
         <IconButton icon="close" label="Close the panel" small onPress={() => ui.setState({ bottom: null })} />
       </div>
-      <div className="bottom-body">{tab === 'code' ? <CodePanel /> : tab === 'timeline' ? <TimelinePanel /> : <ProblemsPanel />}</div>
+      <div className="bottom-body">
+        <Body tab={tab} />
+      </div>
     </section>
   );
+}
+
+function Body({ tab }: { readonly tab: BottomTab }) {
+  switch (tab) {
+    case 'code':
+      return <CodePanel />;
+    case 'timeline':
+      return <TimelinePanel />;
+    case 'history':
+      return <HistoryPanel />;
+    case 'problems':
+      return <ProblemsPanel />;
+  }
 }
 
 /** The open tab; null if the panel is closed. */

@@ -46,7 +46,7 @@ function Title() {
   return (
     <div className="top-title" data-tip={path === '' ? undefined : path}>
       <h1>{title}</h1>
-      {dirty && <span className="unsaved">Edited</span>}
+      {dirty ? <span className="unsaved">Not saved</span> : path !== '' && <span className="saved">Saved</span>}
     </div>
   );
 }

@@ -27,6 +27,7 @@ export function useShortcuts(): void {
     const onPointerOver = (event: PointerEvent) => {
       hovered = event.target;
     };
+    let held: { readonly key: string; readonly release: (editor: Editor) => void } | null = null;
     const onKeyDown = (event: KeyboardEvent) => {
       const keybinding = keybindingOf(event, editor.mac);
       const [focused, pointed] = [panelOf(event.target), panelOf(hovered)];
@@ -46,7 +47,18 @@ export function useShortcuts(): void {
       if (id === null || !appCommand(id).enabled(editor)) return;
       if (keybinding === 'Tab' ? !takesTab : operates(keybinding, event.target)) return;
       event.preventDefault();
+      const { release } = appCommand(id);
+      if (release !== undefined && event.repeat) return;
+      if (release !== undefined) held = { key: event.code, release };
       runCommand(editor, id);
+    };
+    /** Ends a command that shows something while its key is held. */
+    const letGo = () => {
+      held?.release(editor);
+      held = null;
+    };
+    const onKeyUp = (event: KeyboardEvent) => {
+      if (event.code === held?.key) letGo();
     };
     const onCopy = (event: ClipboardEvent) => {
       if (blocked() || isTyping(event.target) || hasSelectedText()) return;
@@ -66,6 +78,8 @@ export function useShortcuts(): void {
     window.addEventListener('pointerdown', onPointerDown, true);
     window.addEventListener('pointerover', onPointerOver, true);
     window.addEventListener('keydown', onKeyDown);
+    window.addEventListener('keyup', onKeyUp, true);
+    window.addEventListener('blur', letGo);
     document.addEventListener('copy', onCopy);
     document.addEventListener('cut', onCut);
     document.addEventListener('paste', onPaste);
@@ -73,6 +87,8 @@ export function useShortcuts(): void {
       window.removeEventListener('pointerdown', onPointerDown, true);
       window.removeEventListener('pointerover', onPointerOver, true);
       window.removeEventListener('keydown', onKeyDown);
+      window.removeEventListener('keyup', onKeyUp, true);
+      window.removeEventListener('blur', letGo);
       document.removeEventListener('copy', onCopy);
       document.removeEventListener('cut', onCut);
       document.removeEventListener('paste', onPaste);

@@ -1,4 +1,5 @@
 import { type KeyboardEvent, type PointerEvent, useRef, useState } from 'react';
+import { dragKeysOf, scrubbedValue, withoutBinaryError } from './drag-steps.ts';
 import { useEscape } from './escape.ts';
 import './fields.css';
 
@@ -28,8 +29,8 @@ const SCRUB_START_PX = 3;
 const PX_PER_STEP = 2;
 
 /**
- * Number field. A sideways drag or arrow keys change the value by steps: ten with Shift, a tenth with Alt. Escape cancels a drag.
- * Evaluates typed arithmetic; `=` begins an expression.
+ * Number field. A sideways drag changes the value by steps: a tenth with Shift, to whole tens with Ctrl. Arrow keys change it by steps:
+ * ten with Shift, a tenth with Alt. Escape cancels a drag. Evaluates typed arithmetic; `=` begins an expression.
  */
 export function NumberField(props: NumberFieldProps) {
   const { value, label, id, step, suffix, format, parse, clamp, onExpression, onEdit, onEnd, onCancel } = props;
@@ -69,7 +70,7 @@ export function NumberField(props: NumberFieldProps) {
       const from = (typed === null ? null : parse(typed)) ?? value;
       changeTyped(null);
       edited.current = true;
-      onEdit(clamp(round(from + stepOf(step, event) * (event.key === 'ArrowUp' ? 1 : -1))));
+      onEdit(clamp(withoutBinaryError(from + stepOf(step, event) * (event.key === 'ArrowUp' ? 1 : -1))));
     }
   };
   const onKeyUp = () => {
@@ -94,7 +95,7 @@ export function NumberField(props: NumberFieldProps) {
     const byPx = event.clientX - from.x;
     if (!from.moving && Math.abs(byPx) < SCRUB_START_PX) return;
     from.moving = true;
-    onEdit(clamp(round(from.value + Math.round(byPx / PX_PER_STEP) * stepOf(step, event))));
+    onEdit(clamp(scrubbedValue(from.value, Math.round(byPx / PX_PER_STEP), step, dragKeysOf(event))));
   };
   /** The browser took over the gesture, such as for scrolling. */
   const onPointerCancel = () => {
@@ -145,9 +146,4 @@ export function NumberField(props: NumberFieldProps) {
 
 function stepOf(step: number, event: { readonly shiftKey: boolean; readonly altKey: boolean }): number {
   return event.shiftKey ? step * 10 : event.altKey ? step / 10 : step;
-}
-
-/** Removes binary rounding errors from sums of decimal steps. */
-function round(value: number): number {
-  return Number(value.toPrecision(12));
 }

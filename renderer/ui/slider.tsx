@@ -1,4 +1,5 @@
 import { useRef } from 'react';
+import { createSliderDrag, dragKeysOf, NO_DRAG_KEYS, type SliderDrag } from './drag-steps.ts';
 import { useEscape } from './escape.ts';
 import './fields.css';
 import type { EditHandlers } from './number-field.tsx';
@@ -12,14 +13,20 @@ interface SliderProps extends EditHandlers<number> {
   readonly valueText: string;
 }
 
-/** A range input whose drag Escape cancels. After a drag it gives up the focus, so that keys mean what they did before. */
+/**
+ * A range input. In a drag, Shift is finer, Ctrl snaps, and Escape cancels. After a drag it gives up the focus, so that keys mean what
+ * they did before.
+ */
 export function Slider({ value, min, max, step, label, valueText, onEdit, onEnd, onCancel }: SliderProps) {
   const filled = max > min ? Math.min(Math.max((value - min) / (max - min), 0), 1) : 0;
   /** The browser continues the drag after Escape; its edits are ignored until the pointer is released. */
   const canceled = useRef(false);
   const escapeKey = useEscape();
+  const drag = useRef<SliderDrag | null>(null);
+  const keys = useRef(NO_DRAG_KEYS);
   const begin = () => {
     canceled.current = false;
+    drag.current = createSliderDrag(step);
     if (!onCancel) return;
     escapeKey.listen(() => {
       canceled.current = true;
@@ -29,6 +36,7 @@ export function Slider({ value, min, max, step, label, valueText, onEdit, onEnd,
   const end = () => {
     escapeKey.stop();
     canceled.current = false;
+    drag.current = null;
     onEnd();
   };
   return (
@@ -43,9 +51,17 @@ export function Slider({ value, min, max, step, label, valueText, onEdit, onEnd,
       value={value}
       style={{ ['--filled' as string]: `${filled * 100}%` }}
       onChange={(event) => {
-        if (!canceled.current) onEdit(event.target.valueAsNumber);
+        const pointed = event.target.valueAsNumber;
+        if (!canceled.current) onEdit(drag.current?.move(pointed, value, keys.current) ?? pointed);
       }}
-      onPointerDown={begin}
+      onPointerDown={(event) => {
+        keys.current = dragKeysOf(event);
+        begin();
+      }}
+      // Comes before the `input` event of the same movement, which does not tell the keys.
+      onPointerMove={(event) => {
+        keys.current = dragKeysOf(event);
+      }}
       onPointerUp={({ currentTarget }) => {
         end();
         currentTarget.blur();

@@ -2,7 +2,7 @@ import type { Program } from '../../export/program/program.ts';
 import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import type { ParamValue } from '../../nodes/kit/definition.ts';
-import type { DetectedPlane } from '../../nodes/kit/session.ts';
+import type { DetectedMesh, DetectedPlane } from '../../nodes/kit/session.ts';
 import { createGl, frame, HEIGHT, pixel, type Stand, stand, view, WIDTH } from './runtime-kit.ts';
 
 /** What is seen of the labels after a frame. */
@@ -45,6 +45,24 @@ const WALL: DetectedPlane = {
   outlineXZ: Float32Array.of(-2, -2, 2, -2, 2, 2, -2, 2),
 };
 
+const FAR_WALL: DetectedPlane = {
+  ...WALL,
+  id: 'far wall',
+  worldFromSurface: Float32Array.of(1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, -3, 1),
+};
+
+/** The front of a box, 1 m before the viewer, as a mesh. */
+const BOX: DetectedMesh = {
+  id: 'box',
+  version: 1,
+  label: 'box',
+  worldFromSurface: Float32Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -1, 1),
+  positions: Float32Array.of(-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0),
+  indices: Uint32Array.of(0, 1, 2, 0, 2, 3),
+};
+
+const PLANES: Readonly<Record<string, DetectedPlane>> = { wall: WALL, 'far wall': FAR_WALL };
+
 export async function open(program: Program): Promise<void> {
   playing?.player.dispose();
   playing = await stand(program, { gl: createGl({ depth: true }), modules: RUNTIMES, createScenes, overlay });
@@ -63,11 +81,16 @@ export function hidePage(hidesPage: boolean): void {
   playing?.player.setSession({ world: 'device', blend: 'alpha', hidesPage });
 }
 
-export function draw(hasWall = false): Seen {
+/** @param names Of the surfaces that are detected. */
+export function draw(names: readonly string[] = []): Seen {
   if (!playing) throw new Error('Nothing plays.');
   paints = 0;
   observer.takeRecords();
-  playing.player.draw(frame(index++, [view(0, 0, WIDTH, HEIGHT)], { surfaces: { planes: hasWall ? [WALL] : [], meshes: [] } }));
+  playing.player.draw(
+    frame(index++, [view(0, 0, WIDTH, HEIGHT)], {
+      surfaces: { planes: names.flatMap((name) => PLANES[name] ?? []), meshes: names.includes('box') ? [BOX] : [] },
+    }),
+  );
   const writes = observer.takeRecords().length;
   observer.disconnect();
   const roots = [...overlay.children].flatMap((host) => host.shadowRoot ?? []);

@@ -25,7 +25,7 @@ function compileLabel(params: Readonly<Record<string, unknown>>): Program {
   return compiled.output;
 }
 
-const draw = (hasWall = false) => page.call<Seen>('draw', hasWall);
+const draw = (...surfaces: string[]) => page.call<Seen>('draw', surfaces);
 
 describe('a label', () => {
   let program: Program;
@@ -63,8 +63,13 @@ describe('a label', () => {
 
   test('fades behind a real surface', async () => {
     expect((await draw()).opacities).toEqual(['1']);
-    expect((await draw(true)).opacities).toEqual(['0.2']);
+    expect((await draw('wall')).opacities).toEqual(['0.2']);
     expect((await draw()).opacities).toEqual(['1']);
+  });
+
+  test('fades behind the nearest surface, whatever else is detected behind the label', async () => {
+    expect((await draw('far wall')).opacities).toEqual(['1']);
+    expect((await draw('far wall', 'box')).opacities).toEqual(['0.2']);
   });
 
   test('is hidden while its pose is none, and behind the viewer', async () => {

@@ -15,7 +15,8 @@ const HALF_M = 0.12;
 const HEIGHT_M = 0.5;
 const BASE = [0.055, 0.055, 0.055, 1] as const;
 
-export type Surface = 'plane' | 'mesh' | 'depth';
+export type Surface = 'plane' | 'mesh' | 'depth' | 'noisy depth';
+type Place = readonly [x: number, z: number];
 type Towards = readonly [x: number, y: number, z: number];
 /** Of a light: where it is, and its irradiance. */
 export type Lamp = readonly [towards: Towards, irradiance: number];
@@ -39,11 +40,21 @@ const framebuffer = (() => {
   return made;
 })();
 
-const plate = (): ObjectItem => thing(new PlaneGeometry(HALF_M * 2, HALF_M * 2).rotateX(-Math.PI / 2), { at: translation(0, HEIGHT_M, 0) });
+/** A plate above a place of the floor. */
+const plate = ([x, z]: Place): ObjectItem =>
+  thing(new PlaneGeometry(HALF_M * 2, HALF_M * 2).rotateX(-Math.PI / 2), { at: translation(x, HEIGHT_M, z) });
+
+const isDepth = (surface: Surface): boolean => surface === 'depth' || surface === 'noisy depth';
+
+/** Measured depth differs from the true one by up to 8 mm, another amount in each pixel. */
+function noiseM(surface: Surface, i: number): number {
+  const random = Math.abs(Math.sin(i * 12.9898) * 43758.5453) % 1;
+  return surface === 'noisy depth' ? 0.016 * (random - 0.5) : 0;
+}
 
 /** A floor of one surface; that of a scan is uneven by 4 mm. */
 function receivers(surface: Surface): ObjectItem[] {
-  if (surface === 'depth') return [];
+  if (isDepth(surface)) return [];
   const steps = surface === 'mesh' ? 80 : 1;
   const geometry = new PlaneGeometry(4, 4, steps, steps).rotateX(-Math.PI / 2);
   const { position } = geometry.attributes;
@@ -66,8 +77,8 @@ function lampOf([towards, irradiance]: Lamp): DirectionalLightItem {
 }
 
 /** Linear light of each pixel, from the lower left. */
-function draw(surface: Surface, lamps: readonly Lamp[], strength: number): Float32Array {
-  const [casters, lightList] = [objects(plate()), lights(...lamps.map(lampOf))];
+function draw(surface: Surface, lamps: readonly Lamp[], strength: number, places: readonly Place[] = [[0, 0]]): Float32Array {
+  const [casters, lightList] = [objects(...places.map(plate)), lights(...lamps.map(lampOf))];
   const glow: ShadowGlow = {
     on: true,
     color: { value: Float64Array.from(BASE) },
@@ -76,10 +87,12 @@ function draw(surface: Surface, lamps: readonly Lamp[], strength: number): Float
     places: new Float32Array(MAX_GLOW_SPOTS * 4),
     sizes: new Float32Array(MAX_GLOW_SPOTS * 4),
   };
-  const cylinder = { baseWorld: new Float32Array(3), radiusM: HALF_M * Math.SQRT2, heightM: HEIGHT_M };
-  for (const light of lightList.items) addSpot(glow, cylinder, light as DirectionalLightItem, { margin: 1, maxStretchM: 3 });
-  const meters = Array.from({ length: SIDE * SIDE }, (_, i) => floorAt(i % SIDE, Math.floor(i / SIDE)).meters);
-  const depth = surface === 'depth' ? { room: { depth: { views: [room(gl, SIDE, SIDE, meters)] }, toleranceM: { value: 0.05 } } } : {};
+  for (const [x, z] of places) {
+    const cylinder = { baseWorld: Float32Array.of(x, 0, z), radiusM: HALF_M * Math.SQRT2, heightM: HEIGHT_M };
+    for (const light of lightList.items) addSpot(glow, cylinder, light as DirectionalLightItem, { margin: 1, maxStretchM: 3 });
+  }
+  const meters = Array.from({ length: SIDE * SIDE }, (_, i) => floorAt(i % SIDE, Math.floor(i / SIDE)).meters + noiseM(surface, i));
+  const depth = isDepth(surface) ? { room: { depth: { views: [room(gl, SIDE, SIDE, meters)] }, toleranceM: { value: 0.05 } } } : {};
   const maps = stand.backend.createShadowMaps([casters], [lightList]);
   const scene = stand.backend
     .serviceFor({ shadowMaps: maps, occlusion: null })
@@ -109,7 +122,7 @@ function pixelOf(x: number, z: number): number {
 }
 
 /** The middle of the plate's shadow by a light. */
-const shadowOf = ([x, y, z]: Towards): readonly [number, number] => [(-x / y) * HEIGHT_M, (-z / y) * HEIGHT_M];
+const shadowOf = ([x, y, z]: Towards): Place => [(-x / y) * HEIGHT_M, (-z / y) * HEIGHT_M];
 
 /** Light in the middle of each lamp's shadow, as a part of the base; that beside the plate's foot; and the brightest outside all spots. */
 export function parts(surface: Surface, lamps: readonly Lamp[], strength: number) {
@@ -119,6 +132,22 @@ export function parts(surface: Surface, lamps: readonly Lamp[], strength: number
     shadows: lamps.map(([towards]) => (light[pixelOf(...shadowOf(towards))] ?? 0) / base),
     lit: (light[pixelOf(0.1, 0.1)] ?? 0) / base,
     outside: Math.max(...light.subarray(0, SIDE * 8), ...light.subarray(SIDE * (SIDE - 8))),
+    error: gl.getError(),
+  };
+}
+
+/** With two plates: light in the middle of the shadow of each, and beside the foot of each, as parts of the base. */
+export function twoPlates(surface: Surface, lamp: Lamp, strength: number) {
+  const places: readonly Place[] = [
+    [-0.45, -0.2],
+    [0.45, 0.2],
+  ];
+  const light = draw(surface, [lamp], strength, places);
+  const base = linearFromSrgb(BASE[1]);
+  const [dx, dz] = shadowOf(lamp[0]);
+  return {
+    shadows: places.map(([x, z]) => (light[pixelOf(x + dx, z + dz)] ?? 0) / base),
+    lit: places.map(([x, z]) => (light[pixelOf(x + 0.1, z + 0.1)] ?? 0) / base),
     error: gl.getError(),
   };
 }

@@ -3,7 +3,7 @@ import { useModule } from '../support/browser.ts';
 import type { Lamp, Surface } from './negative-shadow.page.ts';
 
 const page = useModule('tests/browser/negative-shadow.page.ts');
-const SURFACES: readonly Surface[] = ['plane', 'mesh', 'depth'];
+const SURFACES: readonly Surface[] = ['plane', 'mesh', 'depth', 'noisy depth'];
 
 interface Parts {
   readonly shadows: readonly number[];
@@ -32,6 +32,16 @@ describe.each(SURFACES)('a negative shadow on a %s', (surface) => {
     const all = received(a) + received(b);
     const { shadows, lit, outside } = await page.call<Parts>('parts', surface, [a, b], 1);
     expect([...shadows, lit, outside]).toEqual([about(received(b) / all), about(received(a) / all), about(1), 0]);
+  });
+
+  test('of each of two objects interrupts the light around its own', async () => {
+    const { shadows, lit, error } = await page.call<Pick<Parts, 'shadows' | 'error'> & { lit: number[] }>(
+      'twoPlates',
+      surface,
+      [[0.4, 1, 0.2], 1],
+      0.8,
+    );
+    expect([...shadows, ...lit, error]).toEqual([about(0.2), about(0.2), about(1), about(1), 0]);
   });
 
   test('falls where the lamp throws it, within 2°', async () => {

@@ -116,6 +116,38 @@ describe('what every exported page has', () => {
     expect(errors).toEqual([]);
   });
 
+  test('shows its image without the script of its sessions, and says so where that cannot be loaded', async () => {
+    const context = await chromium.browser.newContext({ viewport: { width: 640, height: 480 } });
+    const page = await context.newPage();
+    opened.push(page);
+    await context.route('**/sessions-*.js', (route) => route.abort());
+    await page.goto(served.url);
+    await page.getByText('The page did not load completely, so AR and the camera are missing.').waitFor();
+    expect(await page.getByRole('button', { name: 'Use the camera' }).isVisible()).toBe(false);
+    expect(await page.locator('.poster.gone, canvas').count()).toBeGreaterThan(0);
+    expect(await page.getByText('look around').isVisible()).toBe(true);
+  });
+
+  test('loads no sessions where there is none to enter, and else after its image', async () => {
+    const requested = async (script: string) => {
+      const context = await chromium.browser.newContext({ viewport: { width: 640, height: 480 } });
+      const page = await context.newPage();
+      opened.push(page);
+      await page.addInitScript(script);
+      const urls: string[] = [];
+      page.on('request', (request) => urls.push(new URL(request.url()).pathname.split('/').pop() ?? ''));
+      await page.goto(served.url);
+      await page.getByText('look around').waitFor();
+      return urls;
+    };
+    const without = await requested("Object.defineProperty(navigator, 'mediaDevices', { value: undefined })");
+    expect(without.filter((name) => name.startsWith('sessions-'))).toEqual([]);
+    const names = await requested('');
+    const at = (start: string) => names.findIndex((name) => name.startsWith(start));
+    expect(at('sessions-')).toBeGreaterThan(at('program-'));
+    expect(at('program-')).toBeGreaterThan(-1);
+  });
+
   test('moves nothing for those who ask for less motion', async () => {
     const { page } = await open({ reducedMotion: 'reduce' });
     const moving = await page.evaluate(() =>
@@ -127,5 +159,36 @@ describe('what every exported page has', () => {
         .map((element) => element.className),
     );
     expect(moving).toEqual([]);
+  });
+
+  test('draws nothing while its image stays the same', async () => {
+    const context = await chromium.browser.newContext({ viewport: { width: 640, height: 480 } });
+    const page = await context.newPage();
+    opened.push(page);
+    await page.addInitScript(() => {
+      const { prototype } = WebGL2RenderingContext;
+      const { drawArrays } = prototype;
+      Object.assign(globalThis, { drawCalls: 0 });
+      prototype.drawArrays = function (...call) {
+        (globalThis as unknown as { drawCalls: number }).drawCalls++;
+        drawArrays.apply(this, call);
+      };
+    });
+    await page.goto(served.url);
+    await page.getByText('look around').waitFor();
+    const drawnIn = (frames: number) =>
+      page.evaluate(async (count) => {
+        const calls = globalThis as unknown as { drawCalls: number };
+        const before = calls.drawCalls;
+        for (let i = 0; i < count; i++) await new Promise(requestAnimationFrame);
+        return calls.drawCalls - before;
+      }, frames);
+    await drawnIn(5);
+    const shown = await page.locator('canvas').first().screenshot();
+    expect(await drawnIn(10)).toBe(0);
+    expect((await page.locator('canvas').first().screenshot()).equals(shown)).toBe(true);
+    await page.setViewportSize({ width: 480, height: 640 });
+    expect(await drawnIn(10)).toBeGreaterThan(0);
+    expect(await drawnIn(10)).toBe(0);
   });
 });

@@ -29,7 +29,7 @@ export function stand(params: Params, services: { gl?: WebGL2RenderingContext; a
     services: { gl, ...(services.assets && { assets: services.assets }) },
   });
   ctx.outputs.depth.views.push(null, null);
-  const confidence = [0, 1].map(() => ({ texture: null, widthPx: 0, heightPx: 0, uvFromViewUv: new Float32Array(9) }));
+  const confidence = [0, 1].map(() => ({ texture: null, widthPx: 0, heightPx: 0, uvFromViewUv: new Float32Array(9), version: -1 }));
   Object.assign(ctx.outputs, { confidence: { views: confidence } });
   const node = create(ctx);
   let index = 0;

@@ -8,11 +8,19 @@ import { grabStrength, pinchStrength } from '../../nodes/kit/hands.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
 import { createRoomHands } from '../../renderer/preview/room-hands.ts';
 import { createRoomTouches } from '../../renderer/preview/room-touches.ts';
+import { createRoomTracking } from '../../renderer/preview/room-tracking.ts';
 import { createWalk } from '../../renderer/preview/walk.ts';
 
-const HANDS: ProgramNeed = { capability: 'hands', required: false, nodes: [], why: 'to test', without: '' };
+const needOf = (capability: ProgramNeed['capability']): ProgramNeed => ({
+  capability,
+  required: false,
+  nodes: [],
+  why: 'to test',
+  without: '',
+});
 
-const press = (code: string) => window.dispatchEvent(new KeyboardEvent('keydown', { code, cancelable: true }));
+const press = (code: string, keys: KeyboardEventInit = {}) =>
+  window.dispatchEvent(new KeyboardEvent('keydown', { code, cancelable: true, ...keys }));
 const release = (code: string) => window.dispatchEvent(new KeyboardEvent('keyup', { code }));
 
 /** A headset or a phone in the preview, whose frames come one by one. */
@@ -23,13 +31,18 @@ async function inPreview<T>(
     emulator: ReturnType<typeof installEmulator>;
     screen: HTMLElement;
     hint: HTMLElement;
+    trackingHint: HTMLElement;
+    /** Sets what is called within each frame, while the browser answers. */
+    watch: (look: (frame: SessionFrame) => void) => void;
   }) => Promise<T>,
+  framesPerSecond = 60,
 ): Promise<T> {
-  const emulator = installEmulator({ device, clock: 'manual', display: false, sizePx: [64, 64], views: 1 });
-  const [screen, hint] = [document.createElement('div'), document.createElement('p')];
+  const emulator = installEmulator({ device, clock: 'manual', framesPerSecond, display: false, sizePx: [64, 64], views: 1 });
+  const [screen, hint, trackingHint] = [document.createElement('div'), document.createElement('p'), document.createElement('p')];
   screen.style.cssText = 'position:absolute;left:0;top:0;width:400px;height:400px';
   hint.hidden = true;
-  document.body.append(screen, hint);
+  trackingHint.hidden = true;
+  document.body.append(screen, hint, trackingHint);
   let waiting: ((timeS: number) => void)[] = [];
   const clock = {
     nowS: () => 0,
@@ -39,13 +52,22 @@ async function inPreview<T>(
   emulator.setPose({ position: [1, 1.6, 2] });
   const walk = device === 'phone' ? createWalk(emulator, screen, clock as never, true) : null;
   const hands = (device === 'phone' ? createRoomTouches : createRoomHands)(emulator, screen, hint, clock as never);
+  const tracking = createRoomTracking(emulator, trackingHint);
   const gl = document.createElement('canvas').getContext('webgl2') as WebGL2RenderingContext;
-  const { output } = await requestWebXrSession({ xr: navigator.xr, inputs: SESSION_INPUTS, gl, needs: [HANDS], antialias: false });
+  const { output } = await requestWebXrSession({
+    xr: navigator.xr,
+    inputs: SESSION_INPUTS,
+    gl,
+    needs: [needOf('hands'), needOf('anchors')],
+    antialias: false,
+  });
   if (!output) throw new Error('There is no session.');
   let last: SessionFrame | null = null;
+  let look: (frame: SessionFrame) => void = () => {};
   output.start(
     (frame) => {
       last = frame;
+      look(frame);
     },
     () => {},
   );
@@ -59,14 +81,19 @@ async function inPreview<T>(
   };
   try {
     await frame();
-    return await act({ frame, emulator, screen, hint });
+    const watch = (next: typeof look) => {
+      look = next;
+    };
+    return await act({ frame, emulator, screen, hint, trackingHint, watch });
   } finally {
     hands.dispose();
+    tracking.dispose();
     walk?.dispose();
     await output.end();
     await emulator.uninstall();
     screen.remove();
     hint.remove();
+    trackingHint.remove();
   }
 }
 
@@ -203,4 +230,50 @@ export function touches() {
       tan: Math.tan(emulator.device.fovy / 2),
     };
   });
+}
+
+/** Keys of the tracking: where an anchor at (0, 1, -1) of the room is in world space after each, and what the session says. */
+export function tracking() {
+  return inPreview(
+    'headset',
+    async ({ frame, trackingHint, watch }) => {
+      const hints: (string | null)[] = [trackingHint.textContent];
+      let isAsked = false;
+      let anchor: XRAnchor | null = null;
+      // Null where the session gave no frame, as without tracking.
+      let seen: { at: number[] | null; views: number; jumps: number; anchors: number } | null = null;
+      watch(({ xr, viewCount, jumps }) => {
+        const [browserFrame, space] = [xr?.frame as XRFrame, xr?.referenceSpace as XRReferenceSpace];
+        if (!isAsked) void browserFrame.createAnchor?.(new XRRigidTransform({ y: 1, z: -1 }), space).then((made) => (anchor = made));
+        isAsked = true;
+        const pose = anchor && browserFrame.trackedAnchors?.has(anchor) ? browserFrame.getPose(anchor.anchorSpace, space) : null;
+        const at = pose ? [pose.transform.position.x, pose.transform.position.y, pose.transform.position.z] : null;
+        seen = { at, views: viewCount, jumps, anchors: browserFrame.trackedAnchors?.size ?? 0 };
+      });
+      const play = async (frames = 1) => {
+        seen = null;
+        for (let i = 0; i < frames; i++) await frame();
+        hints.push(trackingHint.textContent);
+        return seen;
+      };
+      const after = async (code: string, keys?: KeyboardEventInit, frames?: number) => {
+        press(code, keys);
+        return play(frames);
+      };
+      const steps = {
+        start: await play(3),
+        minute: await after('KeyV', { shiftKey: true }),
+        drift: await after('KeyV', {}, 60),
+        still: await after('KeyV', {}, 10),
+        anchorsLost: await after('KeyN'),
+        anchorsFound: await after('KeyN'),
+        trackingLost: await after('KeyK'),
+        trackingFound: await after('KeyK'),
+        centered: await after('KeyC', {}, 2),
+        deleted: await after('KeyM'),
+      };
+      return { steps, hints, hidden: trackingHint.hidden };
+    },
+    1,
+  );
 }

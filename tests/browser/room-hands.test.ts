@@ -68,3 +68,38 @@ test('on a phone in the preview a click taps, Shift and Alt make drags of one fi
   expect([phases(look.down), phases(look.moved), phases(look.up), look.up.taps, look.turned]).toEqual([[], [], [], 0, true]);
   expect(hint).toContain('Shift + drag');
 });
+
+test('tracking drifts, is lost and re-centered, and anchors are lost and deleted, by keys that the preview shows', async () => {
+  interface Step {
+    readonly at: readonly number[] | null;
+    readonly views: number;
+    readonly jumps: number;
+    readonly anchors: number;
+  }
+  const { steps, hints, hidden } = await page.call<{ steps: Readonly<Record<string, Step | null>>; hints: string[]; hidden: boolean }>(
+    'tracking',
+  );
+  expect(hidden).toBe(false);
+  for (const word of ['re-center', 'drift', 'lose tracking', 'lose anchors', 'delete anchors']) expect(hints[0]).toContain(word);
+  const at = (name: string) => steps[name]?.at;
+  expect(at('start')).toEqual(near([0, 1, -1]));
+  // World space moves by 2 cm and turns by 1° about the room's origin; the anchor, whose point stays, moves the other way.
+  const drifted = ([x = 0, y = 0, z = 0]: readonly number[]) => {
+    const [cos, sin] = [Math.cos(Math.PI / 180), Math.sin(Math.PI / 180)];
+    return [(x - 0.02) * cos - z * sin, y, (x - 0.02) * sin + z * cos];
+  };
+  const exact = (numbers: readonly number[]) => numbers.map((x) => expect.closeTo(x, 4));
+  expect(at('minute')).toEqual(exact(drifted([0, 1, -1])));
+  // The same once more within a minute, in small steps.
+  const after = at('drift') ?? [];
+  expect(after.map((x, i) => Math.abs(x - (drifted(drifted([0, 1, -1]))[i] ?? 0)) < 3e-4)).toEqual([true, true, true]);
+  expect(at('still')).toEqual(exact(after));
+  expect([at('anchorsLost'), at('anchorsFound')]).toEqual([null, exact(after)]);
+  expect([steps.trackingLost, steps.trackingFound?.views]).toEqual([null, 1]);
+  // World space begins at the head again, at (1, 2) of the floor.
+  expect(at('centered')).toEqual(near([-1, 1, -3]));
+  expect([steps.trackingFound?.jumps, steps.centered?.jumps]).toEqual([0, 1]);
+  expect([steps.centered?.anchors, steps.deleted?.anchors]).toEqual([1, 0]);
+  expect(hints[3]).toContain('stop the drift');
+  expect(hints[5]).toContain('find anchors again');
+});

@@ -3,6 +3,17 @@ import type { NodeContext, NodeModule } from '../../nodes/kit/runtime.ts';
 import { createGl, frame, pass, pixel, program, shader, stand } from './runtime-kit.ts';
 import { counting, countingModule, outcome, valueNode } from './runtime-swap.page.ts';
 
+/** Resolves when the canvas loses or gets back its context. */
+function heard(canvas: HTMLCanvasElement, name: 'webglcontextlost' | 'webglcontextrestored'): Promise<void> {
+  return new Promise((resolve) => {
+    const listener = (e: Event): void => {
+      e.preventDefault();
+      resolve();
+    };
+    canvas.addEventListener(name, listener, { once: true });
+  });
+}
+
 /** The context goes and comes back: what was on screen is there again, params included. */
 export async function contextLoss() {
   const gl = createGl();
@@ -15,21 +26,13 @@ export async function contextLoss() {
   });
   const { player } = await stand(tinted, { gl });
   player.setParam('flat', 'color', [0, 1, 0, 1]);
-  const event = (name: string): Promise<void> =>
-    new Promise((resolve) => {
-      const listener = (e: Event): void => {
-        e.preventDefault();
-        resolve();
-      };
-      canvas.addEventListener(name, listener, { once: true });
-    });
-  const lost = event('webglcontextlost');
+  const lost = heard(canvas, 'webglcontextlost');
   lose?.loseContext();
   await lost;
   player.contextLost();
   player.draw(frame(0));
   const whileLost = player.counts().programs;
-  const restored = event('webglcontextrestored');
+  const restored = heard(canvas, 'webglcontextrestored');
   // Not allowed within the event's own task.
   await new Promise((resolve) => setTimeout(resolve, 0));
   lose?.restoreContext();
@@ -73,22 +76,14 @@ export async function stateOutlivesContext() {
     player.draw(frame(0));
     return pixel(gl, 3, 3)[0];
   };
-  const heard = (name: string): Promise<void> =>
-    new Promise((resolve) => {
-      const listener = (e: Event): void => {
-        e.preventDefault();
-        resolve();
-      };
-      canvas.addEventListener(name, listener, { once: true });
-    });
   const interrupt = async (meanwhile: () => void): Promise<void> => {
-    const lost = heard('webglcontextlost');
+    const lost = heard(canvas, 'webglcontextlost');
     lose?.loseContext();
     await lost;
     player.contextLost();
     player.draw(frame(0));
     meanwhile();
-    const restored = heard('webglcontextrestored');
+    const restored = heard(canvas, 'webglcontextrestored');
     await new Promise((resolve) => setTimeout(resolve, 0));
     lose?.restoreContext();
     await restored;
@@ -120,4 +115,60 @@ export async function stateOutlivesContext() {
     diagnostics: diagnostics(),
     error: gl.getError(),
   };
+}
+
+/** Open hit tests and anchors of a node over changes of the graph and lost contexts. */
+export async function spatialCounts() {
+  const gl = createGl();
+  const lose = gl.getExtension('WEBGL_lose_context');
+  const canvas = gl.canvas as HTMLCanvasElement;
+  const placer: NodeModule = {
+    create: (ctx) => {
+      const { gl: held, session } = ctx as unknown as NodeContext<never>;
+      const texture = held.createTexture();
+      const hitTest = session.openHitTest({ from: 'viewer' });
+      const anchor = session.anchors.create(new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]));
+      return {
+        update: () => {
+          hitTest.read();
+        },
+        dispose: () => {
+          hitTest.close();
+          anchor.delete();
+          held.deleteTexture(texture);
+        },
+      };
+    },
+  };
+  const empty = program({
+    shaders: [shader('flat', 'color = vec4(1.0);')],
+    operations: [pass('flat', 0, 'screen')],
+  });
+  const placing = { ...empty, operations: [valueNode('placer', 0, { outputs: {} }), ...empty.operations] };
+  const { player } = await stand(empty, { gl, modules: { placer } });
+  const counted: [hitTests: number, anchors: number][] = [];
+  const count = () => {
+    player.draw(frame(0));
+    const { hitTests = -1, anchors = -1 } = player.counts().spatial ?? {};
+    counted.push([hitTests, anchors]);
+  };
+  count();
+  for (let i = 0; i < 3; i++) {
+    await player.replaceProgram(placing);
+    count();
+    const lost = heard(canvas, 'webglcontextlost');
+    lose?.loseContext();
+    await lost;
+    player.contextLost();
+    const restored = heard(canvas, 'webglcontextrestored');
+    await new Promise((resolve) => setTimeout(resolve, 0));
+    lose?.restoreContext();
+    await restored;
+    await player.restore();
+    count();
+    await player.replaceProgram(empty);
+    count();
+  }
+  player.dispose();
+  return { counted, error: gl.getError() };
 }

@@ -27,3 +27,12 @@ test('values and the nodes that make them outlive lost contexts, and nothing is 
     error: NO_ERROR,
   });
 });
+
+test('no hit test and no anchor is left open by a node that is removed, nor by a lost context', async () => {
+  const round = [
+    [1, 1],
+    [1, 1],
+    [0, 0],
+  ];
+  expect(await page.call('spatialCounts')).toEqual({ counted: [[0, 0], ...round, ...round, ...round], error: NO_ERROR });
+});

@@ -84,8 +84,8 @@ function projectOf(main: Graph): ProjectLogic {
 const { compile } = createCompiler();
 
 /** Null where a muted source left a port without anything. */
-function compiled(graph: Graph, taps: readonly string[] = []): Program | null {
-  const { output, diagnostics } = compile({ project: projectOf(graph), library, options: { taps } });
+function compiled(graph: Graph, taps: readonly string[] = [], fuse = false): Program | null {
+  const { output, diagnostics } = compile({ project: projectOf(graph), library, options: { taps, fuse } });
   const errors = diagnostics.filter(({ severity }) => severity === 'error');
   if (output === null && errors.every(({ code }) => code === 'SCR015')) return null;
   expect(errors).toEqual([]);
@@ -121,6 +121,24 @@ describe('any graph', () => {
     expect(compositions).toBeGreaterThan(30);
     expect(moved).toBeGreaterThan(30);
     expect(shared).toBeGreaterThan(10);
+  });
+
+  test('compiles to a program that can be played with fused passes, too', () => {
+    let fewer = 0;
+    fc.assert(
+      fc.property(plans, (plan) => {
+        const graph = graphOf(plan);
+        const fused = compiled(graph, [], true);
+        const separate = compiled(graph);
+        if (fused === null || separate === null) return;
+        expect(programFaults(fused)).toEqual([]);
+        expect(fused.operations.length).toBeLessThanOrEqual(separate.operations.length);
+        if (fused.operations.length < separate.operations.length) fewer++;
+        expect(fused.slots).toEqual(separate.slots);
+      }),
+      { seed: 3, numRuns: 200 },
+    );
+    expect(fewer).toBeGreaterThan(12);
   });
 
   test('shows the same picture while all of its layers are looked at', () => {

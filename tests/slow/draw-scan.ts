@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { encode } from 'fast-png';
 import { Matrix4, Raycaster, Vector3 } from 'three';
 import { createRoom } from '../../export/emulator/rooms/room-source.ts';
-import '../support/dom-point.ts';
+import { addDomPoint } from '../support/dom-point.ts';
 
 const WIDTH = 640;
 const HEIGHT = 480;
@@ -12,6 +12,7 @@ const HALF_X = 0.6;
 
 /** Writes depth in millimeters of a scanned room, from where a visitor looks around, as 16-bit images. Returns their names. */
 export function drawScan(name: string, folder: string): readonly string[] {
+  addDomPoint();
   const room = createRoom({ capture: JSON.parse(readFileSync(`node_modules/@iwer/sem/captures/${name}.json`, 'utf8')) });
   const raycaster = new Raycaster();
   const origin = new Vector3(0, 1.5, 0);

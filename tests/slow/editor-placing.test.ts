@@ -1,7 +1,7 @@
 import { expect, test } from '@jest/globals';
 import { useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
-import { ballPixels, PLACED_BALL } from '../support/placed-ball.ts';
+import { ballMiddle, ballPixels, PLACED_BALL } from '../support/placed-ball.ts';
 
 const open = useOneEditor(PLACED_BALL, {});
 
@@ -18,4 +18,24 @@ test('what a tap places in the preview stays while the recorded room repeats', a
   const placedAt = await open.editor.frame();
   await eventually(async () => expect(await open.editor.frame()).toBeGreaterThan(placedAt + 100));
   expect(await ballPixels(open.editor)).toBeGreaterThan(50);
+});
+
+test('two fingers on the preview scale it', async () => {
+  await open.editor.hold();
+  const before = await ballPixels(open.editor);
+  const box = await open.page.locator('iframe[title="Preview"]').boundingBox();
+  if (!box) throw new Error('There is no preview.');
+  const [xPx, yPx] = await ballMiddle(open.editor);
+  const client = await open.page.context().newCDPSession(open.page);
+  const touch = (type: 'touchStart' | 'touchMove', halfPx: number) =>
+    client.send('Input.dispatchTouchEvent', {
+      type,
+      touchPoints: [-halfPx, halfPx].map((dx, id) => ({ x: box.x + xPx + dx, y: box.y + yPx, id })),
+    });
+  await touch('touchStart', 6);
+  // The browser itself would zoom from here on.
+  for (const halfPx of [9, 12, 18, 24]) await touch('touchMove', halfPx);
+  await eventually(async () => expect(await ballPixels(open.editor)).toBeGreaterThan(2 * before));
+  await client.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+  await client.detach();
 });

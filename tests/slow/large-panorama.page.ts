@@ -15,7 +15,7 @@ const LINE_BYTES = WIDTH_PX * 3 * 2;
 const LAMP = { row: 1000, column: 6000, radiance: 40 } as const;
 
 /** A black panorama with a lamp of one pixel, as OpenEXR with ZIP. */
-function largeExr(): ArrayBuffer {
+export function largeExr(): ArrayBuffer {
   const parts: Uint8Array<ArrayBuffer>[] = [];
   const bytes: number[] = [];
   const int = (value: number): unknown => bytes.push(value & 255, (value >> 8) & 255, (value >> 16) & 255, (value >> 24) & 255);

@@ -1,5 +1,6 @@
 import { expect, test } from '@jest/globals';
 import { useModule } from '../support/browser.ts';
+import type { Lit } from './large-panorama-light.page.ts';
 
 const page = useModule('tests/slow/large-panorama.page.ts');
 
@@ -24,3 +25,30 @@ test('an EXR of 8192 × 4096 is decoded while the page goes on drawing, also for
 test('one that is cut off is refused', async () => {
   expect(await page.call<string>('decodeCut')).toMatch(/^the file is damaged .*Export it again$/);
 });
+
+const light = useModule('tests/slow/large-panorama-light.page.ts');
+
+test.each([
+  ['halves', 4096, 2048],
+  ['png', 3001, 1501],
+] as const)(
+  '%s of %i × %i are uploaded and filtered in small parts between frames, and look as those that are loaded at once',
+  async (...panorama) => {
+    const [kind, widthPx] = panorama;
+    const { most, most2, ...rest } = await light.call<Lit>('light', ...panorama);
+    for (const { turns, rows, levelPx, facePx } of [most, ...(most2 ? [most2] : [])]) {
+      expect(rows * widthPx).toBeLessThanOrEqual(2 ** 20);
+      expect(levelPx).toBeLessThan(2 ** 21);
+      expect(facePx).toBeLessThan(2 ** 19);
+      expect(turns).toBeGreaterThan(40);
+    }
+    expect(rest).toMatchObject({
+      readyAtOnce: [true, kind === 'png'],
+      whole: { pixels: 0 },
+      filled: kind === 'png' ? { pixels: 0 } : null,
+      errors: [0, 0],
+    });
+    // The lamp was visible.
+    if (kind === 'png') expect(rest.lampGone).toBeGreaterThan(20);
+  },
+);

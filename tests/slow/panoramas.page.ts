@@ -11,6 +11,7 @@ import {
 import { loadPanorama } from '../../export/runtime/scenes/environments/load-panorama.ts';
 import { prefilter } from '../../export/runtime/scenes/environments/prefilter.ts';
 import { readRadiance } from '../../export/runtime/scenes/environments/read-radiance.ts';
+import { workAtOnce } from '../../export/runtime/scenes/environments/spread-work.ts';
 import { createSceneRenderer } from '../../export/runtime/scenes/scene-renderer.ts';
 import { createGl, HEIGHT, lookingAt, readPixels, WIDTH } from '../browser/scenes-kit.ts';
 
@@ -28,7 +29,7 @@ export async function compare(url: string): Promise<Compared> {
   three.toneMapping = NoToneMapping;
   const panorama = await loadPanorama(await (await fetch(url)).arrayBuffer(), three.capabilities.maxTextureSize, readRadiance);
   // Ours has the middle of the picture at -z, three's at +x: a quarter turn.
-  const ours = prefilter(renderer, panorama);
+  const ours = workAtOnce(prefilter(renderer, panorama));
   let theirs: WebGLCubeRenderTarget | null = null;
   renderer.work(() => {
     theirs = new PMREMGenerator(three).fromEquirectangular(panorama.texture) as unknown as WebGLCubeRenderTarget;

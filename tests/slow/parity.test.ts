@@ -100,15 +100,17 @@ async function pageOf(
 }
 
 describe.each([
-  ['the example', false, 1],
-  ['the example in two views', false, 2],
-  ['layers drawn straight to the device', true, 1],
-] as const)('%s', (name, forward, views) => {
-  test('is the same in the running editor’s preview and in the served page, to the pixel', async () => {
+  // The page draws the layers and the filter by one shader (ADR 43).
+  ['the example', false, 1, 1 / 10_000],
+  ['the example in two views', false, 2, 1 / 10_000],
+  ['layers drawn straight to the device', true, 1, 0],
+] as const)('%s', (name, forward, views, mostDifferent) => {
+  test('is the same in the running editor’s preview and in the served page, except where a fused pass rounds differently', async () => {
     const project = await copyExample(name.replaceAll(' ', '-'), forward);
     const { still, size } = await previewOf(project, views);
     const { first, later } = await pageOf(project, views, size);
-    await expectSamePixels(`parity-${name.replaceAll(' ', '-')}`, first, still);
+    await expectSamePixels(`parity-${name.replaceAll(' ', '-')}`, first, still, { tolerance: mostDifferent === 0 ? 0 : 1 });
+    expect(countDifferent(first, still).pixels).toBeLessThanOrEqual(first.data.length * mostDifferent);
     // The comparison sees that the model moves.
     expect(countDifferent(later, still).pixels).toBeGreaterThan(100);
   });

@@ -1,4 +1,4 @@
-import type { EditorDriver } from './editor-driver.ts';
+import { type EditorDriver, FLAG_PX } from './editor-driver.ts';
 import type { GraphText } from './open-editor.ts';
 
 /** A magenta ball in the sun, which a tap places once, over the camera video. */
@@ -33,11 +33,25 @@ export const PLACED_BALL: GraphText = {
 
 /** Counts the pixels of the ball in the preview. */
 export async function ballPixels(editor: EditorDriver): Promise<number> {
-  const { data } = await editor.picture();
-  let count = 0;
+  return (await findBall(editor)).count;
+}
+
+/** The middle of the ball, in CSS pixels from the top left of the preview. */
+export async function ballMiddle(editor: EditorDriver): Promise<readonly [xPx: number, yPx: number]> {
+  const { count, xPx, yPx } = await findBall(editor);
+  return [xPx / count, yPx / count + FLAG_PX];
+}
+
+/** Sums over the pixels of the ball. */
+async function findBall(editor: EditorDriver) {
+  const { data, width } = await editor.picture();
+  const sum = { count: 0, xPx: 0, yPx: 0 };
   for (let i = 0; i < data.length; i += 4) {
     const [red = 0, green = 0, blue = 0] = data.subarray(i, i + 3);
-    if (red > 120 && blue > 120 && green < Math.min(red, blue) / 3) count++;
+    if (red <= 120 || blue <= 120 || green >= Math.min(red, blue) / 3) continue;
+    sum.count++;
+    sum.xPx += (i / 4) % width;
+    sum.yPx += Math.floor(i / 4 / width);
   }
-  return count;
+  return sum;
 }

@@ -190,7 +190,7 @@ function written(value: unknown): string {
   // By `this`, because three's objects write themselves otherwise, with an id that is new each time.
   return JSON.stringify(value, function (this: Readonly<Record<string, unknown>>, key) {
     const part = this[key];
-    if (key === 'version' || key === 'claimant' || typeof part === 'function') return undefined;
+    if (key === 'version' || key === 'changes' || key === 'claimant' || typeof part === 'function') return undefined;
     if (ArrayBuffer.isView(part)) return [...(part as Float32Array)];
     if (part instanceof Matrix4) return part.elements;
     if (isObject3D(part)) {
@@ -238,6 +238,7 @@ function giveAt(
       ...{ restore: () => null, forget: () => {} },
     },
     depthImage: () => null,
+    answerRays: () => () => {},
     openHitTest: () => ({ read: () => hits(now), close: () => {} }),
     castRay: (ray: Float32Array, out: HitRecord) => {
       out.worldFromHit.set(ray);
@@ -254,6 +255,7 @@ function giveAt(
     audio: handle({ durationS: 1, sampleRateHz: 48_000, channels: [TONE] }),
     model: handle(model()),
     environment: handle('panorama'),
+    capture: handle(null),
   };
   const scene = { update: (...what: unknown[]) => asked.push(what), draw: () => {}, dispose: () => {} };
   const scenes = { createScene: () => scene };

@@ -1,11 +1,11 @@
 import { readFile } from 'node:fs/promises';
 import { resolve } from 'node:path';
-import { build } from 'esbuild';
 import type { Browser, Page } from 'playwright-core';
 import type { HeadPose } from '../../export/emulator/emulator.ts';
 // Brings the type of the global that the injected script makes.
 import type {} from '../../export/emulator/inject.ts';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
+import { bundleEmulator } from '../../tools/lib/bundle-emulator.ts';
 import { collectErrors } from '../support/browser.ts';
 import type { RgbaImage } from '../support/image.ts';
 
@@ -48,7 +48,7 @@ export async function openXrPage(
   /** Runs in the page after the emulator is there. */
   script = '',
 ): Promise<XrPage> {
-  injected ??= bundleEmulator();
+  injected ??= bundleEmulator(ROOT);
   const context = await browser.newContext({ viewport });
   const page = await context.newPage();
   const errors = collectErrors(page);
@@ -93,18 +93,4 @@ async function readPicture(page: Page, what: 'readLayer' | 'readComposite' | 're
     return { width: pixels.widthPx, height: pixels.heightPx, base64: btoa(text) };
   }, what);
   return { width, height, data: new Uint8Array(Buffer.from(base64, 'base64')) };
-}
-
-async function bundleEmulator(): Promise<string> {
-  const { outputFiles } = await build({
-    entryPoints: [resolve(ROOT, 'export/emulator/inject.ts')],
-    bundle: true,
-    write: false,
-    format: 'iife',
-    target: 'chrome108',
-    minify: true,
-    loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
-    logLevel: 'silent',
-  });
-  return outputFiles[0]?.text ?? '';
 }

@@ -1,7 +1,10 @@
+import { spawnSync } from 'node:child_process';
+import { join } from 'node:path';
 import process from 'node:process';
 import { findLamps, searchWhole } from '../../nodes/kit/panorama/find-lamps.ts';
 import type { LampOptions } from '../../nodes/kit/panorama/lamp-options.ts';
 import type { PanoramaPixels } from '../../nodes/kit/panorama/pixels.ts';
+import type { ToolContext } from '../lib/tool.ts';
 import type { Bench } from './bench.ts';
 
 const SIZES = [
@@ -13,23 +16,50 @@ const METHODS: readonly Pick<LampOptions, 'method' | 'iterations'>[] = [
   { method: 'solid-angle', iterations: 1 },
 ];
 
+const SAMPLES = 15;
+
 /**
- * CPU time to find the lamps of a decoded panorama, without its decoding. OpenCV 5.0.0 takes 2 ms and 27 ms for the steps of `paper` on one
- * thread of the same machine.
+ * CPU time to find the lamps of a decoded panorama, without its decoding, beside the steps of `paper` by OpenCV on one thread, where
+ * `python3` has the package `opencv-python-headless`.
  */
-export async function benches(): Promise<readonly Bench[]> {
+export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
+  const hasOpenCv = spawnSync('python3', ['-c', 'import cv2']).status === 0;
+  if (!hasOpenCv) console.error('OpenCV is not measured: python3 has no package opencv-python-headless.');
   return SIZES.flatMap(([widthPx, heightPx]) => {
     const pixels = room(widthPx, heightPx);
-    return METHODS.map((method): Bench => {
+    const ours = METHODS.map((method): Bench => {
       const options: LampOptions = { lamps: 3, intensities: 'ranks', clippedShare: 0.5, ...method };
       return {
         name: `lamps of a panorama, ${method.method}, ${widthPx} × ${heightPx}`,
         unit: 'ms',
-        samples: 15,
+        samples: SAMPLES,
         sample: () => cpuMs(() => searchWhole(findLamps(pixels, options))),
       };
     });
+    return hasOpenCv ? [...ours, openCv(root, widthPx, heightPx)] : ours;
   });
+}
+
+/** The times that OpenCV takes. One process measures them all. */
+function openCv(root: string, widthPx: number, heightPx: number): Bench {
+  let times: number[] = [];
+  return {
+    name: `lamps of a panorama, paper by OpenCV, ${widthPx} × ${heightPx}`,
+    unit: 'ms',
+    samples: SAMPLES,
+    sample: () => {
+      if (times.length === 0) times = timesOfOpenCv(root, widthPx, heightPx);
+      return times.pop() ?? Number.NaN;
+    },
+  };
+}
+
+function timesOfOpenCv(root: string, widthPx: number, heightPx: number): number[] {
+  const script = join(root, 'tools', 'bench', 'opencv-lamps.py');
+  const args = [widthPx, heightPx, SAMPLES + 1].map(String);
+  const { status, stdout, stderr } = spawnSync('python3', [script, ...args], { encoding: 'utf8' });
+  if (status !== 0) throw new Error(`OpenCV could not be measured: ${stderr}`);
+  return stdout.trim().split('\n').map(Number).reverse();
 }
 
 /** A panorama in bytes: a smooth room with a lamp and a window. */

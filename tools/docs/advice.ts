@@ -28,6 +28,8 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
     'Choose a lower resolution or “Soft” edges, so that all devices show the same shadows. This device limits the texture size or has no 32-bit float textures.',
   SCR026: 'Delete unused nodes, or nest fewer instances of subgraphs. Each instance counts with all its nodes.',
   SCR027: 'Connect everything to one of the two nodes, and delete the other.',
+  SCR076:
+    'Replace the node, or tell visitors which devices they need. The section “Devices” of the inspector plays the page as each kind of device.',
   SCR028:
     'Use a panorama in which lamps or windows are visible, choose the other method, or add a Directional light. Until then the whole panorama lights the scene.',
   SCR029: 'Export the panorama again from the program that made it, without infinite, negative or undefined numbers.',
@@ -46,6 +48,10 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
   SCR038: 'Connect the output “Body” to the input “Bodies” of a Physics world, or delete the Body node.',
   SCR039:
     'Panoramas are equirectangular (2 : 1), the photo of a mirror ball (1 : 1), or six faces of a cube as a cross (4 : 3, 3 : 4) or a strip (6 : 1, 1 : 6). Crop or extend the picture to one of these shapes. A square picture that is no mirror ball is to be exported again, twice as wide as high.',
+  SCR068:
+    'Use shots of one panorama, taken from one place, of one size, that differ in exposure only; the darkest shows the lamps, and neighbors are at most about 5 stops apart.',
+  SCR069:
+    'Compare the folder with `docs/CAPTURE-FORMAT.md`: photographs, cameras and a mesh. Export the cameras again, or leave out the photographs that the message names.',
   SCR040: 'Fix the JSON in the shader’s first comment at the line that the message names.',
   SCR041: 'Fix the line that the message names. Until then the last working version plays.',
   SCR042: 'Fix the line that the message names; the graphics driver rejected it. Until then the last working version plays.',
@@ -69,7 +75,8 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
   SCR055: 'No action is needed. For the complete effect, use a device with the feature that the message names.',
   SCR056:
     'Find the source of the pulses: an interval that is too short, or a cycle of wires. A node passes on at most 16 pulses per frame; the rest is lost.',
-  SCR057: 'Place the objects anew at the next visit, or remove anchors that are no longer needed by a pulse at “Clear”.',
+  SCR057:
+    'Place the objects anew at the next visit, or remove anchors that are no longer needed by a pulse at “Clear”. If the shape of the room is not kept, or cannot be read, look around the room once: it is measured anew.',
   SCR058:
     'If it happens once, no action is needed: a new worker goes on from the last step. If it happens again, reload the page and simulate fewer bodies.',
   SCR059: 'Shorten the text. For characters that the font of Text 3D lacks, use a Label, which draws with the fonts of the browser.',

@@ -18,7 +18,7 @@ export function makeLampAndWindow(library: NodeLibrary): Project {
     description:
       'A tin robot on the floor is lit by the lamp and the window of a panorama, and casts a shadow for each of them, also on glasses that cannot darken.',
     nodes: {
-      room: ['source/panorama', 0, 1, { file: 'room', exposure: -1 }],
+      room: ['source/panorama-capture', 0, 1, { file: 'room', exposure: -1 }],
       lamps: ['light/from-panorama', 1, 1, { lamps: 2, areaM: 3, visitorControls: true }],
       robot: ['source/model', 0, 0, { model: 'robot' }],
       stand: ['objects/transform', 1, 0, { positionM: [0.8, 0, -0.6], rotationRad: [0, 0.3, 0], scale: 1.4 }],

@@ -1,3 +1,5 @@
+import { encode } from 'fast-png';
+import { srgbFromLinear } from '../../nodes/kit/color-math.ts';
 import { writeHdr } from './write-hdr.ts';
 
 const WIDTH_PX = 256;
@@ -19,6 +21,16 @@ const AMBIENT: Vector = [0.35, 0.36, 0.38];
 
 /** A room with a lamp and a window as an equirectangular HDR image. The lamp and the window light the walls and the floor. */
 export function makeLitRoom(): Uint8Array {
+  return writeHdr(WIDTH_PX, HEIGHT_PX, litRoom());
+}
+
+/** A photo of the same room, as PNG: display-referred bytes, in which all that is brighter than white is clipped. */
+export function makeLitRoomShot(stops: number): Uint8Array {
+  const data = Uint8Array.from(litRoom(), (value) => Math.round(255 * srgbFromLinear(Math.min(1, value * 2 ** stops))));
+  return encode({ width: WIDTH_PX, height: HEIGHT_PX, data, channels: 3, depth: 8 });
+}
+
+function litRoom(): readonly number[] {
   const rgb: number[] = [];
   for (let y = 0; y < HEIGHT_PX; y++) {
     const phi = Math.PI * (0.5 - (y + 0.5) / HEIGHT_PX);
@@ -27,7 +39,7 @@ export function makeLitRoom(): Uint8Array {
       rgb.push(...radianceOf([Math.sin(theta) * Math.cos(phi), Math.sin(phi), -Math.cos(theta) * Math.cos(phi)]));
     }
   }
-  return writeHdr(WIDTH_PX, HEIGHT_PX, rgb);
+  return rgb;
 }
 
 function radianceOf(way: Vector): Vector {

@@ -10,8 +10,9 @@ import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts'
 import type { ToolMain } from '../lib/tool.ts';
 import { makeChime } from './chime.ts';
 import { GALLERY_FILES, makeGallery } from './gallery.ts';
+import { makeGlossyBall } from './glossy-ball.ts';
 import { LAMP_AND_WINDOW, makeLampAndWindow } from './lamp-and-window.ts';
-import { makeLitRoom } from './lit-room.ts';
+import { makeLitRoom, makeLitRoomShot } from './lit-room.ts';
 import { makeHands } from './paper/hands.ts';
 import { makeProject } from './paper/recipe.ts';
 import { RECIPES } from './paper/recipes.ts';
@@ -42,6 +43,9 @@ const SKY_PATHS = [
   `examples/gallery/assets/${GALLERY_FILES.sky}`,
 ];
 const LIT_ROOM_PATHS = ['nodes/light/from-panorama/example/assets/room.hdr', `examples/${LAMP_AND_WINDOW}/assets/room.hdr`];
+/** Photos of the same room and their exposures in stops. */
+const SHOTS = { bright: 0, middle: -3.5, dark: -7 } as const;
+const CAPTURE_FOLDER = 'nodes/source/capture/example/assets/glossy-ball.capture';
 const CHIME_PATHS = ['nodes/source/audio-file/example/assets/chime.wav'];
 const BALL_PATHS = ['nodes/source/video-file/example/assets/film.webm'];
 const STRIPES_PATHS = [`examples/gallery/assets/${GALLERY_FILES.film}`];
@@ -53,7 +57,12 @@ export const main: ToolMain = async ([only], { root }) => {
     await placePlay(root);
     return 0;
   }
+  if (only === 'capture') {
+    await placeCapture(root);
+    return 0;
+  }
   await place(root, ROBOT_PATHS, await makeRobot());
+  await placeCapture(root);
   await placeProject(root, 'gallery', makeGallery(library()));
   await placePlay(root);
   await placeProject(root, LAMP_AND_WINDOW, makeLampAndWindow(library()));
@@ -71,6 +80,9 @@ export const main: ToolMain = async ([only], { root }) => {
   await place(root, PINWHEEL_PATHS, await makePinwheel());
   await place(root, SKY_PATHS, makeSky());
   await place(root, LIT_ROOM_PATHS, makeLitRoom());
+  for (const [name, stops] of Object.entries(SHOTS)) {
+    await place(root, [`nodes/source/panorama-exposures/example/assets/${name}.png`], makeLitRoomShot(stops));
+  }
   await place(root, CHIME_PATHS, makeChime());
   await place(root, BALL_PATHS, await makeFilm(root, 'makeBall'));
   await place(root, STRIPES_PATHS, await makeFilm(root, 'makeStripes'));
@@ -78,6 +90,11 @@ export const main: ToolMain = async ([only], { root }) => {
 };
 
 /** Generates the physics examples and their models. */
+/** Writes the capture of the node's example. */
+async function placeCapture(root: string): Promise<void> {
+  for (const [path, bytes] of Object.entries(await makeGlossyBall())) await place(root, [`${CAPTURE_FOLDER}/${path}`], bytes);
+}
+
 async function placePlay(root: string): Promise<void> {
   for (const recipe of PLAY) await placeProject(root, recipe.folder, makeProject(library(), recipe));
   const run = 'examples/marble-run/assets';

@@ -33,6 +33,7 @@ const HOST = [
   'graph',
   'glsl',
   'gltf',
+  'captures',
   'compiler',
   'program',
   'bundle',
@@ -50,7 +51,7 @@ export const LAYERS: readonly Layer[] = [
     name: 'kit',
     files: [
       'nodes/kit/panorama/**',
-      'nodes/kit/{arithmetic,asset-words,categories,choice-options,color-math,curve,definition,diagnostics,ease,expression,facts,frame-times,glyphs,hand-joints,light-params,material-params,play-expression,play-size,pointer-params,rotation-param,surface-params,track-time,wire-types}.ts',
+      'nodes/kit/{arithmetic,asset-words,capture,categories,choice-options,color-math,curve,definition,diagnostics,ease,expression,facts,frame-times,glyphs,hand-joints,light-params,material-params,play-expression,play-size,pointer-params,rotation-param,surface-params,track-time,wire-types}.ts',
     ],
   },
   { name: 'kit with three', files: ['nodes/kit/three/**'], imports: EXPORT_KIT, packages: ['three'] },
@@ -66,6 +67,7 @@ export const LAYERS: readonly Layer[] = [
 
   { name: 'program', files: ['export/program/**'], types: ['kit'] },
   { name: 'gltf', files: ['export/gltf/**'], imports: ['kit'] },
+  { name: 'captures', files: ['export/captures/**'], imports: ['kit', 'gltf'] },
   { name: 'graph', files: ['export/graph/**'], imports: ['kit'], packages: ['immer', 'jsonc-parser'] },
   { name: 'glsl', files: ['export/glsl/**'], imports: ['kit', 'program'], packages: ['jsonc-parser'] },
   { name: 'compiler', files: ['export/compiler/**'], imports: ['kit', 'graph', 'glsl', 'program'] },
@@ -121,14 +123,14 @@ export const LAYERS: readonly Layer[] = [
     name: 'services',
     files: ['app/services/**'],
     imports: HOST,
-    packages: ['node:*', 'zod', 'esbuild', 'playwright-core', '@sparticuz/chromium', 'fast-png'],
+    packages: ['node:*', 'zod', 'esbuild', 'playwright-core', '@sparticuz/chromium', 'fast-png', 'jpeg-js'],
   },
   { name: 'electron shell', files: ['app/electron/**'], imports: [...HOST, 'services'], packages: ['electron', 'node:*', 'zod'] },
   { name: 'server shell', files: ['app/server/**'], imports: [...HOST, 'services'], packages: ['node:*', 'zod'] },
   {
     name: 'command line page',
     files: ['app/cli/**/*.page.ts'],
-    imports: [...EXPORT_KIT, 'program', 'runtime', 'scenes', 'emulator', 'recorded session', 'registry of runtimes'],
+    imports: [...EXPORT_KIT, 'program', 'captures', 'runtime', 'scenes', 'emulator', 'recorded session', 'registry of runtimes'],
     packages: ['three'],
   },
   {
@@ -144,7 +146,7 @@ export const LAYERS: readonly Layer[] = [
     name: 'preview',
     files: ['renderer/preview/**'],
     imports: [
-      ...EXPORT_KIT,
+      ...NODE_KIT,
       'program',
       'gltf',
       'preview protocol',
@@ -196,7 +198,7 @@ export const LAYERS: readonly Layer[] = [
     name: 'measured page',
     files: ['tools/bench/pages/**'],
     imports: [...EXPORT_KIT, 'program', 'runtime', 'emulator', 'scenes', 'registry of runtimes'],
-    packages: ['three'],
+    packages: ['three', 'postprocessing'],
   },
   {
     name: 'measured physics',

@@ -13,6 +13,8 @@ export interface Interaction {
 }
 
 const KEY_MS = 8;
+const TOUCH_MS = 150;
+const TWIST_STEPS = 6;
 
 /** Pointer and keyboard that count their interactions. */
 export class Hands {
@@ -44,6 +46,22 @@ export class Hands {
     await mouse.move(to.x, to.y, { steps: 6 });
     await mouse.up();
     await this.count({ kind: 'drag', what, at: to });
+  }
+
+  /** Puts two fingers on opposite sides of a point and turns them about it, clockwise as seen. */
+  async twist(what: string, { x, y }: Point, radiusPx: number, turnRad: number): Promise<void> {
+    const client = await this.page.context().newCDPSession(this.page);
+    const put = async (type: 'touchStart' | 'touchMove', rad: number) => {
+      const touchPoints = [rad, rad + Math.PI].map((at, id) => ({ x: x + radiusPx * Math.cos(at), y: y + radiusPx * Math.sin(at), id }));
+      await client.send('Input.dispatchTouchEvent', { type, touchPoints });
+      // The preview reads pointers once per frame.
+      await this.page.waitForTimeout(TOUCH_MS);
+    };
+    await put('touchStart', 0);
+    for (let i = 1; i <= TWIST_STEPS; i++) await put('touchMove', (turnRad * i) / TWIST_STEPS);
+    await client.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+    await client.detach();
+    await this.count({ kind: 'drag', what, at: { x, y } });
   }
 
   async type(what: string, text: string, field: Locator): Promise<void> {

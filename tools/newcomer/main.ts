@@ -39,14 +39,17 @@ const SIZE = { width: 1440, height: 900 };
 const FRAME_MS = 900;
 const LAST_MS = 4000;
 
-/** `npm run newcomer-film`: runs the newcomer's scripts in the built editor and writes the animated images of the documentation. */
-export const main: ToolMain = async (_args, { root }) => {
+/**
+ * `npm run newcomer-film`: runs the newcomer's scripts in the built editor and writes the animated images of the documentation;
+ * `-- placing` only the one whose path contains that.
+ */
+export const main: ToolMain = async ([wanted = ''], { root }) => {
   const found = await findChromium();
   if (found === null) throw new Error('No browser was found. Install Chromium, or set SCRIM_CHROMIUM to its path.');
   const base = await mkdtemp(join(tmpdir(), 'scrim-newcomer-'));
   const browser = await startBrowser(found);
   try {
-    for (const [i, { file, play }] of FILMS.entries()) {
+    for (const [i, { file, play }] of FILMS.filter((film) => film.file.includes(wanted)).entries()) {
       const server = await startServer({ installation: installationAt(root, '0.0.0'), startPath: null, log: console.log });
       const page = await browser.newPage({ viewport: SIZE, colorScheme: 'dark' });
       await page.goto(server.invite());

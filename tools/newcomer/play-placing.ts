@@ -22,7 +22,7 @@ export async function playPlacing(options: NewcomerOptions): Promise<readonly In
   return hands.done;
 }
 
-/** Uses the finished graph in the preview as a visitor would: places the model, drags it, and measures from its first position. */
+/** Uses the finished graph in the preview as a visitor would: places the model, drags and turns it, and measures from its first position. */
 export async function tryPlacing(page: Page, onDone: (done: Interaction) => Promise<void>): Promise<void> {
   const hands = new Hands(page, onDone);
   const box = await page.locator('.stage-frame').boundingBox();
@@ -30,5 +30,7 @@ export async function tryPlacing(page: Page, onDone: (done: Interaction) => Prom
   const at = (x: number, y: number): Point => ({ x: box.x + x * box.width, y: box.y + y * box.height });
   await hands.clickAt('Tap: the model is placed', at(0.4, 0.9));
   await hands.drag('Drag it along the floor', at(0.4, 0.88), at(0.25, 0.85));
+  const frame = Math.min(box.width, box.height);
+  await hands.twist('Two fingers turn it', at(0.25, 0.77), 0.03 * frame, Math.PI / 2);
   await hands.clickAt('Tap: the length is measured', at(0.8, 0.9));
 }

@@ -1,9 +1,11 @@
-import { readFile } from 'node:fs/promises';
+import { existsSync } from 'node:fs';
+import { readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import process from 'node:process';
 import { runCommand } from '../lib/run-command.ts';
 import type { ToolContext } from '../lib/tool.ts';
 import { readCounts, unmatchedPaths } from './counts.ts';
+import { type Durations, mergeDurations, readDurations } from './durations.ts';
 import { PROJECTS, runJest } from './jest.ts';
 
 interface Phase {
@@ -14,6 +16,7 @@ interface Phase {
 const USAGE = `Usage: npm test
        npm run test:one PROJECT [PATH…]   PROJECT: ${PROJECTS.join(', ')} or slow; PATH: part of a test file's path
        npm run test:slow
+       npm run record-durations     of the last npm test and test:slow, for tests/support/longest-first.mjs
 
 SCRIM_REQUIRE=electron,data makes tests fail that are else skipped where there is no Electron or no real data.`;
 
@@ -31,6 +34,7 @@ export async function main(args: readonly string[], { root }: ToolContext): Prom
     console.error(`SCRIM_REQUIRE is "${required.join(',')}", but may only name ${REQUIREMENTS.join(' and ')}, with a comma between them.`);
     return 1;
   }
+  if (mode === 'record') return recordDurations(root);
   const jest = (projects: readonly string[], name: string, some: readonly string[] = []): Phase => ({
     name: 'tests',
     run: () => runJest({ root, projects, paths: some, countsFile: countsFile(root, name) }),
@@ -68,6 +72,20 @@ async function runPhases(root: string, phases: readonly Phase[], name: string, p
   }
   console.log(failed.length === 0 ? 'All is well.' : `Failed: ${failed.join(', ')}.`);
   return failed.length === 0 ? 0 : 1;
+}
+
+async function recordDurations(root: string): Promise<number> {
+  const record = join(root, 'tests', 'support', 'durations.json');
+  const runs = await Promise.all(['test', 'slow'].map((name) => readDurations(countsFile(root, name), root)));
+  if (runs.every((run) => run === null)) {
+    console.error('There are no durations: run `npm test` or `npm run test:slow` first.');
+    return 1;
+  }
+  const recorded = JSON.parse(await readFile(record, 'utf8')) as Durations;
+  const merged = mergeDurations(recorded, Object.assign({}, ...runs) as Durations, (path) => existsSync(join(root, path)));
+  await writeFile(record, `${JSON.stringify(merged, null, 2)}\n`);
+  console.log(`Recorded ${Object.keys(merged).length} durations.`);
+  return 0;
 }
 
 function countsFile(root: string, name: string): string {

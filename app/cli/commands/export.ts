@@ -67,7 +67,7 @@ export const exportCommand: Command = {
             drawPoster: async (program) => {
               say('Drawing the poster…');
               // The poster is compiled with source maps, so that driver errors name file and line.
-              const mapped = await compileProject(root, files, () => ({ sourceMaps: true }));
+              const mapped = await compileProject(root, files, () => ({ sourceMaps: true, fuse: true }));
               return drawPoster({ program: mapped.program ?? program, projectRoot: root, installation });
             },
           }),

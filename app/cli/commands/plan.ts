@@ -1,4 +1,4 @@
-import { describeProgram } from '../../../export/compiler/describe.ts';
+import { describeProgram, describeSeparate } from '../../../export/compiler/describe.ts';
 import { type Command, failed } from '../command.ts';
 import { compileFolder } from '../compile-folder.ts';
 
@@ -6,19 +6,23 @@ export const planCommand: Command = {
   name: 'plan',
   usage: 'PROJECT',
   summary: 'Show the compiled program',
-  doc: 'Compiles PROJECT and prints the program: its operations per frame and per view in order, its textures and their sizes, the features that it requests, and what each kind of device can show.',
+  doc: 'Compiles PROJECT and prints the program: its operations per frame and per view in order, its textures and their sizes, the features that it requests, and what each kind of device can show. Passes that one shader draws are fused, as in an exported page.',
   project: 'required',
-  options: {},
+  options: {
+    why: { type: 'boolean', doc: 'Also print which layers are drawn to textures although only passes read them, each with the reason.' },
+  },
   examples: [
     { line: 'scrim plan examples/first-light', says: 'Prints the program as text.' },
+    { line: 'scrim plan examples/swirl --why', says: 'Also tells why passes are not fused.' },
     {
       line: 'scrim plan examples/first-light --json > program.json',
-      says: 'The program itself, shaders included: { ok, program, diagnostics }.',
+      says: 'The program itself, shaders included: { ok, program, separate, diagnostics }.',
     },
   ],
   run: async (call) => {
-    const { files, program, diagnostics } = await compileFolder(call.project);
+    const { files, program, separate, diagnostics } = await compileFolder(call.project, () => ({ fuse: true }));
     if (program === null) return failed(diagnostics, files);
-    return { status: 0, json: { ok: true, program, diagnostics }, text: describeProgram(program).trimEnd(), diagnostics, files };
+    const text = call.flag('why') ? `${describeProgram(program)}\n${describeSeparate(separate)}` : describeProgram(program);
+    return { status: 0, json: { ok: true, program, separate, diagnostics }, text: text.trimEnd(), diagnostics, files };
   },
 };

@@ -3,11 +3,11 @@ import { driverDiagnostics } from '../../../export/glsl/driver/driver-diagnostic
 import { DECODER_FILES_FOLDER } from '../../../export/gltf/decoders.ts';
 import { isHistoryDependent } from '../../../export/program/history-dependence.ts';
 import { type Diagnostic, hasErrors } from '../../../nodes/kit/diagnostics.ts';
-import { bundleScript } from '../../services/bundle-script.ts';
-import { type Chromium, findChromium } from '../../services/chromium.ts';
-import { NO_BROWSER, startBrowser } from '../../services/start-browser.ts';
+import { findChromium } from '../../services/chromium.ts';
+import { NO_BROWSER } from '../../services/start-browser.ts';
 import type * as RenderPage from './render.page.ts';
-import { type RenderServer, startRenderServer } from './render-server.ts';
+import type { RenderServer } from './render-server.ts';
+import { type CallPage, withPage } from './with-page.ts';
 
 export interface RenderOptions {
   /** Folder with the sources of Scrim. */
@@ -26,7 +26,7 @@ export interface RenderOptions {
   readonly say: (text: string) => void;
 }
 
-type PageApi = typeof RenderPage;
+type PageApi = Pick<typeof RenderPage, 'open' | 'play' | 'diagnostics'>;
 
 const PAGE_ENTRY = 'app/cli/render/render.page.ts';
 
@@ -37,46 +37,29 @@ const PAGE_ENTRY = 'app/cli/render/render.page.ts';
 export async function renderFrames(options: RenderOptions): Promise<readonly Diagnostic[]> {
   const found = await findChromium();
   if (found === null) return [NO_BROWSER];
-  const decoders = join(options.root, DECODER_FILES_FOLDER);
-  const script = await bundleScript(options.root, PAGE_ENTRY, 'scrimRender');
-  const server = await startRenderServer({ script, folders: { project: options.projectRoot, decoders, ...options.sessionFolders } });
-  try {
-    return await inBrowser(found, server, options);
-  } finally {
-    await server.close();
-  }
+  const { root, projectRoot, sessionFolders } = options;
+  const folders = { project: projectRoot, decoders: join(root, DECODER_FILES_FOLDER), ...sessionFolders };
+  return withPage<PageApi, readonly Diagnostic[]>(found, { root, entry: PAGE_ENTRY, folders }, (call, server) =>
+    play(call, server, options),
+  );
 }
 
-async function inBrowser(found: Chromium, server: RenderServer, options: RenderOptions): Promise<readonly Diagnostic[]> {
-  const browser = await startBrowser(found);
-  try {
-    const page = await browser.newPage();
-    await page.goto(server.url);
-    const call = <K extends 'open' | 'play' | 'diagnostics'>(name: K, ...args: Parameters<PageApi[K]>) =>
-      page.evaluate(
-        ([n, a]) =>
-          (globalThis as unknown as { scrimRender: Record<string, (...x: readonly unknown[]) => unknown> }).scrimRender[n]?.(...a),
-        [name, args] as const,
-      ) as Promise<Awaited<ReturnType<PageApi[K]>>>;
-
-    const opened = await call('open', { ...options.job, assetBaseUrl: 'project/', decodersBaseUrl: 'decoders/' });
-    const early = [...opened.diagnostics, ...shaderDiagnostics(options, opened.shaderErrors), ...(await call('diagnostics'))];
-    if (hasErrors(early)) return early;
-    if (opened.frameCount !== null && options.last >= opened.frameCount) return [...early, noSuchFrame(options.last, opened.frameCount)];
-    for (let index = firstPlayed(options); index <= options.last; index++) {
-      const keep = index >= options.first;
-      const head = await call('play', index, keep);
-      const now = await call('diagnostics');
-      if (hasErrors(now)) return [...early, ...now];
-      if (!keep) continue;
-      if (head === null) throw new Error(`Frame ${index} has no picture, and nothing says why.`);
-      await options.onImage(index, head, server.takeImage());
-      if (options.last > options.first) options.say(`Frame ${index} of ${options.first}..${options.last}`);
-    }
-    return [...early, ...(await call('diagnostics'))];
-  } finally {
-    await browser.close();
+async function play(call: CallPage<PageApi>, server: RenderServer, options: RenderOptions): Promise<readonly Diagnostic[]> {
+  const opened = await call('open', { ...options.job, assetBaseUrl: 'project/', decodersBaseUrl: 'decoders/' });
+  const early = [...opened.diagnostics, ...shaderDiagnostics(options, opened.shaderErrors), ...(await call('diagnostics'))];
+  if (hasErrors(early)) return early;
+  if (opened.frameCount !== null && options.last >= opened.frameCount) return [...early, noSuchFrame(options.last, opened.frameCount)];
+  for (let index = firstPlayed(options); index <= options.last; index++) {
+    const keep = index >= options.first;
+    const head = await call('play', index, keep);
+    const now = await call('diagnostics');
+    if (hasErrors(now)) return [...early, ...now];
+    if (!keep) continue;
+    if (head === null) throw new Error(`Frame ${index} has no picture, and nothing says why.`);
+    await options.onImage(index, head, server.takeImage());
+    if (options.last > options.first) options.say(`Frame ${index} of ${options.first}..${options.last}`);
   }
+  return [...early, ...(await call('diagnostics'))];
 }
 
 /**

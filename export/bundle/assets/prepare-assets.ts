@@ -1,5 +1,13 @@
 import { readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
+import {
+  CAPTURE_LIMITS,
+  type CaptureDocument,
+  CaptureError,
+  type CaptureView,
+  captureSize,
+  readCapture,
+} from '../../../nodes/kit/capture.ts';
 import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
 import { DECODER_FILES, DECODER_FILES_FOLDER, DECODERS, type DecoderFile, type DecoderName, neededDecoders } from '../../gltf/decoders.ts';
 import { ModelError } from '../../gltf/document.ts';
@@ -30,6 +38,8 @@ export interface PreparedAsset {
   /** Path in the page. */
   readonly path: string;
   readonly bytes: Uint8Array;
+  /** The other files of a capture, with their paths in the page. */
+  readonly others: readonly { readonly path: string; readonly bytes: Uint8Array }[];
   /** Author and license of a model (glTF's `asset.copyright`); otherwise empty. */
   readonly copyright: string;
   readonly report: ReportedAsset;
@@ -68,6 +78,9 @@ interface ReadAsset {
   readonly bytes: Uint8Array;
   /** Size of all its files in the project. */
   readonly fileBytes: number;
+  readonly others: PreparedAsset['others'];
+  /** The document of a capture. */
+  readonly capture: CaptureDocument | null;
 }
 
 /** Smaller models are not compressed, because the decoder would cost more. */
@@ -100,14 +113,40 @@ export async function prepareAssets(assets: readonly ProgramAsset[], options: As
 
 async function readAsset(asset: ProgramAsset, { readAsset: readFileOf }: AssetOptions): Promise<ReadAsset> {
   const bytes = await readFileOf(asset.path);
-  if (asset.kind !== 'model') return { asset, bytes, fileBytes: bytes.length };
+  if (asset.kind === 'capture') return readCaptureFiles(asset, bytes, readFileOf);
+  if (asset.kind !== 'model') return { asset, bytes, fileBytes: bytes.length, others: [], capture: null };
   let fileBytes = bytes.length;
   const model = await readWholeModel(Uint8Array.from(bytes), asset.path, async (path) => {
     const beside = await readFileOf(path);
     fileBytes += beside.length;
     return beside;
   });
-  return { asset, bytes: model.bytes, fileBytes };
+  return { asset, bytes: model.bytes, fileBytes, others: [], capture: null };
+}
+
+/** Reads the files of a capture, and names them in its document by their paths in the page. */
+async function readCaptureFiles(asset: ProgramAsset, bytes: Uint8Array, read: AssetOptions['readAsset']): Promise<ReadAsset> {
+  const document = readCapture(new TextDecoder().decode(bytes));
+  const folder = asset.path.slice(0, asset.path.lastIndexOf('/') + 1);
+  const name = captureName(asset.path);
+  const others: { path: string; bytes: Uint8Array }[] = [];
+  const add = async (file: string): Promise<string> => {
+    const content = await read(folder + file);
+    const path = hashedName(`assets/${name}-${fileName(file)}`, content);
+    others.push({ path, bytes: content });
+    return fileName(path);
+  };
+  const mesh = { ...document.mesh, file: await add(document.mesh.file) };
+  const views: CaptureView[] = [];
+  for (const view of document.views) views.push({ ...view, file: await add(view.file) });
+  const renamed = new TextEncoder().encode(JSON.stringify({ ...document, mesh, views }));
+  const fileBytes = others.reduce((sum, other) => sum + other.bytes.length, bytes.length);
+  return { asset, bytes: renamed, fileBytes, others, capture: document };
+}
+
+/** `room` for `assets/room.capture/capture.json`. */
+function captureName(path: string): string {
+  return fileName(path.slice(0, path.lastIndexOf('/'))).replace(/\.capture$/, '');
 }
 
 async function formsOf(read: readonly ReadAsset[], { root, compress, cache, say }: AssetOptions, diagnostics: Diagnostic[]) {
@@ -139,22 +178,25 @@ async function formsOf(read: readonly ReadAsset[], { root, compress, cache, say 
 const NOTHING: CompressedModel = { meshopt: null, ktx2: null };
 
 function prepare(
-  { asset, bytes: original, fileBytes }: ReadAsset,
+  { asset, bytes: original, fileBytes, others, capture }: ReadAsset,
   { form, bytes }: { readonly form: Form; readonly bytes: Uint8Array },
 ): PreparedAsset {
-  const name = fileName(asset.path).replace(/\.gltf$/i, '.glb');
+  const name = capture ? `${captureName(asset.path)}.json` : fileName(asset.path).replace(/\.gltf$/i, '.glb');
   const path = hashedName(`assets/${name}`, bytes);
-  const gpu = (content: Uint8Array) => (asset.kind === 'model' ? gpuBytesOf(content) : imagesGpuBytes(content));
+  const gpu = (content: Uint8Array) => {
+    if (capture) return captureSize(capture, CAPTURE_LIMITS.sidePx).gpuBytes;
+    return asset.kind === 'model' ? gpuBytesOf(content) : imagesGpuBytes(content);
+  };
   const report = {
     source: asset.path,
     path,
     kind: asset.kind,
     form,
-    fileBytes: { before: fileBytes, after: bytes.length },
+    fileBytes: { before: fileBytes, after: others.reduce((sum, other) => sum + other.bytes.length, bytes.length) },
     gpuBytes: { before: gpu(original), after: gpu(bytes) },
   };
   const copyright = asset.kind === 'model' ? (readGltf(original).document.asset?.copyright ?? '') : '';
-  return { asset, path, bytes, copyright, report };
+  return { asset, path, bytes, others, copyright, report };
 }
 
 /** GPU memory of an image asset, which has no mipmaps. */
@@ -175,7 +217,7 @@ async function readDecoders(root: string, decoders: readonly DecoderName[]): Pro
 
 function unreadable({ path }: ProgramAsset, error: unknown): Diagnostic {
   const reason = error instanceof Error ? error.message : String(error);
-  if (error instanceof ModelError)
+  if (error instanceof ModelError || error instanceof CaptureError)
     return { code: 'SCR032', severity: 'error', message: `${path} cannot be decoded: ${reason}`, file: path };
   return { code: 'SCR030', severity: 'error', message: `${path} cannot be read: ${reason}`, file: path };
 }

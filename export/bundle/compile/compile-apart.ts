@@ -1,8 +1,6 @@
 import { Worker } from 'node:worker_threads';
 import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
-import type { Result } from '../../../nodes/kit/diagnostics.ts';
-import type { CompileInput, CompileOptions } from '../../compiler/compile.ts';
-import type { Program } from '../../program/program.ts';
+import type { Compiled, CompileInput, CompileOptions } from '../../compiler/compile.ts';
 import { bundleWorker } from '../bundle-worker.ts';
 
 /** Input of the compiler as data that can be sent to a thread. */
@@ -23,7 +21,7 @@ export interface CompileWork {
  *
  * @param root Absolute path of the folder with Scrim's sources.
  */
-export async function compileApart(root: string, work: CompileWork, interrupted?: AbortSignal): Promise<Result<Program>> {
+export async function compileApart(root: string, work: CompileWork, interrupted?: AbortSignal): Promise<Compiled> {
   const script = await bundleWorker(root, 'export/bundle/compile/compile-worker.ts');
   interrupted?.throwIfAborted();
   const worker = new Worker(script, { eval: true, workerData: { ...work, definitions: work.definitions.map(withoutMigrations) } });

@@ -1,15 +1,16 @@
 import { readFile } from 'node:fs/promises';
 import { join, resolve } from 'node:path';
-import { beforeAll, expect, test } from '@jest/globals';
+import { beforeAll, describe, expect, test } from '@jest/globals';
 import { encode } from 'fast-png';
 import { encode as encodeJpeg } from 'jpeg-js';
 import { findLampsAtOnce } from '../../../nodes/kit/panorama/find-lamps.ts';
-import { type LampOptions, lampKey } from '../../../nodes/kit/panorama/lamp-options.ts';
+import { type LampOptions, lampKey, lampsOfExposures } from '../../../nodes/kit/panorama/lamp-options.ts';
+import { merge } from '../../../nodes/source/panorama-exposures/worker.ts';
 import { compileExample } from '../../../tests/support/compile-project.ts';
 import { decodePanorama } from '../../../tests/support/decode-panorama.ts';
 import type { Program } from '../../program/program.ts';
 import type { PreparedAsset } from '../assets/prepare-assets.ts';
-import { bundleScript } from '../bundle-page-script.ts';
+import { bundleScripts } from '../bundle-page-script.ts';
 import { programUse } from '../program-use.ts';
 import { storeLamps } from './store-lamps.ts';
 
@@ -22,10 +23,12 @@ beforeAll(async () => {
   program = await compileExample(EXAMPLE);
 });
 
-async function store(bytes: Uint8Array) {
+async function store(bytes: Uint8Array, of = program) {
   const said: string[] = [];
-  const assets = program.assets.map((asset): PreparedAsset => ({ asset, path: asset.path, bytes, copyright: '', report: {} as never }));
-  const stored = await storeLamps(program, assets, { root: ROOT, say: (text) => said.push(text) });
+  const assets = of.assets.map(
+    (asset): PreparedAsset => ({ asset, path: asset.path, bytes, copyright: '', others: [], report: {} as never }),
+  );
+  const stored = await storeLamps(of, assets, { root: ROOT, say: (text) => said.push(text) });
   return { lamps: stored.assets[0]?.asset.lamps, use: programUse(stored.program), said };
 }
 
@@ -53,8 +56,8 @@ test('an HDR file of the project: the page has its lamps, equal to those that it
   expect(lamps).toEqual({ [lampKey(OPTIONS)]: expected });
   expect(said).toEqual(['Finding the lamps of assets/room.hdr…']);
   expect([programUse(program).workers, use.workers]).toEqual([true, false]);
-  const { parts } = await bundleScript(ROOT, use, { decoders: [], glass: false });
-  const names = Object.keys(parts).filter((name) => /from-panorama|kit\/panorama/.test(name));
+  const { page } = await bundleScripts(ROOT, { ...use, decoders: [], modelGlass: false, credits: false, singleFile: false });
+  const names = Object.keys(page.parts).filter((name) => /from-panorama|kit\/panorama/.test(name));
   expect(names).toContain('nodes/light/from-panorama/runtime.ts');
   expect(names.filter((name) => /method|workers|contours/.test(name))).toEqual([]);
 });
@@ -66,6 +69,47 @@ test.each([
   const { lamps, use } = await store(file());
   const found = lamps?.[lampKey(OPTIONS)];
   expect([found?.lamps.length, found?.lamps[0]?.centerPx.map(Math.round), use.workers]).toEqual([1, [100, 20], false]);
+});
+
+test('the file of Capture panorama has its lamps too, and the page keeps the search for those that visitors take', async () => {
+  const { lamps, use } = await store(png(), await compileExample(join(ROOT, 'nodes/source/panorama-capture/example')));
+  expect([lamps?.[lampKey(OPTIONS)]?.lamps.length, use.workers]).toEqual([1, true]);
+});
+
+describe('shots that a node merges', () => {
+  const SHOTS = join(ROOT, 'nodes/source/panorama-exposures/example');
+  const FILES = ['bright', 'middle', 'dark'];
+
+  async function storeShots(bytesOf: (id: string) => Promise<Uint8Array>) {
+    const merging = await compileExample(SHOTS);
+    const assets: PreparedAsset[] = [];
+    for (const asset of merging.assets)
+      assets.push({ asset, path: asset.path, bytes: await bytesOf(asset.id), copyright: '', others: [], report: {} as never });
+    const stored = await storeLamps(merging, assets, { root: ROOT, say: () => {} });
+    const lights = stored.program.operations.find((operation) => 'type' in operation && operation.type === 'light/from-panorama');
+    return { stored: stored.assets.map(({ asset }) => [asset.id, asset.lamps] as const), searches: lights && 'worker' in lights };
+  }
+
+  test('are searched as they are merged; the first shot stores the lamps, and the page does not search', async () => {
+    const { stored, searches } = await storeShots((id) => readFile(join(SHOTS, `assets/${id}.png`)));
+    expect(searches).toBe(false);
+    const lamps = Object.fromEntries(stored);
+    expect([lamps.middle, lamps.dark]).toEqual([undefined, undefined]);
+    const shots = await Promise.all(FILES.map((id) => decodePanorama(join(SHOTS, `assets/${id}.png`))));
+    // As the worker of the page merges, and the worker of the lights searches.
+    const expected = findLampsAtOnce(merge({ shots, stopsApart: 0 }).pixels, OPTIONS);
+    expect(expected.lamps).toHaveLength(2);
+    expect(lampsOfExposures(lamps.bright, { shots: FILES, stopsApart: 0 })).toEqual({ [lampKey(OPTIONS)]: expected });
+    // Not those of the first shot alone.
+    expect(lamps.bright).not.toHaveProperty([lampKey(OPTIONS)]);
+  });
+
+  test('are left to the page where they do not fit together, or one cannot be decoded here', async () => {
+    for (const other of [png(), new TextEncoder().encode('RIFF....WEBP')]) {
+      const { stored, searches } = await storeShots(async (id) => (id === 'dark' ? other : readFile(join(SHOTS, `assets/${id}.png`))));
+      expect([stored.every(([, lamps]) => lamps === undefined), searches]).toEqual([true, true]);
+    }
+  });
 });
 
 test('the page itself searches what only a browser decodes, photos that it turns, and reports a damaged file', async () => {

@@ -25,7 +25,7 @@ export function link({ operations, resources, trials }: Linkable, options: { rea
   };
   const linked = operations.map((operation): Operation => {
     if (operation.kind !== 'pass') return operation;
-    const { shader, ...rest } = operation;
+    const { shader, parts: _, ...rest } = operation;
     return { ...rest, shader: placeOf(shader, operation.node) };
   });
   const placed = resources.map((resource) => {
@@ -35,10 +35,10 @@ export function link({ operations, resources, trials }: Linkable, options: { rea
   return { operations: linked, resources: placed, shaders };
 }
 
-/** Returns a shader with the node's id in its source map. */
+/** Returns a shader with the node's id in its source map. A fused shader names the nodes of its files itself. */
 export function named(shader: LinkedShader, node: string): LinkedShader {
   const { sourceMap, vertexMap } = shader;
-  const naming = (map: SourceMap): SourceMap => ({ ...map, nodes: map.sources.map(() => node) });
+  const naming = (map: SourceMap): SourceMap => ({ ...map, nodes: map.nodes.map((own) => own || node) });
   return { ...shader, ...(sourceMap && { sourceMap: naming(sourceMap) }), ...(vertexMap && { vertexMap: naming(vertexMap) }) };
 }
 

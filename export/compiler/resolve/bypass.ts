@@ -9,7 +9,7 @@ import type { Draft, DraftNode } from './flatten.ts';
 export function bypassMuted({ nodes, shown }: Draft): Pick<FlatGraph, 'nodes' | 'replacements'> {
   const passed = passedSources(nodes);
   const flat = new Map<string, FlatNode>();
-  for (const { id, definition, muted, inputs, bindings } of nodes.values()) {
+  for (const { id, definition, muted, unfused, inputs, bindings } of nodes.values()) {
     if (muted) continue;
     const muteBlocked = new Map<string, string>();
     const kept = new Map<string, readonly Source[]>();
@@ -19,7 +19,7 @@ export function bypassMuted({ nodes, shown }: Draft): Pick<FlatGraph, 'nodes' | 
       if (through.length > 0) kept.set(port, several ? through : through.slice(0, 1));
       else muteBlocked.set(port, sources[0]?.node ?? '');
     }
-    flat.set(id, { id, definition, inputs: kept, bindings, muteBlocked });
+    flat.set(id, { id, definition, unfused, inputs: kept, bindings, muteBlocked });
   }
   const replacements = new Map<string, Source>();
   for (const [key, sources] of [...passed, ...[...shown].map(([key, source]) => [key, [source]] as const)]) {

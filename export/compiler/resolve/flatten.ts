@@ -11,6 +11,7 @@ export interface DraftNode {
   readonly id: string;
   readonly definition: NodeDefinition;
   readonly muted: boolean;
+  readonly unfused: boolean;
   readonly inputs: Map<string, Source[]>;
   readonly bindings: Map<string, Binding>;
 }
@@ -35,12 +36,13 @@ export function flatten(instances: readonly Instance[], interfaceOf: InterfaceLo
   return draft;
 }
 
-function addNodes({ nodes }: Draft, { prefix, graph }: Instance, interfaceOf: InterfaceLookup, library: NodeLibrary): void {
+function addNodes({ nodes }: Draft, { prefix, graph, unfused: all }: Instance, interfaceOf: InterfaceLookup, library: NodeLibrary): void {
   for (const [id, node] of sortedEntries(graph.nodes)) {
     const definition = subgraphName(node.type) === null ? library.definition(node.type) : mutedSubgraph(node, interfaceOf);
     if (!definition) continue;
     const bindings = new Map(Object.entries(node.params));
-    nodes.set(prefix + id, { id: prefix + id, definition, muted: node.muted === true, inputs: new Map(), bindings });
+    const flags = { muted: node.muted === true, unfused: all || node.unfused === true };
+    nodes.set(prefix + id, { id: prefix + id, definition, ...flags, inputs: new Map(), bindings });
   }
 }
 

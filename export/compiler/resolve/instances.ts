@@ -7,6 +7,8 @@ export interface Instance {
   /** Prefix of the ids of its nodes: empty, or `outer/`. */
   readonly prefix: string;
   readonly graph: Graph;
+  /** Whether fusion is turned off for all nodes in it. */
+  readonly unfused: boolean;
   /** Instances that replace its nodes, by node id. */
   readonly children: Map<string, Instance>;
 }
@@ -31,7 +33,7 @@ export type Instances = { readonly ok: true; readonly list: readonly Instance[] 
  */
 export function listInstances(project: ProjectLogic): Instances {
   const main = getOwn(project.graphs, MAIN_GRAPH);
-  const list: Instance[] = main ? [{ prefix: '', graph: main, children: new Map() }] : [];
+  const list: Instance[] = main ? [{ prefix: '', graph: main, unfused: false, children: new Map() }] : [];
   let count = 0;
   // The list grows during the iteration.
   for (const instance of list) {
@@ -40,7 +42,8 @@ export function listInstances(project: ProjectLogic): Instances {
       // A muted subgraph is bypassed as a whole, like any node.
       const graph = node.muted === true ? undefined : subgraphOf(project, node);
       if (!graph) continue;
-      const child: Instance = { prefix: `${instance.prefix}${id}/`, graph, children: new Map() };
+      const unfused = instance.unfused || node.unfused === true;
+      const child: Instance = { prefix: `${instance.prefix}${id}/`, graph, unfused, children: new Map() };
       instance.children.set(id, child);
       list.push(child);
     }

@@ -51,6 +51,11 @@ export function isDraw(node: FlatNode): boolean {
   return node.definition.lowering.kind === 'geometry' && layerOutput(node) !== null;
 }
 
+/** Whether the node draws its layer by its own GL program. */
+export function drawsItself({ definition }: FlatNode): boolean {
+  return definition.lowering.kind === 'geometry' && definition.lowering.ownDrawing === true;
+}
+
 export function isWorld({ definition }: FlatNode): boolean {
   return definition.lowering.kind === 'source' && definition.lowering.background === 'world';
 }
@@ -65,7 +70,7 @@ export function drawBehind(graph: FlatGraph, occlusion: FlatNode): FlatNode | nu
   if (!isEarlyOcclusion(occlusion)) return null;
   const [source] = layerInputs(occlusion);
   const node = source && graph.nodes.get(source.node);
-  return node && isDraw(node) ? node : null;
+  return node && isDraw(node) && !drawsItself(node) ? node : null;
 }
 
 /** The domain of an output. It is `view` if the room or a view-aligned layer contributes. */

@@ -5,6 +5,8 @@ import { type Checked, nodesBehind, type Tap } from '../check/check-resolved.ts'
 import { type FlatNode, portKey } from '../flat-graph.ts';
 import type { ShaderStore } from '../shaders/shader-store.ts';
 import { type DemandStart, findDemand } from './demand.ts';
+import { fuseOperations } from './fuse/fuse-operations.ts';
+import type { SeparateWire } from './fuse/separate-wire.ts';
 import { describeLayers, layerOutput } from './layers.ts';
 import { isDelayed } from './lower/lower-delayed.ts';
 import { depthAt } from './lower/lower-depth.ts';
@@ -22,6 +24,7 @@ export interface ScheduleOptions {
   readonly library: NodeLibrary;
   readonly shaders: ShaderStore;
   readonly loopBudget: boolean;
+  readonly fuse: boolean;
 }
 
 /** The ordered operations with their resources: the program except for the indices of its shaders. */
@@ -33,6 +36,8 @@ export interface Schedule {
   readonly slots: SlotTable;
   readonly presentation: Presentation;
   readonly taps: Readonly<Record<string, LayerRef>>;
+  /** Layers that passes read as textures, and why they are not fused. */
+  readonly separate: readonly SeparateWire[];
   /** Nodes that the output or a viewed layer depends on. */
   readonly nodes: readonly FlatNode[];
   /** Nodes among them that need an operation; a camera image that is only the background needs none. */
@@ -79,10 +84,14 @@ export function schedule(checked: Checked, options: ScheduleOptions): ScheduleRe
   const viewedLayers = taps.map(({ name, source }) => [name, layerAt(lowering, source, (layer) => depthAt(lowering, layer))] as const);
   const operations = orderOperations(lowering.steps, shown.onScreen, delayedTargets(order));
   const viewedResources = new Set(viewedLayers.flatMap(([, { color, depth }]) => [color, depth?.resource ?? color]));
+  const plain = { operations, resources: lowering.resources };
+  const unfused = new Set(order.flatMap((node) => (node.unfused ? [node.id] : [])));
+  const fused = options.fuse ? fuseOperations({ ...plain, viewed: viewedResources, unfused }) : { ...plain, separate: [] };
   return {
     output: {
-      operations,
-      resources: shareTargets(operations, lowering.resources, viewedResources),
+      operations: fused.operations,
+      resources: shareTargets(fused.operations, fused.resources, viewedResources),
+      separate: fused.separate,
       trials: lowering.trials,
       slots: lowering.slots.table(),
       presentation,

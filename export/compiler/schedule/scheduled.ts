@@ -1,8 +1,13 @@
+import type { PassParts, WhyNotFused } from '../../glsl/link/link-parts.ts';
 import type { CpuOperation, DrawOperation, LinkedShader, NodeOperation, PassOperation, ShadowMapOperation } from '../../program/program.ts';
 import type { ShaderLink } from '../shaders/shader-link.ts';
 
 /** A pass that contains its shader; *link* replaces it by an index. */
-export type ScheduledPass = Omit<PassOperation, 'shader'> & { readonly shader: LinkedShader };
+export type ScheduledPass = Omit<PassOperation, 'shader'> & {
+  readonly shader: LinkedShader;
+  /** Parts of the shader for fusion (`schedule/fuse`), or why there are none. */
+  readonly parts: PassParts | WhyNotFused;
+};
 
 export type ScheduledOperation = NodeOperation | DrawOperation | CpuOperation | ShadowMapOperation | ScheduledPass;
 

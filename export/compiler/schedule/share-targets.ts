@@ -1,7 +1,6 @@
-import type { Resource, ResourceId, SizeExpression, TargetSize } from '../../program/program.ts';
+import type { Resource, ResourceId } from '../../program/program.ts';
 import type { ScheduledOperation } from './scheduled.ts';
-
-type Target = Extract<Resource, { kind: 'target' }>;
+import { type Target, targetSizes } from './whole-size.ts';
 
 /** The time in which a texture is needed: from the operation that draws it first to the last that reads it, as indices of the order. */
 interface Lifetime {
@@ -76,24 +75,10 @@ function findLifetimes(
   return [...lifetimes.values()].filter(({ target }) => targets.has(target.id));
 }
 
-/**
- * Returns a text for each target that is equal for targets that can share a texture. A size relative to another resource is followed to its
- * origin, so that a chain of images with the size of one file is one class.
- */
+/** Returns a text for each target that is equal for targets that can share a texture. */
 function describeTextures(resources: readonly Resource[]): (target: Target) => string {
-  const sizes = new Map<ResourceId, TargetSize>();
-  for (const resource of resources) {
-    if (resource.kind !== 'target') continue;
-    const { base, width, height } = resource.size;
-    // Resources that a size refers to come earlier.
-    sizes.set(resource.id, (isWhole(width, 'width') && isWhole(height, 'height') && sizes.get(base)) || resource.size);
-  }
+  const sizes = targetSizes(resources);
   return ({ id, domain, format, depth, samples }) => JSON.stringify([domain, sizes.get(id), format, depth, samples]);
-}
-
-function isWhole(expression: SizeExpression, side: 'width' | 'height'): boolean {
-  const [token] = expression;
-  return expression.length === 1 && typeof token === 'object' && 'op' in token && token.op === side;
 }
 
 function listBy(lifetimes: readonly Lifetime[], place: (lifetime: Lifetime) => number): ReadonlyMap<number, Lifetime[]> {

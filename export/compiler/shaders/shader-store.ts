@@ -5,7 +5,7 @@ import { type IsfShader, sceneVariant } from '../../glsl/isf/isf-shader.ts';
 import { linkAbove } from '../../glsl/link/link-above.ts';
 import { linkIsfDepth } from '../../glsl/link/link-depth.ts';
 import { linkIsf } from '../../glsl/link/link-isf.ts';
-import type { LinkedPass } from '../../glsl/link/linked-pass.ts';
+import type { PartedPass } from '../../glsl/link/link-parts.ts';
 import { readImageShader } from '../../glsl/read-definition.ts';
 import type { TechniqueOptions } from '../../glsl/technique/link-technique.ts';
 import { isTechnique } from '../../glsl/technique/technique-shader.ts';
@@ -33,11 +33,11 @@ export interface ShaderStore {
   readDefinition(file: string, source: string): Result<NodeDefinition>;
   read(file: string, source: string): Result<IsfShader>;
   /** Links the passes of a shader. `vertex` is the text of its vertex shader, or null. */
-  link(file: string, source: string, vertex: string | null, variant: LinkVariant): ShaderLink<readonly LinkedPass[]>;
+  link(file: string, source: string, vertex: string | null, variant: LinkVariant): ShaderLink<readonly PartedPass[]>;
   /** Links a technique. A technique is linked again if its text or an included chunk has changed. */
   linkTechnique(file: string, source: string, options: TechniqueOptions): ShaderLink<TechniqueText>;
   /** Links the pass that computes the depth of a shader with `"SCRIM_DEPTH": "over"`. Other shaders are not allowed. */
-  linkDepth(file: string, source: string, variant: LinkVariant): LinkedPass;
+  linkDepth(file: string, source: string, variant: LinkVariant): PartedPass;
 }
 
 interface Entry {
@@ -45,8 +45,8 @@ interface Entry {
   readonly vertex: string | null;
   readonly shader: Result<IsfShader>;
   definition: Result<NodeDefinition> | null;
-  readonly links: Map<string, ShaderLink<readonly LinkedPass[]>>;
-  readonly depths: Map<string, LinkedPass>;
+  readonly links: Map<string, ShaderLink<readonly PartedPass[]>>;
+  readonly depths: Map<string, PartedPass>;
 }
 
 export function createShaderStore(): ShaderStore {
@@ -100,7 +100,7 @@ function variantOf(shader: IsfShader, { scene }: LinkVariant): IsfShader {
   return scene && shader.encoding === 'either' ? sceneVariant(shader) : shader;
 }
 
-function linkImage(shader: IsfShader, variant: LinkVariant): ShaderLink<readonly LinkedPass[]> {
+function linkImage(shader: IsfShader, variant: LinkVariant): ShaderLink<readonly PartedPass[]> {
   const options = { node: '', ...variant };
   const { output, diagnostics } = linkIsf(shader, options);
   const [refused] = diagnostics;

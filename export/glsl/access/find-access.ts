@@ -39,6 +39,17 @@ interface Reads {
 
 type ReadsByImage = ReadonlyMap<string, Reads>;
 
+/**
+ * The images, by the author's names, of which a pass reads at most the current pixel. Empty if that is unclear.
+ *
+ * @example
+ * imagesReadHere(checkIsf(shader).checked, 0); // Set { 'inputImage' }
+ */
+export function imagesReadHere(shader: CheckedShader, passIndex: number): ReadonlySet<string> {
+  const reads = countReads(shader, passIndex, createPositions(collectCalls(shader, passIndex)));
+  return new Set([...(reads ?? [])].flatMap(([image, { elsewhere }]) => (elsewhere === 0 ? [image] : [])));
+}
+
 /** Derivatives read neighboring pixels. */
 const DERIVATIVES: ReadonlySet<string> = new Set(['dFdx', 'dFdy', 'fwidth']);
 

@@ -102,7 +102,8 @@ export function imageText(image: Image, uses: ReadonlySet<ImageUse>, reading: Re
   return parts.join('\n');
 }
 
-type Reading = Pick<IsfShader, 'premultiplied' | 'readsScene'>;
+/** How a file reads colors. */
+export type Reading = Pick<IsfShader, 'premultiplied' | 'readsScene'>;
 
 function colorText(image: Image, reading: Reading): string {
   const { premultiplied } = reading;

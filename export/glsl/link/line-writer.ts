@@ -17,10 +17,15 @@ export interface LineWriter {
   endLine(): void;
   /** Adds whole lines of the linker. */
   own(text: string): void;
+  /** Adds printed lines as they are. */
+  append(printed: MappedLines): void;
   indent(by: 1 | -1): void;
   readonly lines: readonly string[];
   readonly map: readonly MappedLine[];
 }
+
+/** Printed lines, and the author's line of each. */
+export type MappedLines = Pick<LineWriter, 'lines' | 'map'>;
 
 /** How most drivers quote an assignment operator, whichever it is. */
 export const ASSIGNMENT = 'assign';
@@ -77,6 +82,11 @@ export function createLineWriter(source: number, apart = false): LineWriter {
         lines.push('  '.repeat(depth) + line);
         map.push(null);
       }
+    },
+    append: (printed) => {
+      endLine();
+      for (const line of printed.lines) lines.push(line);
+      for (const place of printed.map) map.push(place);
     },
     indent: (by) => {
       endLine();

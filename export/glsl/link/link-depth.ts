@@ -3,9 +3,10 @@ import { findInput, type IsfShader, imageInputs } from '../isf/isf-shader.ts';
 import type { VariableSymbol } from '../syntax/ast.ts';
 import { colorFunction, depthFunction, helpersFor, type ImageUse, imageText, samplerFor } from './images.ts';
 import { createLineWriter } from './line-writer.ts';
+import type { PartedPass } from './link-parts.ts';
 import { linkedShader } from './link-pass.ts';
 import { namePass } from './link-unit.ts';
-import type { LinkedPass, LinkedUniform, LinkOptions } from './linked-pass.ts';
+import type { LinkedUniform, LinkOptions } from './linked-pass.ts';
 import { planPasses } from './plan-passes.ts';
 import { FRAGMENT_HEAD } from './prelude.ts';
 
@@ -19,7 +20,7 @@ const OPACITY = 'opacity';
  *
  * @throws Error if the file's depth is not computed (`definition.outputs.layer.depth` is not `true`).
  */
-export function linkIsfDepth(shader: IsfShader, options: LinkOptions): LinkedPass {
+export function linkIsfDepth(shader: IsfShader, options: LinkOptions): PartedPass {
   const [firstPass] = planPasses(shader);
   const [topInput, bottomInput] = imageInputs(shader);
   if (shader.depth !== 'over' || topInput === undefined || firstPass === undefined) throw new Error(`${shader.file} computes no depth.`);
@@ -49,5 +50,6 @@ export function linkIsfDepth(shader: IsfShader, options: LinkOptions): LinkedPas
     target: { kind: 'output', format: 'r32f' },
     samplers: samplers.filter((sampler) => sampler !== null),
     uniforms,
+    parts: 'depth',
   };
 }

@@ -6,10 +6,11 @@ import type { GlslSymbol } from '../syntax/ast.ts';
 import { asWritten } from '../syntax/free-names.ts';
 import { GlslError } from '../syntax/token.ts';
 import { checkLimits } from './limits.ts';
+import type { PartedPass } from './link-parts.ts';
 import { linkPass, reachOfPass } from './link-pass.ts';
 import { type LinkUnit, loopsOf, usable } from './link-unit.ts';
 import { varyingsOf } from './link-vertex.ts';
-import type { LinkedPass, LinkOptions } from './linked-pass.ts';
+import type { LinkOptions } from './linked-pass.ts';
 import { type PlannedPass, planPasses } from './plan-passes.ts';
 
 /**
@@ -18,7 +19,7 @@ import { type PlannedPass, planPasses } from './plan-passes.ts';
  * @returns The passes to draw, in order; or null with SCR041 if the GLSL cannot be parsed or SCR043 if it needs unsupported features. The
  * driver finds all other mistakes (`driverDiagnostics`).
  */
-export function linkIsf(shader: IsfShader, options: LinkOptions): Result<readonly LinkedPass[]> {
+export function linkIsf(shader: IsfShader, options: LinkOptions): Result<readonly PartedPass[]> {
   try {
     const checked = checkIsf(shader, options.partial);
     const unit = { shader, options, ...checked, loops: loopsOf(checked, options) };
@@ -35,7 +36,7 @@ export function linkIsf(shader: IsfShader, options: LinkOptions): Result<readonl
   }
 }
 
-function linkPasses(unit: LinkUnit, passes: readonly PlannedPass[]): LinkedPass[] {
+function linkPasses(unit: LinkUnit, passes: readonly PlannedPass[]): PartedPass[] {
   const reached = new Set<GlslSymbol>();
   const authors = passes.filter((pass) => pass.kind === 'author');
   for (const pass of authors) {

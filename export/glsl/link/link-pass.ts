@@ -1,12 +1,14 @@
 import type { LinkedShader } from '../../program/program.ts';
+import { imagesReadHere } from '../access/find-access.ts';
 import { UNIFORM_TYPES } from '../isf/given-symbols.ts';
 import type { FunctionSymbol, VariableSymbol } from '../syntax/ast.ts';
 import { hashText } from './hash.ts';
 import { colorFunction, helpersFor, type Image, type ImageUse, imageText, samplerFor } from './images.ts';
-import { createLineWriter, type LineWriter } from './line-writer.ts';
+import { createLineWriter, type LineWriter, type MappedLines } from './line-writer.ts';
+import type { PartedPass, PassParts } from './link-parts.ts';
 import { type LinkSource, type LinkUnit, namePass } from './link-unit.ts';
 import { type LinkedVertex, linkVertex, NORM_COORD, nameVaryings, varyingsOf } from './link-vertex.ts';
-import type { LinkedPass, LinkedSampler } from './linked-pass.ts';
+import type { LinkedSampler } from './linked-pass.ts';
 import type { PlannedPass } from './plan-passes.ts';
 import {
   BOUNDED_VERTEX_SHADER,
@@ -15,6 +17,7 @@ import {
   LOOP_BUDGET_END,
   LOOP_BUDGET_START,
   LOOP_BUDGET_TEXT,
+  outputOf,
   outputText,
   VERTEX_SHADER,
 } from './prelude.ts';
@@ -29,7 +32,7 @@ export function reachOfPass(unit: LinkUnit, pass: PlannedPass): Reach {
 }
 
 /** Prints one pass. `also` is what no pass uses: it is printed so that the driver reports its mistakes, but nothing is bound for it. */
-export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (FunctionSymbol | VariableSymbol)[]): LinkedPass {
+export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (FunctionSymbol | VariableSymbol)[]): PartedPass {
   const passNames = namePass(unit, pass);
   const { names, images } = passNames;
   if (pass.kind === 'copy') return linkCopy(unit, pass, images);
@@ -53,28 +56,35 @@ export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (Func
     found: { discards: false, projects: false, returns: false },
   };
   printAuthorsText(checked, context);
-  printMain(unit, pass, context);
+  const body = printBody(unit, context);
 
-  const params = paramUniforms(shader, reach, given, names);
-  const builtins = builtinUniforms(reach);
-  const imageTexts = [...reach.images].map(([image, uses]) => imageText(image, uses, shader));
-  const head = [
-    FRAGMENT_HEAD,
-    ...(unit.vertex === null ? [] : [`in vec2 ${NORM_COORD};`]),
-    ...(context.loopBudget ? [loops === 'counted' ? COUNTED_LOOPS_TEXT : LOOP_BUDGET_TEXT] : []),
-    ...builtins.map((name) => `uniform ${UNIFORM_TYPES[name]} ${name};`),
-    ...params.map((uniform) => `uniform ${uniform.type} ${uniform.name};`),
-    ...helpersFor(`${imageTexts.join('\n')}\n${outputText(shader.premultiplied, pass.target)}`, context.found.projects),
-    ...imageTexts,
-    ...(usesFragCoord(reach) ? ['vec4 scrim_fragCoord;'] : []),
-    ...(context.found.discards ? ['bool scrim_discarded = false;'] : []),
-    'vec4 scrim_fragColor;',
-  ];
+  const here = imagesReadHere(checked, pass.passIndex);
+  const parts: PassParts = {
+    file: shader.file,
+    passIndex: pass.passIndex,
+    builtins: builtinUniforms(reach),
+    params: paramUniforms(shader, reach, given, names),
+    images: [...reach.images].map(([image, uses]) => ({ image, uses, reading: shader, isHere: here.has(image.name) })),
+    projects: context.found.projects,
+    usesFragCoord: usesFragCoord(reach),
+    discards: context.found.discards,
+    functions: linesOf(context.writer),
+    body: linesOf(body),
+    output: outputOf(shader.premultiplied, pass.target),
+    format: pass.target.format,
+  };
   const read = [...reach.globals].filter(({ name, role }) => role === 'varying' && context.varyings.has(name));
   const vertex = linkVertex(unit, pass, new Set(read.map(({ name }) => name)));
   const reaches = vertex === null ? [needed] : [needed, vertex.needed];
   const isGated = context.loopBudget && loops === 'bounded';
-  const linked = linkedShader(unit, head.join('\n'), context.writer, vertex ?? (isGated ? BOUNDED_VERTEX_SHADER : VERTEX_SHADER));
+  const linked = printPass(unit, parts, {
+    declarations: [
+      ...(unit.vertex === null ? [] : [`in vec2 ${NORM_COORD};`]),
+      ...(context.loopBudget ? [loops === 'counted' ? COUNTED_LOOPS_TEXT : LOOP_BUDGET_TEXT] : []),
+    ],
+    loopBudget: context.loopBudget,
+    vertex: vertex ?? (isGated ? BOUNDED_VERTEX_SHADER : VERTEX_SHADER),
+  });
   return {
     shader: context.loopBudget && loops === 'counted' ? { ...linked, loops } : linked,
     passIndex: pass.passIndex,
@@ -84,46 +94,97 @@ export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (Func
       ...builtinUniforms(...reaches).map((name) => ({ name, type: UNIFORM_TYPES[name], source: { builtin: name } })),
       ...paramUniforms(shader, needed, given, names, vertex?.needed),
     ],
+    parts: unit.vertex !== null ? 'vertex' : context.loopBudget ? 'loops' : parts,
   };
 }
 
 /** Prints the pass that copies a buffer to the node's output. */
-function linkCopy(unit: LinkUnit, pass: PlannedPass, images: ReadonlyMap<string, Image>): LinkedPass {
+function linkCopy(unit: LinkUnit, pass: PlannedPass, images: ReadonlyMap<string, Image>): PartedPass {
   const image = images.get(pass.copyFrom ?? '');
   if (image === undefined) throw new Error('A copy names the buffer that it shows.');
   const uses = new Set<ImageUse>(['color']);
-  const writer = createLineWriter(0);
-  writer.own(`void main() {\n  vec4 scrim_fragColor = ${colorFunction(image)}(scrim_uv);`);
-  writer.indent(1);
-  const output = outputText(unit.shader.premultiplied, pass.target);
-  writer.own(output);
-  writer.indent(-1);
-  writer.own('}');
+  const body = createLineWriter(0);
+  body.indent(1);
+  body.own(`scrim_fragColor = ${colorFunction(image)}(scrim_uv);`);
+  const parts: PassParts = {
+    file: unit.shader.file,
+    passIndex: pass.passIndex,
+    builtins: [],
+    params: [],
+    images: [{ image, uses, reading: unit.shader, isHere: true }],
+    projects: false,
+    usesFragCoord: false,
+    discards: false,
+    functions: NO_LINES,
+    body: linesOf(body),
+    output: outputOf(unit.shader.premultiplied, pass.target),
+    format: pass.target.format,
+  };
   return {
-    shader: linkedShader(unit, [FRAGMENT_HEAD, ...helpersFor(output, false), imageText(image, uses, unit.shader)].join('\n'), writer),
+    shader: printPass(unit, parts, { declarations: [], loopBudget: false, vertex: VERTEX_SHADER }),
     passIndex: pass.passIndex,
     target: pass.target,
     samplers: samplersOf([{ images: new Map([[image, uses]]) }], images),
     uniforms: [],
+    parts,
   };
 }
 
-function printMain(unit: LinkUnit, pass: PlannedPass, context: PrintContext): void {
-  const { writer, reach } = context;
+const NO_LINES: MappedLines = { lines: [], map: [] };
+
+/** What a writer has printed, as data. */
+function linesOf({ lines, map }: LineWriter): MappedLines {
+  return { lines, map };
+}
+
+/** Prints the statements that compute the author's color. */
+function printBody(unit: LinkUnit, context: PrintContext): LineWriter {
+  const writer = createLineWriter(0, unit.options.loopBudget === true);
+  const { reach } = context;
   const main = unit.checked.main.symbol;
-  writer.own('void main() {');
   writer.indent(1);
-  if (context.loopBudget) writer.own(LOOP_BUDGET_START);
   // `gl_FragCoord` is relative to the target, in which the viewport may have any position. This value is exact at pixel centers.
   if (usesFragCoord(reach)) writer.own('scrim_fragCoord = vec4(floor(scrim_uv * RENDERSIZE) + 0.5, 0.5, 1.0);');
   writer.own('scrim_fragColor = vec4(0.0);');
-  printHoistedGlobals(unit.checked, context);
+  printHoistedGlobals(unit.checked, { ...context, writer });
   if (main !== null) writer.own(`${reach.instances.get(main)?.[0]?.name}();`);
   if (context.found.discards) writer.own('if (scrim_discarded) scrim_fragColor = vec4(0.0);');
-  writer.own(outputText(unit.shader.premultiplied, pass.target));
-  if (context.loopBudget) writer.own(LOOP_BUDGET_END);
+  writer.endLine();
+  return writer;
+}
+
+interface PrintOptions {
+  /** Declarations for the vertex shader and for loops. */
+  readonly declarations: readonly string[];
+  readonly loopBudget: boolean;
+  readonly vertex: string | LinkedVertex;
+}
+
+function printPass(unit: LinkUnit, parts: PassParts, { declarations, loopBudget, vertex }: PrintOptions): LinkedShader {
+  const output = outputText(parts.output);
+  const images = parts.images.map(({ image, uses, reading }) => imageText(image, uses, reading));
+  const head = [
+    FRAGMENT_HEAD,
+    ...declarations,
+    ...parts.builtins.map((name) => `uniform ${UNIFORM_TYPES[name]} ${name};`),
+    ...parts.params.map(({ type, name }) => `uniform ${type} ${name};`),
+    ...helpersFor([...images, output].join('\n'), parts.projects),
+    ...images,
+    ...(parts.usesFragCoord ? ['vec4 scrim_fragCoord;'] : []),
+    ...(parts.discards ? ['bool scrim_discarded = false;'] : []),
+    'vec4 scrim_fragColor;',
+  ];
+  const writer = createLineWriter(0);
+  writer.append(parts.functions);
+  writer.own('void main() {');
+  writer.indent(1);
+  if (loopBudget) writer.own(LOOP_BUDGET_START);
+  writer.append(parts.body);
+  writer.own(output);
+  if (loopBudget) writer.own(LOOP_BUDGET_END);
   writer.indent(-1);
   writer.own('}');
+  return linkedShader(unit, head.join('\n'), writer, vertex);
 }
 
 function samplersOf(reaches: readonly Pick<Reach, 'images'>[], images: ReadonlyMap<string, Image>): LinkedSampler[] {

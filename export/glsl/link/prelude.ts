@@ -98,17 +98,27 @@ vec4 scrim_finite(vec4 color) {
   return vec4(scrim_finite(color.r), scrim_finite(color.g), scrim_finite(color.b), clamp(scrim_finite(color.a), 0.0, 1.0));
 }`;
 
+/** How the author's color becomes the content of a target: statements that change `scrim_fragColor`, and the color to store. */
+export interface Output {
+  readonly statements: readonly string[];
+  readonly color: string;
+}
+
 /**
- * Prints the conversion of the author's color to the content of the target. The color of a display layer is clamped before
- * premultiplication, because bright colors would exceed their alpha; in scene layers, colors may exceed it. The node's own buffers, and
- * layers of premultiplied files, get the color as it is.
+ * Converts the author's color to the content of the target. The color of a display layer is clamped before premultiplication, because
+ * bright colors would exceed their alpha; in scene layers, colors may exceed it. The node's own buffers, and layers of premultiplied files,
+ * get the color as it is.
  */
-export function outputText(premultiplied: boolean, target: PassTarget): string {
+export function outputOf(premultiplied: boolean, target: PassTarget): Output {
+  const multiplied = 'vec4(scrim_fragColor.rgb * scrim_fragColor.a, scrim_fragColor.a)';
   if (target.format === 'scene16f') {
-    const finite = 'scrim_fragColor = scrim_finite(scrim_fragColor);\nscrim_output = ';
-    return premultiplied ? `${finite}scrim_fragColor;` : `${finite}vec4(scrim_fragColor.rgb * scrim_fragColor.a, scrim_fragColor.a);`;
+    return { statements: ['scrim_fragColor = scrim_finite(scrim_fragColor);'], color: premultiplied ? 'scrim_fragColor' : multiplied };
   }
-  if (premultiplied || target.kind === 'buffer') return 'scrim_output = scrim_fragColor;';
-  const clamped = target.format === 'rgba8' ? 'scrim_fragColor = clamp(scrim_fragColor, 0.0, 1.0);\n' : '';
-  return `${clamped}scrim_output = vec4(scrim_fragColor.rgb * scrim_fragColor.a, scrim_fragColor.a);`;
+  if (premultiplied || target.kind === 'buffer') return { statements: [], color: 'scrim_fragColor' };
+  return { statements: target.format === 'rgba8' ? ['scrim_fragColor = clamp(scrim_fragColor, 0.0, 1.0);'] : [], color: multiplied };
+}
+
+/** Prints the statements that store the author's color. */
+export function outputText({ statements, color }: Output): string {
+  return [...statements, `scrim_output = ${color};`].join('\n');
 }

@@ -21,7 +21,7 @@ import { applyPatches, type Change, sequence } from './change.ts';
 import { changeType } from './change-type.ts';
 import { createSubgraph } from './create-subgraph.ts';
 import { moveNodes, putFrame, putNote, removeFromLayout, setCollapsed } from './layout-commands.ts';
-import { addNode, removeNodes, setMuted } from './node-commands.ts';
+import { addNode, removeNodes, setMuted, setUnfused } from './node-commands.ts';
 import { bindParam, setParam } from './param-commands.ts';
 import { setPage, setTitle } from './project-info.ts';
 import { pruneRoutesAfter, putReroute, setRoutes } from './route-commands.ts';
@@ -142,6 +142,10 @@ const LOGIC_COMMANDS: Readonly<Record<string, Command>> = {
   mute: (p, pick) => {
     const graph = anyGraph(p, pick);
     return setMuted(p, { graph, nodes: [anyNode(p, graph, pick)], muted: pick.next() > 0.3 });
+  },
+  unfuse: (p, pick) => {
+    const graph = anyGraph(p, pick);
+    return setUnfused(p, { graph, nodes: [anyNode(p, graph, pick)], unfused: pick.next() > 0.3 });
   },
   connect: (p, pick) => {
     const graph = anyGraph(p, pick);

@@ -108,15 +108,35 @@ export interface SetMuted {
  * setMuted(project, { graph: 'main', nodes: ['sepia-k7q2'], muted: true });
  */
 export function setMuted(project: Project, { graph, nodes, muted }: SetMuted): Change {
-  return change(project, (draft) => {
-    const drafted = draftGraph(draft, graph).nodes;
-    for (const id of nodes) {
-      const node = drafted[id];
-      if (!node) continue;
-      if (muted) node.muted = true;
-      else delete node.muted;
-    }
-  });
+  return change(project, (draft) => setFlag(draftGraph(draft, graph).nodes, nodes, 'muted', muted));
+}
+
+export interface SetUnfused {
+  readonly graph: string;
+  readonly nodes: readonly string[];
+  readonly unfused: boolean;
+}
+
+/**
+ * Turns the fusion of the passes of nodes off or on. For a subgraph, this holds for all nodes in it. Unknown ids are ignored.
+ *
+ * @returns The change; this command is never refused.
+ * @throws Error if the graph does not exist.
+ *
+ * @example
+ * setUnfused(project, { graph: 'main', nodes: ['sepia-k7q2'], unfused: true });
+ */
+export function setUnfused(project: Project, { graph, nodes, unfused }: SetUnfused): Change {
+  return change(project, (draft) => setFlag(draftGraph(draft, graph).nodes, nodes, 'unfused', unfused));
+}
+
+function setFlag(drafted: ReturnType<typeof draftGraph>['nodes'], ids: readonly string[], flag: 'muted' | 'unfused', value: boolean): void {
+  for (const id of ids) {
+    const node = drafted[id];
+    if (!node) continue;
+    if (value) node[flag] = true;
+    else delete node[flag];
+  }
 }
 
 export function draftLayout(draft: ProjectDraft, graph: string) {

@@ -52,7 +52,9 @@ export function ungroupSubgraph(project: Project, { library, graph: outer, node:
   const isShown = graph.exposed.inputs.length + graph.exposed.outputs.length > 0;
   const interfaceOf = createInterfaceLookup(project, library);
   const copies = new Map([...ids].map(([old, copy]) => [copy, getOwn(inner.nodes, old) as GraphNode]));
-  if (node.muted === true) for (const [copy, copied] of copies) copies.set(copy, { ...copied, muted: true });
+  for (const flag of ['muted', 'unfused'] as const) {
+    if (node[flag] === true) for (const [copy, copied] of copies) copies.set(copy, { ...copied, [flag]: true });
+  }
   for (const [name, binding] of Object.entries(node.params)) {
     for (const { node: owner, port } of inside('inputs', name)) {
       const copied = copies.get(owner);

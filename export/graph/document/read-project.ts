@@ -71,16 +71,19 @@ function readGraph(reader: ShapeReader, json: unknown, path: JsonPath): Graph {
 }
 
 function readNode(reader: ShapeReader, json: unknown, path: JsonPath): GraphNode {
-  const fields = reader.fields(json, path, ['type', 'version', 'muted', 'params']);
+  const fields = reader.fields(json, path, ['type', 'version', 'muted', 'unfused', 'params']);
   const versionPath = [...path, 'version'];
   const version = reader.number(fields('version'), versionPath);
   if (!Number.isInteger(version) || version < 1) reader.problem(versionPath, 'a version must be a whole number from 1.');
-  const muted = fields('muted') !== undefined && reader.flag(fields('muted'), [...path, 'muted']);
+  const flag = (name: 'muted' | 'unfused') => fields(name) !== undefined && reader.flag(fields(name), [...path, name]);
+  const muted = flag('muted');
+  const unfused = flag('unfused');
   return {
     type: reader.name(fields('type'), [...path, 'type'], NODE_TYPE),
     version,
     params: reader.record(fields('params'), [...path, 'params'], PORT_NAME, (item, itemPath) => readBinding(reader, item, itemPath)),
     ...(muted ? { muted } : {}),
+    ...(unfused ? { unfused } : {}),
   };
 }
 

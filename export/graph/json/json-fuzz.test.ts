@@ -16,6 +16,7 @@ const VALID = JSON.stringify({
           type: 'filter/sepia',
           version: 1,
           muted: true,
+          unfused: true,
           params: {
             amount: 0.5,
             tint: [1, 0, 0, 1],

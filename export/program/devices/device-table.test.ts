@@ -2,7 +2,7 @@ import { describe, expect, test } from '@jest/globals';
 import type { Capability } from '../../../nodes/kit/definition.ts';
 import type { ProgramNeed, Tier } from '../needs.ts';
 import { DEVICE_FACTS } from './device-facts.ts';
-import { deviceTable, refusedFeatures } from './device-table.ts';
+import { deviceTable, deviceWarnings, refusedFeatures } from './device-table.ts';
 
 const need = (capability: Capability, more: Partial<ProgramNeed> = {}): ProgramNeed => ({
   capability,
@@ -58,6 +58,17 @@ describe('the table of devices', () => {
   test('a required feature that is missing makes the page worthless', () => {
     expect(row('laptop', [need('depth', { required: true })], tiers('ar', 'orbit'))).toMatchObject({ tier: 'orbit', worthless: true });
     expect(row('quest', [need('depth', { required: true })], tiers('ar', 'orbit'))).toMatchObject({ tier: 'ar', worthless: false });
+  });
+
+  test('a node that makes pages worthless warns once, with all those devices', () => {
+    const shown = tiers('ar', 'orbit');
+    const warningsOf = (needs: ProgramNeed[]) => deviceWarnings(deviceTable({ needs, tiers: shown, operations: [] }));
+    expect(warningsOf([need('depth'), need('hit-test')])).toEqual([]);
+    const [warning, ...others] = warningsOf([need('depth', { required: true }), need('meshes')]);
+    expect(warning).toMatchObject({ code: 'SCR076', severity: 'warning', nodeId: 'depth-a' });
+    expect(warning?.message).toMatch(/depth-a requires: .*iPhone.*; Laptop/);
+    expect(warning?.message).not.toMatch(/Quest/);
+    expect(others).toEqual([]);
   });
 
   test('the room of VR takes the place of the camera image', () => {

@@ -1,4 +1,5 @@
 import type { Capability } from '../../../nodes/kit/definition.ts';
+import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { ProgramNeed, Tier } from '../needs.ts';
 import type { Program } from '../program.ts';
 import { WEBXR_FEATURES } from '../webxr-features.ts';
@@ -47,6 +48,29 @@ export function deviceTable({ needs, tiers, operations }: Pick<Program, 'needs' 
     const unseen = display === 'additive' ? [...new Set(darkening)] : [];
     return { kind, title, tier, display, lost, unseen, worthless: lost.some(({ required, fact }) => required && fact.has === 'no') };
   });
+}
+
+/**
+ * Warnings about nodes that make a page worthless on kinds of devices.
+ *
+ * @returns One SCR076 per node, which names all those kinds.
+ *
+ * @example
+ * deviceWarnings(deviceTable(program)).map(({ nodeId }) => nodeId);
+ */
+export function deviceWarnings(rows: readonly DeviceRow[]): Diagnostic[] {
+  const titles = new Map<string, string[]>();
+  for (const { title, lost } of rows) {
+    const nodes = new Set(lost.flatMap(({ node, required, fact }) => (required && fact.has === 'no' ? [node] : [])));
+    for (const node of nodes) titles.set(node, [...(titles.get(node) ?? []), title]);
+  }
+  return [...titles].map(([nodeId, devices]) => ({
+    code: 'SCR076',
+    severity: 'warning',
+    nodeId,
+    message: `The page shows nothing of use on these devices, which lack what ${nodeId} requires: ${devices.join('; ')}.`,
+    fix: 'Replace the node, or tell visitors which devices they need.',
+  }));
 }
 
 /** Node types whose layers contain nothing but black; “Negative shadow” takes their place on additive displays. */

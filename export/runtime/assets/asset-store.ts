@@ -1,5 +1,6 @@
 import { ASSET_WORDS, oneAsset } from '../../../nodes/kit/asset-words.ts';
 import type { AssetHandle, AssetService, EnvironmentAsset, ImageAsset, ModelAsset, VideoAsset } from '../../../nodes/kit/assets.ts';
+import type { CaptureAsset } from '../../../nodes/kit/capture-asset.ts';
 import type { AssetKind } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { AudioAsset } from '../../../nodes/kit/sound.ts';
@@ -8,6 +9,7 @@ import type { FrameClock } from '../clock.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
 import type { LoadedEnvironment, LoadedModel, SceneBackend } from '../scene-backend.ts';
 import type { AssetSource } from './asset-source.ts';
+import { type LoadedCapture, loadCapture } from './capture/load-capture.ts';
 import { type LoadedAudio, loadAudio } from './load-audio.ts';
 import { type LoadedImage, loadImage } from './load-image.ts';
 import { type LoadedVideo, loadVideo } from './video/load-video.ts';
@@ -28,7 +30,7 @@ export interface AssetHold {
   release(): void;
 }
 
-type Loaded = LoadedAudio | LoadedImage | LoadedModel | LoadedVideo | LoadedEnvironment;
+type Loaded = LoadedAudio | LoadedCapture | LoadedImage | LoadedModel | LoadedVideo | LoadedEnvironment;
 
 interface Entry {
   readonly asset: ProgramAsset;
@@ -116,8 +118,9 @@ export function createAssetStore(means: AssetMeans): AssetStore {
         model: (id) => find<ModelAsset>('model', id),
         video: (id) => find<VideoAsset>('video', id),
         audio: (id) => find<AudioAsset>('audio', id),
+        capture: (id) => find<CaptureAsset>('capture', id),
         environment: (id) => find<EnvironmentAsset>('environment', id),
-        createEnvironment: (pixels) => means.scenes().createEnvironment(pixels),
+        createEnvironment: (pixels, lamps) => means.scenes().createEnvironment(pixels, lamps),
       };
     },
     dispose: () => {
@@ -157,6 +160,8 @@ function decode({ kind, path, lamps }: ProgramAsset, bytes: ArrayBuffer, { objec
       return loadVideo(objects, bytes, delay);
     case 'audio':
       return loadAudio(bytes);
+    case 'capture':
+      return loadCapture(objects, bytes, path, source.load);
     case 'model':
       return scenes().loadModel(bytes, path, source.load);
     case 'environment':

@@ -1,10 +1,12 @@
 import type { NodeRuntime } from '../../../nodes/kit/runtime.ts';
 import type { ResetCause, SessionFrame } from '../../../nodes/kit/session.ts';
-import type { Operation, Program } from '../../program/program.ts';
+import type { Operation, PassOperation, Program } from '../../program/program.ts';
 import { createCpuStep, isCpu } from '../cpu/cpu-step.ts';
 import type { Engine } from '../engine.ts';
 import type { LoadedProgram } from '../loading.ts';
 import { isDraw } from '../operations/node-key.ts';
+import { type ChangeWatch, createChangeWatch } from '../passes/change-watch.ts';
+import { type DirectDraw, findDirectDraws } from '../passes/direct-draw.ts';
 import { createImports, type Imports } from '../passes/imports.ts';
 import { createPass, type PassParts } from '../passes/pass.ts';
 import { EMPTY_FRAME, enterView } from '../play-state.ts';
@@ -37,6 +39,8 @@ export interface ProgramInstance extends RetainedState {
   settle(): Promise<void>;
   /** Draws all views of the frame for which `update` was called. */
   draw(session: SessionTraits | null): void;
+  /** Draws it like `draw`, but draws nothing if the screen shows it already. */
+  drawChanges(session: SessionTraits | null): void;
   /** Resets the state of nodes and persistent targets to the first frame. */
   reset(cause: ResetCause): void;
   /** Disposes GL programs, assets and targets that `next` did not take over. */
@@ -72,14 +76,38 @@ export function createProgramInstance(
   const pulses = [...resources.values()].flatMap((resource) => (resource.kind === 'pulses' ? [resource.queue] : []));
   const loops = guard?.watch(loaded, before?.loops ?? null) ?? null;
   const imports = createImports(engine, program);
-  const once = createSteps(engine, loaded, slots, imports, instances, loops, 'once');
-  const each = createSteps(engine, loaded, slots, imports, instances, loops, 'each');
   const sizes = createTargetSizes(program, resources, slots, engine.objects.limits.maxTextureSizePx);
+  // Bounded loops change what their passes draw without a change of what they read.
+  const watch = loops === null ? createChangeWatch(program, { resources, slots, imports }) : null;
+  const direct = loops === null ? findDirectDraws(program, resources) : new Map<PassOperation, DirectDraw>();
+  const directDraws = [...new Set(direct.values())];
+  const once = createSteps(engine, loaded, slots, imports, instances, { loops, watch, direct }, 'once');
+  const each = createSteps(engine, loaded, slots, imports, instances, { loops, watch, direct }, 'each');
   const background = createBackground(engine.objects.gl, engine.drawer, engine.copy, program.presentation.background);
   let viewCount = 0;
 
   const run = (steps: readonly Step[]): void => {
     for (let i = 0; i < steps.length; i++) steps[i]?.run(state);
+  };
+  const draw = (session: SessionTraits | null, onlyChanges: boolean): void => {
+    const { frame } = state;
+    if (frame.viewCount !== viewCount) sizes.trim(frame.viewCount);
+    viewCount = frame.viewCount;
+    enterView(state, 0);
+    loops?.poll();
+    sizes.resizeImages(state);
+    for (let i = 0; i < directDraws.length; i++) if (directDraws[i]?.decide(state)) watch?.forget();
+    const changed = watch?.look(state, session) ?? true;
+    if (onlyChanges && !changed) return;
+    run(once);
+    for (let i = 0; i < frame.viewCount; i++) {
+      enterView(state, i);
+      // Emulators give a monoscopic device a second view of zero width.
+      if (state.widthPx < 1 || state.heightPx < 1) continue;
+      sizes.resizeViews(state);
+      background.draw(state, session);
+      run(each);
+    }
   };
   return {
     program,
@@ -97,26 +125,12 @@ export function createProgramInstance(
     settle: async () => {
       await Promise.all(runtimes.map((runtime) => runtime.settle?.()));
     },
-    draw: (session) => {
-      const { frame } = state;
-      if (frame.viewCount !== viewCount) sizes.trim(frame.viewCount);
-      viewCount = frame.viewCount;
-      enterView(state, 0);
-      loops?.poll();
-      sizes.resizeImages(state);
-      run(once);
-      for (let i = 0; i < frame.viewCount; i++) {
-        enterView(state, i);
-        // Emulators give a monoscopic device a second view of zero width.
-        if (state.widthPx < 1 || state.heightPx < 1) continue;
-        sizes.resizeViews(state);
-        background.draw(state, session);
-        run(each);
-      }
-    },
+    draw: (session) => draw(session, false),
+    drawChanges: (session) => draw(session, true),
     reset: (cause) => {
       for (const node of instances.nodes.values()) node.reset(cause);
       loops?.retry();
+      watch?.forget();
       for (const resource of resources.values()) {
         if (resource.kind === 'target' && resource.target.resource.lifetime === 'persistent') resource.target.clear();
       }
@@ -202,6 +216,32 @@ function makesValues({ operations }: Program, id: string): boolean {
   return operations.some((operation) => operation.id === id && (operation.kind === 'value' || operation.kind === 'behavior'));
 }
 
+/** Draws a pass only in frames that change its image. */
+function ifNeeded(step: Step, pass: PassOperation, watch: ChangeWatch): Step {
+  return {
+    run: (state) => {
+      if (watch.isNeeded(pass)) step.run(state);
+    },
+  };
+}
+
+/** Runs `onScreen` instead of a step while the image is drawn to the screen directly; null for nothing. */
+function unlessDirect(step: Step, direct: DirectDraw, onScreen: Step | null): Step {
+  return {
+    run: (state) => {
+      if (direct.active) onScreen?.run(state);
+      else step.run(state);
+    },
+  };
+}
+
+/** What decides per frame how passes are drawn. */
+interface Overseers {
+  readonly loops: LoopWatch | null;
+  readonly watch: ChangeWatch | null;
+  readonly direct: ReadonlyMap<PassOperation, DirectDraw>;
+}
+
 /** Creates the steps of all operations that draw, in order. Other nodes have no step; their work is done in `update`. */
 function createSteps(
   engine: Engine,
@@ -209,7 +249,7 @@ function createSteps(
   slots: Slots,
   imports: Imports,
   instances: NodeInstances,
-  loops: LoopWatch | null,
+  { loops, watch, direct }: Overseers,
   view: 'once' | 'each',
 ): Step[] {
   const { resources } = instances;
@@ -222,7 +262,16 @@ function createSteps(
     if (operation.kind === 'pass') {
       const glProgram = loaded.glPrograms[operation.shader];
       if (!glProgram) throw new Error(`The program has no shader ${operation.shader}.`);
-      add(operation, createPass(operation, glProgram, parts, loops?.guardOf(operation) ?? null));
+      const pass = createPass(operation, glProgram, parts, loops?.guardOf(operation) ?? null);
+      const needed = view === 'once' && watch ? ifNeeded(pass, operation, watch) : pass;
+      const directDraw = direct.get(operation);
+      if (directDraw === undefined) add(operation, needed);
+      else if (view === 'once') add(operation, unlessDirect(needed, directDraw, null));
+      else {
+        const shownProgram = loaded.glPrograms[directDraw.onScreen.shader];
+        if (!shownProgram) throw new Error(`The program has no shader ${directDraw.onScreen.shader}.`);
+        add(operation, unlessDirect(needed, directDraw, createPass(directDraw.onScreen, shownProgram, parts, null)));
+      }
     } else if (isShadowMaps(operation)) {
       const maps = instances.shadowMaps.get(operation.id)?.maps;
       const render = (): void => {

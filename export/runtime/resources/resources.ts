@@ -1,7 +1,7 @@
 import { IDENTITY } from '../../../nodes/kit/matrices.ts';
 import type { BodyList } from '../../../nodes/kit/physics.ts';
 import { createPose, type PoseOutput } from '../../../nodes/kit/pose.ts';
-import type { LayerOutput } from '../../../nodes/kit/runtime.ts';
+import { type LayerOutput, MAY_CHANGE } from '../../../nodes/kit/runtime.ts';
 import type { EnvironmentOutput, LightList, ObjectList, RoomDepthOutput } from '../../../nodes/kit/scene-lists.ts';
 import type { Program, Resource, ResourceId } from '../../program/program.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
@@ -105,6 +105,7 @@ export function clearOutput(resource: LiveResource): void {
         view.widthPx = 0;
         view.heightPx = 0;
         view.uvFromViewUv.set(IDENTITY);
+        view.version = MAY_CHANGE;
       }
       break;
     case 'room-depth':
@@ -171,7 +172,13 @@ function create(resource: Resource, { objects, nearestDepth }: TargetParts, tapp
 
 function createExternalLayer(count: number): LayerOutput {
   return {
-    views: Array.from({ length: count }, () => ({ texture: null, widthPx: 0, heightPx: 0, uvFromViewUv: IDENTITY.slice() })),
+    views: Array.from({ length: count }, () => ({
+      texture: null,
+      widthPx: 0,
+      heightPx: 0,
+      uvFromViewUv: IDENTITY.slice(),
+      version: MAY_CHANGE,
+    })),
   };
 }
 

@@ -41,7 +41,11 @@ export function createScenesWith(tools: SceneTools): CreateSceneBackend {
 function create(host: SceneHost, tools: SceneTools): SceneBackend {
   const renderer = createSceneRenderer(host);
   const neutral = createNeutralEnvironment(renderer);
-  const panoramas = createPanoramaStore(renderer, { readRadiance: tools.readRadiance ?? null, findLamps: tools.findLamps ?? null });
+  const panoramas = createPanoramaStore(renderer, {
+    readRadiance: tools.readRadiance ?? null,
+    findLamps: tools.findLamps ?? null,
+    delay: host.delay ?? null,
+  });
   const glass = tools.createGlass?.(renderer, host.gl) ?? null;
   const limits = mapLimitsOf(renderer.three);
   return {

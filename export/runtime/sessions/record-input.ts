@@ -1,3 +1,4 @@
+import { multiplyMatrices } from '../../../nodes/kit/matrices.ts';
 import type { Controller, Hand, Pointer, SessionInput } from '../../../nodes/kit/session.ts';
 import type { SessionFileController, SessionFileHand, SessionFileInput, SessionFilePointer } from './session-format.ts';
 
@@ -5,46 +6,44 @@ import type { SessionFileController, SessionFileHand, SessionFileInput, SessionF
  * The input of a frame as a recorded session stores it (`docs/SESSION-FORMAT.md`): pointers, connected controllers and tracked hands. Taps
  * are derived from pointers. Poses are rounded to a hundredth of a millimeter.
  *
+ * @param outFromWorld Where the poses are moved to: column-major 4×4, rigid, such as the space of the room while world space drifts
+ * against it. Null or absent: they stay in world space.
  * @returns Undefined if the frame has no input, so that frames without input have no such member.
  *
  * @example const input = recordInput(frame.input); frames.push({ timeS: frame.timeS, color, worldFromCamera, ...(input && { input }) });
  */
-export function recordInput(input: SessionInput): SessionFileInput | undefined {
+export function recordInput(input: SessionInput, outFromWorld: Float32Array | null = null): SessionFileInput | undefined {
   const { left, right, leftHand, rightHand } = input;
-  const pointers = input.pointers.slice(0, input.pointerCount).map(toPointer);
+  const pointers = input.pointers.slice(0, input.pointerCount).map((pointer) => toPointer(pointer, outFromWorld));
   const recorded: SessionFileInput = {
     ...(pointers.length > 0 && { pointers }),
-    ...(left.connected && { left: toController(left) }),
-    ...(right.connected && { right: toController(right) }),
-    ...(leftHand.tracked && { leftHand: toHand(leftHand) }),
-    ...(rightHand.tracked && { rightHand: toHand(rightHand) }),
+    ...(left.connected && { left: toController(left, outFromWorld) }),
+    ...(right.connected && { right: toController(right, outFromWorld) }),
+    ...(leftHand.tracked && { leftHand: toHand(leftHand, outFromWorld) }),
+    ...(rightHand.tracked && { rightHand: toHand(rightHand, outFromWorld) }),
   };
   return Object.keys(recorded).length > 0 ? recorded : undefined;
 }
 
-function toPointer({ id, by, phase, worldFromRay, worldFromGrip, pinch, tapped }: Pointer): SessionFilePointer {
+function toPointer(
+  { id, by, phase, worldFromRay, worldFromGrip, pinch, tapped }: Pointer,
+  outFromWorld: Float32Array | null,
+): SessionFilePointer {
   return {
     id,
     by,
     phase,
-    worldFromRay: rounded(worldFromRay),
-    ...(worldFromGrip && { worldFromGrip: rounded(worldFromGrip) }),
+    worldFromRay: moved(worldFromRay, outFromWorld),
+    ...(worldFromGrip && { worldFromGrip: moved(worldFromGrip, outFromWorld) }),
     pinch: round(pinch),
-    ...(tapped && { tapped }),
+    ...(phase === 'end' && tapped && { tapped }),
   };
 }
 
-function toController({
-  stick,
-  trigger,
-  squeeze,
-  primary,
-  secondary,
-  stickPressed,
-  bare,
-  worldFromRay,
-  worldFromGrip,
-}: Controller): SessionFileController {
+function toController(
+  { stick, trigger, squeeze, primary, secondary, stickPressed, bare, worldFromRay, worldFromGrip }: Controller,
+  outFromWorld: Float32Array | null,
+): SessionFileController {
   return {
     stick: [round(stick[0] ?? 0), round(stick[1] ?? 0)],
     trigger: round(trigger),
@@ -53,13 +52,21 @@ function toController({
     ...(secondary && { secondary }),
     ...(stickPressed && { stickPressed }),
     ...(bare && { bare }),
-    ...(worldFromRay && { worldFromRay: rounded(worldFromRay) }),
-    ...(worldFromGrip && { worldFromGrip: rounded(worldFromGrip) }),
+    ...(worldFromRay && { worldFromRay: moved(worldFromRay, outFromWorld) }),
+    ...(worldFromGrip && { worldFromGrip: moved(worldFromGrip, outFromWorld) }),
   };
 }
 
-function toHand({ worldFromJoints, radiiM }: Hand): SessionFileHand {
-  return { worldFromJoints: rounded(worldFromJoints), radiiM: rounded(radiiM) };
+function toHand({ worldFromJoints, radiiM }: Hand, outFromWorld: Float32Array | null): SessionFileHand {
+  return { worldFromJoints: moved(worldFromJoints, outFromWorld), radiiM: rounded(radiiM) };
+}
+
+/** Poses of 16 numbers each. */
+function moved(poses: Float32Array, outFromWorld: Float32Array | null): number[] {
+  if (!outFromWorld) return rounded(poses);
+  const out = new Float32Array(poses.length);
+  for (let at = 0; at < poses.length; at += 16) multiplyMatrices(out.subarray(at), outFromWorld, poses.subarray(at, at + 16));
+  return rounded(out);
 }
 
 function rounded(numbers: Float32Array): number[] {

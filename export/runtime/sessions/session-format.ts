@@ -30,6 +30,8 @@ export interface SessionFile {
   /** Light of all frames without `light`. */
   readonly light?: SessionFileLight;
   readonly surfaces?: readonly SessionFileSurface[];
+  /** Path of the voxels of the room at the start, relative to the folder (`nodes/kit/voxel-file.ts`). */
+  readonly room?: string;
 }
 
 /**

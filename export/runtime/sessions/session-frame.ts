@@ -37,6 +37,8 @@ export function createSessionFrame(): MutableFrame {
     light: null,
     surfaces: null,
     jumps: 0,
+    worldFromFormer: null,
+    roomFile: null,
     xr: null,
     input: createSessionInput(),
   };

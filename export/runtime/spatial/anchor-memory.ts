@@ -1,3 +1,5 @@
+/** The part of `Storage` that kept anchors and files need. */
+export type KeptStorage = Pick<Storage, 'getItem' | 'setItem' | 'removeItem'>;
 /** The part of `Storage` that kept anchors need. */
 export type AnchorStorage = Pick<Storage, 'getItem' | 'setItem'>;
 

@@ -1,9 +1,10 @@
-import type { HitTest } from '../../../nodes/kit/hit-test.ts';
+import type { HitTest, MeasuredRoom } from '../../../nodes/kit/hit-test.ts';
 import { EMPTY_FRAME } from '../play-state.ts';
 import { createAnchorMemory } from './anchor-memory.ts';
 import { createAnchorStore } from './anchor-store.ts';
-import { castAtRoom, HIT_SOURCES } from './cast/cast-room.ts';
+import { castAtRoom, HIT_SOURCES, type RoomSources } from './cast/cast-room.ts';
 import { createDepthImages } from './depth-images.ts';
+import { createKeptFiles } from './kept-files.ts';
 import { createHitTest } from './open-hit-test.ts';
 import { createRay, setRay } from './ray.ts';
 import type { CreateSpatial } from './spatial.ts';
@@ -19,14 +20,18 @@ const PATIENCE = 64;
 const scratchRay = createRay();
 
 /**
- * Creates hit tests from the device, detected surfaces, room depth and the floor; anchors from the device, or ideal ones without a device.
+ * Creates hit tests from the device, detected surfaces, room depth, measured rooms and the floor; anchors from the device, or ideal ones without a device.
  */
 export const createSpatial: CreateSpatial = ({ gl, held, keptAnchors }) => {
   const depth = createDepthImages(gl, held);
   const ledger: WebXrLedger = { sources: 0, pending: 0 };
   const open = new Set<HitTest>();
+  const measured = new Set<MeasuredRoom>();
+  const room: RoomSources = { depth, measured };
   let frame = EMPTY_FRAME;
   let round = 0;
+  /** The round in which a ray was last cast that measured rooms may answer. */
+  let castRound = Number.NEGATIVE_INFINITY;
   const memory = createAnchorMemory(keptAnchors?.storage ?? null, keptAnchors?.page ?? '');
   const anchors = createAnchorStore(() => frame, ledger, memory);
   const waitForDevice = async (): Promise<void> => {
@@ -38,19 +43,27 @@ export const createSpatial: CreateSpatial = ({ gl, held, keptAnchors }) => {
         options,
         frame: () => frame,
         round: () => round,
-        depth,
+        room,
         ledger,
         onClose: () => void open.delete(hitTest),
       });
       open.add(hitTest);
       return hitTest;
     },
-    castRay: (worldFromRay, out, sources = HIT_SOURCES) =>
-      setRay(scratchRay, worldFromRay) && castAtRoom(out, scratchRay, frame, depth, sources),
+    castRay: (worldFromRay, out, sources = HIT_SOURCES) => {
+      if (sources.includes('voxels')) castRound = round;
+      return setRay(scratchRay, worldFromRay) && castAtRoom(out, scratchRay, frame, room, sources);
+    },
+    answerRays: (by) => {
+      measured.add(by);
+      return () => void measured.delete(by);
+    },
     depthImage: (viewIndex) => depth.image(frame, viewIndex),
     anchors,
+    keptFiles: createKeptFiles(keptAnchors?.storage ?? null, keptAnchors?.page ?? ''),
     enterFrame: (next) => {
       frame = next;
+      for (const each of measured) each.isAsked = open.size > 0 || castRound === round;
       round++;
       anchors.update(next);
     },

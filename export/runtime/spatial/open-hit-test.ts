@@ -3,8 +3,7 @@ import { createHit } from '../../../nodes/kit/hit-test.ts';
 import { multiplyMatrices } from '../../../nodes/kit/matrices.ts';
 import { handOf } from '../../../nodes/kit/pointers.ts';
 import type { Pointer, SessionFrame } from '../../../nodes/kit/session.ts';
-import { castAtRoom, HIT_SOURCES, writeHit } from './cast/cast-room.ts';
-import type { DepthImages } from './depth-images.ts';
+import { castAtRoom, HIT_SOURCES, type RoomSources, writeHit } from './cast/cast-room.ts';
 import { createMeeting, createRay, setRay } from './ray.ts';
 import { createWebXrHits, type WebXrLedger } from './webxr-hits.ts';
 
@@ -24,7 +23,7 @@ export interface HitTestParts {
   readonly frame: () => SessionFrame;
   /** A number that increases with each frame. */
   readonly round: () => number;
-  readonly depth: DepthImages;
+  readonly room: RoomSources;
   readonly ledger: WebXrLedger;
   readonly onClose: () => void;
 }
@@ -50,7 +49,7 @@ class Hits implements HitList {
 }
 
 export function createHitTest(parts: HitTestParts): HitTest {
-  const { options, depth } = parts;
+  const { options, room } = parts;
   const { from } = options;
   const sources: readonly HitSource[] = options.sources ?? HIT_SOURCES;
   const offsetRay = options.offsetRay ? Float32Array.from(options.offsetRay) : null;
@@ -87,7 +86,7 @@ export function createHitTest(parts: HitTestParts): HitTest {
   }
   function addRoomHit(ray: Ray, frame: SessionFrame, pointer: number): void {
     const hit = current.hits[current.count];
-    if (!hit || !castAtRoom(hit, ray, frame, depth, sources)) return;
+    if (!hit || !castAtRoom(hit, ray, frame, room, sources)) return;
     hit.xrResult = null;
     hit.pointer = pointer;
     current.count++;

@@ -1,12 +1,6 @@
-import type { Ray } from '../../../nodes/kit/hit-test.ts';
+import type { Ray, RayMeeting } from '../../../nodes/kit/hit-test.ts';
 
-/** Where a ray meets a surface: the distance along the ray in meters, and the normal, which may have any length. */
-export interface Meeting {
-  distanceM: number;
-  nx: number;
-  ny: number;
-  nz: number;
-}
+export type Meeting = RayMeeting;
 
 /** Creates a ray, whose direction always has the length 1. */
 export function createRay(): Ray {

@@ -1,14 +1,16 @@
 import type { AnchorService } from '../../../nodes/kit/anchors.ts';
+import type { KeptFiles } from '../../../nodes/kit/kept-files.ts';
 import type { SessionService } from '../../../nodes/kit/runtime.ts';
 import type { SessionFrame } from '../../../nodes/kit/session.ts';
-import type { AnchorStorage } from './anchor-memory.ts';
+import type { KeptStorage } from './anchor-memory.ts';
 
 /**
  * Hit tests and anchors of a player. Pages whose program needs neither `hit-test` nor `anchors` are bundled without it. It lives as
  * long as the player, because the state of nodes outlives a lost context.
  */
-export interface Spatial extends Pick<SessionService, 'openHitTest' | 'castRay' | 'depthImage'> {
+export interface Spatial extends Pick<SessionService, 'openHitTest' | 'castRay' | 'answerRays' | 'depthImage'> {
   readonly anchors: AnchorService;
+  readonly keptFiles: KeptFiles;
   /** Sets the current frame and updates anchors. Called once per frame, before nodes are updated. */
   enterFrame(frame: SessionFrame): void;
   /** Leaves the session: its anchors end; hit tests stay open and continue with the frames of the next session. */
@@ -28,9 +30,9 @@ export interface SpatialCounts {
   readonly anchors: number;
 }
 
-/** Where a page stores which anchors the device keeps for it. */
+/** Where a page stores which anchors the device keeps for it, and its kept files. */
 export interface KeptAnchors {
-  readonly storage: AnchorStorage | null;
+  readonly storage: KeptStorage | null;
   /** Path of the page, which distinguishes its anchors from those of other pages of the origin. */
   readonly page: string;
 }

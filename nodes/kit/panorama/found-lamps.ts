@@ -1,3 +1,4 @@
+import type { ClippedLight } from './clipped-light.ts';
 import type { Contour } from './outer-contours.ts';
 
 /** A lamp that was found in a panorama. Directions are in panorama space: the center is -z, the right half +x, up +y. */
@@ -6,6 +7,11 @@ export interface FoundLamp {
   readonly towards: readonly [x: number, y: number, z: number];
   /** Linear-sRGB irradiance of a surface that faces the lamp; π renders a white matte surface as white. */
   readonly irradiance: readonly [red: number, green: number, blue: number];
+  /**
+   * The part of `irradiance` that clipped pixels give, before they are brightened: as much as the file shows. Absent where it is not
+   * measured.
+   */
+  readonly clippedIrradiance?: readonly [red: number, green: number, blue: number];
   /** Angular diameter of a disk with the solid angle of the lamp. */
   readonly sizeRad: number;
   /** Area in pixels of the analyzed image, whose size is `FoundLamps.widthPx` × `heightPx`. */
@@ -46,12 +52,16 @@ export interface FoundLamps {
   readonly heightPx: number;
   /** The strongest first. */
   readonly lamps: readonly FoundLamp[];
+  /** Lamps about as bright as these that stay in the rest, because there are more than wanted; absent if there are none. */
+  readonly more?: number;
   /** Why no lamp was found; null if there are lamps. */
   readonly none: NoLamps | null;
   /** The pixels of the lamps, as `[y, first x, last x + 1, …]` in the analyzed image. */
   readonly runs: readonly number[];
   /** The light that the rest of the panorama gives a floor, as that of one wide lamp above; null if it was not measured. */
   readonly rest: Pick<FoundLamp, 'towards' | 'irradiance'> | null;
+  /** The clipped light of the panorama, and the factor by which it was brightened; absent or null where nothing is clipped. */
+  readonly clipped?: (ClippedLight & { readonly gain: number }) | null;
   /** Pixels whose radiance is not a number, infinite or negative. */
   readonly damaged: number;
   /** The iterations; empty for the method by solid angle. */

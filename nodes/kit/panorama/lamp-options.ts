@@ -36,3 +36,31 @@ export function lampOptionsOf(values: Readonly<Record<keyof LampOptions, unknown
 export function lampKey({ method, lamps, iterations, intensities, clippedShare }: LampOptions): string {
   return method === 'paper' ? `paper ${lamps} ${iterations} ${intensities}` : `solid-angle ${lamps} ${clippedShare}`;
 }
+
+/** Shots of one panorama that “Panorama from exposures” merges: the ids of their assets, and its param “Stops apart”. */
+export interface Exposures {
+  readonly shots: readonly string[];
+  readonly stopsApart: number;
+}
+
+/**
+ * The beginning of the keys under which the asset of the first shot stores the lamps of the merged panorama; `lampKey` follows.
+ *
+ * @example
+ * exposuresKey({ shots: ['bright', 'dark'], stopsApart: 0 }); // 'bright + dark, 0: '
+ */
+export function exposuresKey({ shots, stopsApart }: Exposures): string {
+  return `${shots.join(' + ')}, ${stopsApart}: `;
+}
+
+/**
+ * Selects the lamps of a merged panorama from those that the asset of its first shot stores.
+ *
+ * @example
+ * const lamps = lampsOfExposures(first.lamps, { shots: ['bright', 'dark'], stopsApart: 0 });
+ */
+export function lampsOfExposures<T>(stored: Readonly<Record<string, T>> | undefined, exposures: Exposures): Readonly<Record<string, T>> {
+  const start = exposuresKey(exposures);
+  const own = Object.entries(stored ?? {}).filter(([key]) => key.startsWith(start));
+  return Object.fromEntries(own.map(([key, lamps]) => [key.slice(start.length), lamps]));
+}

@@ -123,6 +123,9 @@ describe('the method by solid angle', () => {
     const found = search(sky(...many), 3);
     expect(found.lamps.length).toBeLessThanOrEqual(3);
     for (const { irradiance } of found.lamps) expect(irradiance.every(Number.isFinite)).toBe(true);
+    // Neighbors are joined as far as one light can stand for them; the others stay in the rest.
+    expect(found.more).toBeGreaterThan(5);
+    expect(search(sky([-120, 30, 5, 90], [60, 20, 5, 60]), 2).more).toBeUndefined();
   });
 
   test('tells lamps on opposite sides apart, and leaves the third to the rest', () => {

@@ -24,6 +24,8 @@ const MIN_DARK_PIXELS = 0.98;
 /** Table 1: intensities by rank. Further lamps have the last one. */
 const RANKS = [1, 0.7, 0.4] as const;
 const CLIPPED = 250;
+/** Lamps that are left out count as alike from this part of the area of the smallest lamp on. */
+const ALIKE = 0.5;
 
 /**
  * Finds lamps as ARPAS does (“Real Time Shadow Mapping for Augmented Reality Photorealistic Rendering”, sections 3.2 to 3.5): gray, ratio
@@ -55,7 +57,9 @@ export function* findByPaper(pixels: PanoramaPixels, options: PaperOptions): Gen
   }
   const clipped = isDisplayReferred(pixels) ? gray : null;
   const all = found.map((one) => lampOf(one, image, clipped)).filter((lamp) => lamp !== null);
-  const lamps = all.sort((a, b) => b.areaPx - a.areaPx).slice(0, options.lamps);
+  const sorted = all.sort((a, b) => b.areaPx - a.areaPx);
+  const lamps = sorted.slice(0, options.lamps);
+  const more = sorted.slice(options.lamps).filter(({ areaPx }) => areaPx > ALIKE * (lamps.at(-1)?.areaPx ?? 0)).length;
   const withIntensity = lamps.map((lamp, i): FoundLamp => {
     const part = options.intensities === 'area' ? lamp.areaPx / (lamps[0]?.areaPx ?? 1) : (RANKS[i] ?? RANKS[2]);
     return { ...lamp, irradiance: [Math.PI * part, Math.PI * part, Math.PI * part] };
@@ -65,6 +69,7 @@ export function* findByPaper(pixels: PanoramaPixels, options: PaperOptions): Gen
     widthPx,
     heightPx,
     lamps: withIntensity,
+    ...(more > 0 ? { more } : {}),
     none: lamps.length > 0 ? null : (none ?? 'lost-in-median'),
     runs,
     rest: null,

@@ -1,4 +1,5 @@
 import { type BrightRegion, brightRegionsOf, gridDirection, MAX_SPREAD_RAD, spreadRad } from './bright-regions.ts';
+import { type ClippedLight, gainOfShare } from './clipped-light.ts';
 import { type FillTarget, fillLamps } from './fill-lamps.ts';
 import type { FoundLamp, FoundLamps, NoLamps } from './found-lamps.ts';
 import { type Contour, outerContours } from './outer-contours.ts';
@@ -18,8 +19,8 @@ export interface SolidAngleOptions {
 
 /** The most regions that are joined with each other; weaker ones are not lamps, so that their light stays in the rest. */
 const MAX_REGIONS = 64;
-/** The greatest factor by which clipped pixels are brightened: a single white pixel is no lamp that lights a room. */
-const MAX_GAIN = 2000;
+/** Lamps that are left out count as alike from this part of the light of the weakest lamp on. */
+const ALIKE = 0.5;
 
 /**
  * Finds lamps on the sphere. Each pixel counts by its solid angle, so lamps near the zenith are not enlarged, and lamps that the seam of
@@ -35,9 +36,13 @@ const MAX_GAIN = 2000;
 export function* findBySolidAngle(pixels: PanoramaPixels, options: SolidAngleOptions): Generator<undefined, FoundLamps> {
   const grid = yield* sphereGridOf(pixels);
   const { widthPx, heightPx, damaged } = grid;
-  if (grid.clipped) brightenClipped(grid, grid.clipped, options.clippedShare);
+  const clipped = grid.clipped ? clippedLightOf(grid, grid.clipped) : null;
+  const gain = clipped ? gainOfShare(clipped, options.clippedShare) : 1;
+  if (grid.clipped) brightenClipped(grid, grid.clipped, gain);
   const regions = yield* brightRegionsOf(grid);
-  const groups = join(regions.slice(0, MAX_REGIONS), options.lamps);
+  const all = join(regions.slice(0, MAX_REGIONS), options.lamps);
+  const groups = all.slice(0, options.lamps);
+  const more = all.slice(options.lamps).filter(({ flux }) => flux > ALIKE * (groups.at(-1)?.flux ?? 0)).length;
   const runs = groups.flatMap((group) => runsOf(grid, group));
   const rest = grid.radiance.slice();
   yield;
@@ -45,31 +50,52 @@ export function* findBySolidAngle(pixels: PanoramaPixels, options: SolidAngleOpt
   const lamps: FoundLamp[] = [];
   for (const group of groups) {
     yield;
-    lamps.push(lampOf(grid, rest, group));
+    lamps.push(lampOf(grid, rest, group, gain));
   }
   yield;
   const none = lamps.length > 0 ? null : whyNone(grid);
-  return { widthPx, heightPx, lamps, none, runs, rest: lightFromAbove(grid, rest), damaged, steps: [] };
+  const white = clipped && clipped.flux > 0 ? { ...clipped, gain } : null;
+  return {
+    widthPx,
+    heightPx,
+    lamps,
+    ...(more > 0 ? { more } : {}),
+    none,
+    runs,
+    rest: lightFromAbove(grid, rest),
+    clipped: white,
+    damaged,
+    steps: [],
+  };
 }
 
-/**
- * Brightens clipped pixels until they give `share` of all light, because white in an image may stand for any brightness above. Measured
- * indoors and outdoors, clipped lamps give about half of all light.
- */
-function brightenClipped(grid: SphereGrid, clipped: Float32Array, share: number): void {
-  let [whole, white] = [0, 0];
+/** Sums the light of clipped areas and of all others. */
+function clippedLightOf(grid: SphereGrid, clipped: Float32Array): ClippedLight {
+  let [whole, flux] = [0, 0];
   for (let i = 0; i < clipped.length; i++) {
     const energy = (grid.luminance[i] ?? 0) * (grid.pixelSr[Math.floor(i / grid.widthPx)] ?? 0);
     whole += energy;
-    white += energy * (clipped[i] ?? 0);
+    flux += energy * (clipped[i] ?? 0);
   }
-  const gain = white > 0 ? Math.min(MAX_GAIN, ((whole - white) * share) / (white * (1 - share))) : 1;
+  return { flux, otherFlux: whole - flux };
+}
+
+/**
+ * Brightens clipped pixels, because white in an image may stand for any brightness above. Measured indoors and outdoors, clipped lamps
+ * give about half of all light.
+ */
+function brightenClipped(grid: SphereGrid, clipped: Float32Array, gain: number): void {
   for (let i = 0; gain > 1 && i < clipped.length; i++) {
-    const factor = 1 + (clipped[i] ?? 0) * (gain - 1);
+    const factor = brightening(clipped[i] ?? 0, gain);
     if (factor === 1) continue;
     grid.luminance[i] = (grid.luminance[i] ?? 0) * factor;
     for (let c = i * 3; c < i * 3 + 3; c++) grid.radiance[c] = (grid.radiance[c] ?? 0) * factor;
   }
+}
+
+/** The factor on a pixel of which a part is clipped. */
+function brightening(clippedPart: number, gain: number): number {
+  return 1 + clippedPart * (gain - 1);
 }
 
 function whyNone({ luminance }: SphereGrid): NoLamps {
@@ -85,7 +111,7 @@ interface Group {
 
 /**
  * Joins regions to groups until there are at most `count`: always the pair that adds the least spread, while the result is not too wide.
- * Returns the strongest groups.
+ * Returns all groups, the strongest first.
  */
 function join(regions: readonly BrightRegion[], count: number): Group[] {
   const groups: Group[] = [...regions];
@@ -103,7 +129,7 @@ function join(regions: readonly BrightRegion[], count: number): Group[] {
     groups[a] = joined(groups[a] as Group, groups[b] as Group);
     groups.splice(b, 1);
   }
-  return groups.sort((a, b) => b.flux - a.flux).slice(0, count);
+  return groups.sort((a, b) => b.flux - a.flux);
 }
 
 /** The cost of joining two groups: flux × mean square angle that it adds; infinite if the result is too wide. */
@@ -123,20 +149,26 @@ function sumOf({ vector: a, flux }: Group, { vector: b, flux: more }: Group): Pi
 }
 
 /** Measures a lamp. Only light above the brightness of the rest counts, so that no light is counted twice. */
-function lampOf(grid: SphereGrid, rest: Float32Array, group: Group): FoundLamp {
+function lampOf(grid: SphereGrid, rest: Float32Array, group: Group, gain: number): FoundLamp {
   const { widthPx, heightPx } = grid;
   const length = Math.hypot(...group.vector);
   const towards: [number, number, number] = [group.vector[0] / length, group.vector[1] / length, group.vector[2] / length];
   const irradiance: [number, number, number] = [0, 0, 0];
+  const clippedIrradiance: [number, number, number] = [0, 0, 0];
   let [clippedSr, solidAngleSr] = [0, 0];
   for (const i of group.pixels) {
     const sr = grid.pixelSr[Math.floor(i / widthPx)] ?? 0;
     const direction = gridDirection(grid, i);
     const cosine = direction[0] * towards[0] + direction[1] * towards[1] + direction[2] * towards[2];
-    for (let c = 0; c < 3; c++)
-      irradiance[c] = (irradiance[c] ?? 0) + ((grid.radiance[i * 3 + c] ?? 0) - (rest[i * 3 + c] ?? 0)) * sr * cosine;
+    const clippedPart = grid.clipped?.[i] ?? 0;
+    const shownPart = clippedPart / brightening(clippedPart, gain);
+    for (let c = 0; c < 3; c++) {
+      const radiance = grid.radiance[i * 3 + c] ?? 0;
+      irradiance[c] = (irradiance[c] ?? 0) + (radiance - (rest[i * 3 + c] ?? 0)) * sr * cosine;
+      clippedIrradiance[c] = (clippedIrradiance[c] ?? 0) + radiance * shownPart * sr * cosine;
+    }
     solidAngleSr += sr;
-    clippedSr += sr * (grid.clipped?.[i] ?? 0);
+    clippedSr += sr * clippedPart;
   }
   // Of a uniform disk, the mean square angle is half the square of its radius.
   const sizeRad = 2 * Math.max(Math.SQRT2 * spreadRad(group), Math.sqrt((grid.pixelSr[heightPx >> 1] ?? 0) / Math.PI));
@@ -145,6 +177,7 @@ function lampOf(grid: SphereGrid, rest: Float32Array, group: Group): FoundLamp {
   return {
     towards,
     irradiance,
+    ...(grid.clipped ? { clippedIrradiance } : {}),
     sizeRad,
     areaPx: group.pixels.length,
     centerPx: [((theta + Math.PI) / (2 * Math.PI)) * widthPx - 0.5, ((Math.PI / 2 - phi) / Math.PI) * heightPx - 0.5],

@@ -137,6 +137,17 @@ export const definition = defineNode({
       step: 0.01,
       unit: 'ratio',
     },
+    clippedFrom: {
+      type: 'choice',
+      stage: 'structure',
+      label: 'White from',
+      doc: 'What tells how bright white areas are. “Light estimation” of the device compares the strongest light of the room with all other light, while the page runs; without it, “Share of white” counts. A panorama of several exposures needs neither.',
+      default: 'share',
+      options: [
+        { value: 'share', label: 'Share of white' },
+        { value: 'estimate', label: 'Light estimation' },
+      ],
+    },
     intensity: {
       ...BRIGHTNESS_FACTOR,
       label: 'Intensity',
@@ -257,6 +268,14 @@ export const definition = defineNode({
       where: { param: 'distanceFrom', is: 'room' },
       why: 'to find how far away the lamps of the room are',
       without: 'Lamps are at the distance that is set.',
+    },
+    {
+      capability: 'light-estimation',
+      required: false,
+      when: 'always',
+      where: { param: 'clippedFrom', is: 'estimate' },
+      why: 'to find how bright the lamps are that are white in the panorama',
+      without: 'White areas of the panorama give the part of the light that is set.',
     },
   ],
   lowering: { kind: 'geometry' },

@@ -13,6 +13,7 @@ import type {
   PointLightItem,
   SpotLightItem,
 } from '../../kit/scene-lists.ts';
+import type { LightEstimate } from '../../kit/session.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 import { type SearchMessage, serve, type WorkerScope } from './worker.ts';
@@ -53,7 +54,7 @@ function fakeWorkers(isAtOnce = true) {
 
 function make(pixels: PanoramaPixels, params: Record<string, ParamValue> = {}, session: SessionService = {} as never) {
   const filled: unknown[] = [];
-  const rest = { dispose: () => filled.push('disposed') };
+  const rest = { ready: true, dispose: () => filled.push('disposed') };
   const asset = {
     readPixels: () => pixels,
     withoutLamps: (runs: readonly number[], size: { widthPx: number }) => {
@@ -189,12 +190,74 @@ describe('light/from-panorama', () => {
     expect(filled).toEqual([]);
   });
 
+  /** Many equal lamps, one in each cell of 8 × 4 pixels. */
+  function many(): PanoramaPixels {
+    const [widthPx, heightPx] = [256, 128];
+    const data = new Float32Array(widthPx * heightPx * 3).fill(0.1);
+    for (let i = 0; i < 200; i++) {
+      const [x, y] = [(i % 20) * 12 + 4, Math.floor(i / 20) * 9 + 20];
+      for (let row = y; row < y + 4; row++) data.fill(100, (row * widthPx + x) * 3, (row * widthPx + x + 4) * 3);
+    }
+    return { widthPx, heightPx, channels: 3, data };
+  }
+
+  const bytes = (level: number): PanoramaPixels => ({ widthPx: W, heightPx: H, channels: 3, data: new Uint8Array(W * H * 3).fill(level) });
+
+  test.each([
+    [
+      'solid-angle',
+      'all white',
+      bytes(255),
+      /^The whole panorama lights the scene, because no lamp was found in it: no part of it is much brighter/,
+    ],
+    ['solid-angle', 'all black', bytes(0), /: the panorama is black\.$/],
+    ['solid-angle', '200 equal lamps', many(), /^Of more than \d+ lamps that are about as bright, 3 are lights with shadows\./],
+    ['paper', 'all white', bytes(255), /: the panorama is too bright all over to tell lamps from walls\.$/],
+    ['paper', 'all black', bytes(0), /: the panorama is black\.$/],
+    ['paper', '200 equal lamps', many(), /: more than 2 % of the panorama is nearly as bright as its brightest pixel/],
+  ] as const)('%s tells what is wrong with a panorama that is %s', (method, _what, pixels, message) => {
+    const { reports, lights } = make(pixels, { method });
+    expect(reports).toEqual([expect.objectContaining({ code: 'SCR028', severity: 'info', message: expect.stringMatching(message) })]);
+    for (const item of lights.items) if ('irradiance' in item) expect([...(item.irradiance as number[])].every(Number.isFinite)).toBe(true);
+    expect(lights.items.at(-1)?.kind).toBe('environment');
+  });
+
   test('infinite and undefined pixels are reported, and give finite light', () => {
     const pixels = room();
     pixels.data.set([Number.NaN, 1, 1, Number.POSITIVE_INFINITY, 1, 1], 0);
     const { lights, reports } = make(pixels);
     expect(reports).toEqual([expect.objectContaining({ code: 'SCR029', message: expect.stringMatching(/^2 pixels/) })]);
     for (const light of lights.items) if (light.kind === 'directional') expect([...light.radiance].every(Number.isFinite)).toBe(true);
+  });
+
+  test('a white lamp is as bright as the light estimation of the device says, and by “Share of white” without one', () => {
+    const data = new Uint8Array(W * H * 3).fill(124);
+    for (let y = 10; y < 14; y++) data.fill(255, (y * W + 46) * 3, (y * W + 50) * 3);
+    const pixels: PanoramaPixels = { widthPx: W, heightPx: H, channels: 3, data };
+    const session: { light: LightEstimate | null } = { light: null };
+    const { lights, update } = make(pixels, { clippedFrom: 'estimate', clippedShare: 0.5 }, session as never);
+    const lamp = lights.items[0] as DirectionalLightItem;
+    // What the walls of linear 0.2 give: half of all light, less the pixels of the lamp.
+    const walls = 4 * Math.PI * 0.2;
+    expect((lamp.radiance[0] ?? 0) / walls).toBeCloseTo(1, 1);
+    // Around the device: the same radiance L everywhere has the first coefficient L × √(4π). The primary light gives 0.8 of all.
+    const sphericalHarmonics = new Float32Array(27).fill(3 * Math.sqrt(4 * Math.PI), 0, 3);
+    const primaryIntensity = new Float32Array(3).fill(4 * 4 * Math.PI * 3);
+    session.light = { sphericalHarmonics, primaryIntensity, primaryDirectionWorld: Float32Array.of(0, 1, 0) };
+    update();
+    expect((lamp.radiance[0] ?? 0) / walls).toBeCloseTo(4, 0);
+    const kept = lamp.radiance[0];
+    session.light = null;
+    update();
+    expect(lamp.radiance[0]).toBe(kept);
+    // An estimate without light says nothing.
+    session.light = {
+      sphericalHarmonics: new Float32Array(27),
+      primaryIntensity: new Float32Array(3),
+      primaryDirectionWorld: new Float32Array(3),
+    };
+    update();
+    expect(lamp.radiance[0]).toBe(kept);
   });
 
   test('another panorama is searched anew, and the copy of the first is disposed', () => {
@@ -208,7 +271,8 @@ describe('light/from-panorama', () => {
 
   test('a worker searches while frames go on; another panorama cancels it', () => {
     const { service, log, answer } = fakeWorkers(false);
-    const assetOf = (pixels: PanoramaPixels) => ({ readPixels: () => pixels, withoutLamps: () => ({ dispose: () => {} }) }) as never;
+    const assetOf = (pixels: PanoramaPixels) =>
+      ({ readPixels: () => pixels, withoutLamps: () => ({ ready: true, dispose: () => {} }) }) as never;
     const environment: EnvironmentOutput = { asset: assetOf(room()), intensity: 1, rotationRad: 0 };
     const { ctx } = fakeContext(definition, { inputs: { environment }, services: { workers: service } });
     const node = create(ctx);
@@ -227,6 +291,24 @@ describe('light/from-panorama', () => {
     expect(log).toEqual(['start', 'end', 'start', 'end']);
   });
 
+  test('until the panorama without its lamps can be drawn, the whole panorama lights alone: no light counts twice', () => {
+    const rest = { ready: false, dispose: () => {} };
+    const asset = { readPixels: () => room(), withoutLamps: () => rest } as unknown as EnvironmentAsset;
+    const inputs = { environment: { asset, intensity: 1, rotationRad: 0 } };
+    const { ctx } = fakeContext(definition, { inputs, services: { workers: fakeWorkers().service } });
+    const node = create(ctx);
+    const items = () => {
+      node.update({} as never);
+      return ctx.outputs.lights.items;
+    };
+    expect(items()).toEqual([expect.objectContaining({ kind: 'environment', environment: asset })]);
+    expect(items()).toHaveLength(1);
+    rest.ready = true;
+    const lit = items();
+    expect(lit.slice(0, 2).map(({ kind }) => kind)).toEqual(['directional', 'directional']);
+    expect(lit.at(-1)).toMatchObject({ kind: 'environment', environment: rest });
+  });
+
   test('lamps that the page stores need no worker, and light as those that a worker or a render finds', () => {
     const searched = make(room()).lights.items;
     const options = lampOptionsOf({ method: 'solid-angle', lamps: 3, iterations: 2, intensities: 'ranks', clippedShare: 0.5 });
@@ -235,7 +317,7 @@ describe('light/from-panorama', () => {
     const readPixels = () => {
       throw new Error('not read');
     };
-    const withoutLamps = () => ({ dispose: () => {} });
+    const withoutLamps = () => ({ ready: true, dispose: () => {} });
     for (const more of [{ lamps }, { findLamps: () => findLampsAtOnce(room(), options) }]) {
       const environment: EnvironmentOutput = { asset: { readPixels, withoutLamps, ...more } as never, intensity: 1, rotationRad: 0 };
       const { ctx } = fakeContext(definition, { inputs: { environment } });

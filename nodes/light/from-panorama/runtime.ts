@@ -1,8 +1,9 @@
 import type { DerivedEnvironment, EnvironmentAsset } from '../../kit/assets.ts';
-import { type FoundLamps, NO_LAMPS } from '../../kit/panorama/found-lamps.ts';
+import { type FoundLamp, type FoundLamps, NO_LAMPS } from '../../kit/panorama/found-lamps.ts';
 import { lampOptionsOf } from '../../kit/panorama/lamp-options.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { EnvironmentLightItem } from '../../kit/scene-lists.ts';
+import { createClippedLamps } from './clipped-lamps.ts';
 import type { definition } from './definition.ts';
 import { kindOf, lampChanges } from './lamp-changes.ts';
 import { createLampItem, directional, type LampItem, type LampKind, type LampSetting, MAX_SIZE_RAD, turn } from './lamp-items.ts';
@@ -12,11 +13,12 @@ import { createRoomDistances } from './room-distances.ts';
 /** The shadow map of the rest of the panorama, which is a wide light and needs no large map. */
 const REST_MAP = { mapSizePx: 512, filter: 'pcss' } as const;
 
-/** A lamp of the output list, with its direction in the panorama and its current one. */
+/** A lamp of the output list, as it was found, with its current direction and light. */
 interface Listed {
   readonly kind: LampKind;
-  readonly found: readonly number[];
+  readonly found: FoundLamp;
   readonly towards: [x: number, y: number, z: number];
+  readonly irradiance: [red: number, green: number, blue: number];
   readonly item: LampItem;
 }
 
@@ -48,24 +50,28 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   let searched: EnvironmentAsset | null = null;
   let search: LampSearch | null = null;
   let found: FoundLamps | null = null;
+  /** What was found, until it can be listed. */
+  let waiting: FoundLamps | null = null;
   let rest: DerivedEnvironment | null = null;
   let lamps: Listed[] = [];
   let restShadow: LampItem | null = null;
   const changes = lampChanges(params);
+  const clippedLamps = createClippedLamps(ctx.session, config.clippedFrom === 'estimate');
   const distances = createRoomDistances(ctx.session, config.distanceFrom === 'room');
 
   function forget(): void {
     search?.dispose();
     search = null;
     found = null;
+    waiting = null;
     rest?.dispose();
     rest = null;
     listLamps();
   }
 
   function take(result: FoundLamps): void {
-    found = result;
     search = null;
+    waiting = result;
     if (searched && result.lamps.length > 0) rest = searched.withoutLamps(result.runs, result);
     if (result.none !== null) {
       ctx.report({
@@ -73,6 +79,14 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
         severity: 'info',
         message: `The whole panorama lights the scene, because no lamp was found in it: ${NO_LAMPS[result.none]}.`,
         fix: 'Use a panorama in which lamps or windows are visible, or another “Method”.',
+      });
+    }
+    if ((result.more ?? 0) > result.lamps.length) {
+      ctx.report({
+        code: 'SCR028',
+        severity: 'info',
+        message: `Of more than ${result.lamps.length + (result.more ?? 0) - 1} lamps that are about as bright, ${result.lamps.length} are lights with shadows. The others light from all sides.`,
+        fix: 'Raise “Lamps”, or use a panorama in which few lamps stand out.',
       });
     }
     if (result.damaged > 0) {
@@ -83,6 +97,13 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
         fix: 'Export the panorama again without infinite or negative numbers.',
       });
     }
+  }
+
+  /** Lists the lamps once the panorama without them can be drawn: before, their light would count twice. */
+  function listWhenReady(): void {
+    if (!waiting || rest?.ready === false) return;
+    found = waiting;
+    waiting = null;
     listLamps();
   }
 
@@ -109,7 +130,9 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     lamps = (found?.lamps ?? []).map((lamp, i): Listed => {
       const kind = kindOf(params.kind.value, changes[i]);
       const towards: [number, number, number] = [...lamp.towards];
-      return { kind, found: lamp.towards, towards, item: createLampItem(`lamp ${i + 1}`, kind, { ...lamp, towards }, map) };
+      const irradiance: [number, number, number] = [...lamp.irradiance];
+      const item = createLampItem(`lamp ${i + 1}`, kind, { ...lamp, towards, irradiance }, map);
+      return { kind, found: lamp, towards, irradiance, item };
     });
     const areFar = lamps.length > 0 && lamps.every(({ kind }) => kind === 'directional');
     const wide = areFar ? (found?.rest ?? null) : null;
@@ -139,7 +162,8 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       if (!lamp) continue;
       const change = changes[i];
       if (change?.pinned.value) writeDirection(lamp.towards, change.azimuthRad.value, change.elevationRad.value);
-      else for (let c = 0; c < 3; c++) lamp.towards[c] = lamp.found[c] ?? 0;
+      else for (let c = 0; c < 3; c++) lamp.towards[c] = lamp.found.towards[c] ?? 0;
+      clippedLamps.write(lamp.irradiance, lamp.found);
       setting.distanceM = change && change.distanceM.value > 0 ? change.distanceM.value : params.distanceM.value;
       if (lamp.kind !== 'directional' && !(change && change.distanceM.value > 0)) {
         turn(scratchTowards, lamp.towards, setting.rotationRad);
@@ -166,11 +190,13 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       }
       const result = arrived();
       if (result) take(result);
+      if (waiting) listWhenReady();
       else if (haveOtherKinds()) listLamps();
-      around.environment = rest ?? asset;
+      around.environment = rest?.ready ? rest : asset;
       around.intensity = params.ambient.value * intensity;
       around.rotationRad = params.rotationRad.value + (environment?.rotationRad ?? 0);
       around.visible = params.visible.value;
+      clippedLamps.update(found);
       updateLamps(intensity);
       passedOn.asset = asset;
       passedOn.intensity = intensity;

@@ -10,8 +10,11 @@ import { createLabelObjects } from './label-objects.ts';
 import { createLabelPose } from './label-pose.ts';
 import { createPageMatrices } from './page-matrices.ts';
 
-/** The sources that may hide a label. The floor is left out: most sessions only assume it, and real things stand on it. */
-const SOURCES: readonly HitSource[] = ['plane', 'mesh', 'depth'];
+/**
+ * The sources that may hide a label, each asked alone: a ray that asks several gets the hit of the first, though another may be nearer. The
+ * floor is left out: most sessions only assume it, and real things stand on it.
+ */
+const SOURCES: readonly (readonly HitSource[])[] = [['plane'], ['mesh'], ['depth'], ['voxels']];
 /** A label is hidden only if it is at least this far behind a surface, so that noise of the depth does not hide a label on a surface. */
 const BEHIND_M = 0.08;
 
@@ -72,7 +75,10 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     // In renders each frame depends on itself alone.
     if (label.mayLook || ctx.clock.held) {
       pose.writeRay(worldFromRay);
-      isBehind = ctx.session.castRay(worldFromRay, hit, SOURCES) && hit.distanceM < pose.distanceM - BEHIND_M;
+      isBehind = false;
+      for (let i = 0; i < SOURCES.length && !isBehind; i++) {
+        isBehind = ctx.session.castRay(worldFromRay, hit, SOURCES[i]) && hit.distanceM < pose.distanceM - BEHIND_M;
+      }
     }
     return isBehind ? params.faded.value : 1;
   }

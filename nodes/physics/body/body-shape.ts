@@ -1,14 +1,14 @@
 import type { BufferGeometry, Mesh, Object3D, Vector3 } from 'three';
-import type { BodyShape, Triple } from '../../kit/physics.ts';
+import type { BodyMode, BodyShape, Triple } from '../../kit/physics.ts';
 import { hullOf } from './convex-hull.ts';
-import { MAX_POINTS, type MeshPoints, meshPoints } from './mesh-points.ts';
+import { MAX_POINTS, type MeshPoints, meshPoints, meshTriangles } from './mesh-points.ts';
 import { boxShape, capsuleShapes, cylinderShape, sphereShape } from './solids.ts';
 
-export type ShapeKind = 'auto' | 'box' | 'sphere' | 'cylinder' | 'capsule' | 'hull' | 'parts';
+export type ShapeKind = 'auto' | 'box' | 'sphere' | 'cylinder' | 'capsule' | 'hull' | 'parts' | 'mesh';
 
 export interface ShapeResult {
   readonly shapes: readonly BodyShape[];
-  /** Why the shape is a box instead of the requested kind, as a sentence; null if it has the requested kind. */
+  /** Why the shape is not of the requested kind, as a sentence that begins with the object; null if it is. */
   readonly problem: string | null;
 }
 
@@ -32,8 +32,9 @@ const SOLIDS: Readonly<Record<string, ShapeKind>> = {
  * bounding box.
  *
  * @param scale Factors on x, y and z of the object.
+ * @param mode What moves the body. Triangles are no shape for forces; where nothing moves the body, “auto” takes them instead of a hull.
  */
-export function shapeOf(kind: ShapeKind, root: Object3D, scale: Vector3): ShapeResult {
+export function shapeOf(kind: ShapeKind, root: Object3D, scale: Vector3, mode: BodyMode = 'dynamic'): ShapeResult {
   const meshes = meshPoints(root, scale);
   if (!meshes) return { shapes: [boxOfGeometry(root, scale)], problem: `The object has more than ${MAX_POINTS} vertices.` };
   const bounds = boundsOf(meshes);
@@ -41,7 +42,8 @@ export function shapeOf(kind: ShapeKind, root: Object3D, scale: Vector3): ShapeR
   const { size, center } = bounds;
   const largest = Math.max(...size);
   if (largest < MIN_SIZE_M) return { shapes: [boxShape(NO_SIZE_M, center)], problem: 'The object has no size.' };
-  const wanted = kind === 'auto' ? kindOf(root) : kind;
+  const wanted = kind === 'auto' ? kindOf(root, mode) : kind;
+  if (wanted === 'mesh' && mode !== 'dynamic') return { shapes: [meshTriangles(root, scale)], problem: null };
   const isFlat = Math.min(...size) < Math.max(MIN_SIZE_M / 2, 1e-4 * largest);
   if (isFlat && wanted !== 'box') return { shapes: [boxShape(thick(size), center)], problem: 'The object is flat.' };
   switch (wanted) {
@@ -53,6 +55,8 @@ export function shapeOf(kind: ShapeKind, root: Object3D, scale: Vector3): ShapeR
       return { shapes: [cylinderShape(size, center)], problem: null };
     case 'capsule':
       return { shapes: capsuleShapes(size, center), problem: null };
+    case 'mesh':
+      return { shapes: hulls([merge(meshes)], size, center).shapes, problem: 'The object is moved by forces.' };
     case 'hull':
     case 'auto':
       return hulls([merge(meshes)], size, center);
@@ -67,10 +71,14 @@ function hulls(parts: readonly MeshPoints[], size: Triple, center: Triple): Shap
   return { shapes: [boxShape(thick(size), center)], problem: 'The object has no volume.' };
 }
 
-/** The kind of shape that fits the geometry, if the object is a single solid of three.js; otherwise the convex hull. */
-function kindOf(root: Object3D): ShapeKind {
+/**
+ * The kind of shape that fits the geometry, if the object is a single solid of three.js; otherwise the triangles of what nothing moves, or
+ * the convex hull.
+ */
+function kindOf(root: Object3D, mode: BodyMode): ShapeKind {
+  const other = mode === 'static' ? 'mesh' : 'hull';
   const geometry = (root as Partial<Mesh>).geometry as BufferGeometry | undefined;
-  return root.children.length === 0 && geometry ? (SOLIDS[geometry.type] ?? 'hull') : 'hull';
+  return root.children.length === 0 && geometry ? (SOLIDS[geometry.type] ?? other) : other;
 }
 
 function merge(meshes: readonly MeshPoints[]): MeshPoints {

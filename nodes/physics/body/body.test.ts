@@ -120,6 +120,30 @@ describe('shapes', () => {
     expect(volumeOf(shapes)).toBeGreaterThan(0);
   });
 
+  test('a huge model has a hull of its size, and numbers that overflow give a box', () => {
+    const huge = new Mesh(new SphereGeometry(1e5, 24, 16));
+    const { shapes, problem } = shapeOf('hull', huge, ONE);
+    expect(problem).toBeNull();
+    // Of 40 vertices.
+    expect(volumeOf(shapes) / ((4 / 3) * Math.PI * 1e15)).toBeGreaterThan(0.8);
+    const overflow = new BufferGeometry();
+    overflow.setAttribute('position', new BufferAttribute(Float32Array.of(0, 0, 0, 1e38, 0, 0, 0, 1e38, 0, 0, 0, 1e38), 3));
+    const box = shapeOf('hull', new Mesh(overflow), ONE);
+    const numbers = box.shapes.flatMap((shape) => (shape.kind === 'hull' ? shape.verticesM.flat() : []));
+    expect(numbers.every(Number.isFinite)).toBe(true);
+  });
+
+  test('an edge that three triangles share has a hull', () => {
+    const fins = new BufferGeometry();
+    const corners = [0, 0, 0, 1, 0, 0, 0.5, 1, 0, 0.5, 0, 1, 0.5, -1, 0.2];
+    fins.setAttribute('position', new BufferAttribute(Float32Array.from(corners), 3));
+    fins.setIndex([0, 1, 2, 0, 1, 3, 0, 1, 4]);
+    const { shapes, problem } = shapeOf('hull', new Mesh(fins), ONE);
+    expect(problem).toBeNull();
+    // By hand: pyramids of the height 0.5 to both sides of the section at x = 0.5, whose area is 1.
+    expect(volumeOf(shapes)).toBeCloseTo(1 / 3, 5);
+  });
+
   test('a model with holes and double faces has a hull', () => {
     const open = new BoxGeometry(1, 1, 1).toNonIndexed();
     const values = (open.getAttribute('position').array as Float32Array).slice(18);
@@ -154,7 +178,7 @@ describe('physics/body', () => {
     expect(made?.description.shapes).toMatchObject([{ kind: 'hull' }]);
     expect(volumeOf(made?.description.shapes ?? [])).toBeCloseTo(0.064, 6);
     made?.worldFromBody.set(new Matrix4().makeRotationY(1).setPosition(3, 0, 0).elements);
-    if (made) made.world = { applyPoses: () => {}, control: createWorldControl() };
+    if (made) made.world = { applyPoses: () => {}, control: createWorldControl(), massOf: () => ({ massKg: 1, centerM: [0, 0, 0] }) };
     update();
     const [moved] = ctx.outputs.objects.items;
     expect(moved?.worldFromObject.elements.slice(12, 15)).toEqual([3, 0, 0]);
@@ -222,7 +246,7 @@ describe('physics/body', () => {
     update();
     const [made] = body();
     if (!made) throw new Error('There is no body.');
-    made.world = { applyPoses: () => {}, control: createWorldControl() };
+    made.world = { applyPoses: () => {}, control: createWorldControl(), massOf: () => ({ massKg: 1, centerM: [0, 0, 0] }) };
     // A world that is late tells it twice.
     for (let i = 0; i < 2; i++) {
       made.isLost = true;
@@ -242,6 +266,10 @@ describe('physics/body', () => {
     const { update, reports } = start();
     for (let i = 0; i < 5; i++) update();
     expect(reports).toMatchObject([{ code: 'SCR038' }]);
+    const slow = start();
+    slow.ctx.outputs.body.isInWorld = true;
+    for (let i = 0; i < 5; i++) slow.update();
+    expect(slow.reports).toEqual([]);
   });
 
   test('a hidden object is no obstacle, and is one again when it is shown', () => {

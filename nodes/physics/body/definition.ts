@@ -51,7 +51,7 @@ export const definition = defineNode({
       type: 'choice',
       stage: 'structure',
       label: 'Shape',
-      doc: 'What collides. “As the object” is the solid of a primitive and the convex hull of a model; “Hull of each part” keeps hollows between the meshes of a model.',
+      doc: 'What collides. “As the object” is the solid of a primitive and the convex hull of a model, or its triangles if nothing moves it; “Hull of each part” keeps hollows between the meshes of a model. “Triangles” have no inside and both sides collide; forces do not move them.',
       default: 'auto',
       options: [
         { value: 'auto', label: 'As the object' },
@@ -61,6 +61,7 @@ export const definition = defineNode({
         { value: 'capsule', label: 'Capsule' },
         { value: 'hull', label: 'Convex hull' },
         { value: 'parts', label: 'Hull of each part' },
+        { value: 'mesh', label: 'Triangles' },
       ],
     },
     copies: {

@@ -113,14 +113,14 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     if (!Number.isFinite(scratchScale.x + scratchScale.y + scratchScale.z + scratchRoot.x + scratchRoot.y + scratchRoot.z)) return;
     scale.copy(scratchScale);
     rootScale.copy(scratchRoot);
-    const { shapes, problem } = shapeOf(config.shape, source.root, scale);
+    const { shapes, problem } = shapeOf(config.shape, source.root, scale, config.mode);
     body.description = describe(shapes);
     body.version++;
     if (problem === null) return;
     ctx.report({
       code: 'SCR037',
       severity: 'warning',
-      message: `${problem} Its body is a box.`,
+      message: config.shape === 'mesh' ? `${problem} Its body is a convex hull or a box.` : `${problem} Its body is a box.`,
       fix: 'Choose the shape “Box”, or a model that is solid and has fewer vertices.',
     });
   }
@@ -181,7 +181,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     show(entry, true);
   }
   function checkWorld(): void {
-    if (!entries.some(({ isShown, isHidden, body }) => isShown && !isHidden && body.world === null)) return;
+    if (outputs.body.isInWorld || !entries.some(({ isShown, isHidden, body }) => isShown && !isHidden && body.world === null)) return;
     ctx.report({
       code: 'SCR038',
       severity: 'warning',

@@ -1,5 +1,6 @@
 import { Matrix4, type Vector3 } from 'three';
 import type { PhysicsBody, PhysicsJoint } from '../../kit/physics.ts';
+import { createDragJoint, type DragSpring } from '../../kit/three/drag-joint.ts';
 
 /** What holds a body: a press, given by the id of its pointer, or the closed hand or squeezed controller of a side. */
 export type Holder = number | 'left' | 'right';
@@ -20,11 +21,6 @@ export interface Hold {
   isBegun: boolean;
 }
 
-export interface HoldSettings {
-  readonly frequencyHz: number;
-  readonly maxForceN: number;
-}
-
 /**
  * Creates a hold.
  *
@@ -35,31 +31,10 @@ export function createHold(
   held: Pick<Hold, 'by' | 'hand' | 'carrier' | 'body'>,
   worldFromCarrier: ArrayLike<number>,
   pointWorld: Vector3,
-  { frequencyHz, maxForceN }: HoldSettings,
+  spring: DragSpring,
 ): Hold {
-  const { body } = held;
-  const anchor = pointWorld.clone().applyMatrix4(new Matrix4().fromArray(body.worldFromBody).invert());
-  const worldFromPoint = new Matrix4().fromArray(worldFromCarrier).setPosition(pointWorld);
-  const joint: PhysicsJoint = {
-    key,
-    kind: 'drag',
-    a: body,
-    b: null,
-    description: {
-      anchorA: [anchor.x, anchor.y, anchor.z],
-      anchorB: [0, 0, 0],
-      axisA: [0, 1, 0],
-      axisB: [0, 1, 0],
-      lengthM: 0,
-      frequencyHz,
-      dampingRatio: 1,
-      maxForceN,
-    },
-    worldFromTarget: Float64Array.from(worldFromPoint.elements),
-    isOn: true,
-    version: 0,
-  };
-  const carrierFromPoint = new Matrix4().fromArray(worldFromCarrier).invert().multiply(worldFromPoint);
+  const joint = createDragJoint(key, held.body, pointWorld, worldFromCarrier, spring);
+  const carrierFromPoint = new Matrix4().fromArray(worldFromCarrier).invert().multiply(new Matrix4().fromArray(joint.worldFromTarget));
   return { ...held, joint, carrierFromPoint, isBegun: false };
 }
 

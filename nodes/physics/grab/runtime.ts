@@ -4,7 +4,7 @@ import type { PhysicsBody } from '../../kit/physics.ts';
 import { claimPointer, handOf, pointerById } from '../../kit/pointers.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { Hand, Pointer, SessionInput } from '../../kit/session.ts';
-import { castOnBody, distanceToBody } from './cast-body.ts';
+import { castOnBody, distanceToBody } from '../../kit/three/cast-body.ts';
 import type { definition } from './definition.ts';
 import { createHandBodies } from './hand-bodies.ts';
 import { type Carrier, createHold, endHold, type Hold, type Holder } from './holds.ts';

@@ -2,59 +2,11 @@ import { describe, expect, test } from '@jest/globals';
 import { Matrix4, Vector3 } from 'three';
 import { fakeContext } from '../../../tests/support/node-context.ts';
 import { ball, createLab, cube } from '../../../tests/support/physics/lab.ts';
+import { BOX, CENTER, EYE, look, type Ray, SEEN_BOX, SEEN_FLOOR, SETTINGS } from '../../../tests/support/physics/seen-room.ts';
 import { createStage, placeOf } from '../../../tests/support/physics/stage.ts';
-import type { DepthFrame, VoxelSettings } from '../../kit/physics.ts';
 import { createVoxelGrid, type VoxelGrid } from '../world/voxel-grid.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
-
-const SETTINGS: VoxelSettings = { edgeM: 0.05, threshold: 0.5, speed: 0.2, farM: 5 };
-const WIDTH = 80;
-const HEIGHT = 60;
-/** 60° wide. */
-const TAN = Math.tan(Math.PI / 6);
-const RAY = [(2 * TAN) / WIDTH, 0, -TAN + TAN / WIDTH, 0, (2 * TAN) / WIDTH, (-TAN * HEIGHT) / WIDTH + TAN / WIDTH];
-
-type Ray = { readonly from: Vector3; readonly to: Vector3 };
-
-/** Depth of a scene that is told by the distance along rays whose length is 1 along the axis of the view. */
-function look(eye: Vector3, target: Vector3, distance: (ray: Ray) => number, deltaS = 1 / 30): DepthFrame {
-  const worldFromDepth = new Matrix4().lookAt(eye, target, new Vector3(0, 1, 0.001)).setPosition(eye);
-  const turn = worldFromDepth.clone().setPosition(0, 0, 0);
-  const meters = Float32Array.from({ length: WIDTH * HEIGHT }, (_, k) => {
-    const i = k % WIDTH;
-    const j = Math.floor(k / WIDTH);
-    const to = new Vector3((RAY[0] ?? 0) * i + (RAY[2] ?? 0), (RAY[4] ?? 0) * j + (RAY[5] ?? 0), -1).applyMatrix4(turn);
-    const d = distance({ from: eye, to });
-    return Number.isFinite(d) ? d : 0;
-  });
-  return { meters, widthPx: WIDTH, heightPx: HEIGHT, worldFromDepth: worldFromDepth.elements, rayFromTexel: RAY, deltaS };
-}
-
-/** The floor at a height of 0.01 m, and a box that stands on it, if there is one. */
-const room =
-  (box: { readonly half: number; readonly top: number } | null) =>
-  (ray: Ray): number => {
-    const { from, to } = ray;
-    let nearest = to.y < 0 ? (0.01 - from.y) / to.y : Number.POSITIVE_INFINITY;
-    if (!box) return nearest;
-    const low = new Vector3(-box.half, 0, -box.half);
-    const high = new Vector3(box.half, box.top, box.half);
-    let enter = 0;
-    let leave = Number.POSITIVE_INFINITY;
-    for (const axis of ['x', 'y', 'z'] as const) {
-      const a = (low[axis] - from[axis]) / to[axis];
-      const b = (high[axis] - from[axis]) / to[axis];
-      enter = Math.max(enter, Math.min(a, b));
-      leave = Math.min(leave, Math.max(a, b));
-    }
-    if (enter <= leave) nearest = Math.min(nearest, enter);
-    return nearest;
-  };
-
-const EYE = new Vector3(0.3, 1.4, 1.4);
-const CENTER = new Vector3(0, 0.2, 0);
-const BOX = { half: 0.24, top: 0.38 };
 
 describe('the voxel grid', () => {
   test('a surface is there after ⌈ln(1 - T) / ln(1 - U)⌉ frames, and gone as soon at T and U', () => {
@@ -62,14 +14,14 @@ describe('the voxel grid', () => {
     const above = () => grid.isOccupied(0, 7, 0);
     const appears = Math.ceil(Math.log(0.5) / Math.log(0.8));
     for (let i = 1; i <= appears; i++) {
-      grid.update(look(EYE, CENTER, room(BOX)));
+      grid.update(SEEN_BOX);
       expect(above()).toBe(i === appears);
     }
-    for (let i = 0; i < 20; i++) grid.update(look(EYE, CENTER, room(BOX)));
+    for (let i = 0; i < 20; i++) grid.update(SEEN_BOX);
     const limit = Math.ceil(Math.log(0.5) / Math.log(1 - 0.2)) + 2;
     let frames = 0;
     while (above() && frames < 50) {
-      grid.update(look(EYE, CENTER, room(null)));
+      grid.update(SEEN_FLOOR);
       frames++;
     }
     expect(frames).toBeLessThanOrEqual(limit);
@@ -77,7 +29,7 @@ describe('the voxel grid', () => {
 
   test('what is out of view, or behind what is seen, stays', () => {
     const grid = createVoxelGrid(SETTINGS);
-    for (let i = 0; i < 10; i++) grid.update(look(EYE, CENTER, room(BOX)));
+    for (let i = 0; i < 10; i++) grid.update(SEEN_BOX);
     const count = (at: VoxelGrid) => {
       let n = 0;
       at.forEachOccupied(() => n++);
@@ -86,9 +38,11 @@ describe('the voxel grid', () => {
     const before = count(grid);
     expect(before).toBeGreaterThan(200);
     // The other way: a wall.
-    for (let i = 0; i < 60; i++) grid.update(look(EYE, new Vector3(0.3, 1.4, 5), () => 1.5));
+    const wall = look(EYE, new Vector3(0.3, 1.4, 5), () => 1.5);
+    for (let i = 0; i < 60; i++) grid.update(wall);
     // A sheet in front of the camera hides everything.
-    for (let i = 0; i < 60; i++) grid.update(look(EYE, CENTER, () => 0.5));
+    const sheet = look(EYE, CENTER, () => 0.5);
+    for (let i = 0; i < 60; i++) grid.update(sheet);
     expect(grid.isOccupied(0, 7, 0)).toBe(true);
     expect(count(grid)).toBeGreaterThanOrEqual(before);
   });
@@ -96,7 +50,7 @@ describe('the voxel grid', () => {
   test('a rate is that of time, not of frames', () => {
     const weight = (hz: number) => {
       const grid = createVoxelGrid(SETTINGS);
-      for (let i = 0; i < hz / 10; i++) grid.update(look(EYE, CENTER, room(BOX), 1 / hz));
+      for (let i = 0; i < hz / 10; i++) grid.update({ ...SEEN_BOX, deltaS: 1 / hz });
       return grid.weightAt(0, 7, 0);
     };
     expect(weight(60)).toBeCloseTo(weight(30), 6);
@@ -105,7 +59,7 @@ describe('the voxel grid', () => {
 
   test('numbers that are none change nothing', () => {
     const grid = createVoxelGrid(SETTINGS);
-    grid.update({ ...look(EYE, CENTER, room(BOX)), worldFromDepth: new Array(16).fill(Number.NaN) });
+    grid.update({ ...SEEN_BOX, worldFromDepth: new Array(16).fill(Number.NaN) });
     grid.update(look(EYE, CENTER, () => Number.NaN));
     let n = 0;
     grid.forEachOccupied(() => n++);
@@ -115,7 +69,7 @@ describe('the voxel grid', () => {
 
 describe('bodies in a room', () => {
   const see = (lab: ReturnType<typeof createLab>, box: typeof BOX | null, frames = 30) => {
-    for (let i = 0; i < frames; i++) lab.engine.apply({ kind: 'depth', frame: look(EYE, CENTER, room(box)) });
+    for (let i = 0; i < frames; i++) lab.engine.apply({ kind: 'depth', frame: box ? SEEN_BOX : SEEN_FLOOR });
   };
   const start = () => {
     const lab = createLab({ sleep: true });
@@ -172,8 +126,8 @@ describe('a smooth surface', () => {
   function roll(isSmooth: boolean, angleRad: number, startMps: number) {
     const lab = createLab({ sleep: true });
     lab.engine.apply({ kind: 'room', room: { ...SETTINGS, isSmooth }, friction: 1, restitution: 0 });
-    for (let i = 0; i < 30; i++)
-      lab.engine.apply({ kind: 'depth', frame: look(new Vector3(0.1, 1.4, 1), new Vector3(0, 0.3, 0), slope(angleRad)) });
+    const frame = look(new Vector3(0.1, 1.4, 1), new Vector3(0, 0.3, 0), slope(angleRad));
+    for (let i = 0; i < 30; i++) lab.engine.apply({ kind: 'depth', frame });
     const [nx, ny] = [Math.sin(angleRad), Math.cos(angleRad)];
     const heightM = ([x, y]: readonly number[]) => nx * (x ?? 0) + ny * ((y ?? 0) - 0.3) - RADIUS_M;
     const start = new Vector3(-0.4, 0.3 + (RADIUS_M + 0.4 * nx) / ny, 0.02);
@@ -213,7 +167,7 @@ describe('a smooth surface', () => {
   test('boxes rest on it flat, and fast balls do not pass', () => {
     const lab = createLab({ sleep: true });
     lab.engine.apply({ kind: 'room', room: { ...SETTINGS, isSmooth: true }, friction: 0.6, restitution: 0.1 });
-    for (let i = 0; i < 30; i++) lab.engine.apply({ kind: 'depth', frame: look(EYE, CENTER, room(BOX)) });
+    for (let i = 0; i < 30; i++) lab.engine.apply({ kind: 'depth', frame: SEEN_BOX });
     const box = lab.add({ shapes: cube(0.12) }, { positionM: [-0.06, 0.6, -0.06] });
     const shot = lab.add({ shapes: ball(0.03) }, { positionM: [0.12, 1.63, 0.12], velocity: [0, -30, 0] });
     lab.run(0.1);
@@ -222,6 +176,22 @@ describe('a smooth surface', () => {
     expect(lab.body(box).positionM[1] - 0.06).toBeCloseTo(BOX.top, 2);
     expect(lab.body(box).isAsleep).toBe(true);
   });
+});
+
+test('depth that jumps by 40 cm and back in each frame throws no resting body, and none falls through', () => {
+  const lab = createLab({ sleep: true });
+  lab.engine.apply({ kind: 'room', room: SETTINGS, friction: 0.6, restitution: 0.1 });
+  for (let i = 0; i < 30; i++) lab.engine.apply({ kind: 'depth', frame: SEEN_BOX });
+  const ids = [-0.1, 0, 0.1].map((x) => lab.add({ shapes: ball(0.05), rollingM: 0.005 }, { positionM: [x, BOX.top + 0.1, 0] }));
+  lab.run(2);
+  const nearer = { ...SEEN_BOX, meters: Float32Array.from(SEEN_BOX.meters, (d) => d && d - 0.4) };
+  let fastest = 0;
+  lab.run(4, (frame) => {
+    if (frame % 2 === 0) lab.engine.apply({ kind: 'depth', frame: frame % 4 === 0 ? nearer : SEEN_BOX });
+    for (const id of ids) fastest = Math.max(fastest, Math.hypot(...lab.body(id).velocity));
+  });
+  expect(fastest).toBeLessThan(4);
+  for (const id of ids) expect(lab.body(id).positionM[1]).toBeGreaterThan(0.04);
 });
 
 describe('the memory of the grid', () => {
@@ -243,7 +213,7 @@ describe('the memory of the grid', () => {
     const ids = [0, 1, 2].map((i) => lab.add({ shapes: i === 1 ? cube(0.1) : ball(0.05) }, { positionM: [0.1 * i, 0.6, 0] }));
     const strange = [Number.NaN, Number.POSITIVE_INFINITY, -1, 0, 1e-9, 1e30];
     for (let i = 0; i < 60; i++) {
-      const frame = look(EYE, CENTER, room(BOX));
+      const frame = SEEN_BOX;
       const meters = Float32Array.from(frame.meters, (d, k) => ((k * 7919 + i) % 5 === 0 ? (strange[(k + i) % 6] ?? 0) : d));
       const worldFromDepth = i % 7 === 0 ? new Array<number>(16).fill(Number.NaN) : frame.worldFromDepth;
       lab.engine.apply({ kind: 'depth', frame: { ...frame, meters, worldFromDepth } });
@@ -257,7 +227,7 @@ test('600 steps in a room give the same bytes twice', () => {
   const play = () => {
     const lab = createLab({ sleep: true });
     lab.engine.apply({ kind: 'room', room: { ...SETTINGS, isSmooth: true }, friction: 0.6, restitution: 0.1 });
-    const frame = look(EYE, CENTER, room(BOX));
+    const frame = SEEN_BOX;
     for (let i = 0; i < 20; i++) lab.engine.apply({ kind: 'depth', frame });
     for (let i = 0; i < 6; i++)
       lab.add({ shapes: i % 2 ? ball(0.05) : cube(0.1) }, { positionM: [0.05 * Math.sin(i), 0.6 + 0.2 * i, 0.05 * Math.cos(i)] });
@@ -278,7 +248,9 @@ describe('physics/room', () => {
       worldFromView: Float32Array.from(new Matrix4().makeTranslation(0, 1, 0).elements),
       frame: 0,
     };
-    const fake = fakeContext(definition, { services: { session: { sessions: 0, depthImage: () => image } as never } });
+    const fake = fakeContext(definition, {
+      services: { session: { sessions: 0, depthImage: () => image, answerRays: () => () => {} } as never },
+    });
     const node = create(fake.ctx);
     const frame = () => {
       image.frame++;
@@ -311,8 +283,19 @@ describe('physics/room', () => {
 
   test('a room that is disconnected no longer holds bodies, and one that fell out of a room is lost', () => {
     const stage = createStage({ floor: false });
-    const frames = Array.from({ length: 20 }, () => look(EYE, CENTER, room(null)));
-    stage.list.room = { settings: SETTINGS, friction: 0.6, restitution: 0, version: 0, frames };
+    const frames = Array.from({ length: 20 }, () => SEEN_FLOOR);
+    stage.list.room = {
+      settings: SETTINGS,
+      friction: 0.6,
+      restitution: 0,
+      version: 0,
+      frames,
+      edits: [],
+      wantsFile: false,
+      file: null,
+      changes: 0,
+      fileChanges: 0,
+    };
     const body = stage.add([0, 0.2, 0], ball(0.05));
     const away = stage.add([0, -0.8, 0], ball(0.05));
     const idle = { update: () => {} } as never;

@@ -2,7 +2,8 @@ import { type Body, Quaternion, SAPBroadphase, Vec3, World } from 'cannon-es';
 import type { BodyDescription } from '../../kit/physics.ts';
 import { ContactList, pairKey } from './contact.ts';
 import { createContactMemory } from './contact-memory.ts';
-import { bounce, prepareContacts, solveContacts, warmStart } from './contact-solver.ts';
+import { createContactRows } from './contact-rows.ts';
+import { bounce, prepareContacts } from './contact-solver.ts';
 import { findContacts } from './find-contacts.ts';
 import { isFiniteCommand } from './finite-command.ts';
 import { push } from './impulse-math.ts';
@@ -12,10 +13,8 @@ import { createJoint, type Joint } from './joint.ts';
 import { ASLEEP, FIXED_BODY, LOST, type PhysicsEngine, POSE_STRIDE, TOUCH_STRIDE, type WorldSettings } from './protocol.ts';
 import { readPose } from './read-pose.ts';
 import { RigidBody } from './rigid-body.ts';
-import { castOnSurface, collideSurface } from './surface-contacts.ts';
-import { type CastRoom, sweep } from './sweep.ts';
-import { castOnVoxels, collideVoxels } from './voxel-contacts.ts';
-import { createVoxelGrid, type VoxelGrid } from './voxel-grid.ts';
+import { createRoomCollider } from './room-collider.ts';
+import { sweep } from './sweep.ts';
 
 /** The longest step. A longer frame is simulated in several steps, so that the result depends little on the frame rate. */
 const STEP_S = 1 / 60;
@@ -55,6 +54,7 @@ export function createCannonEngine(): PhysicsEngine {
   const targets = new Map<number, RigidBody>();
   const linked = new Set<number>();
   const contacts = new ContactList();
+  const rows = createContactRows();
   const memory = createContactMemory();
   const as: Body[] = [];
   const bs: Body[] = [];
@@ -62,9 +62,7 @@ export function createCannonEngine(): PhysicsEngine {
   let settings: WorldSettings = { gravity: [0, -9.81, 0], substeps: 4, iterations: 4, sleep: true };
   const gravity = new Vec3(...settings.gravity);
   let stepBeforeS = STEP_S;
-  let grid: VoxelGrid | null = null;
-  /** The static body that stands for the room in contacts. */
-  const room = new RigidBody(0, FIXED_BODY);
+  const room = createRoomCollider();
   /** The contacts that began in the steps of the last frame, `TOUCH_STRIDE` numbers each. */
   const touches: number[] = [];
 
@@ -135,22 +133,11 @@ export function createCannonEngine(): PhysicsEngine {
   /** Wakes the bodies beside voxels that have become occupied or free, because their support may be gone. */
   function wakeWhereChanged(): void {
     for (const body of bodies) {
-      if (!body.sleeps || !grid) continue;
+      if (!body.sleeps) continue;
       const { lowerBound: l, upperBound: u } = body.aabb;
-      if (grid.hasChanged(l.x, l.y, l.z, u.x, u.y, u.z)) wakeIsland(body);
+      if (room.hasChanged(l.x, l.y, l.z, u.x, u.y, u.z)) wakeIsland(body);
     }
   }
-  const castRoom: CastRoom = (from, direction, lengthM, normal) => {
-    if (!grid) return Number.POSITIVE_INFINITY;
-    if (grid.surface) return castOnSurface(grid.surface, grid.settings.edgeM, from, direction, lengthM, normal);
-    return castOnVoxels(grid, from, direction, lengthM, normal);
-  };
-  function collideRoom(body: RigidBody, stepS: number): void {
-    if (!grid || !body.isDynamic || body.sleeps) return;
-    if (grid.surface) collideSurface(room, grid.surface, grid.settings.edgeM, body, stepS, contacts);
-    else collideVoxels(room, grid, body, stepS, contacts);
-  }
-
   function apply(command: Parameters<PhysicsEngine['apply']>[0]): void {
     if (!isFiniteCommand(command)) return;
     const body = 'id' in command ? byId.get(command.id) : undefined;
@@ -180,11 +167,18 @@ export function createCannonEngine(): PhysicsEngine {
         break;
       case 'target': {
         const target = body ?? targets.get(command.id);
-        if (target) setTarget(target, command.worldFromBody);
+        if (!target) break;
+        setTarget(target, command.worldFromBody);
+        // A body that is held still falls asleep, and follows again when what holds it moves.
+        for (const { a, b } of joints.values()) {
+          if (b === target && a.sleeps) wakeIsland(a);
+          if (a === target && b.sleeps) wakeIsland(b);
+        }
         break;
       }
       case 'impulse':
         if (!body?.isDynamic) break;
+        if (body.sleeps) wakeIsland(body);
         for (let i = 0; i + 8 < command.values.length; i += 9) applyEntry(body, command.values, i);
         break;
       case 'accelerate':
@@ -218,12 +212,13 @@ export function createCannonEngine(): PhysicsEngine {
         break;
       }
       case 'room':
-        grid = command.room && createVoxelGrid(command.room);
-        room.description = { ...FIXED_BODY, friction: command.friction, restitution: command.restitution };
+      case 'load-room':
+      case 'move-room':
+        room.apply(command);
         for (const each of bodies) if (each.isDynamic) each.wake();
         break;
       case 'depth':
-        grid?.update(command.frame);
+        room.apply(command);
         wakeWhereChanged();
         break;
     }
@@ -235,7 +230,7 @@ export function createCannonEngine(): PhysicsEngine {
     broadphase.collisionPairs(world, as, bs);
     contacts.clear();
     findContacts(as, bs, stepS, linked, contacts);
-    for (const body of bodies) collideRoom(body, stepS);
+    for (const body of bodies) if (body.isDynamic && !body.sleeps) room.collide(body, stepS, contacts);
     wakeTouched(contacts, stepS);
     prepareContacts(contacts);
     memory.recall(contacts, stepS / stepBeforeS);
@@ -247,27 +242,36 @@ export function createCannonEngine(): PhysicsEngine {
     const substeps = Math.max(1, settings.substeps);
     const subS = stepS / substeps;
     for (const joint of active) joint.prepare(subS);
+    rows.load(contacts);
     for (let i = 0; i < substeps; i++) {
       for (const body of bodies) if (body.isDynamic && !body.sleeps) integrateVelocity(body, gravity, subS);
       for (const joint of active) joint.warmStart();
-      warmStart(contacts);
-      for (let n = 0; n < iterations; n++) {
-        for (const joint of active) joint.solve(subS, true);
-        solveContacts(contacts, subS, true);
-      }
+      rows.readBodies();
+      rows.warmStart();
+      for (let n = 0; n < iterations; n++) solve(active, subS, true);
+      rows.writeBodies();
       for (const body of bodies) if (!body.sleeps) integratePose(body, subS);
       for (const target of targets.values()) integratePose(target, subS);
       // Removes the velocity with which overlap was pushed apart. Half as many passes leave no more than they can see.
-      for (let n = 0; n < iterations; n += 2) {
-        for (const joint of active) joint.solve(subS, false);
-        solveContacts(contacts, subS, false);
-      }
+      rows.readBodies();
+      for (let n = 0; n < iterations; n += 2) solve(active, subS, false);
+      rows.writeBodies();
     }
+    rows.store(contacts);
     bounce(contacts);
     for (const body of bodies) end(body);
     reportTouches();
     updateSleep(bodies, contacts, pairsOf(active), settings.sleep, stepS);
     memory.keep(contacts);
+  }
+  /** Solves joints and contacts once. */
+  function solve(active: readonly Joint[], subS: number, usesBias: boolean): void {
+    if (active.length > 0) {
+      rows.writeBodies();
+      for (const joint of active) joint.solve(subS, usesBias);
+      rows.readBodies();
+    }
+    rows.solve(subS, usesBias);
   }
   function begin(body: RigidBody, stepS: number): void {
     if (!body.isDynamic) aimAtTarget(body, stepS);
@@ -284,7 +288,7 @@ export function createCannonEngine(): PhysicsEngine {
     }
     if (!isFiniteState(body)) restore(body);
     const before = velocitiesBefore.get(body);
-    if (body.isDynamic && before) sweep(body, before, bodies, castRoom);
+    if (body.isDynamic && before) sweep(body, before, bodies, room.cast);
     body.updateBounds();
   }
   function reportTouches(): void {
@@ -335,22 +339,17 @@ export function createCannonEngine(): PhysicsEngine {
         out[o + 11] = w.x;
         out[o + 12] = w.y;
         out[o + 13] = w.z;
-        out[o + 14] = body.isDynamic && grid && p.y < grid.lowestM - LOST_M ? LOST : body.sleeps ? ASLEEP : 0;
+        out[o + 14] = body.isDynamic && p.y < room.lowestM - LOST_M ? LOST : body.sleeps ? ASLEEP : 0;
       });
     },
-    voxels: () => Float32Array.from(grid ? middlesOf(grid) : []),
+    voxels: room.voxels,
+    roomFile: room.file,
     writeTouches: (out) => {
       const count = Math.min(Math.floor(out.length / TOUCH_STRIDE), touches.length / TOUCH_STRIDE);
       for (let i = 0; i < count * TOUCH_STRIDE; i++) out[i] = touches[i] ?? 0;
       return count;
     },
   };
-}
-
-function middlesOf({ settings: { edgeM }, forEachOccupied }: VoxelGrid): number[] {
-  const middles: number[] = [];
-  forEachOccupied((x, y, z) => middles.push((x + 0.5) * edgeM, (y + 0.5) * edgeM, (z + 0.5) * edgeM));
-  return middles;
 }
 
 function* pairsOf(joints: readonly Joint[]): Iterable<readonly [RigidBody, RigidBody]> {

@@ -1,4 +1,5 @@
 import type { Contact, ContactList } from './contact.ts';
+import type { RigidBody } from './rigid-body.ts';
 
 /** Keeps the impulses of contacts from one step to the next, by pair of bodies. */
 export interface ContactMemory {
@@ -8,7 +9,10 @@ export interface ContactMemory {
    * @param ratio Length of this step divided by that of the step before.
    */
   recall(contacts: ContactList, ratio: number): void;
-  /** Keeps the impulses of this step. */
+  /**
+   * Keeps the impulses of this step, and those of bodies that sleep on each other: their contacts are not found again before they wake, and
+   * a stack that woke without them would sag.
+   */
   keep(contacts: ContactList): void;
   /** Whether the pair pressed on each other in the last step that was kept. */
   touched(pair: number): boolean;
@@ -16,6 +20,8 @@ export interface ContactMemory {
 }
 
 interface Kept {
+  a: RigidBody;
+  b: RigidBody;
   pair: number;
   lx: number;
   ly: number;
@@ -39,7 +45,8 @@ const SAME_POINT_M = 0.02;
 const SAME_NORMAL = 0.9;
 
 export function createContactMemory(): ContactMemory {
-  const pool: Kept[] = [];
+  let pool: Kept[] = [];
+  let former: Kept[] = [];
   let count = 0;
   /** For each pair, the index of its first entry; the contacts of a pair are consecutive. */
   const firstOf = new Map<number, number>();
@@ -77,48 +84,33 @@ export function createContactMemory(): ContactMemory {
     keep: (contacts) => {
       firstOf.clear();
       pressed.clear();
+      const formerCount = count;
+      [pool, former] = [former, pool];
       count = contacts.count;
       for (let i = 0; i < count; i++) {
         const contact = contacts.at(i);
         let kept = pool[i];
         if (!kept) {
-          kept = {
-            pair: 0,
-            lx: 0,
-            ly: 0,
-            lz: 0,
-            nx: 0,
-            ny: 0,
-            nz: 0,
-            normal: 0,
-            fx: 0,
-            fy: 0,
-            fz: 0,
-            rollX: 0,
-            rollY: 0,
-            rollZ: 0,
-            isTaken: false,
-          };
+          kept = createKept(contact);
           pool.push(kept);
         }
-        const { tangentImpulse: t, otherTangentImpulse: u } = contact;
-        kept.pair = contact.pair;
-        kept.lx = contact.lx;
-        kept.ly = contact.ly;
-        kept.lz = contact.lz;
-        kept.nx = contact.nx;
-        kept.ny = contact.ny;
-        kept.nz = contact.nz;
-        kept.normal = contact.normalImpulse;
-        kept.fx = t * contact.tx + u * contact.ux;
-        kept.fy = t * contact.ty + u * contact.uy;
-        kept.fz = t * contact.tz + u * contact.uz;
-        kept.rollX = contact.rollX;
-        kept.rollY = contact.rollY;
-        kept.rollZ = contact.rollZ;
-        kept.isTaken = false;
+        write(kept, contact);
         if (contact.maxImpulse > 0) pressed.add(contact.pair);
         if (!firstOf.has(contact.pair)) firstOf.set(contact.pair, i);
+      }
+      const found = count;
+      for (let i = 0; i < formerCount; i++) {
+        const kept = former[i];
+        if (!kept || !rests(kept.a) || !rests(kept.b) || (firstOf.get(kept.pair) ?? found) < found) continue;
+        // Both lists keep as many objects as they had.
+        const spare = pool[count];
+        pool[count] = kept;
+        if (spare) former[i] = spare;
+        else former[i] = createKept(kept);
+        kept.isTaken = false;
+        pressed.add(kept.pair);
+        if (!firstOf.has(kept.pair)) firstOf.set(kept.pair, count);
+        count++;
       }
     },
     touched: (pair) => pressed.has(pair),
@@ -128,4 +120,35 @@ export function createContactMemory(): ContactMemory {
       count = 0;
     },
   };
+}
+
+/** Whether a body does not move before something wakes it. */
+function rests({ isDynamic, sleeps }: RigidBody): boolean {
+  return sleeps || !isDynamic;
+}
+
+function createKept({ a, b }: Pick<Kept, 'a' | 'b'>): Kept {
+  const numbers = { pair: 0, lx: 0, ly: 0, lz: 0, nx: 0, ny: 0, nz: 0, normal: 0, fx: 0, fy: 0, fz: 0, rollX: 0, rollY: 0, rollZ: 0 };
+  return { a, b, ...numbers, isTaken: false };
+}
+
+function write(kept: Kept, contact: Contact): void {
+  const { tangentImpulse: t, otherTangentImpulse: u } = contact;
+  kept.a = contact.a;
+  kept.b = contact.b;
+  kept.pair = contact.pair;
+  kept.lx = contact.lx;
+  kept.ly = contact.ly;
+  kept.lz = contact.lz;
+  kept.nx = contact.nx;
+  kept.ny = contact.ny;
+  kept.nz = contact.nz;
+  kept.normal = contact.normalImpulse;
+  kept.fx = t * contact.tx + u * contact.ux;
+  kept.fy = t * contact.ty + u * contact.uy;
+  kept.fz = t * contact.tz + u * contact.uz;
+  kept.rollX = contact.rollX;
+  kept.rollY = contact.rollY;
+  kept.rollZ = contact.rollZ;
+  kept.isTaken = false;
 }

@@ -47,8 +47,8 @@ export function collideHulls(a: RigidBody, hullA: HullShape, b: RigidBody, hullB
     return;
   }
   // The same face as long as both are about as good.
-  if (gapA >= gapB - EDGE_BIAS_M) addFaceContacts(a, hullA, faceA, b, hullB, false, marginM, out);
-  else addFaceContacts(b, hullB, faceB, a, hullA, true, marginM, out);
+  if (gapA >= gapB - EDGE_BIAS_M) addFaceContacts(a, faceA, b, hullB, false, marginM, out);
+  else addFaceContacts(b, faceB, a, hullA, true, marginM, out);
 }
 
 let bestGapM = 0;
@@ -154,16 +154,20 @@ function clamp01(x: number): number {
   return Math.min(Math.max(x, 0), 1);
 }
 
-/** Adds the contacts of two faces: clips the face of `other` that faces `reference` against the sides of `reference`. */
-function addFaceContacts(
+/**
+ * Adds the contacts of two faces: clips the face of `other` that faces `reference` against the sides of `reference`.
+ *
+ * @param deepestM Points that are deeper behind `reference` have no contact.
+ */
+export function addFaceContacts(
   owner: RigidBody,
-  hull: HullShape,
   reference: HullFace,
   other: RigidBody,
   otherHull: HullShape,
   isReversed: boolean,
   marginM: number,
   out: ContactList,
+  deepestM = Number.POSITIVE_INFINITY,
 ): void {
   const n = reference.normal;
   const incident = opposite(otherHull, n);
@@ -185,7 +189,7 @@ function addFaceContacts(
   let count = 0;
   for (const point of polygon) {
     point.gapM = point.x * n.x + point.y * n.y + point.z * n.z - reference.offset;
-    if (point.gapM <= marginM) polygon[count++] = point;
+    if (point.gapM <= marginM && point.gapM >= -deepestM) polygon[count++] = point;
   }
   polygon.length = count;
   choosePoints(n);
@@ -193,7 +197,6 @@ function addFaceContacts(
     if (isReversed) out.add(other, owner, x, y, z, -n.x, -n.y, -n.z, gapM);
     else out.add(owner, other, x - gapM * n.x, y - gapM * n.y, z - gapM * n.z, n.x, n.y, n.z, gapM);
   }
-  void hull;
 }
 
 function opposite(hull: HullShape, normal: Vec3): HullFace | null {

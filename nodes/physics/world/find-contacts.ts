@@ -2,6 +2,8 @@ import { type Body, Plane, Quaternion, type Shape, Sphere, Vec3 } from 'cannon-e
 import { type ContactList, pairKey } from './contact.ts';
 import { collideHulls } from './convex-contacts.ts';
 import { HullShape } from './hull-shape.ts';
+import { collideMesh } from './mesh-contacts.ts';
+import { MeshShape } from './mesh-shape.ts';
 import { MARGIN_M, type RigidBody } from './rigid-body.ts';
 import { collideHullPlane, collideSphereHull, collideSpherePlane, collideSpheres } from './round-contacts.ts';
 
@@ -37,6 +39,15 @@ function collide(a: RigidBody, j: number, b: RigidBody, k: number, marginM: numb
   const p = a.shapes[j];
   const q = b.shapes[k];
   if (!p || !q) return;
+  if (p instanceof MeshShape) {
+    if (!(q instanceof MeshShape)) collide(b, k, a, j, marginM, out);
+    return;
+  }
+  if (q instanceof MeshShape) {
+    if (p instanceof Sphere) centerOf(a, j, scratchA);
+    if (p instanceof Sphere || p instanceof HullShape) collideMesh(b, q, a, p, scratchA, marginM, out);
+    return;
+  }
   if (p instanceof Sphere) {
     centerOf(a, j, scratchA);
     if (q instanceof Sphere) {

@@ -9,6 +9,7 @@ const LARGEST = 1e9;
  */
 export function isFiniteCommand(command: PhysicsCommand): boolean {
   // The grid leaves out single numbers of depth.
+  if (command.kind === 'load-room') return isFiniteValue(command.worldFromFile);
   return command.kind === 'depth' || isFiniteValue(command);
 }
 

@@ -54,6 +54,7 @@ function partOf(shape: BodyShape): Part | null {
     case 'hull':
       return partOfHull(shape.verticesM, shape.faces);
     case 'plane':
+    case 'mesh':
       return null;
   }
 }

@@ -26,7 +26,11 @@ export type PhysicsCommand =
   /** Sets the room as voxels; null removes it. Other settings than before start with an empty grid. */
   | { readonly kind: 'room'; readonly room: VoxelSettings | null; readonly friction: number; readonly restitution: number }
   /** Updates the voxels of the room by a depth frame. */
-  | { readonly kind: 'depth'; readonly frame: DepthFrame };
+  | { readonly kind: 'depth'; readonly frame: DepthFrame }
+  /** Replaces the voxels of the room by those of a file (`nodes/kit/voxel-file.ts`). A file that cannot be read leaves no voxels. */
+  | { readonly kind: 'load-room'; readonly file: Uint8Array; readonly worldFromFile: ArrayLike<number> }
+  /** Moves the voxels of the room, because world space has moved. Rigid, column-major 4×4. */
+  | { readonly kind: 'move-room'; readonly worldFromFormer: ArrayLike<number> };
 
 export interface WorldSettings {
   /** Gravity, meters per second squared. */
@@ -55,6 +59,8 @@ export interface StepMessage {
   readonly poses: Float32Array<ArrayBuffer>;
   readonly touches: Float32Array<ArrayBuffer>;
   readonly wantsVoxels: boolean;
+  /** Whether the answer shall have the room as a file. */
+  readonly wantsFile: boolean;
 }
 
 export interface StepAnswer {
@@ -66,6 +72,8 @@ export interface StepAnswer {
   readonly touchCount: number;
   /** As `PhysicsEngine.voxels`; null if they are not wanted. */
   readonly voxels: Float32Array | null;
+  /** As `PhysicsEngine.roomFile`; null if it is not wanted. */
+  readonly file: Uint8Array | null;
   /** The message of an error, after which the engine is lost; null otherwise. */
   readonly failure: string | null;
 }
@@ -111,4 +119,6 @@ export interface PhysicsEngine {
   writeTouches(out: Float32Array): number;
   /** Middles of the occupied voxels of the room: x, y, z, meters. For tools of the editor. */
   voxels(): Float32Array;
+  /** The voxels of the room as a file; null without a room. */
+  roomFile(): Uint8Array | null;
 }

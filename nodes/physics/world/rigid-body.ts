@@ -2,6 +2,7 @@ import { Body, Plane, Sphere, Vec3 } from 'cannon-es';
 import type { BodyDescription } from '../../kit/physics.ts';
 import { HullShape } from './hull-shape.ts';
 import { massProperties } from './mass-properties.ts';
+import { MeshShape } from './mesh-shape.ts';
 import { invert, rotate, type Symmetric, symmetric } from './symmetric.ts';
 
 /** Margin around bodies when pairs are searched, so that contacts are found before bodies meet, meters. */
@@ -30,6 +31,8 @@ export class RigidBody extends Body {
   /** The body that identifies the island of this body while islands are found. */
   island: RigidBody = this;
   sleeps = false;
+  /** The index of the body while contacts are solved. */
+  slot = 0;
   /** Only for kinematic bodies: the position at the end of the step; `targetRotation` is the rotation. */
   readonly targetPosition = new Vec3();
   readonly targetRotation = this.quaternion.clone();
@@ -75,7 +78,8 @@ export class RigidBody extends Body {
         const hull = new HullShape(shape.verticesM, shape.faces, this.centerM);
         this.addShape(hull);
         this.innerRadiusM = Math.max(this.innerRadiusM, hull.innerRadiusM);
-      } else {
+      } else if (shape.kind === 'mesh') this.addShape(new MeshShape(shape.positionsM, shape.indices, this.centerM));
+      else {
         const plane = new Plane();
         // The normal of cannon's plane is z.
         this.addShape(plane, this.centerM.negate());
@@ -99,7 +103,8 @@ export class RigidBody extends Body {
     const { lowerBound, upperBound } = this.aabb;
     lowerBound.set(lowerBound.x - MARGIN_M, lowerBound.y - MARGIN_M, lowerBound.z - MARGIN_M);
     upperBound.set(upperBound.x + MARGIN_M, upperBound.y + MARGIN_M, upperBound.z + MARGIN_M);
-    for (const shape of this.shapes) if (shape instanceof HullShape) shape.place(this.position, this.quaternion);
+    for (const shape of this.shapes)
+      if (shape instanceof HullShape || shape instanceof MeshShape) shape.place(this.position, this.quaternion);
   }
 
   updateInertia(): void {

@@ -6,7 +6,7 @@ import type { PhysicsEngine, StepAnswer, StepMessage } from './protocol.ts';
  */
 export function createStepper(createEngine: () => PhysicsEngine): (message: StepMessage) => StepAnswer {
   let engine = createEngine();
-  return ({ commands, deltaS, poses, touches, wantsVoxels }) => {
+  return ({ commands, deltaS, poses, touches, wantsVoxels, wantsFile }) => {
     try {
       for (const command of commands) {
         if (command.kind === 'clear') engine = createEngine();
@@ -15,10 +15,11 @@ export function createStepper(createEngine: () => PhysicsEngine): (message: Step
       engine.step(deltaS);
       engine.writePoses(poses);
       const voxels = wantsVoxels ? engine.voxels() : null;
-      return { poses, touches, bodyCount: engine.bodyCount, touchCount: engine.writeTouches(touches), voxels, failure: null };
+      const file = wantsFile ? engine.roomFile() : null;
+      return { poses, touches, bodyCount: engine.bodyCount, touchCount: engine.writeTouches(touches), voxels, file, failure: null };
     } catch (error) {
       const failure = error instanceof Error ? error.message : String(error);
-      return { poses, touches, bodyCount: 0, touchCount: 0, voxels: null, failure };
+      return { poses, touches, bodyCount: 0, touchCount: 0, voxels: null, file: null, failure };
     }
   };
 }

@@ -1,7 +1,8 @@
-import { type BodyDescription, type BodyList, createPhysicsBody, createWorldControl } from '../../kit/physics.ts';
+import { type BodyDescription, type BodyList, type BodyWorld, createPhysicsBody, createWorldControl } from '../../kit/physics.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import { createCannonEngine } from './cannon-engine.ts';
 import type { definition } from './definition.ts';
+import { massProperties } from './mass-properties.ts';
 import { FIXED_BODY, type PhysicsCommand } from './protocol.ts';
 import { createStepper } from './run-step.ts';
 import { createStepDriver } from './step-driver.ts';
@@ -34,7 +35,12 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   let isFirst = true;
   const settings = { gravity: [0, 0, 0] as [number, number, number], substeps: 0, iterations: 0, sleep: false };
   const control = createWorldControl();
-  const world = { applyPoses, control };
+  const wants = { voxels: false, file: false };
+  const world: BodyWorld = {
+    applyPoses,
+    control,
+    massOf: ({ description: { shapes, massKg, densityKgPerM3 } }) => massProperties(shapes, massKg, densityKgPerM3),
+  };
   const tracked = createTrackedBodies(world);
   const driver = createStepDriver({
     workers: ctx.workers,
@@ -109,20 +115,23 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       if (control.isPaused || !playing.value) owedS += (ctx.inputs.step.count + control.steps) * STEP_S;
       else if (deltaS > 0) owedS = Math.min(owedS + deltaS, MAX_OWED_S);
       control.steps = 0;
+      lists.length = 0;
+      lists.push(own, ...ctx.inputs.bodies);
+      for (const list of lists) list.isInWorld = true;
       driver.watch();
       if (!driver.isIdle) return;
       if (isFirst) commands.push({ kind: 'clear' });
       writeSettings();
       isFirst = false;
-      lists.length = 0;
-      lists.push(own, ...ctx.inputs.bodies);
       tracked.writeCommands(lists, commands);
       const { awake } = ctx.outputs;
       if (awake) awake.value = tracked.awakeCount;
       control.edgeM = lists.find(({ room }) => room)?.room?.settings.edgeM ?? 0;
       const looks = control.wantsVoxels && control.voxels === null;
       if (!control.wantsVoxels) control.voxels = null;
-      if (commands.length > 0 || owedS > 0 || looks) driver.send(commands, owedS, tracked.count, control.wantsVoxels);
+      wants.voxels = control.wantsVoxels;
+      wants.file = tracked.takeFileRequest();
+      if (commands.length > 0 || owedS > 0 || looks || wants.file) driver.send(commands, owedS, tracked.count, wants);
       commands.length = 0;
       owedS = 0;
     },
@@ -130,6 +139,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     staysOnRepeat: true,
     reset,
     dispose: () => {
+      for (const list of lists) list.isInWorld = false;
       driver.dispose();
       tracked.clear();
     },

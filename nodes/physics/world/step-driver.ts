@@ -7,7 +7,7 @@ export interface StepDriver {
   readonly isIdle: boolean;
   readonly isOnMainThread: boolean;
   /** Starts a step. Call it only while idle. The driver does not keep `commands` after the call. */
-  send(commands: readonly PhysicsCommand[], deltaS: number, bodyCount: number, wantsVoxels?: boolean): void;
+  send(commands: readonly PhysicsCommand[], deltaS: number, bodyCount: number, wants?: Wants): void;
   /** Returns the newest answer once; null if there is no new one. Valid until the next `send`. */
   take(): StepAnswer | null;
   /** Resolves when the running step is answered; null while idle. */
@@ -17,6 +17,12 @@ export interface StepDriver {
   /** Gives up a worker that has not answered for too long. Call it once per frame. */
   watch(): void;
   dispose(): void;
+}
+
+/** What a step shall give besides poses and contacts. */
+export interface Wants {
+  readonly voxels: boolean;
+  readonly file: boolean;
 }
 
 export interface DriverOptions {
@@ -37,6 +43,7 @@ const MAX_WORKERS = 3;
 /** Number of frames after which a worker that has not answered is given up. */
 const PATIENCE_FRAMES = 300;
 const TOUCHES = 128;
+const NOTHING: Wants = { voxels: false, file: false };
 
 export function createStepDriver({ workers, createStepper, restore, onRestart }: DriverOptions): StepDriver {
   let worker: NodeWorker | null = null;
@@ -100,14 +107,14 @@ export function createStepDriver({ workers, createStepper, restore, onRestart }:
     }
     onMain = createStepper();
   }
-  function send(commands: readonly PhysicsCommand[], deltaS: number, bodyCount: number, wantsVoxels = false): void {
+  function send(commands: readonly PhysicsCommand[], deltaS: number, bodyCount: number, wants = NOTHING): void {
     start();
     const needed = bodyCount * POSE_STRIDE;
     // Twice the room, so that a growing world allocates rarely.
     if (poses.length < needed) poses = new Float32Array(2 * needed);
     inWork = { commands: [...commands], deltaS, bodyCount };
     framesAway = 0;
-    const message: StepMessage = { commands, deltaS, poses, touches, wantsVoxels };
+    const message: StepMessage = { commands, deltaS, poses, touches, wantsVoxels: wants.voxels, wantsFile: wants.file };
     if (onMain) {
       const answer = onMain(message);
       if (answer.failure !== null) throw new Error(`The physics engine failed: ${answer.failure}`);

@@ -126,6 +126,22 @@ describe('steps', () => {
     expect(frame()).toBe(frame());
   });
 
+  test('a list whose engine has not answered yet is in a world', () => {
+    const workers = workersHere();
+    workers.stick(true);
+    const { tick, node, list, bodies } = start(workers.service, []);
+    tick(1 / 60);
+    node.update({} as never);
+    // A body that is added while the first answer is out has no pose of the engine, but a world.
+    list.bodies.push(...boxes());
+    list.version++;
+    tick(1 / 60);
+    node.update({} as never);
+    expect([list.isInWorld, bodies[0]?.world ?? null]).toEqual([true, null]);
+    node.dispose();
+    expect(list.isInWorld).toBe(false);
+  });
+
   test('a worker that dies is replaced, from the last kept state', async () => {
     const workers = workersHere();
     const undisturbed = start(noWorker);
@@ -257,6 +273,7 @@ describe('the protocol', () => {
       },
       writeTouches: () => 0,
       voxels: () => new Float32Array(3),
+      roomFile: () => null,
     });
     const driver = createStepDriver({
       workers: noWorker,

@@ -32,8 +32,7 @@ export interface SurfaceField {
 // Filled and read within one call.
 const corners = new Float64Array(8);
 
-export function createSurfaceField(chunks: VoxelChunks, settings: VoxelSettings): SurfaceField {
-  const { edgeM, threshold } = settings;
+export function createSurfaceField(chunks: VoxelChunks, { edgeM, threshold }: VoxelSettings): SurfaceField {
   let version = 1;
   const falloff = -1 / (KERNEL * edgeM) ** 2;
 

@@ -1,6 +1,7 @@
 import { Plane, Quaternion, Sphere, Vec3 } from 'cannon-es';
 import { centerOf } from './find-contacts.ts';
 import { HullShape } from './hull-shape.ts';
+import { MeshShape } from './mesh-shape.ts';
 import type { RigidBody } from './rigid-body.ts';
 
 // Filled and read within one call.
@@ -34,7 +35,7 @@ export function sweep(body: RigidBody, velocityBefore: Vec3, bodies: readonly Ri
   for (const other of bodies) {
     if (other === body || !isNear(other, body, farM)) continue;
     for (let i = 0; i < other.shapes.length; i++) {
-      const distance = castOnShape(other, i, body.positionBefore, scratchPath);
+      const distance = castOnShape(other, i, body.positionBefore, scratchPath, farM);
       if (distance >= nearest) continue;
       nearest = distance;
       hitNormal.copy(scratchNormal);
@@ -62,11 +63,12 @@ function isNear(other: RigidBody, body: RigidBody, farM: number): boolean {
 }
 
 /** Distance along a ray to a shape; infinite if the ray misses it or starts inside. Writes the normal to `scratchNormal`. */
-function castOnShape(body: RigidBody, index: number, from: Vec3, direction: Vec3): number {
+function castOnShape(body: RigidBody, index: number, from: Vec3, direction: Vec3, farM: number): number {
   const shape = body.shapes[index];
   centerOf(body, index, scratchCenter);
   if (shape instanceof Sphere) return castOnSphere(scratchCenter, shape.radius, from, direction);
   if (shape instanceof HullShape) return castOnHull(shape, from, direction);
+  if (shape instanceof MeshShape) return shape.cast(from, direction, farM, scratchNormal);
   if (shape instanceof Plane) {
     const turn = body.shapeOrientations[index];
     if (turn) body.quaternion.mult(turn, scratchRotation);

@@ -10,7 +10,9 @@ export interface TrackedBodies {
   readonly awakeCount: number;
   /** Adds the commands that tell the engine what has changed since the last call. */
   writeCommands(lists: readonly BodyList[], out: PhysicsCommand[]): void;
-  /** Copies an answer to the bodies. */
+  /** Whether the room shall be written to a file. Reading it ends the request. */
+  takeFileRequest(): boolean;
+  /** Copies an answer to the bodies and the room. */
   take(answer: StepAnswer): void;
   /**
    * Moves the bodies on by their velocities, for a frame in which the answer of the engine is late. `aheadS` are the seconds since the last
@@ -53,6 +55,8 @@ export function createTrackedBodies(world: BodyWorld): TrackedBodies {
   /** The room whose settings were last sent to the engine; `roomVersion` is their version. */
   let sentRoom: PhysicsRoom | null = null;
   let roomVersion = -1;
+  /** `PhysicsRoom.changes` when the file was asked for that comes with the next answer. */
+  let askedChanges = 0;
 
   function readLists(lists: readonly BodyList[], out: PhysicsCommand[]): void {
     for (const tracked of byBody.values()) tracked.isListed = false;
@@ -136,10 +140,15 @@ export function createTrackedBodies(world: BodyWorld): TrackedBodies {
       sentRoom = null;
       return;
     }
-    const { settings, friction, restitution, version, frames } = room;
+    const { settings, friction, restitution, version, frames, edits } = room;
     if (sentRoom !== room || roomVersion !== version) out.push({ kind: 'room', room: { ...settings }, friction, restitution });
     sentRoom = room;
     roomVersion = version;
+    for (const edit of edits) {
+      if (edit.kind === 'load') out.push({ kind: 'load-room', file: edit.file, worldFromFile: edit.worldFromFile });
+      else out.push({ kind: 'move-room', worldFromFormer: edit.worldFromFormer });
+    }
+    edits.length = 0;
     for (const frame of frames) out.push({ kind: 'depth', frame });
     frames.length = 0;
   }
@@ -189,7 +198,18 @@ export function createTrackedBodies(world: BodyWorld): TrackedBodies {
       // A world has one room: the first that is connected.
       writeRoom(lists.find((list) => list.room)?.room ?? null, out);
     },
-    take: ({ poses, touches, bodyCount, touchCount }) => {
+    takeFileRequest: () => {
+      const wants = sentRoom?.wantsFile ?? false;
+      if (!sentRoom || !wants) return false;
+      sentRoom.wantsFile = false;
+      askedChanges = sentRoom.changes;
+      return true;
+    },
+    take: ({ poses, touches, bodyCount, touchCount, file }) => {
+      if (file && sentRoom) {
+        sentRoom.file = file;
+        sentRoom.fileChanges = askedChanges;
+      }
       for (let i = 0; i < bodyCount; i++) {
         const o = i * POSE_STRIDE;
         const tracked = byId.get(poses[o] ?? 0);

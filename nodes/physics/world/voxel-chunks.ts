@@ -48,6 +48,7 @@ export interface VoxelChunks {
   /** The chunk that contains a voxel; it is created if it is missing. Undefined if there are too many chunks. */
   make(vx: number, vy: number, vz: number): Chunk | undefined;
   remove(chunk: Chunk): void;
+  clear(): void;
   all(): Iterable<Chunk>;
 }
 
@@ -85,6 +86,10 @@ export function createVoxelChunks(hasSurface: boolean): VoxelChunks {
     },
     remove: ({ x, y, z }) => {
       chunks.delete(keyOf(x, y, z));
+      lastKey = Number.NaN;
+    },
+    clear: () => {
+      chunks.clear();
       lastKey = Number.NaN;
     },
     all: () => chunks.values(),

@@ -1,7 +1,9 @@
 import type { DepthFrame, VoxelSettings } from '../../kit/physics.ts';
+import type { VoxelFile } from '../../kit/voxel-file.ts';
 import { createSurfaceField, type SurfaceField } from './surface-field.ts';
 import { writeNormal } from './texel-normal.ts';
 import { type Chunk, createVoxelChunks, indexIn, keyOf, SIDE, VOXELS } from './voxel-chunks.ts';
+import { loadVoxels, saveVoxels } from './voxel-transfer.ts';
 
 /** Voxels of less weight count as never seen. */
 const GONE = 0.01;
@@ -21,6 +23,10 @@ const MAX_RAYS = 8;
 export interface VoxelGrid {
   readonly settings: VoxelSettings;
   update(frame: DepthFrame): void;
+  /** Copies the occupied voxels. */
+  save(): VoxelFile;
+  /** Replaces all voxels. `worldFromFile` is rigid, column-major 4×4. */
+  load(voxels: VoxelFile, worldFromFile: ArrayLike<number>): void;
   isOccupied(x: number, y: number, z: number): boolean;
   weightAt(x: number, y: number, z: number): number;
   /** Whether a direction leaves the voxel towards a side from which it was seen. */
@@ -208,6 +214,15 @@ export function createVoxelGrid(settings: VoxelSettings): VoxelGrid {
       const slow = 1 - Math.exp(-Math.max(frame.deltaS, 1 / 240) / SLOW_S);
       addHits(frame, rate, slow);
       decay(frame, rate, slow);
+      surface?.invalidate();
+    },
+    save: () => saveVoxels(chunks, edgeM, threshold),
+    load: (voxels, worldFromFile) => {
+      chunks.clear();
+      changed.clear();
+      loadVoxels(chunks, edgeM, voxels, worldFromFile);
+      lowestM = Number.POSITIVE_INFINITY;
+      for (const chunk of chunks.all()) lowestM = Math.min(lowestM, chunk.y * SIDE * edgeM);
       surface?.invalidate();
     },
     isOccupied: (x, y, z) => weightAt(x, y, z) >= threshold,

@@ -24,7 +24,7 @@ function frame(...images: (CameraImage | null)[]): SessionFrame {
 function start(): FakeContext<typeof definition> {
   const fake = fakeContext(definition);
   const views = fake.ctx.outputs.layer.views as Writable<LayerTexture>[];
-  for (let i = 0; i < 2; i++) views.push({ texture: null, widthPx: 0, heightPx: 0, uvFromViewUv: new Float32Array(9) });
+  for (let i = 0; i < 2; i++) views.push({ texture: null, widthPx: 0, heightPx: 0, uvFromViewUv: new Float32Array(9), version: -1 });
   return fake;
 }
 

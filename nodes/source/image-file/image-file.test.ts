@@ -30,7 +30,13 @@ function assets() {
 
 function start(options: FakeContextOptions<typeof definition>) {
   const { ctx } = fakeContext(definition, options);
-  (ctx.outputs.layer.views as Writable<LayerTexture>[]).push({ texture: null, widthPx: 0, heightPx: 0, uvFromViewUv: new Float32Array(9) });
+  (ctx.outputs.layer.views as Writable<LayerTexture>[]).push({
+    texture: null,
+    widthPx: 0,
+    heightPx: 0,
+    uvFromViewUv: new Float32Array(9),
+    version: -1,
+  });
   return { node: create(ctx), view: ctx.outputs.layer.views[0] };
 }
 

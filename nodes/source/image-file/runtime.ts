@@ -12,6 +12,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       view.texture = picture?.texture ?? null;
       view.widthPx = picture?.widthPx ?? 0;
       view.heightPx = picture?.heightPx ?? 0;
+      view.version = picture === null ? 0 : 1;
     },
     dispose: () => image?.release(),
   };

@@ -20,6 +20,7 @@ function taken(headingRad: number, isNew: boolean): TakenPanorama {
 /** A session whose anchors and panoramas the test sets. */
 function stand() {
   const log: string[] = [];
+  const ready = { now: true };
   const anchor = { state: 'pending', worldFromAnchor: new Float32Array(16) } as { state: Anchor['state']; worldFromAnchor: Float32Array };
   const give = (what: string) => {
     log.push(what);
@@ -28,7 +29,11 @@ function stand() {
   const session = {
     sessions: 1,
     panorama: null as TakenPanorama | null,
-    anchors: { create: (_: unknown, name: string) => give(`create ${name}`), restore: (name: string) => give(`restore ${name}`) },
+    anchors: {
+      create: (_: unknown, name: string) => give(`create ${name}`),
+      restore: (name: string) => give(`restore ${name}`),
+      forget: (name: string) => log.push(`forget ${name}`),
+    },
   };
   const file = {} as EnvironmentAsset;
   const services = {
@@ -37,13 +42,18 @@ function stand() {
       environment: () => ({ kind: 'environment', value: file, settled: Promise.resolve(), release: () => log.push('release file') }),
       createEnvironment: () => {
         log.push('create environment');
-        return { dispose: () => log.push('dispose environment') };
+        return {
+          get ready() {
+            return ready.now;
+          },
+          dispose: () => log.push('dispose environment'),
+        };
       },
     },
   };
   const { ctx } = fakeContext(definition, { params: { file: 'sky', exposure: 1 }, services: services as never });
   const node = create(ctx);
-  return { log, anchor, session, file, ctx, node, update: () => node.update({} as never) };
+  return { log, ready, anchor, session, file, ctx, node, update: () => node.update({} as never) };
 }
 
 test('shows the file until a panorama is there, then the panorama, turned as the room is', () => {
@@ -74,13 +84,49 @@ test('asks the device for the anchor of an earlier visit, and turns the panorama
   expect(ctx.outputs.pose.valid).toBe(true);
 });
 
+test('the place of a panorama is forgotten with it, and not taken for that of a picture that is chosen instead', () => {
+  const { session, update, log } = stand();
+  session.panorama = taken(0, true);
+  update();
+  session.panorama = taken(1, false);
+  update();
+  expect(log.slice(2)).toEqual([
+    'delete anchor',
+    'forget scrim-panorama',
+    'create environment',
+    'restore scrim-panorama',
+    'dispose environment',
+  ]);
+  session.panorama = null;
+  update();
+  expect(log.slice(7)).toEqual(['delete anchor', 'forget scrim-panorama', 'dispose environment']);
+});
+
 test('a later panorama replaces the one before', () => {
   const { session, update, log } = stand();
   session.panorama = taken(0, true);
   update();
   session.panorama = taken(1, true);
   update();
-  expect(log.slice(2)).toEqual(['delete anchor', 'dispose environment', 'create environment', 'create scrim-panorama']);
+  expect(log.slice(2)).toEqual(['delete anchor', 'create environment', 'create scrim-panorama', 'dispose environment']);
+});
+
+test('the one before stays until the later one can be drawn', () => {
+  const { ctx, session, update, log, ready, node } = stand();
+  session.panorama = taken(0, true);
+  update();
+  const first = ctx.outputs.environment.asset;
+  ready.now = false;
+  session.panorama = taken(1, true);
+  update();
+  update();
+  expect(ctx.outputs.environment.asset).toBe(first);
+  expect(log).not.toContain('dispose environment');
+  ready.now = true;
+  update();
+  expect(ctx.outputs.environment.asset).not.toBe(first);
+  node.dispose();
+  expect(log.filter((entry) => entry === 'dispose environment')).toHaveLength(2);
 });
 
 test('its worker answers with progress, then with the panorama', () => {

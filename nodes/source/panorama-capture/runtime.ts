@@ -18,14 +18,24 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const file = id === null ? null : ctx.assets.environment(id);
   let shown: TakenPanorama | null = null;
   let taken: DerivedEnvironment | null = null;
+  /** The newest panorama, until it can be drawn. */
+  let next: DerivedEnvironment | null = null;
   let anchor: Anchor | null = null;
   let lastSession = -1;
   let jumps = 0;
 
   function show(panorama: TakenPanorama | null): void {
-    taken?.dispose();
-    taken = panorama === null ? null : ctx.assets.createEnvironment(panorama.pixels);
+    next?.dispose();
+    next = panorama === null ? null : ctx.assets.createEnvironment(panorama.pixels);
     shown = panorama;
+  }
+
+  /** Shows the newest panorama once it can be drawn, and the one before until then. */
+  function showWhenReady(): void {
+    if (next?.ready === false || (next === null && shown !== null)) return;
+    taken?.dispose();
+    taken = next;
+    next = null;
   }
 
   function anchorTo({ isNew, worldFromPanorama }: TakenPanorama): Anchor | null {
@@ -44,11 +54,16 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       const { panorama } = session;
       if (panorama !== shown || session.sessions !== lastSession) {
         anchor?.delete();
-        if (panorama !== shown) show(panorama);
+        if (panorama !== shown) {
+          // The kept anchor is the place of the former panorama. One that was chosen instead has another.
+          if (shown !== null && panorama?.isNew !== true) session.anchors.forget(PANORAMA_ANCHOR);
+          show(panorama);
+        }
         anchor = panorama === null ? null : anchorTo(panorama);
         lastSession = session.sessions;
         jumps++;
       }
+      showWhenReady();
       if (panorama) follow(panorama);
       environment.asset = taken ?? file?.value ?? null;
       environment.intensity = 2 ** exposure.value;
@@ -58,6 +73,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     dispose: () => {
       anchor?.delete();
       taken?.dispose();
+      next?.dispose();
       file?.release();
     },
   };

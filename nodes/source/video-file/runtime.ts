@@ -17,6 +17,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     view.texture = image?.texture ?? null;
     view.widthPx = image?.widthPx ?? 0;
     view.heightPx = image?.heightPx ?? 0;
+    view.version = playback?.version ?? 0;
   }
 
   return {

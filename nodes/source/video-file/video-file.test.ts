@@ -26,6 +26,7 @@ function make(params: Record<string, ParamValue> = {}) {
         get image() {
           return picture;
         },
+        version: 7,
         follow: (timeS, rate, loop) => followed.push([Math.round(timeS * 1e9) / 1e9, rate, loop]),
         settle: () => pending,
         dispose: () => log.push('playback'),
@@ -40,6 +41,7 @@ function make(params: Record<string, ParamValue> = {}) {
     widthPx: 0,
     heightPx: 0,
     uvFromViewUv: new Float32Array(9),
+    version: -1,
   });
   const node = create(fake.ctx);
   /** Goes on by so many seconds and tells what was asked for. */

@@ -90,6 +90,17 @@ describe('world/anchor', () => {
     expect(step()).toEqual({ x: 5, state: 'tracked' });
   });
 
+  test('keeps its pose at a pulse whose pose is none', () => {
+    const { anchors, set, step } = start({ pose: null });
+    set.emit().setPose(at(4));
+    step();
+    for (const broken of [at(Number.NaN), new Float32Array(16)]) {
+      set.emit().setPose(broken);
+      expect(step()).toEqual({ x: 4, state: 'tracked' });
+    }
+    expect(anchors).toHaveLength(1);
+  });
+
   test('gives the pose and the state that the device gives', () => {
     const { ctx, anchors, step, stepAt } = start();
     stepAt(1);

@@ -1,5 +1,5 @@
 import type { Anchor } from '../../kit/anchors.ts';
-import { writePose } from '../../kit/pose.ts';
+import { isPose, writePose } from '../../kit/pose.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
@@ -82,7 +82,9 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     const { pose, set } = inputs;
     if (set.count === 0) return null;
     if (pose) return pose.valid ? pose.worldFromPose : null;
-    return set.at(set.count - 1).worldFromPose;
+    const { worldFromPose } = set.at(set.count - 1);
+    // A node may emit what is no pose, such as NaN.
+    return worldFromPose && isPose(worldFromPose) ? worldFromPose : null;
   }
 
   return {

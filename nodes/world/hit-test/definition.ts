@@ -4,7 +4,7 @@ export const definition = defineNode({
   type: 'world/hit-test',
   version: 1,
   title: 'Hit test',
-  doc: 'Finds where a ray meets the real room, as a pose on the surface: y is the normal; on floors z points to the visitor, on walls z points down. The first of these that has an answer is used: the hit test of the device, detected planes, detected meshes, room depth, the floor.',
+  doc: 'Finds where a ray meets the real room, as a pose on the surface: y is the normal; on floors z points to the visitor, on walls z points down. The first of these that has an answer is used: the hit test of the device, detected planes, detected meshes, room depth, the voxels of a physics room, the floor.',
   keywords: ['raycast', 'ray', 'surface', 'reticle', 'place', 'tap to place', 'floor', 'wall', 'plane', 'point', 'cursor'],
   inputs: {
     ray: {
@@ -31,7 +31,7 @@ export const definition = defineNode({
     source: {
       type: 'text',
       label: 'Source',
-      doc: 'What answered: “session” (the device), “plane”, “mesh”, “depth” or “floor”; empty while nothing is hit.',
+      doc: 'What answered: “session” (the device), “plane”, “mesh”, “depth”, “voxels” (of a physics room) or “floor”; empty while nothing is hit.',
     },
   },
   params: {
@@ -39,7 +39,7 @@ export const definition = defineNode({
       type: 'choice',
       stage: 'structure',
       label: 'From',
-      doc: 'Where the ray starts. AR on a device answers by its own hit test, then as all others do: by planes and meshes that it detects, by room depth, by the floor. Only what other nodes of the graph ask of the device is there. A recording answers by its planes, its depth and the floor at y = 0; a camera page by an assumed floor 1.5 m below the eyes; a page without AR by the floor at y = 0.',
+      doc: 'Where the ray starts. AR on a device answers by its own hit test, then as all others do: by planes and meshes that it detects, by room depth, by the voxels of a physics room, by the floor. Only what other nodes of the graph ask of the device is there. A recording answers by its planes, its depth and the floor at y = 0; a camera page by an assumed floor 1.5 m below the eyes; a page without AR by the floor at y = 0.',
       default: 'center',
       options: [
         { value: 'center', label: 'The center of the view' },

@@ -13,12 +13,18 @@ export interface Pencil {
   arrow(worldFromBody: ArrayLike<number>, velocity: ArrayLike<number>, seconds: number, color: string): void;
   /** A square that is as wide as a length at its place, and at least some pixels. */
   dot(pointWorld: ArrayLike<number>, widthM: number, leastPx: number, color: string): void;
+  /** A text to the right of a point. */
+  label(pointWorld: ArrayLike<number>, text: string, color: string): void;
   hide(): void;
 }
 
 /** What is nearer is not drawn, meters. */
 const NEAR_M = 0.05;
 const CIRCLE_STEPS = 24;
+/** From a point to its label. */
+const LABEL_PX = 8;
+/** The most triangles of a body that are drawn. */
+const MOST_TRIANGLES = 3000;
 
 // Each is valid within one call.
 const scratchMatrix = new Matrix4();
@@ -92,6 +98,13 @@ export function createPencil(parent: HTMLElement): Pencil {
             color,
           );
       }
+      if (shape.kind === 'mesh') {
+        const { positionsM: m, indices } = shape;
+        const corner = (i: number) => point(world, m[3 * i] ?? 0, m[3 * i + 1] ?? 0, m[3 * i + 2] ?? 0);
+        const end = Math.min(indices.length, 3 * MOST_TRIANGLES);
+        for (let i = 0; i + 2 < end; i += 3)
+          loop([corner(indices[i] ?? 0), corner(indices[i + 1] ?? 0), corner(indices[i + 2] ?? 0)], color);
+      }
       if (shape.kind !== 'sphere') return;
       const [cx, cy, cz] = shape.centerM;
       for (let axis = 0; axis < 3; axis++) {
@@ -116,6 +129,17 @@ export function createPencil(parent: HTMLElement): Pencil {
       const size = Math.max(leastPx, widthM * place.perM);
       context.fillStyle = color;
       context.fillRect(place.x - size / 2, place.y - size / 2, size, size);
+    },
+    label: (pointWorld, text, color) => {
+      const place = placeOf(scratchPoint.set(pointWorld[0] ?? 0, pointWorld[1] ?? 0, pointWorld[2] ?? 0));
+      if (!place) return;
+      context.font = '12px system-ui, sans-serif';
+      context.lineWidth = 3;
+      context.strokeStyle = 'rgb(0 0 0 / 70%)';
+      context.strokeText(text, place.x + LABEL_PX, place.y + LABEL_PX / 2);
+      context.lineWidth = 1.5;
+      context.fillStyle = color;
+      context.fillText(text, place.x + LABEL_PX, place.y + LABEL_PX / 2);
     },
     hide: () => {
       if (canvas.hidden) return;

@@ -1,7 +1,7 @@
 import { isShadertoy } from '../../../export/glsl/shadertoy/convert-shadertoy.ts';
 import { type Change, sequence, unchanged } from '../../../export/graph/commands/change.ts';
 import { setCollapsed } from '../../../export/graph/commands/layout-commands.ts';
-import { addNode, removeNodes, setMuted } from '../../../export/graph/commands/node-commands.ts';
+import { addNode, removeNodes, setMuted, setUnfused } from '../../../export/graph/commands/node-commands.ts';
 import { bindParam } from '../../../export/graph/commands/param-commands.ts';
 import { putReroute, setRoutes } from '../../../export/graph/commands/route-commands.ts';
 import { connect } from '../../../export/graph/commands/wire-commands.ts';
@@ -127,6 +127,7 @@ export function pasteClipping(
               bindParam(p, { library, graph, node: id, param, binding }),
         ),
         (p) => (node.muted ? setMuted(p, { graph, nodes: [id], muted: true }) : unchanged(p)),
+        (p) => (node.unfused ? setUnfused(p, { graph, nodes: [id], unfused: true }) : unchanged(p)),
         (p) => (node.collapsed ? setCollapsed(p, { graph, nodes: [id], collapsed: true }) : unchanged(p)),
       );
     }),

@@ -9,6 +9,8 @@ export interface AppCommand {
   readonly keys: readonly string[];
   readonly enabled: (editor: Editor) => boolean;
   readonly run: (editor: Editor) => void;
+  /** Runs when the key is released: a command that shows something while its key is held. */
+  readonly release?: (editor: Editor) => void;
   /** Runs on the copy, cut and paste events of the page, which need no permission. */
   readonly byEvent?: true;
   /** Whether the keys work while a text field has the focus. */

@@ -5,9 +5,9 @@ import type { Editor } from '../editor/editor.ts';
 import { toggleMode } from '../editor/gizmo-state.ts';
 import { frameOf } from '../editor/preview-state.ts';
 import { exportPage } from '../files/export-page.ts';
-import { newProject, openProject, save, saveAs } from '../files/files.ts';
+import { newProject, openProject, revertToSaved, save, saveAs } from '../files/files.ts';
 import { align, distribute, tidy } from '../graph/arrange.ts';
-import { deleteSelection, selectAll, toggleCollapsed, toggleMuted } from '../graph/edit-graph.ts';
+import { deleteSelection, selectAll, toggleCollapsed, toggleMuted, toggleUnfused } from '../graph/edit-graph.ts';
 import { addFrame, addNote } from '../graph/layout-items.ts';
 import { addRerouteToSelected, soleWire } from '../graph/reroutes.ts';
 import { createSubgraph, leaveSubgraph, makeUnique, openSubgraph, selectedSubgraph, ungroupSelected } from '../graph/subgraphs.ts';
@@ -40,6 +40,7 @@ import {
   hasSubgraph,
   isInside,
   isOpen,
+  isUnsaved,
 } from './command-conditions.ts';
 import { startTour } from './tour.ts';
 import { VIEW_COMMANDS } from './view-commands.ts';
@@ -50,6 +51,13 @@ const COMMANDS = {
   'file.open': { label: 'Open…', keys: ['Mod+O'], enabled: always, run: openProject, whileTyping: true },
   'file.save': { label: 'Save', keys: ['Mod+S'], enabled: isOpen, run: (editor) => void save(editor), whileTyping: true },
   'file.save-as': { label: 'Save as…', keys: ['Mod+Shift+S'], enabled: isOpen, run: (editor) => void saveAs(editor), whileTyping: true },
+  'file.revert': {
+    label: 'Revert to saved',
+    keywords: ['discard changes', 'undo all', 'last save'],
+    keys: [],
+    enabled: isUnsaved,
+    run: revertToSaved,
+  },
   'file.export': { label: 'Export page…', keys: ['Mod+E'], enabled: isOpen, run: (editor) => void exportPage(editor), whileTyping: true },
   'file.render': { label: 'Render frames…', keys: ['Mod+Shift+E'], enabled: isOpen, run: openRenderDialog, whileTyping: true },
   'edit.undo': { label: 'Undo', keys: ['Mod+Z'], enabled: canUndo, run: undoOrCancelDrag },
@@ -72,6 +80,13 @@ const COMMANDS = {
     keys: ['M'],
     enabled: hasNodes,
     run: (editor) => void toggleMuted(editor),
+  },
+  'edit.unfuse': {
+    label: 'Do not fuse passes',
+    keywords: ['fusion', 'shader', 'pass'],
+    keys: [],
+    enabled: hasNodes,
+    run: (editor) => void toggleUnfused(editor),
   },
   'graph.add': { label: 'Add node…', keys: ['Tab', 'Shift+A'], enabled: isOpen, run: openPalette },
   'graph.import-shadertoy': {

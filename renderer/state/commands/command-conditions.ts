@@ -1,3 +1,4 @@
+import { isDirty } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { idsOfKind } from '../editor/item-ids.ts';
 import { soleNode } from '../editor/selection.ts';
@@ -5,6 +6,7 @@ import { selectedSubgraph } from '../graph/subgraphs.ts';
 
 export const always = () => true;
 export const isOpen = ({ document }: Editor) => document.getState().open !== null;
+export const isUnsaved = ({ document }: Editor) => document.getState().open !== null && isDirty(document.getState());
 export const canUndo = ({ document }: Editor) => document.getState().history.past.length > 0;
 export const canRedo = ({ document }: Editor) => document.getState().history.future.length > 0;
 export const hasNodes = ({ selection }: Editor) => selection.getState().nodes.size > 0;

@@ -7,7 +7,18 @@ import { keybindingsOf } from './keybindings.ts';
 export const MENUS: readonly { readonly label: string; readonly entries: readonly (AppCommandId | 'line')[] }[] = [
   {
     label: 'File',
-    entries: ['file.new', 'file.open', 'line', 'file.save', 'file.save-as', 'line', 'graph.import-shadertoy', 'file.export', 'file.render'],
+    entries: [
+      'file.new',
+      'file.open',
+      'line',
+      'file.save',
+      'file.save-as',
+      'file.revert',
+      'line',
+      'graph.import-shadertoy',
+      'file.export',
+      'file.render',
+    ],
   },
   {
     label: 'Edit',
@@ -24,6 +35,7 @@ export const MENUS: readonly { readonly label: string; readonly entries: readonl
       'line',
       'edit.select-all',
       'edit.mute',
+      'edit.unfuse',
     ],
   },
   {
@@ -73,6 +85,7 @@ export const MENUS: readonly { readonly label: string; readonly entries: readonl
       'view.pin',
       'view.compare',
       'view.screen',
+      'view.camera',
       'view.probe',
       'line',
       'gizmo.move',
@@ -90,6 +103,7 @@ export const MENUS: readonly { readonly label: string; readonly entries: readonl
       'line',
       'view.code',
       'view.timeline',
+      'view.history',
       'view.problems',
       'line',
       'view.larger',

@@ -1,6 +1,7 @@
 import { editableShader } from '../document/edit-shader.ts';
 import { revealNodes } from '../editor/ui.ts';
 import { resetViewer } from '../editor/viewer.ts';
+import { hideCamera, toggleCamera } from '../preview/untouched-camera.ts';
 import { compareSelected, pinSelected } from '../preview/viewed-layers.ts';
 import type { AppCommand } from './app-command.ts';
 import { dockPreview, nextScale, setScale, switchMotion, switchTheme, toggleBottom, togglePreviewExtent } from './command-actions.ts';
@@ -51,6 +52,14 @@ export const VIEW_COMMANDS = {
     enabled: ({ viewer }) => viewer.getState().left !== null,
     run: ({ viewer }) => resetViewer(viewer),
   },
+  'view.camera': {
+    label: 'Untouched camera',
+    keywords: ['before', 'original', 'compare', 'without effects', 'hold'],
+    keys: ['B'],
+    enabled: isOpen,
+    run: toggleCamera,
+    release: hideCamera,
+  },
   'view.probe': {
     label: 'Pixel probe',
     keys: ['Q'],
@@ -72,6 +81,13 @@ export const VIEW_COMMANDS = {
     whileTyping: true,
   },
   'view.timeline': { label: 'Timeline', keys: ['Shift+T'], enabled: isOpen, run: (editor) => toggleBottom(editor, 'timeline') },
+  'view.history': {
+    label: 'History',
+    keywords: ['undo list', 'steps', 'versions', 'back in time'],
+    keys: ['Shift+U'],
+    enabled: isOpen,
+    run: (editor) => toggleBottom(editor, 'history'),
+  },
   'view.problems': {
     label: 'Problems',
     keys: ['Mod+M'],

@@ -5,7 +5,7 @@ import { MAIN_GRAPH, type Project } from '../../../export/graph/project.ts';
 import { getOwn } from '../../../export/graph/record.ts';
 import { printWire } from '../../../export/graph/wires.ts';
 import { hasErrors } from '../../../nodes/kit/diagnostics.ts';
-import { graphOf, layoutOf } from '../editor/document.ts';
+import { type DocumentState, graphOf, layoutOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { placeOfItem } from '../editor/item-ids.ts';
 import { keepInSelection } from '../editor/selection.ts';
@@ -47,6 +47,37 @@ export function undo(editor: Editor): void {
 
 export function redo(editor: Editor): void {
   move(editor, history.redo);
+}
+
+/** The steps of the history: first those that can be undone, then those that can be redone, in the order in which they were made. */
+export function historySteps({ past, future }: history.History): readonly history.HistoryStep[] {
+  return [...past, ...future];
+}
+
+/**
+ * Undoes or redoes until exactly the first `count` steps of `historySteps` are done. One change of the document.
+ *
+ * @param count From 0 (as opened) to the number of steps.
+ */
+export function goToStep(editor: Editor, count: number): void {
+  const { history: before, project: shown } = editor.document.getState();
+  let moved: history.Moved = { history: before, project: shown };
+  while (moved.history.past.length !== count) {
+    const step = moved.history.past.length > count ? history.undo : history.redo;
+    const next = step(moved.history, moved.project);
+    if (next === null) break;
+    moved = next;
+  }
+  if (moved.history !== before) commit(editor, moved.project, moved.history);
+}
+
+/** The number of steps that the last save contains; null if no undo or redo leads there. */
+export function savedStep({ history: { past, future, state }, savedState }: Pick<DocumentState, 'history' | 'savedState'>): number | null {
+  if (state === savedState) return past.length;
+  const steps = [...past, ...future];
+  if (steps[0]?.before === savedState) return 0;
+  const index = steps.findIndex(({ after }) => after === savedState);
+  return index === -1 ? null : index + 1;
 }
 
 function move(editor: Editor, step: typeof history.undo): void {

@@ -31,7 +31,7 @@ export type Dock = (typeof DOCKS)[number];
 /** `panel`: beside the graph. `full`: the preview fills the window. `overlay`: the preview fills the window, with the graph over it. */
 export type PreviewExtent = 'panel' | 'full' | 'overlay';
 
-export type BottomTab = 'code' | 'timeline' | 'problems';
+export type BottomTab = 'code' | 'timeline' | 'history' | 'problems';
 
 /** A request to open the palette. */
 export interface PaletteRequest {
@@ -61,6 +61,8 @@ export type DialogRequest =
   /** Asks about unsaved changes that an action would discard; `proceed` continues the action. */
   | { readonly kind: 'unsaved'; readonly proceed: () => void }
   | { readonly kind: 'recovery'; readonly files: ProjectFiles }
+  /** Confirms that unsaved changes are discarded for good. */
+  | { readonly kind: 'revert' }
   | { readonly kind: 'changed-outside' }
   /** Another process holds the lock of the project. `overwrite` is that of the failed save. */
   | { readonly kind: 'locked'; readonly overwrite: boolean }

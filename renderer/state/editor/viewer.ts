@@ -10,12 +10,16 @@ export interface ViewerState {
   readonly right: string | null;
   /** Position of the wipe as a fraction of the preview’s width; null shows the left layer everywhere. */
   readonly split: number | null;
+  /** What was shown before the untouched camera; null unless that is shown. */
+  readonly beforeCamera: ShownLayers | null;
   /** Whether the pixel probe is on. */
   readonly probing: boolean;
   readonly probed: PreviewProbe | null;
   /** The param that the eyedropper picks a color for; null if it is closed. */
   readonly picking: ColorRequest | null;
 }
+
+export type ShownLayers = Pick<ViewerState, 'left' | 'right' | 'split'>;
 
 /** A request for the eyedropper. */
 export interface ColorRequest {
@@ -29,7 +33,16 @@ export interface ColorRequest {
 
 export type ViewerStore = StoreApi<ViewerState>;
 
-const NOTHING: ViewerState = { thumbnails: false, left: null, right: null, split: null, probing: false, probed: null, picking: null };
+const NOTHING: ViewerState = {
+  thumbnails: false,
+  left: null,
+  right: null,
+  split: null,
+  beforeCamera: null,
+  probing: false,
+  probed: null,
+  picking: null,
+};
 
 export function createViewerState(): ViewerStore {
   return createStore<ViewerState>(() => NOTHING);

@@ -22,11 +22,14 @@ import { showRefusal } from './files.ts';
 import { addCube } from './import-cube.ts';
 import { isGltf, type ModelFile, wholeModel } from './whole-models.ts';
 
+/** Kinds of assets that are files. A capture is a folder, which `scrim import capture` makes. */
+export type FileKind = Exclude<AssetKind, 'capture'>;
+
 /**
  * File name endings by asset kind; the first match counts. `also`: further endings that a file input of this kind accepts, such as
  * images for panoramas, or the files that a model refers to.
  */
-const KINDS: Readonly<Record<AssetKind, { readonly endings: readonly string[]; readonly also?: readonly string[] }>> = {
+const KINDS: Readonly<Record<FileKind, { readonly endings: readonly string[]; readonly also?: readonly string[] }>> = {
   model: { endings: ['.glb', '.gltf'], also: ['.bin', '.png', '.jpg', '.jpeg', '.webp', '.ktx2'] },
   image: { endings: ['.png', '.jpg', '.jpeg', '.webp'] },
   video: { endings: ['.mp4', '.webm', '.m4v'] },
@@ -40,15 +43,15 @@ const SOURCES = /\.(fs|frag|glsl|json|txt)$/i;
 const VERTEX_SHADER = /\.vs$/i;
 const STEP_PX = 40;
 
-export function kindOfFile(name: string): AssetKind | 'shader' | null {
+export function kindOfFile(name: string): FileKind | 'shader' | null {
   if (SHADERS.test(name)) return 'shader';
   const lower = name.toLowerCase();
-  const kinds = Object.keys(KINDS) as AssetKind[];
+  const kinds = Object.keys(KINDS) as FileKind[];
   return kinds.find((kind) => KINDS[kind].endings.some((ending) => lower.endsWith(ending))) ?? null;
 }
 
 /** Value of the `accept` attribute of a file input. */
-export function acceptedNames(kind: AssetKind): string {
+export function acceptedNames(kind: FileKind): string {
   const { endings, also = [] } = KINDS[kind];
   return [...endings, ...also].join();
 }
@@ -204,7 +207,7 @@ async function textOf(file: DroppedFile): Promise<string> {
 }
 
 /** Imports a file, or all files of a model, and adds an asset. Returns its id, or null if that failed. */
-export function importAsset(editor: Editor, files: readonly DroppedFile[], kind: AssetKind): Promise<string | null> {
+export function importAsset(editor: Editor, files: readonly DroppedFile[], kind: FileKind): Promise<string | null> {
   return editor.fileWork(async () => {
     const { faces } = kind === 'environment' ? splitFaces(files) : { faces: null };
     const sky = faces && (await joinedFaces(editor, faces));
@@ -220,7 +223,7 @@ export function importAsset(editor: Editor, files: readonly DroppedFile[], kind:
   });
 }
 
-async function importFile(editor: Editor, file: DroppedFile, kind: AssetKind): Promise<Asset | null> {
+async function importFile(editor: Editor, file: DroppedFile, kind: FileKind): Promise<Asset | null> {
   const { open } = editor.document.getState();
   if (open === null) return null;
   try {
@@ -234,7 +237,7 @@ async function importFile(editor: Editor, file: DroppedFile, kind: AssetKind): P
 }
 
 /** Adds an asset and a node that outputs it, as one undo step. A model is also put into the scene, so that it is visible at once. */
-async function addAssetNode(editor: Editor, file: DroppedFile, kind: AssetKind, place: Place): Promise<string | null> {
+async function addAssetNode(editor: Editor, file: DroppedFile, kind: FileKind, place: Place): Promise<string | null> {
   const source = sourceOf(editor.document.getState().library, kind);
   const asset = await importFile(editor, file, kind);
   if (asset === null) return null;
@@ -269,7 +272,7 @@ function selectPlacement(editor: Editor, model: string, before: Project): string
 }
 
 /** The first source node with an asset param of this kind. */
-function sourceOf(library: NodeLibrary, kind: AssetKind): { readonly type: string; readonly param: string } | null {
+function sourceOf(library: NodeLibrary, kind: FileKind): { readonly type: string; readonly param: string } | null {
   for (const type of library.types()) {
     const definition = library.definition(type);
     if (definition?.lowering.kind !== 'source') continue;

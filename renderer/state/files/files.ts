@@ -9,6 +9,7 @@ import { type GraphLayout, MAIN_GRAPH, type Project } from '../../../export/grap
 import { getOwn } from '../../../export/graph/record.ts';
 import { saveProject } from '../../../export/graph/save.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+import { goToStep, savedStep } from '../document/apply.ts';
 import { finishTyping } from '../document/edit-shader.ts';
 import { isDirty } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
@@ -259,6 +260,18 @@ export async function reload(editor: Editor): Promise<boolean> {
   const { open } = editor.document.getState();
   if (open === null) return false;
   return openPath(editor, open.displayPath);
+}
+
+/** Goes back to the saved version by undo, so that redo returns. Asks before it reads the files where undo does not lead there. */
+export function revertToSaved(editor: Editor): void {
+  finishTyping(editor);
+  const step = savedStep(editor.document.getState());
+  if (step === null) {
+    editor.ui.setState({ dialog: { kind: 'revert' } });
+    return;
+  }
+  goToStep(editor, step);
+  addToast(editor.ui, { tone: 'info', text: 'Reverted to the saved version.', detail: 'Redo brings the changes back.' });
 }
 
 /** Lists the preview sources of the open project. */

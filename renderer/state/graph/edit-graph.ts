@@ -2,7 +2,7 @@ import { canConnect } from '../../../export/graph/can-connect.ts';
 import { sequence, unchanged } from '../../../export/graph/commands/change.ts';
 import { changeType } from '../../../export/graph/commands/change-type.ts';
 import { setCollapsed } from '../../../export/graph/commands/layout-commands.ts';
-import { addNode, removeNodes, setMuted } from '../../../export/graph/commands/node-commands.ts';
+import { addNode, removeNodes, setMuted, setUnfused } from '../../../export/graph/commands/node-commands.ts';
 import { setRoutes } from '../../../export/graph/commands/route-commands.ts';
 import { connect as connectCommand, disconnect, reorderWires as reorderCommand } from '../../../export/graph/commands/wire-commands.ts';
 import { makeNodeId } from '../../../export/graph/document-names.ts';
@@ -167,6 +167,16 @@ export function toggleMuted(editor: Editor): boolean {
   if (ids.length === 0) return false;
   const muted = !ids.every((id) => graphOf(state).nodes[id]?.muted === true);
   return apply(editor, muted ? 'Mute' : 'Unmute', setMuted(state.project, { graph: state.graph, nodes: ids, muted }));
+}
+
+/** Turns the fusion of the selected nodes' passes off, or on if it is off for all of them. */
+export function toggleUnfused(editor: Editor): boolean {
+  const state = editor.document.getState();
+  const ids = [...editor.selection.getState().nodes];
+  if (ids.length === 0) return false;
+  const unfused = !ids.every((id) => graphOf(state).nodes[id]?.unfused === true);
+  const label = unfused ? 'Do not fuse passes' : 'Fuse passes';
+  return apply(editor, label, setUnfused(state.project, { graph: state.graph, nodes: ids, unfused }));
 }
 
 /** Changes the type of a node. Wires that fit the new type stay. */

@@ -51,8 +51,20 @@ describe('searching for node types', () => {
     ['colour correction', 'Color temperature'],
     ['lfo', 'Expression'],
     ['mask', 'Mask'],
+    ['gaze', 'Head pose'],
+    ['billboard', 'Look at'],
+    ['attach', 'Place at pose'],
+    ['orbit', 'Orbit pose'],
+    ['distance', 'Distance'],
+    ['proximity', 'Distance'],
   ])('%s is %s to people who come from elsewhere', (query, title) => {
     expect(titles(query)[0]).toBe(title);
+  });
+
+  test('a trigger is also a zone that somebody enters', () => {
+    expect(titles('trigger').slice(0, 5)).toContain('Inside box');
+    expect(titles('trigger volume')).toEqual(['Inside box']);
+    expect(titles('trigger zone')).toEqual(['Inside box']);
   });
 
   test('letters in the middle of words find nothing by chance', () => {

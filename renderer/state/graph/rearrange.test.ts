@@ -11,7 +11,7 @@ import type { Editor } from '../editor/editor.ts';
 import { selectOnly } from '../editor/selection.ts';
 import { filesOf } from '../files/files.ts';
 import { align, distribute, selectedBoxes, tidy } from './arrange.ts';
-import { addNodeFromPalette, connect, swapType, toggleCollapsed, toggleMuted } from './edit-graph.ts';
+import { addNodeFromPalette, connect, swapType, toggleCollapsed, toggleMuted, toggleUnfused } from './edit-graph.ts';
 import { findNodes } from './find.ts';
 import { canInsert, dropOnWire } from './insert-on-wire.ts';
 import { moveAll } from './layout-items.ts';
@@ -148,11 +148,13 @@ describe('copies', () => {
     const { editor, blend } = await over();
     selectOnly(editor.selection, [blend]);
     toggleMuted(editor);
+    toggleUnfused(editor);
     toggleCollapsed(editor);
     duplicateSelection(editor, { wired: true });
     const [copy] = editor.selection.getState().nodes;
     expect(wiresOf(editor).filter((wire) => wire.includes(`${copy}.`))).toHaveLength(2);
     expect(graphOf(editor.document.getState()).nodes[copy ?? '']?.muted).toBe(true);
+    expect(graphOf(editor.document.getState()).nodes[copy ?? '']?.unfused).toBe(true);
     expect(placeOf(editor, copy ?? '')?.collapsed).toBe(true);
   });
 

@@ -76,9 +76,37 @@ describe('a combination', () => {
     ]);
   });
 
+  test.each([
+    ['attach to hand', 'hand > follow.pose'],
+    ['attach to controller', 'gamepad > follow.pose'],
+    ['attach to head', 'head > follow.pose'],
+  ])('%s puts the objects of a wire there, with a lag', async (query, source) => {
+    const { editor } = await openTestEditor();
+    const model = choose(editor, 'model');
+    const place = choose(editor, query, outOf(model, 'objects'));
+    expect(nodeOf(editor.document.getState(), place)?.type).toBe('objects/at-pose');
+    expect(wiresOf(editor)).toEqual([source, 'follow > offset.pose', 'model > at-pose.objects', 'offset > at-pose.pose'].sort());
+  });
+
+  test('of a billboard takes a pose and turns the objects there to the visitor', async () => {
+    const { editor } = await openTestEditor();
+    const hit = choose(editor, 'hit test');
+    choose(editor, 'billboard', outOf(hit, 'pose'));
+    expect(wiresOf(editor)).toEqual(['head > look-at.target', 'hit-test > look-at.pose', 'look-at > at-pose.pose']);
+  });
+
   test('is not what a search for the node itself finds first', async () => {
     const { editor } = await openTestEditor();
     const [shadow, toon] = [choose(editor, 'shadow'), choose(editor, 'toon')];
+    for (const [query, type] of [
+      ['hand', 'input/hand'],
+      ['controller', 'input/gamepad'],
+      ['head', 'input/head'],
+      ['follow', 'pose/follow'],
+    ] as const) {
+      const id = choose(editor, query);
+      expect(nodeOf(editor.document.getState(), id)?.type).toBe(type);
+    }
     expect(nodeOf(editor.document.getState(), shadow)?.type).toBe('layer/shadow');
     expect(nodeOf(editor.document.getState(), toon)?.type).toBe('technique/toon');
   });

@@ -99,7 +99,82 @@ const RECIPES: readonly RecipeData[] = [
     inputs: { layer: 'hide.layer' },
     outputs: { result: 'choose.layer' },
   },
+  attached({
+    to: 'hand',
+    doc: 'Puts objects on the palm of a bare hand. Adds a Hand',
+    keywords: ['palm', 'finger', 'wrist', 'hold'],
+    source: { type: 'input/hand', port: 'palm' },
+    lagS: 0.05,
+    offsetM: [0, 0.05, 0],
+  }),
+  attached({
+    to: 'controller',
+    doc: 'Puts objects on a controller of a headset. Adds a Controller',
+    keywords: ['gamepad', 'grip', 'hold', 'tool'],
+    source: { type: 'input/gamepad', port: 'grip' },
+    lagS: 0.05,
+    offsetM: [0, 0.05, -0.1],
+  }),
+  attached({
+    to: 'head',
+    doc: 'Keeps objects 1 m in front of the visitor. Adds a Head pose',
+    keywords: ['camera', 'viewer', 'hud', 'screen', 'gaze', 'lazy'],
+    source: { type: 'input/head', port: 'pose' },
+    lagS: 0.3,
+    offsetM: [0, 0, -1],
+  }),
+  {
+    name: 'billboard',
+    title: 'Billboard',
+    doc: 'Puts objects at a pose and turns their front to the visitor, upright. Adds a Place at pose, a Look at and a Head pose.',
+    keywords: ['face', 'sprite', 'towards', 'camera'],
+    nodes: {
+      place: { type: 'objects/at-pose', x: 0, y: 0 },
+      turn: { type: 'pose/look-at', params: { upright: true }, x: -COLUMN_PX, y: ROW_PX },
+      head: { type: 'input/head', x: -2 * COLUMN_PX, y: 2 * ROW_PX },
+    },
+    wires: [
+      ['head.pose', 'turn.target'],
+      ['turn.pose', 'place.pose'],
+    ],
+    inputs: { objects: 'place.objects', pose: 'turn.pose' },
+    outputs: { objects: 'place.objects' },
+  },
 ];
+
+interface AttachedData {
+  readonly to: 'hand' | 'controller' | 'head';
+  /** The text of the entry, up to the first of the added nodes. */
+  readonly doc: string;
+  readonly keywords: readonly string[];
+  /** The node and port that give the pose. */
+  readonly source: { readonly type: string; readonly port: string };
+  readonly lagS: number;
+  readonly offsetM: readonly [number, number, number];
+}
+
+/** Objects at an offset from a pose of the visitor, which they follow with a lag. */
+function attached({ to, doc, keywords, source, lagS, offsetM }: AttachedData): RecipeData {
+  return {
+    name: `attach-to-${to}`,
+    title: `Attach to ${to}`,
+    doc: `${doc}, a Follow, whose time constant is the lag, an Offset pose and a Place at pose.`,
+    keywords: ['follow', 'lag', 'parent', ...keywords],
+    nodes: {
+      place: { type: 'objects/at-pose', x: 0, y: 0 },
+      offset: { type: 'pose/offset', params: { offsetM }, x: -COLUMN_PX, y: ROW_PX },
+      follow: { type: 'pose/follow', params: { timeConstantS: lagS }, x: -2 * COLUMN_PX, y: ROW_PX },
+      [to]: { type: source.type, x: -3 * COLUMN_PX, y: ROW_PX },
+    },
+    wires: [
+      [`${to}.${source.port}`, 'follow.pose'],
+      ['follow.pose', 'offset.pose'],
+      ['offset.pose', 'place.pose'],
+    ],
+    inputs: { objects: 'place.objects' },
+    outputs: { objects: 'place.objects' },
+  };
+}
 
 /** The recipes whose node types exist in the library, and one per technique that applies it to objects. */
 export function recipesOf(library: NodeLibrary): readonly Recipe[] {

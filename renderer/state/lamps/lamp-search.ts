@@ -17,13 +17,13 @@ export type LampView =
   | { readonly state: 'failed'; readonly reason: string };
 
 /**
- * Reads a panorama of the project and searches it in a worker.
+ * Reads a panorama of the project, or its shots, and searches it in a worker.
  *
  * @returns Cancels the search, and releases the images of a result.
  */
 export function searchLamps(
   editor: Pick<Editor, 'host' | 'document'>,
-  { path, options }: LampSource,
+  { paths, stopsApart, options }: LampSource,
   start: () => LampWorker,
   show: (view: LampView) => void,
 ): () => void {
@@ -36,14 +36,17 @@ export function searchLamps(
   };
   const fail = (reason: string) => {
     end();
-    if (!isOver) show({ state: 'failed', reason: `${path} cannot be searched: ${reason.replace(/\.$/, '')}.` });
+    if (!isOver) show({ state: 'failed', reason: `${paths.join(', ')} cannot be searched: ${reason.replace(/\.$/, '')}.` });
   };
   const begin = async () => {
     const { open } = editor.document.getState();
     if (open === null) return;
-    const { base64 } = await editor.host.call('asset.read', { handle: open.handle, path });
-    if (isOver) return;
-    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)).buffer;
+    const files: ArrayBuffer[] = [];
+    for (const path of paths) {
+      const { base64 } = await editor.host.call('asset.read', { handle: open.handle, path });
+      if (isOver) return;
+      files.push(Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)).buffer);
+    }
     worker = start();
     worker.onerror = (event) => fail(event.message || 'its worker ended');
     worker.onmessage = ({ data }) => {
@@ -53,7 +56,7 @@ export function searchLamps(
       images = data.stages;
       show({ state: 'found', found: data.found, stages: data.stages });
     };
-    worker.postMessage({ bytes, options }, [bytes]);
+    worker.postMessage({ files, stopsApart, options }, files);
   };
   show({ state: 'searching', part: 0 });
   begin().catch((error: unknown) => fail(error instanceof Error ? error.message : String(error)));

@@ -1,3 +1,4 @@
+import type { GraphNode } from '../../../export/graph/project.ts';
 import { getOwn } from '../../../export/graph/record.ts';
 import type { ParamValue } from '../../../nodes/kit/definition.ts';
 import { type LampOptions, lampOptionsOf } from '../../../nodes/kit/panorama/lamp-options.ts';
@@ -9,7 +10,10 @@ export const LAMPS_TYPE = 'light/from-panorama';
 
 /** A panorama of the project, and how a node searches it. */
 export interface LampSource {
-  readonly path: string;
+  /** Its file, or those of its shots. */
+  readonly paths: readonly string[];
+  /** Of shots: their difference in stops; 0 to measure it. */
+  readonly stopsApart: number;
   readonly options: LampOptions;
 }
 
@@ -19,11 +23,8 @@ export function lampSourceOf(state: DocumentState, node: string): LampSource | n
   const params = nodeOf(state, node)?.params;
   const wire = graphOf(state).wires.find(({ to }) => to.node === node && to.port === 'environment');
   const source = wire && nodeOf(state, wire.from.node);
-  if (!definition || !params || source?.type !== 'source/panorama') return null;
-  const file = getOwn(source.params, 'file');
-  const id = file && 'value' in file ? String(file.value) : '';
-  const path = getOwn(state.project.assets, id)?.path;
-  if (path === undefined) return null;
+  const files = source && filesOf(state, source);
+  if (!definition || !params || !files || files.paths.length === 0) return null;
   const readParam = (name: keyof LampOptions): ParamValue | undefined => {
     const param = definition.params[name];
     return param && boundValue(param, getOwn(params, name));
@@ -35,5 +36,22 @@ export function lampSourceOf(state: DocumentState, node: string): LampSource | n
     intensities: readParam('intensities'),
     clippedShare: readParam('clippedShare'),
   });
-  return { path, options };
+  return { ...files, options };
+}
+
+/** The nodes whose param `file` is a panorama. Capture panorama shows it until one is taken. */
+const FILE_SOURCES: ReadonlySet<string> = new Set(['source/panorama', 'source/panorama-capture']);
+
+/** The panorama files of a source; null for other nodes. */
+function filesOf(state: DocumentState, { type, params }: GraphNode): Pick<LampSource, 'paths' | 'stopsApart'> | null {
+  const isMerged = type === 'source/panorama-exposures';
+  if (!isMerged && !FILE_SOURCES.has(type)) return null;
+  const definition = state.library.definition(type);
+  const readOwn = (name: string): ParamValue | undefined => {
+    const param = definition?.params[name];
+    return param && boundValue(param, getOwn(params, name));
+  };
+  const names = ['file', ...(isMerged ? ['file2'] : []), ...(isMerged && readOwn('shots') === '3' ? ['file3'] : [])];
+  const paths = names.flatMap((name) => getOwn(state.project.assets, String(readOwn(name)))?.path ?? []);
+  return { paths, stopsApart: isMerged ? Number(readOwn('stopsApart')) : 0 };
 }

@@ -17,9 +17,12 @@ import { lampSourceOf } from './lamp-source.ts';
 import type { LampRequest } from './messages.ts';
 
 const EXAMPLE = resolve(import.meta.dirname, '../../../nodes/light/from-panorama/example');
+const SHOTS = resolve(import.meta.dirname, '../../../nodes/source/panorama-exposures/example');
+const CAPTURE = resolve(import.meta.dirname, '../../../nodes/source/panorama-capture/example');
 const NODE = 'lamps-e6ts';
 const SOURCE = {
-  path: 'assets/room.hdr',
+  paths: ['assets/room.hdr'],
+  stopsApart: 0,
   options: { method: 'solid-angle', lamps: 2, iterations: 2, intensities: 'ranks', clippedShare: 0.5 },
 } as const;
 
@@ -32,7 +35,7 @@ async function openExample() {
 }
 
 async function exampleLamps() {
-  return findLampsAtOnce(await decodePanorama(join(EXAMPLE, SOURCE.path)), SOURCE.options);
+  return findLampsAtOnce(await decodePanorama(join(EXAMPLE, SOURCE.paths[0])), SOURCE.options);
 }
 
 test('a node searches the file of the Panorama at its input, with its own options', async () => {
@@ -43,6 +46,26 @@ test('a node searches the file of the Panorama at its input, with its own option
   expect(lampSourceOf(editor.document.getState(), NODE)?.options).toMatchObject({ method: 'paper', iterations: 3 });
   editParam(editor, 'room-k3wj', 'file', '');
   expect(lampSourceOf(editor.document.getState(), NODE)).toBeNull();
+});
+
+test('behind Panorama from exposures it searches all its shots', async () => {
+  const text = await readFile(join(SHOTS, 'project.scrim.json'), 'utf8');
+  const project = loadProject({ project: text, layout: null, sources: {} }).output;
+  if (!project) throw new Error('The example loads.');
+  const { editor } = await openTestEditor(project);
+  const [bright, middle, dark] = ['bright', 'middle', 'dark'].map((name) => `assets/${name}.png`);
+  expect(lampSourceOf(editor.document.getState(), NODE)).toMatchObject({ paths: [bright, middle, dark], stopsApart: 0 });
+  editParam(editor, 'shots-q2vx', 'shots', '2');
+  editParam(editor, 'shots-q2vx', 'stopsApart', 2);
+  expect(lampSourceOf(editor.document.getState(), NODE)).toMatchObject({ paths: [bright, middle], stopsApart: 2 });
+});
+
+test('behind Capture panorama it searches the file that is used until a panorama is taken', async () => {
+  const text = await readFile(join(CAPTURE, 'project.scrim.json'), 'utf8');
+  const project = loadProject({ project: text, layout: null, sources: {} }).output;
+  if (!project) throw new Error('The example loads.');
+  const { editor } = await openTestEditor(project);
+  expect(lampSourceOf(editor.document.getState(), 'lamps-b7qd')).toEqual(SOURCE);
 });
 
 test('places and directions are inverse; the center of the panorama is -z, its right half +x', () => {
@@ -99,7 +122,7 @@ describe('a lamp', () => {
 describe('a search', () => {
   async function start() {
     const { editor, host } = await openExample();
-    const file = await readFile(join(EXAMPLE, SOURCE.path));
+    const file = await readFile(join(EXAMPLE, SOURCE.paths[0]));
     host.answer('asset.read', async () => ({ base64: file.toString('base64') }));
     const views: LampView[] = [];
     const log: unknown[] = [];
@@ -109,8 +132,8 @@ describe('a search', () => {
     });
     const createWorker = (): LampWorker => {
       const worker: LampWorker = {
-        postMessage: ({ bytes, options }: LampRequest) => {
-          log.push(bytes.byteLength, options.lamps);
+        postMessage: ({ files, options }: LampRequest) => {
+          log.push(files[0]?.byteLength, options.lamps);
           give(worker);
         },
         onmessage: null,

@@ -3,6 +3,8 @@ import { readRadiance } from '../../../export/runtime/scenes/environments/read-r
 import { findLamps, searchWhole } from '../../../nodes/kit/panorama/find-lamps.ts';
 import type { FoundLamps } from '../../../nodes/kit/panorama/found-lamps.ts';
 import { grayImageOf } from '../../../nodes/kit/panorama/gray-image.ts';
+import { halvesWithAlpha } from '../../../nodes/kit/panorama/half-floats.ts';
+import { mergeExposures } from '../../../nodes/kit/panorama/merge-exposures.ts';
 import { createRowReader, isDisplayReferred, type PanoramaPixels, runWhole } from '../../../nodes/kit/panorama/pixels.ts';
 import type { LampAnswer, LampRequest, LampStage } from './messages.ts';
 
@@ -15,9 +17,9 @@ const scope = self as unknown as {
 /** Maximum width of the images for the inspector. Larger images are reduced. */
 const SHOWN_WIDTH_PX = 1024;
 
-scope.onmessage = async ({ data: { bytes, options } }) => {
+scope.onmessage = async ({ data: { files, stopsApart, options } }) => {
   try {
-    const pixels = await decode(bytes);
+    const pixels = await merged(files, stopsApart);
     const found = searchWhole(findLamps(pixels, options), pixels, (part) => scope.postMessage({ kind: 'part', part }));
     const stages = await drawStages(pixels, found);
     scope.postMessage(
@@ -28,6 +30,16 @@ scope.onmessage = async ({ data: { bytes, options } }) => {
     scope.postMessage({ kind: 'failed', reason: error instanceof Error ? error.message : String(error) });
   }
 };
+
+/** One panorama as it is, or shots merged as the page merges them. */
+async function merged(files: readonly ArrayBuffer[], stopsApart: number): Promise<PanoramaPixels> {
+  const shots: PanoramaPixels[] = [];
+  for (const file of files) shots.push(await decode(file));
+  const [only] = shots;
+  if (only && shots.length === 1) return only;
+  const { widthPx, heightPx, data } = runWhole(mergeExposures(shots, stopsApart));
+  return { widthPx, heightPx, channels: 4, data: halvesWithAlpha(data) };
+}
 
 async function decode(bytes: ArrayBuffer): Promise<PanoramaPixels> {
   const header = readRadianceHeader(bytes);

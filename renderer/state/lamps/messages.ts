@@ -1,9 +1,11 @@
 import type { FoundLamps } from '../../../nodes/kit/panorama/found-lamps.ts';
 import type { LampOptions } from '../../../nodes/kit/panorama/lamp-options.ts';
 
-/** A panorama to search, as its file. Ending the worker cancels the search. */
+/** A panorama to search, as its file or as those of its shots. Ending the worker cancels the search. */
 export interface LampRequest {
-  readonly bytes: ArrayBuffer;
+  readonly files: readonly ArrayBuffer[];
+  /** Of shots: their difference in stops; 0 to measure it. */
+  readonly stopsApart: number;
   readonly options: LampOptions;
 }
 

@@ -38,11 +38,13 @@ describe('recording a session', () => {
     expect([state(), editor.preview.getState().sourceId]).toEqual(['no', ROOM.id]);
   });
 
-  test('is offered in emulated rooms only, but can be stopped where the source has changed', async () => {
+  test('is offered once there is a source', async () => {
     const { editor } = await overRoom();
     const canRecord = () => appCommand('play.record').enabled(editor);
     expect(canRecord()).toBe(true);
-    editor.preview.setState({ sourceId: EARLIER.id });
+    editor.preview.setState({ sourceId: 'orbit' });
+    expect(canRecord()).toBe(true);
+    editor.preview.setState({ sources: [], sourceId: null });
     expect(canRecord()).toBe(false);
     editor.preview.setState({ sessionRecording: 'recording' });
     expect(canRecord()).toBe(true);

@@ -7,14 +7,14 @@ import { listSessions, showRefusal } from '../files/files.ts';
 /** Ids of recorded sessions in the project, as the host gives them. */
 const RECORDED = /^project\/recording-(\d+)$/;
 
-/** Whether a session can be recorded or its recording stopped: rooms have the images for it. */
+/** Whether a session can be recorded or its recording stopped. The preview tells why a recording cannot be recorded again. */
 export function canRecordSession({ document, preview }: Pick<Editor, 'document' | 'preview'>): boolean {
   const state = preview.getState();
   if (document.getState().open === null) return false;
-  return state.sessionRecording === 'recording' || (state.sessionRecording === 'no' && chosenSource(state)?.kind === 'room');
+  return state.sessionRecording === 'recording' || (state.sessionRecording === 'no' && chosenSource(state) !== null);
 }
 
-/** Starts to record where the visitor of the emulated room goes and what the visitor does, or stops it. */
+/** Starts to record where the visitor of the preview goes and what the visitor does, or stops it. */
 export function toggleSessionRecording({ preview, transport }: Pick<Editor, 'preview' | 'transport'>): void {
   const { sessionRecording } = preview.getState();
   if (sessionRecording === 'filming') return;

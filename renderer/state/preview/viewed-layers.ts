@@ -41,7 +41,7 @@ export function pinSelected(editor: Editor): void {
 
 export function pinLayer(viewer: ViewerStore, layer: string): void {
   if (viewer.getState().left === layer) resetViewer(viewer);
-  else viewer.setState({ left: layer, right: null, split: null });
+  else viewer.setState({ left: layer, right: null, split: null, beforeCamera: null });
 }
 
 /** Shows the layer of the selected node next to the current one, with a wipe between them. */
@@ -53,6 +53,6 @@ export function compareSelected(editor: Editor): void {
 
 export function compareLayer(viewer: ViewerStore, layer: string): void {
   const { left } = viewer.getState();
-  if (left === null || left === layer) viewer.setState({ left: layer, right: null, split: 0.5 });
-  else viewer.setState({ right: layer, split: 0.5 });
+  if (left === null || left === layer) viewer.setState({ left: layer, right: null, split: 0.5, beforeCamera: null });
+  else viewer.setState({ right: layer, split: 0.5, beforeCamera: null });
 }

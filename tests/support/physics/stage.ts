@@ -16,12 +16,13 @@ import { cube, STEEL } from './lab.ts';
 /** Bodies with the runtime of a physics world on the main thread, for tests of nodes that act on bodies. */
 export function createStage(params: Readonly<Record<string, number | boolean | number[]>> = {}) {
   const list: BodyList = { version: 0, bodies: [] };
+  const bodies = [list];
   const workers = {
     start: () => {
       throw new Error('There is no worker.');
     },
   };
-  const world = fakeContext(definition, { inputs: { bodies: [list] }, services: { workers }, params });
+  const world = fakeContext(definition, { inputs: { bodies }, services: { workers }, params });
   const node = create(world.ctx);
   return {
     list,
@@ -33,8 +34,15 @@ export function createStage(params: Readonly<Record<string, number | boolean | n
       list.version++;
       return body;
     },
-    /** Plays frames: bodies, then the node, then the world. */
-    play: <D extends NodeDefinition>(frames: number, acting: NodeRuntime, fake: FakeContext<D>, frame: object = {}): void => {
+    /** Plays frames: bodies, then the node, then the world. Bodies of `others` are in the world, too. */
+    play: <D extends NodeDefinition>(
+      frames: number,
+      acting: NodeRuntime,
+      fake: FakeContext<D>,
+      frame: object = {},
+      others: readonly BodyList[] = [],
+    ): void => {
+      bodies.splice(1, Number.POSITIVE_INFINITY, ...others);
       for (let i = 0; i < frames; i++) {
         world.tick(1 / 60);
         fake.tick(1 / 60);

@@ -14,3 +14,11 @@ export function measureFrames({ gl, draw }: Drawn, count: number): number {
   }
   return (performance.now() - startMs) / count;
 }
+
+/** The color of a pixel after a frame, RGBA. Origin bottom left. */
+export function drawnPixel({ gl, draw }: Drawn, x: number, y: number): number[] {
+  draw(1 / 60);
+  const pixel = new Uint8Array(4);
+  gl.readPixels(x, y, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+  return [...pixel];
+}

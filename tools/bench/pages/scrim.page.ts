@@ -1,6 +1,6 @@
 import type { Program } from '../../../export/program/program.ts';
 import { createOrbitSession } from '../../../export/runtime/sessions/orbit/orbit-session.ts';
-import { type Drawn, measureFrames } from './frame-ms.ts';
+import { type Drawn, drawnPixel, measureFrames } from './frame-ms.ts';
 import { type MeasuredPlayer, openPlayer } from './measured-player.ts';
 
 /** Plays a program like a page without AR, with a manual clock. */
@@ -35,6 +35,12 @@ export function frameMs(count: number): number {
   const { wrong } = stage.measured;
   if (wrong !== null) throw new Error(`What is measured is not what is to be drawn: ${wrong}`);
   return measureFrames(stage, count);
+}
+
+/** The color of a pixel after a frame, RGBA. Origin bottom left. */
+export function pixelAt(x: number, y: number): number[] {
+  if (!stage) throw new Error('Nothing is open.');
+  return drawnPixel(stage, x, y);
 }
 
 let stage: (Drawn & { readonly measured: MeasuredPlayer }) | null = null;

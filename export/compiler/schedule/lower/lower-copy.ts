@@ -40,9 +40,11 @@ export function copyOf(
     kind: 'pass',
     reads: [resource],
     shader: pass.shader,
+    parts: pass.parts,
     samplers: [{ name: sampler.name, source: { kind: 'color', resource }, fit }],
     uniforms: [],
     passIndex: pass.passIndex,
     access: 'pointwise',
+    copies: true,
   };
 }

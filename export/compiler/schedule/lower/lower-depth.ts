@@ -84,6 +84,7 @@ function lowerComputedDepth(lowering: Lowering, layer: Source): void {
       reads: samplers.reads,
       writes: [resource],
       shader: pass.shader,
+      parts: pass.parts,
       target: resource,
       blend: 'replace',
       samplers: samplers.samplers,

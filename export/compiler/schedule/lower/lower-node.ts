@@ -4,7 +4,7 @@ import { isValueType, type ValueType, type WireType } from '../../../../nodes/ki
 import { parseValue } from '../../../graph/expression/param-expression.ts';
 import type { DrawOperation, DrawUnder, InputRef, NodeOperation, OutputRef, Resource, ResourceId } from '../../../program/program.ts';
 import { type FlatNode, portKey, type Source, sourcesAt } from '../../flat-graph.ts';
-import { isDraw, layerInputs, layerOutput } from '../layers.ts';
+import { drawsItself, isDraw, layerInputs, layerOutput } from '../layers.ts';
 import { movingBinding, startValue } from '../slot-allocator.ts';
 import { depthAt } from './lower-depth.ts';
 import { shadowMapsOf } from './lower-shadow-maps.ts';
@@ -70,6 +70,7 @@ export function lowerDraw(lowering: Lowering, { node, occlusion, target, id }: D
     target: image ?? 'screen',
     shadowMaps,
     occlusion: hiding,
+    ...(drawsItself(node) ? { ownDrawing: true } : {}),
     ...(under === undefined ? {} : { under }),
     ...(styled.some(({ readsBehind }) => readsBehind) ? { glass: true } : {}),
   };

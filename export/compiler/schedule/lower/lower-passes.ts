@@ -1,4 +1,4 @@
-import type { LinkedPass } from '../../../glsl/link/linked-pass.ts';
+import type { PartedPass } from '../../../glsl/link/link-parts.ts';
 import type { ResourceId } from '../../../program/program.ts';
 import { type FlatNode, portKey, sourcesAt } from '../../flat-graph.ts';
 import { layerOutput } from '../layers.ts';
@@ -9,7 +9,7 @@ import { isBuffer, passSamplers, passUniforms, shaderOf, sizeOf } from './pass-p
 
 /** A linked image node with its buffers. */
 export interface LoweredPasses {
-  readonly passes: readonly LinkedPass[];
+  readonly passes: readonly PartedPass[];
   readonly buffers: ReadonlyMap<string, ResourceId>;
 }
 
@@ -25,8 +25,8 @@ export function lowerPasses(lowering: Lowering, node: FlatNode, target: 'screen'
 export function drawPasses(
   lowering: Lowering,
   node: FlatNode,
-  passes: readonly LinkedPass[],
-  outputOf: (pass: LinkedPass, id: string) => ResourceId | 'screen',
+  passes: readonly PartedPass[],
+  outputOf: (pass: PartedPass, id: string) => ResourceId | 'screen',
 ): LoweredPasses {
   // Every uniform param can be set at run time, even if no pass uses it.
   for (const [name, param] of Object.entries(node.definition.params)) if (param.stage === 'uniform') lowering.slots.ofParam(node, name);
@@ -59,7 +59,7 @@ export function isLinkable(lowering: Lowering, node: FlatNode): boolean {
   return lowering.shaders.link(file, source, vertex, variant).output !== null;
 }
 
-export function linkPasses(lowering: Lowering, node: FlatNode): readonly LinkedPass[] {
+export function linkPasses(lowering: Lowering, node: FlatNode): readonly PartedPass[] {
   // Linked as if every layer had depth, so that the samplers show whether the shader reads it.
   const asking = shaderOf(lowering, node, () => true);
   const link = lowering.shaders.link(asking.file, asking.source, asking.vertex, asking.variant);
@@ -91,7 +91,7 @@ function warnOfMissingDepth({ diagnostics }: Lowering, node: FlatNode, port: str
   diagnostics.push({ code: 'SCR043', severity: 'warning', nodeId: node.id, port, message, fix });
 }
 
-function addBuffers(lowering: Lowering, node: FlatNode, passes: readonly LinkedPass[]): Map<string, ResourceId> {
+function addBuffers(lowering: Lowering, node: FlatNode, passes: readonly PartedPass[]): Map<string, ResourceId> {
   const buffers = new Map<string, ResourceId>();
   const domain = domainOf(lowering, node);
   for (const { target } of passes) {
@@ -122,7 +122,7 @@ function bufferOf({ buffers }: LoweredPasses, { name }: { readonly name: string 
 function lastTarget(
   lowering: Lowering,
   node: FlatNode,
-  pass: LinkedPass,
+  pass: PartedPass,
   writer: string,
   target: 'screen' | 'texture',
 ): ResourceId | 'screen' {
@@ -145,7 +145,7 @@ function lastTarget(
 }
 
 interface PassRequest {
-  readonly pass: LinkedPass;
+  readonly pass: PartedPass;
   readonly id: string;
   readonly target: ResourceId | 'screen';
   readonly after: string | undefined;
@@ -164,6 +164,7 @@ function addPass(lowering: Lowering, node: FlatNode, { buffers }: LoweredPasses,
     reads: [...reads, ...pulses],
     writes: target === 'screen' ? [] : [target],
     shader: pass.shader,
+    parts: pass.parts,
     target,
     blend: target === 'screen' ? 'over' : 'replace',
     samplers,

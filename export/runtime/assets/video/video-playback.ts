@@ -175,6 +175,9 @@ export function createPlayback(source: VideoSource, onProblem: (problem: Problem
     get image() {
       return texture.image;
     },
+    get version() {
+      return texture.version;
+    },
     follow: (timeS, rate, loop) => {
       if (failed) return;
       if (rate >= MIN_RATE && rate <= MAX_RATE && !blocked) run(timeS, rate, loop);

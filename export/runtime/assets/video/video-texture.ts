@@ -7,6 +7,8 @@ import { prepareUpload } from '../../gl/upload.ts';
 export interface VideoTexture {
   /** The image of the current frame; null before the first frame, and another object after the size of the video has changed. */
   readonly image: ImageAsset | null;
+  /** Number of frames uploaded. */
+  readonly version: number;
   upload(video: HTMLVideoElement): void;
   dispose(): void;
 }
@@ -14,6 +16,7 @@ export interface VideoTexture {
 export function createVideoTexture(objects: GlObjects): VideoTexture {
   const { gl } = objects;
   let image: ImageAsset | null = null;
+  let version = 0;
 
   function pictureOf(widthPx: number, heightPx: number): ImageAsset {
     if (image?.widthPx === widthPx && image.heightPx === heightPx) return image;
@@ -27,6 +30,9 @@ export function createVideoTexture(objects: GlObjects): VideoTexture {
     get image() {
       return image;
     },
+    get version() {
+      return version;
+    },
     upload: (video) => {
       const { videoWidth, videoHeight } = video;
       if (videoWidth === 0 || videoHeight === 0) return;
@@ -37,6 +43,7 @@ export function createVideoTexture(objects: GlObjects): VideoTexture {
       gl.activeTexture(gl.TEXTURE0);
       gl.bindTexture(gl.TEXTURE_2D, texture);
       gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, gl.RGBA, gl.UNSIGNED_BYTE, video);
+      version++;
       // three.js only sets the state that it has changed itself.
       gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
       gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);

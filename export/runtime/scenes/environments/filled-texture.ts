@@ -1,6 +1,7 @@
 import { DataTexture, DataUtils, HalfFloatType, RGBAFormat, SRGBColorSpace, type Texture } from 'three';
 import { type FillTarget, fillLamps } from '../../../../nodes/kit/panorama/fill-lamps.ts';
 import { type PanoramaPixels, startOfRow } from '../../../../nodes/kit/panorama/pixels.ts';
+import type { PartedWork } from './spread-work.ts';
 
 type Size = Pick<PanoramaPixels, 'widthPx' | 'heightPx'>;
 
@@ -29,21 +30,55 @@ export function ownPixels(texture: Texture): PanoramaPixels {
   return texture.image instanceof ImageBitmap ? pixels : { ...pixels, data: pixels.data.slice() };
 }
 
+/** A copy of a panorama's texture, whose pixels `fill` has yet to write. */
+export interface FilledTexture {
+  readonly texture: DataTexture;
+  readonly fill: PartedWork;
+}
+
 /** Creates a copy of a panorama's texture in which the pixels of lamps are filled from their surroundings. */
-export function filledTexture(texture: Texture, runs: readonly number[], size: Size): DataTexture {
-  const pixels = texturePixels(texture);
-  const { widthPx, heightPx } = pixels;
-  const data = pixels.data.slice() as Uint16Array<ArrayBuffer> | Uint8ClampedArray<ArrayBuffer>;
-  const inHalves = data instanceof Uint16Array;
-  fillLamps(inHalves ? halvesTarget({ ...pixels, data }) : bytesTarget({ ...pixels, data }), runs, size);
+export function filledTexture(texture: Texture, runs: readonly number[], size: Size): FilledTexture {
+  const { image } = texture;
+  const isBitmap = image instanceof ImageBitmap;
+  const { width: widthPx, height: heightPx } = image as { width: number; height: number };
+  const from = isBitmap ? null : (image as { data: Uint16Array | Uint8Array }).data;
+  const inHalves = from instanceof Uint16Array;
+  const channels = isBitmap || texture.format === RGBAFormat ? 4 : 1;
+  const length = widthPx * heightPx * channels;
+  const data = inHalves ? new Uint16Array(length) : new Uint8ClampedArray(length);
   // Texture data of three.js has no clamped arrays.
-  const stored = inHalves ? data : new Uint8Array(data.buffer);
-  const filled = new DataTexture(stored, widthPx, heightPx);
+  const filled = new DataTexture(inHalves ? data : new Uint8Array(data.buffer), widthPx, heightPx);
   filled.format = inHalves ? texture.format : RGBAFormat;
   if (inHalves) filled.type = HalfFloatType;
   filled.colorSpace = inHalves ? texture.colorSpace : SRGBColorSpace;
   filled.flipY = texture.flipY;
-  return filled;
+  function* fill(): PartedWork {
+    const rows = Math.max(1, Math.floor(COPIED_PX / widthPx));
+    const read = isBitmap ? bitmapReader(image, rows) : null;
+    for (let row = 0; row < heightPx; row += rows) {
+      const [start, end] = [row * widthPx * channels, Math.min(row + rows, heightPx) * widthPx * channels];
+      data.set(read ? read(row).subarray(0, end - start) : (from as Uint8Array | Uint16Array).subarray(start, end), start);
+      yield 1;
+    }
+    const pixels = { widthPx, heightPx, channels, fromBottom: isBitmap || !texture.flipY } as const;
+    fillLamps(data instanceof Uint16Array ? halvesTarget({ ...pixels, data }) : bytesTarget({ ...pixels, data }), runs, size);
+    yield 1;
+  }
+  return { texture: filled, fill: fill() };
+}
+
+/** Pixels that are copied in one turn: 8 MB in half floats. */
+const COPIED_PX = 2 ** 20;
+
+/** Creates what reads `rows` rows of a bitmap. */
+function bitmapReader(image: ImageBitmap, rows: number): (row: number) => Uint8ClampedArray {
+  const context = new OffscreenCanvas(image.width, rows).getContext('2d', { willReadFrequently: true });
+  if (!context) throw new Error('The browser gives no canvas to read the panorama.');
+  return (row) => {
+    context.clearRect(0, 0, image.width, rows);
+    context.drawImage(image, 0, -row);
+    return context.getImageData(0, 0, image.width, rows).data;
+  };
 }
 
 /**

@@ -72,8 +72,6 @@ async function convertRadiance(
   layout: PanoramaLayout,
   read: ReadRadiance,
 ): Promise<LoadedPanorama> {
-  // It finds out whether the file is whole.
-  await read.halves(bytes, header);
   const converted = toEquirectangular((await read.floats(bytes, header)) as PlainPixels, layout, MOST_CONVERTED_PX);
   return panoramaOf(halvesTexture(converted), () => ({ ...converted, data: converted.data.slice() }));
 }
@@ -98,7 +96,8 @@ function halvesTexture({ data, widthPx, heightPx, channels }: PlainPixels): Data
   return radianceTexture({ widthPx, heightPx, channels: 4, data: halves });
 }
 
-function radianceTexture({ data, widthPx, heightPx, channels, fromBottom = false }: HalfPixels): DataTexture {
+/** Creates a texture of linear radiance in half floats. */
+export function radianceTexture({ data, widthPx, heightPx, channels, fromBottom = false }: HalfPixels): DataTexture {
   const texture = new DataTexture(data, widthPx, heightPx, channels === 1 ? RedFormat : RGBAFormat, HalfFloatType);
   texture.colorSpace = LinearSRGBColorSpace;
   texture.flipY = !fromBottom;
@@ -113,7 +112,7 @@ function sizeOf(picture: ImageBitmap | null): readonly [widthPx: number, heightP
 }
 
 /** A panorama that is not filtered for lighting yet. */
-export type LoadedPanorama = Omit<LoadedEnvironment, 'withoutLamps' | 'lamps' | 'findLamps'>;
+export type LoadedPanorama = Omit<LoadedEnvironment, 'withoutLamps' | 'lamps' | 'findLamps' | 'ready'>;
 
 /** Sets a texture up as a panorama. The panorama owns the texture. */
 export function panoramaOf(texture: Texture, readPixels: LoadedPanorama['readPixels']): LoadedPanorama {

@@ -8,6 +8,7 @@ import {
   LinearSRGBColorSpace,
   Mesh,
   NoBlending,
+  type PerspectiveCamera,
   ShaderMaterial,
   type Texture,
   WebGLCubeRenderTarget,
@@ -22,7 +23,19 @@ export interface PmremTarget {
   readonly texture: Texture;
   /** Draws all levels from `fromLevel` on. `materialFor` returns a material of `createCubeMaterial` for a roughness. */
   draw(three: WebGLRenderer, materialFor: (roughness: number, level: number) => ShaderMaterial, fromLevel?: number): void;
+  /** Draws some rows of a face of one level. */
+  drawRows(three: WebGLRenderer, material: ShaderMaterial, rows: CubeRows): void;
+  /** The levels, from the sharpest on. */
+  readonly levels: readonly { readonly facePx: number; readonly roughness: number }[];
   dispose(): void;
+}
+
+/** Rows of a face of a cube map, from its first row on. */
+export interface CubeRows {
+  readonly level: number;
+  readonly face: number;
+  readonly firstRow: number;
+  readonly rows: number;
 }
 
 /** Creates a cube map whose levels halve from `facePx` to `roughestFacePx`, both powers of two. */
@@ -37,6 +50,18 @@ export function createPmremTarget(facePx: number, roughestFacePx: number): Pmrem
   const camera = new CubeCamera(0.1, 10, target);
   return {
     texture: target.texture,
+    levels: sizes.map((size, level) => ({ facePx: size, roughness: roughnessOf(level, sizes.length - 1) })),
+    drawRows: (three, material, { level, face, firstRow, rows }) => {
+      const size = sizes[level] ?? facePx;
+      box.material = material;
+      target.viewport.set(0, 0, size, size);
+      target.scissor.set(0, firstRow, size, rows);
+      target.scissorTest = true;
+      three.setRenderTarget(target, face, level);
+      three.render(box, faceCamera(three, camera, face));
+      target.scissorTest = false;
+      target.viewport.set(0, 0, facePx, facePx);
+    },
     draw: (three, materialFor, fromLevel = 0) => {
       for (let level = fromLevel; level < sizes.length; level++) {
         const size = sizes[level] ?? facePx;
@@ -52,6 +77,16 @@ export function createPmremTarget(facePx: number, roughestFacePx: number): Pmrem
       target.dispose();
     },
   };
+}
+
+/** The camera of one face. `CubeCamera.update` sets up the cameras, but draws all faces. */
+export function faceCamera(three: WebGLRenderer, cube: CubeCamera, face: number): PerspectiveCamera {
+  if (cube.coordinateSystem !== three.coordinateSystem) {
+    cube.coordinateSystem = three.coordinateSystem;
+    cube.updateCoordinateSystem();
+    cube.updateMatrixWorld();
+  }
+  return cube.children[face] as PerspectiveCamera;
 }
 
 /** The roughness of a level, as in `PMREMGenerator.lodToRoughness`, which is not in the published types. */

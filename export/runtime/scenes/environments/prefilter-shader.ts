@@ -11,12 +11,15 @@ void main() {
 }
 `;
 
+/** Samples of each pixel of a sampled level. */
+export const SAMPLES = 64;
+
 /**
  * Convolution with GGX seen along the normal by importance sampling; each sample covers its share of the lobe (Křivánek and Colbert 2008,
  * “Real-time shading with filtered importance sampling”).
  */
 export const SAMPLED_FRAGMENT = /* glsl */ `
-#define SAMPLES 64
+#define SAMPLES ${SAMPLES}
 // Samples at golden-ratio distances, along the sequence and in angle, cover the lobe evenly.
 #define GOLDEN_ANGLE 2.399963229728653
 #define TAU 6.283185307179586

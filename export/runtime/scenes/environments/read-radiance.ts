@@ -16,8 +16,8 @@ export type HalfPixels = PanoramaPixels & { readonly data: Uint16Array<ArrayBuff
 export interface ReadRadiance {
   halves(bytes: ArrayBuffer, header: RadianceHeader): HalfPixels | Promise<HalfPixels>;
   /**
-   * Decodes a file that `halves` has accepted to 32-bit floats, for analysis: rounded to 16 bits, pixels near a threshold could fall on its
-   * other side.
+   * Decodes to 32-bit floats, for analysis: rounded to 16 bits, pixels near a threshold could fall on its other side. Values may be negative or
+   * not finite.
    */
   floats(bytes: ArrayBuffer, header: RadianceHeader): PanoramaPixels | Promise<PanoramaPixels>;
 }
@@ -26,18 +26,18 @@ export interface ReadRadiance {
 export const readRadiance = { halves: readHalves, floats: readFloats } satisfies ReadRadiance;
 
 function readFloats(bytes: ArrayBuffer, header: RadianceHeader): PanoramaPixels {
-  return parse(bytes, header.format, FloatType);
+  return parse(bytes, header, FloatType);
 }
 
 function readHalves(bytes: ArrayBuffer, header: RadianceHeader): HalfPixels {
-  if (isCutOff(bytes, header)) throw new PanoramaError('the file is incomplete. Copy or export it again');
-  const pixels = parse(bytes, header.format, HalfFloatType) as HalfPixels;
+  const pixels = parse(bytes, header, HalfFloatType) as HalfPixels;
   tame(pixels.data);
   return pixels;
 }
 
-function parse(bytes: ArrayBuffer, format: RadianceHeader['format'], type: typeof FloatType | typeof HalfFloatType): PanoramaPixels {
-  const { data, width, height, flipY } = load(bytes, format, type);
+function parse(bytes: ArrayBuffer, header: RadianceHeader, type: typeof FloatType | typeof HalfFloatType): PanoramaPixels {
+  if (isCutOff(bytes, header)) throw new PanoramaError('the file is incomplete. Copy or export it again');
+  const { data, width, height, flipY } = load(bytes, header.format, type);
   const isWanted = type === FloatType ? data instanceof Float32Array : data instanceof Uint16Array;
   const channels = data && width && height ? data.length / (width * height) : 0;
   if (!isWanted || !width || !height || (channels !== 1 && channels !== 4)) {

@@ -31,6 +31,8 @@ export interface CameraSessionParts {
 const SENSOR_TIMEOUT_S = 1.5;
 
 export interface CameraSession extends Session {
+  /** The image of the camera. */
+  readonly video: HTMLVideoElement;
   /** To be called when the camera stops by itself. */
   lost(): void;
 }
@@ -132,6 +134,7 @@ export function createCameraSession({ gl, canvas, clock, stream, sensor, inputs,
     capabilities: new Set(['camera-image']),
     world: 'image',
     blend: 'opaque',
+    video,
     start: (frameHandler, eventHandler) => {
       onFrame = frameHandler;
       onEvent = eventHandler;

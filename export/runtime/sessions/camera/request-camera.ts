@@ -1,5 +1,4 @@
 import type { Diagnostic, Result } from '../../../../nodes/kit/diagnostics.ts';
-import type { Session } from '../../../../nodes/kit/session.ts';
 import type { FrameClock } from '../../clock.ts';
 import type { SessionInputs } from '../input/session-inputs.ts';
 import { type CameraSession, createCameraSession } from './camera-session.ts';
@@ -25,7 +24,7 @@ export interface CameraRequest {
  *
  * @returns Never rejects. Without a session the diagnostics give the reason (SCR051); with one, what is missing (SCR055).
  */
-export async function requestCameraSession(request: CameraRequest): Promise<Result<Session>> {
+export async function requestCameraSession(request: CameraRequest): Promise<Result<CameraSession>> {
   const { window, media, canvas } = request;
   if (!media?.getUserMedia) return { output: null, diagnostics: [NO_CAMERA] };
   let session: CameraSession | null = null;

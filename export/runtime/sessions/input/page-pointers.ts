@@ -66,6 +66,9 @@ export function createPagePointers(element: HTMLElement): PagePointers {
   const { signal } = listeners;
   const presses: PagePress[] = [];
   let made = 0;
+  const { touchAction } = element.style;
+  // Otherwise the browser takes two fingers, and drags, for zooming and scrolling, and cancels the pointers.
+  element.style.touchAction = 'none';
 
   const isDown = ({ press }: PagePress): boolean => press.used && press.began && press.ended === 'no';
   const find = (domId: number): PagePress | undefined => presses.find((each) => each.press.used && each.domId === domId && !isEnding(each));
@@ -174,6 +177,9 @@ export function createPagePointers(element: HTMLElement): PagePointers {
       }
       return claim;
     },
-    dispose: () => listeners.abort(),
+    dispose: () => {
+      listeners.abort();
+      element.style.touchAction = touchAction;
+    },
   };
 }

@@ -42,6 +42,7 @@ function checkFile(json: unknown, problems: string[]): void {
   if (!isPositive(file.frameRateHz)) problems.push('"frameRateHz" must be a number above 0.');
   if (file.light !== undefined) checkLight(file.light, 'light', problems);
   if (file.surfaces !== undefined) checkSurfaces(file.surfaces, problems);
+  if (file.room !== undefined && !isPath(file.room)) problems.push('"room" must be the path of a voxel file inside the session folder.');
   if (!Array.isArray(file.frames) || file.frames.length === 0) {
     problems.push('"frames" must be a list of at least one frame.');
     return;

@@ -115,6 +115,7 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
     frame.deltaS = deliveredS === null ? 0 : Math.max(0, timeS - deliveredS);
     frame.light = current.lights[decoded.index] ?? null;
     frame.surfaces = current.surfaces;
+    frame.roomFile = current.room;
     deliveredS = timeS;
     current.view.fill(frame, decoded);
     if (input) input.fill(frame);

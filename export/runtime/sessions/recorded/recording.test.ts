@@ -1,4 +1,5 @@
 import { describe, expect, test } from '@jest/globals';
+import { emptyVoxels, writeVoxelFile } from '../../../../nodes/kit/voxel-file.ts';
 import type { SessionFile } from '../session-format.ts';
 import { openRecording } from './recording.ts';
 
@@ -48,6 +49,42 @@ function changed(path: readonly (string | number)[], value: unknown): string {
   at[path.at(-1) as string] = value;
   return JSON.stringify(copy);
 }
+
+describe('the voxels of a recording', () => {
+  const openWith = (voxels: Uint8Array | null) =>
+    openRecording({
+      load: async (path) => {
+        if (path !== 'room.voxels') return new TextEncoder().encode(JSON.stringify({ ...FILE, room: 'room.voxels' })).buffer;
+        if (!voxels) throw new Error('There is no file room.voxels');
+        return Uint8Array.from(voxels).buffer;
+      },
+    });
+  const voxels = writeVoxelFile(emptyVoxels(0.05, 2));
+
+  test('are read with it', async () => {
+    const { output, diagnostics } = await openWith(voxels);
+    expect([output?.room, diagnostics]).toEqual([voxels, []]);
+    expect((await open(JSON.stringify(FILE))).output?.room).toBeNull();
+  });
+
+  test.each([
+    [
+      'truncated',
+      voxels.slice(0, 30),
+      'The room “room.voxels” cannot be used: It is truncated: it has 30 of 52 bytes. The session plays without it.',
+    ],
+    [
+      'something else',
+      Uint8Array.of(1, 2, 3, 4),
+      'The room “room.voxels” cannot be used: It is not a voxel file. The session plays without it.',
+    ],
+    ['missing', null, 'The room “room.voxels” cannot be used: There is no file room.voxels. The session plays without it.'],
+  ])('that are %s give a warning, and the session plays without them', async (_, bytes, message) => {
+    const { output, diagnostics } = await openWith(bytes);
+    expect([output?.room, output?.frames.timesS.length]).toEqual([null, 3]);
+    expect(diagnostics).toMatchObject([{ code: 'SCR054', severity: 'warning', message }]);
+  });
+});
 
 describe('a session folder', () => {
   test('is read with its times, lights and surfaces', async () => {

@@ -1,6 +1,7 @@
-import type { Result } from '../../../../nodes/kit/diagnostics.ts';
+import type { Diagnostic, Result } from '../../../../nodes/kit/diagnostics.ts';
 import type { FrameTimes } from '../../../../nodes/kit/frame-times.ts';
 import type { DetectedSurfaces, LightEstimate } from '../../../../nodes/kit/session.ts';
+import { readVoxelFile } from '../../../../nodes/kit/voxel-file.ts';
 import type { AssetSource } from '../../assets/asset-source.ts';
 import type { SessionFile, SessionFileLight, SessionFileSurface } from '../session-format.ts';
 import { brokenSession, readSessionFile, SESSION_FILE } from './read-session-file.ts';
@@ -13,6 +14,8 @@ export interface Recording {
   readonly lights: readonly (LightEstimate | null)[];
   /** Surfaces of all frames; null if there are none. */
   readonly surfaces: DetectedSurfaces | null;
+  /** The room as voxels when the recording began; null if there are none. */
+  readonly room: Uint8Array | null;
 }
 
 export async function openRecording(files: AssetSource): Promise<Result<Recording>> {
@@ -22,8 +25,33 @@ export async function openRecording(files: AssetSource): Promise<Result<Recordin
   if (json.output === null) return { output: null, diagnostics: json.diagnostics };
   const { output: file, diagnostics } = readSessionFile(json.output.value);
   if (!file) return { output: null, diagnostics };
+  const { bytes: room, problems } = await readRoom(files, file);
   const lights = file.frames.map((frame) => toLight(frame.light ?? file.light));
-  return { output: { file, frames: framesOf(file), lights, surfaces: toSurfaces(file.surfaces ?? []) }, diagnostics };
+  return {
+    output: { file, frames: framesOf(file), lights, surfaces: toSurfaces(file.surfaces ?? []), room },
+    diagnostics: [...diagnostics, ...problems],
+  };
+}
+
+/** Reads the voxels. A recording whose voxels cannot be read plays without them. */
+async function readRoom(
+  files: AssetSource,
+  { room: path }: SessionFile,
+): Promise<{ readonly bytes: Uint8Array | null; readonly problems: readonly Diagnostic[] }> {
+  if (path === undefined) return { bytes: null, problems: [] };
+  const warn = (reason: string) => ({
+    bytes: null,
+    problems: [
+      { ...brokenSession(`The room “${path}” cannot be used: ${reason} The session plays without it.`), severity: 'warning' as const },
+    ],
+  });
+  try {
+    const bytes = new Uint8Array(await files.load(path));
+    const { problem } = readVoxelFile(bytes);
+    return problem === null ? { bytes, problems: [] } : warn(problem);
+  } catch (error) {
+    return warn(`${error instanceof Error ? error.message : String(error)}.`);
+  }
 }
 
 function framesOf({ frames, frameRateHz }: SessionFile): FrameTimes {

@@ -5,37 +5,63 @@ import { createRoomCapture } from './room-capture.ts';
 
 const PLANES: ReadonlySet<Capability> = new Set(['planes']);
 const NOTHING: DetectedSurfaces = { planes: [], meshes: [] };
+const FLOOR: DetectedSurfaces = { planes: [{} as DetectedPlane], meshes: [] };
 
-function sessionWith(answer: () => Promise<void>) {
-  const asked: number[] = [];
+function setUp(answer: () => Promise<void> = async () => {}) {
+  let asked = 0;
   const session = {
     initiateRoomCapture: () => {
-      asked.push(asked.length);
+      asked++;
       return answer();
     },
   };
-  return { asked, session: session as unknown as XRSession };
+  const offers: ((() => Promise<boolean>) | null)[] = [];
+  const capture = createRoomCapture(session as unknown as XRSession, PLANES, (offer) => offers.push(offer));
+  return { capture, offers, asked: () => asked };
 }
 
-test('a device that knows no surface after five seconds is asked for a scan, once', async () => {
-  const { asked, session } = sessionWith(() => Promise.reject(new DOMException('No.', 'NotAllowedError')));
-  const capture = createRoomCapture(session, PLANES);
+test('a scan is offered once where the device knows no surface after five seconds, and starts only when it is asked for', async () => {
+  const { capture, offers, asked } = setUp();
   for (const timeS of [0, 2, 4.9]) capture?.update(timeS, NOTHING);
-  expect(asked).toHaveLength(0);
+  expect(offers).toEqual([]);
   for (const timeS of [5, 6, 60]) capture?.update(timeS, NOTHING);
-  expect(asked).toHaveLength(1);
+  expect(offers).toHaveLength(1);
+  expect(asked()).toBe(0);
+  await expect(offers[0]?.()).resolves.toBe(true);
+  // A session can scan once.
+  await expect(offers[0]?.()).resolves.toBe(false);
+  expect(asked()).toBe(1);
+  capture?.update(61, FLOOR);
+  expect(offers).toHaveLength(1);
 });
 
-test('a device that knows the room is not asked, even if its surfaces are lost later', () => {
-  const { asked, session } = sessionWith(async () => {});
-  const capture = createRoomCapture(session, PLANES);
-  capture?.update(1, { planes: [{} as DetectedPlane], meshes: [] });
+test('a refused scan is told, and is not offered again', async () => {
+  const { capture, offers } = setUp(() => Promise.reject(new DOMException('No.', 'NotAllowedError')));
+  capture?.update(5, NOTHING);
+  await expect(offers[0]?.()).resolves.toBe(false);
   capture?.update(20, NOTHING);
-  expect(asked).toHaveLength(0);
+  expect(offers).toHaveLength(1);
+});
+
+test('the offer is withdrawn when surfaces come', async () => {
+  const { capture, offers, asked } = setUp();
+  capture?.update(5, NOTHING);
+  capture?.update(7, FLOOR);
+  capture?.update(20, NOTHING);
+  expect(offers).toEqual([expect.any(Function), null]);
+  await expect(offers[0]?.()).resolves.toBe(false);
+  expect(asked()).toBe(0);
+});
+
+test('a device that knows the room offers nothing, even if its surfaces are lost later', () => {
+  const { capture, offers } = setUp();
+  capture?.update(1, FLOOR);
+  capture?.update(20, NOTHING);
+  expect(offers).toEqual([]);
 });
 
 test('there is no capture where the page reads no planes, or the browser has none', () => {
-  const { session } = sessionWith(async () => {});
-  expect(createRoomCapture(session, new Set(['depth']))).toBeNull();
-  expect(createRoomCapture({} as XRSession, PLANES)).toBeNull();
+  const session = { initiateRoomCapture: async () => {} } as unknown as XRSession;
+  expect(createRoomCapture(session, new Set(['depth']), () => {})).toBeNull();
+  expect(createRoomCapture({} as XRSession, PLANES, () => {})).toBeNull();
 });

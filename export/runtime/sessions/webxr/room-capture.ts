@@ -1,31 +1,50 @@
 import type { Capability } from '../../../../nodes/kit/definition.ts';
-import type { DetectedSurfaces } from '../../../../nodes/kit/session.ts';
+import type { DetectedSurfaces, SessionEvent } from '../../../../nodes/kit/session.ts';
 
-/**
- * How long to wait for surfaces before a capture of the room is started, seconds. Devices that know the room report its surfaces sooner.
- */
+/** How long to wait for surfaces before a scan is offered, seconds. Devices that know the room report its surfaces sooner. */
 const WAIT_S = 5;
 
-/** Asks the device to scan the room if it knows no surface of it. */
+type RoomUnknown = Extract<SessionEvent, { readonly kind: 'room-unknown' }>;
+
+/** Offers a scan of the room while the device knows no surface of it. */
 export interface RoomCapture {
-  /** Called once per frame: starts the capture if no surface was reported in time. */
+  /** Called once per frame: offers the scan if no surface was reported in time, and withdraws the offer when one is. */
   update(timeS: number, surfaces: DetectedSurfaces): void;
 }
 
 /**
- * Creates the control that starts a capture of the room, or null if the session has none (WebXR Plane Detection §4). A start makes the
- * device ask the visitor. A page can start only once per session, so a refusal is final.
+ * Creates the offer of a room capture, or null if the session has none (WebXR Plane Detection §4). The scan is not started without the
+ * visitor, because devices leave the page for it. A session can start only one, so a refusal is final.
+ *
+ * @param onOffer Called with the function that starts the scan, and with null when surfaces come after that.
  */
-export function createRoomCapture(session: XRSession, capabilities: ReadonlySet<Capability>): RoomCapture | null {
+export function createRoomCapture(
+  session: XRSession,
+  capabilities: ReadonlySet<Capability>,
+  onOffer: (capture: RoomUnknown['capture']) => void,
+): RoomCapture | null {
   if (!capabilities.has('planes') || typeof session.initiateRoomCapture !== 'function') return null;
-  let done = false;
+  let state: 'waiting' | 'offered' | 'done' = 'waiting';
+  const capture = async (): Promise<boolean> => {
+    if (state !== 'offered') return false;
+    state = 'done';
+    try {
+      await session.initiateRoomCapture?.();
+      return true;
+    } catch {
+      return false;
+    }
+  };
   return {
     update: (timeS, { planes, meshes }) => {
-      if (done) return;
-      const knowsRoom = planes.length > 0 || meshes.length > 0;
-      if (!knowsRoom && timeS < WAIT_S) return;
-      done = true;
-      if (!knowsRoom) session.initiateRoomCapture?.().catch(() => {});
+      if (state === 'done') return;
+      if (planes.length > 0 || meshes.length > 0) {
+        if (state === 'offered') onOffer(null);
+        state = 'done';
+      } else if (state === 'waiting' && timeS >= WAIT_S) {
+        state = 'offered';
+        onOffer(capture);
+      }
     },
   };
 }

@@ -36,7 +36,7 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
   let target: XrRenderTarget | null = parts.target;
   const light = capabilities.has('light-estimation') ? createWebXrLight(session) : null;
   const surfaces = createSurfaceReader(capabilities);
-  const roomCapture = createRoomCapture(session, capabilities);
+  const roomCapture = createRoomCapture(session, capabilities, (capture) => onEvent?.({ kind: 'room-unknown', capture }));
   const watchOf = (capability: Capability) => createSensorWatch((working) => onEvent?.({ kind: 'sensing', capability, working }));
   const depthWatch = capabilities.has('depth') ? watchOf('depth') : null;
   const lightWatch = light ? watchOf('light-estimation') : null;
@@ -135,7 +135,9 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
     visible = next;
   });
   // Not every browser dispatches `reset` to an offset space.
-  origin.addEventListener('reset', () => {
+  origin.addEventListener('reset', ({ transform }) => {
+    // The event has the new origin in the former space. An offset of the height of the eyes changes nothing: re-centering turns about y.
+    frame.worldFromFormer = transform ? Float32Array.from(transform.inverse.matrix) : null;
     frame.jumps++;
     onEvent?.({ kind: 'recentered' });
   });

@@ -1,4 +1,4 @@
-import type { HitRecord, HitSource, Ray } from '../../../../nodes/kit/hit-test.ts';
+import type { HitRecord, HitSource, MeasuredRoom, Ray } from '../../../../nodes/kit/hit-test.ts';
 import type { SessionFrame } from '../../../../nodes/kit/session.ts';
 import { setSurfacePose } from '../../../../nodes/kit/surface-pose.ts';
 import type { DepthImages } from '../depth-images.ts';
@@ -12,20 +12,33 @@ const scratchMeeting = createMeeting();
 const scratchBest = createMeeting();
 
 /** All sources of hits, in the order in which they are tried. */
-export const HIT_SOURCES: readonly HitSource[] = ['session', 'plane', 'mesh', 'depth', 'floor'];
+export const HIT_SOURCES: readonly HitSource[] = ['session', 'plane', 'mesh', 'depth', 'voxels', 'floor'];
+
+/** What answers rays besides the frame. */
+export interface RoomSources {
+  readonly depth: DepthImages;
+  /** The rooms that nodes measure. */
+  readonly measured: ReadonlySet<MeasuredRoom>;
+}
 
 /**
  * Finds the first hit of a ray with the room as the session describes it, from the first source that has a hit.
  *
  * @returns False if nothing is hit; `out` is then unchanged.
  */
-export function castAtRoom(out: HitRecord, ray: Ray, frame: SessionFrame, depth: DepthImages, sources: readonly HitSource[]): boolean {
+export function castAtRoom(
+  out: HitRecord,
+  ray: Ray,
+  frame: SessionFrame,
+  { depth, measured }: RoomSources,
+  sources: readonly HitSource[],
+): boolean {
   for (let i = 0; i < HIT_SOURCES.length; i++) {
     const source = HIT_SOURCES[i];
     if (!source || !sources.includes(source)) continue;
     scratchFound.label = '';
     scratchFound.frame = frame.index;
-    if (!castAt(source, ray, frame, depth)) continue;
+    if (!castAt(source, ray, frame, depth, measured)) continue;
     writeHit(out, scratchBest, ray, frame);
     out.source = source;
     out.label = scratchFound.label;
@@ -37,7 +50,7 @@ export function castAtRoom(out: HitRecord, ray: Ray, frame: SessionFrame, depth:
 
 const scratchFound = { label: '', frame: 0 };
 
-function castAt(source: HitSource, ray: Ray, frame: SessionFrame, depth: DepthImages): boolean {
+function castAt(source: HitSource, ray: Ray, frame: SessionFrame, depth: DepthImages, measured: ReadonlySet<MeasuredRoom>): boolean {
   switch (source) {
     case 'session':
       return false;
@@ -51,6 +64,9 @@ function castAt(source: HitSource, ray: Ray, frame: SessionFrame, depth: DepthIm
         scratchFound.frame = image.frame;
         return true;
       }
+      return false;
+    case 'voxels':
+      for (const room of measured) if (room.cast(scratchBest, ray)) return true;
       return false;
     case 'floor':
       return castAtFloor(scratchBest, ray);

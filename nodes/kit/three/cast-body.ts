@@ -1,5 +1,5 @@
 import { Matrix4, Vector3 } from 'three';
-import type { BodyShape, PhysicsBody } from '../../kit/physics.ts';
+import type { BodyShape, PhysicsBody } from '../physics.ts';
 
 // Filled and read within one call.
 const bodyFromWorld = new Matrix4();
@@ -13,6 +13,9 @@ const c = new Vector3();
  * Casts a ray at a body.
  *
  * @returns The distance along the ray, meters; infinite if the ray misses the body.
+ *
+ * @example
+ * const distanceM = castOnBody(body, origin, direction);
  */
 export function castOnBody(body: PhysicsBody, originWorld: Vector3, directionWorld: Vector3): number {
   bodyFromWorld.fromArray(body.worldFromBody).invert();
@@ -26,6 +29,9 @@ export function castOnBody(body: PhysicsBody, originWorld: Vector3, directionWor
 /**
  * The distance from a point to a body, meters; 0 inside. Near an edge or corner of a polyhedron the result is too small, because distances
  * are measured to the planes of its faces.
+ *
+ * @example
+ * const isNear = distanceToBody(body, point) < 0.05;
  */
 export function distanceToBody(body: PhysicsBody, pointWorld: Vector3): number {
   from.copy(pointWorld).applyMatrix4(bodyFromWorld.fromArray(body.worldFromBody).invert());
@@ -37,6 +43,7 @@ export function distanceToBody(body: PhysicsBody, pointWorld: Vector3): number {
 function distanceToShape(shape: BodyShape): number {
   switch (shape.kind) {
     case 'plane':
+    case 'mesh':
       return Number.POSITIVE_INFINITY;
     case 'sphere':
       return Math.max(a.set(...shape.centerM).distanceTo(from) - shape.radiusM, 0);
@@ -51,6 +58,7 @@ function distanceToShape(shape: BodyShape): number {
 function castOnShape(shape: BodyShape): number {
   switch (shape.kind) {
     case 'plane':
+    case 'mesh':
       return Number.POSITIVE_INFINITY;
     case 'sphere': {
       a.set(...shape.centerM).sub(from);

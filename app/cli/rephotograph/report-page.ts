@@ -1,0 +1,92 @@
+import type { ImageQuality } from '../../../export/captures/image-quality.ts';
+import type { Method } from './rephotograph.page.ts';
+
+/** The figures of one view by one method, and its pictures, as paths relative to the report. */
+export interface ReportedShot extends ImageQuality {
+  readonly method: Method;
+  readonly picture: string;
+  readonly error: string;
+}
+
+export interface ReportedView {
+  /** Name of the photograph in the capture. */
+  readonly file: string;
+  readonly photo: string;
+  readonly shots: readonly ReportedShot[];
+}
+
+/** The mean over views of each figure, by method. */
+export function meansOf(views: readonly { readonly shots: readonly (ImageQuality & { readonly method: Method })[] }[]) {
+  const methods = views[0]?.shots.map(({ method }) => method) ?? [];
+  return methods.map((method) => {
+    const shots = views.flatMap((view) => view.shots.filter((shot) => shot.method === method));
+    const mean = (figure: keyof ImageQuality): number => {
+      const values = shots.map((shot) => shot[figure]).filter(Number.isFinite);
+      return values.reduce((sum, value) => sum + value, 0) / values.length;
+    };
+    return { method, psnrDb: mean('psnrDb'), ssim: mean('ssim'), chromaError: mean('chromaError'), covered: mean('covered') };
+  });
+}
+
+const STYLE = `
+body { font: 14px/1.5 system-ui, sans-serif; margin: 2rem; color: #e6e6e6; background: #14161a; }
+table { border-collapse: collapse; margin: 1rem 0; }
+th, td { padding: 0.2rem 0.8rem; text-align: right; border-bottom: 1px solid #333; }
+th:first-child, td:first-child { text-align: left; }
+section { display: flex; flex-wrap: wrap; gap: 0.5rem; }
+figure { margin: 0; width: 20rem; }
+img { width: 100%; display: block; }`;
+
+/** The page of a report, with pictures: the photograph, and each method’s picture and error. */
+export function reportPage(title: string, views: readonly ReportedView[]): string {
+  const means = meansOf(views);
+  const head = ['View', ...means.map(({ method }) => `${capital(method)}, dB`), ...means.map(({ method }) => `${capital(method)}, SSIM`)];
+  const rows = views.map(({ file, shots }) => [
+    file,
+    ...shots.map(({ psnrDb }) => fixed(psnrDb, 2)),
+    ...shots.map(({ ssim }) => fixed(ssim, 3)),
+  ]);
+  const last = ['Mean', ...means.map(({ psnrDb }) => fixed(psnrDb, 2)), ...means.map(({ ssim }) => fixed(ssim, 3))];
+  return `<!doctype html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width">
+<title>${text(title)}</title>
+<style>${STYLE}</style>
+<h1>${text(title)}</h1>
+<p>Each photograph, rendered from all others at its own size. Figures are over the pixels that the mesh covers. Error maps show |ΔCb| + |ΔCr|: dark blue is 0, yellow 25.5 or more of 255.</p>
+<table>
+<tr>${head.map((cell) => `<th>${text(cell)}</th>`).join('')}</tr>
+${[...rows, last].map((row) => `<tr>${row.map((cell) => `<td>${text(cell)}</td>`).join('')}</tr>`).join('\n')}
+</table>
+${views.map(viewSection).join('\n')}
+</html>
+`;
+}
+
+function viewSection({ file, photo, shots }: ReportedView): string {
+  const figures = [
+    figure(photo, `Photograph ${file}`),
+    ...shots.flatMap(({ method, picture, error, psnrDb, chromaError }) => [
+      figure(picture, `${capital(method)}: ${fixed(psnrDb, 2)} dB`),
+      figure(error, `${capital(method)}, error: mean ${fixed(chromaError, 2)}`),
+    ]),
+  ];
+  return `<h2>${text(file)}</h2>\n<section>\n${figures.join('\n')}\n</section>`;
+}
+
+function figure(source: string, caption: string): string {
+  return `<figure><img src="${text(source)}" alt="${text(caption)}" loading="lazy"><figcaption>${text(caption)}</figcaption></figure>`;
+}
+
+function capital(word: string): string {
+  return word.charAt(0).toUpperCase() + word.slice(1);
+}
+
+function fixed(value: number, digits: number): string {
+  return Number.isFinite(value) ? value.toFixed(digits) : '–';
+}
+
+function text(raw: string): string {
+  return raw.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
+}

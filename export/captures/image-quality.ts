@@ -1,0 +1,125 @@
+/** Two images of one size as RGBA, 8 bits, in display-referred sRGB. Pixels of `shown` with alpha 0 are left out. */
+export interface ImagePair {
+  readonly shown: ArrayLike<number>;
+  readonly truth: ArrayLike<number>;
+  readonly widthPx: number;
+  readonly heightPx: number;
+}
+
+export interface ImageQuality {
+  /** Peak signal-to-noise ratio over red, green and blue, dB; infinite for equal images. */
+  readonly psnrDb: number;
+  /** Mean structural similarity of the luma, from -1 to 1. NaN if no window is covered. */
+  readonly ssim: number;
+  /** Mean of |ΔCb| + |ΔCr|, in steps of 8 bits. */
+  readonly chromaError: number;
+  /** The part of the image that is compared, from 0 to 1. */
+  readonly covered: number;
+}
+
+/** Compares two images over the pixels that both have. */
+export function compareImages(pair: ImagePair): ImageQuality {
+  const { shown, truth } = pair;
+  let square = 0;
+  let chroma = 0;
+  let count = 0;
+  for (let at = 0; at < shown.length; at += 4) {
+    if (shown[at + 3] === 0) continue;
+    count++;
+    for (let c = 0; c < 3; c++) square += ((shown[at + c] ?? 0) - (truth[at + c] ?? 0)) ** 2;
+    chroma += chromaErrorAt(pair, at);
+  }
+  return {
+    psnrDb: 10 * Math.log10((255 * 255) / (square / (3 * count))),
+    ssim: meanSsim(pair),
+    chromaError: chroma / count,
+    covered: (4 * count) / shown.length,
+  };
+}
+
+/**
+ * |ΔCb| + |ΔCr| of the pixel whose red is at `at`, in steps of 8 bits, with the coefficients of BT.601: what differs without regard to
+ * brightness (Dupont de Dinechin and Paljic, “From Real to Virtual”, WEVR 2020, §3.3).
+ */
+export function chromaErrorAt({ shown, truth }: ImagePair, at: number): number {
+  const [r, g, b] = [0, 1, 2].map((c) => (shown[at + c] ?? 0) - (truth[at + c] ?? 0)) as [number, number, number];
+  return Math.abs(-0.168736 * r - 0.331264 * g + 0.5 * b) + Math.abs(0.5 * r - 0.418688 * g - 0.081312 * b);
+}
+
+const SIDE = 8;
+const STEP = 4;
+const C1 = (0.01 * 255) ** 2;
+const C2 = (0.03 * 255) ** 2;
+
+/**
+ * Structural similarity (Wang et al., “Image quality assessment”, IEEE TIP 2004) of the luma, over windows of 8 × 8 pixels, one at every
+ * fourth pixel. Windows with a pixel that is left out do not count.
+ */
+function meanSsim({ shown, truth, widthPx, heightPx }: ImagePair): number {
+  const a = lumaOf(shown);
+  const b = lumaOf(truth);
+  let sum = 0;
+  let windows = 0;
+  for (let top = 0; top + SIDE <= heightPx; top += STEP) {
+    for (let left = 0; left + SIDE <= widthPx; left += STEP) {
+      const value = ssimAt(a, b, shown, top * widthPx + left, widthPx);
+      if (value === null) continue;
+      sum += value;
+      windows++;
+    }
+  }
+  return sum / windows;
+}
+
+function ssimAt(a: Float64Array, b: Float64Array, shown: ArrayLike<number>, from: number, widthPx: number): number | null {
+  let [sumA, sumB, squareA, squareB, product] = [0, 0, 0, 0, 0];
+  for (let i = 0; i < SIDE * SIDE; i++) {
+    const at = from + Math.floor(i / SIDE) * widthPx + (i % SIDE);
+    if (shown[4 * at + 3] === 0) return null;
+    const x = a[at] ?? 0;
+    const y = b[at] ?? 0;
+    sumA += x;
+    sumB += y;
+    squareA += x * x;
+    squareB += y * y;
+    product += x * y;
+  }
+  const n = SIDE * SIDE;
+  const [meanA, meanB] = [sumA / n, sumB / n];
+  const variances = (squareA + squareB - n * (meanA * meanA + meanB * meanB)) / (n - 1);
+  const covariance = (product - n * meanA * meanB) / (n - 1);
+  return ((2 * meanA * meanB + C1) * (2 * covariance + C2)) / ((meanA * meanA + meanB * meanB + C1) * (variances + C2));
+}
+
+function lumaOf(rgba: ArrayLike<number>): Float64Array {
+  return Float64Array.from(
+    { length: rgba.length / 4 },
+    (_, i) => 0.299 * (rgba[4 * i] ?? 0) + 0.587 * (rgba[4 * i + 1] ?? 0) + 0.114 * (rgba[4 * i + 2] ?? 0),
+  );
+}
+
+/** Colors from no error to `FULL_SCALE`, near those of plasma of Matplotlib. */
+const SCALE = [
+  [13, 8, 135],
+  [126, 3, 168],
+  [204, 71, 120],
+  [248, 149, 64],
+  [240, 249, 33],
+] as const;
+const FULL_SCALE = 25.5;
+
+/** A picture of `chromaErrorAt`: dark blue is 0, yellow 25.5 or more, as with the factor 10 of COLIBRI VR. Pixels left out are black. */
+export function chromaErrorMap(pair: ImagePair): Uint8ClampedArray<ArrayBuffer> {
+  const { shown } = pair;
+  const map = new Uint8ClampedArray(shown.length);
+  for (let at = 0; at < shown.length; at += 4) {
+    map[at + 3] = 255;
+    if (shown[at + 3] === 0) continue;
+    const place = Math.min(1, chromaErrorAt(pair, at) / FULL_SCALE) * (SCALE.length - 1);
+    const first = Math.min(Math.floor(place), SCALE.length - 2);
+    const [low, high] = [SCALE[first], SCALE[first + 1]];
+    const part = place - first;
+    for (let c = 0; c < 3; c++) map[at + c] = (low?.[c] ?? 0) * (1 - part) + (high?.[c] ?? 0) * part;
+  }
+  return map;
+}

@@ -1,0 +1,94 @@
+import { type FusedPart, fusedName, fusePasses } from '../../../glsl/fuse/fuse-passes.ts';
+import type { PassSampler, PassUniform, Resource, ResourceId } from '../../../program/program.ts';
+import { isPass, type ScheduledOperation, type ScheduledPass } from '../scheduled.ts';
+import { isWhole, type Target } from '../whole-size.ts';
+import { type FuseInput, findGroups, type PassGroup } from './find-groups.ts';
+import type { SeparateWire } from './separate-wire.ts';
+
+export interface Fused {
+  readonly operations: readonly ScheduledOperation[];
+  /** Without the targets between passes that became one. */
+  readonly resources: readonly Resource[];
+  readonly separate: readonly SeparateWire[];
+}
+
+/**
+ * Replaces passes by fused ones, which draw the same pixels with fewer targets (ADR 43). A fused pass has the id and the node of its last
+ * pass and runs at its place.
+ */
+export function fuseOperations(input: FuseInput): Fused {
+  const { groups, separate } = findGroups(input);
+  const fused = new Map<number, ScheduledPass>();
+  const dropped = new Set<number>();
+  for (const group of groups) {
+    for (const place of group) dropped.add(place);
+    const pass = fuseGroup(input.operations, group);
+    fused.set(group.at(-1) ?? -1, pass);
+  }
+  const gone = new Set([...dropped].filter((place) => !fused.has(place)).flatMap((place) => input.operations[place]?.writes ?? []));
+  return {
+    operations: input.operations.flatMap((operation, place) => fused.get(place) ?? (dropped.has(place) ? [] : [operation])),
+    resources: withoutTargets(input.resources, gone),
+    separate,
+  };
+}
+
+function fuseGroup(operations: readonly ScheduledOperation[], group: PassGroup): ScheduledPass {
+  const passes = group.flatMap((place) => {
+    const operation = operations[place];
+    return operation !== undefined && isPass(operation) ? [operation] : [];
+  });
+  const last = passes.at(-1);
+  if (last === undefined) throw new Error('A group has passes.');
+  const drawnBy = new Map(passes.map(({ target }, i) => [target, i]));
+  const samplers: PassSampler[] = [];
+  const uniforms = new Map<string, PassUniform>();
+  const parts = passes.map((pass, i): FusedPart => {
+    const from = new Map<string, number>();
+    for (const sampler of pass.samplers) {
+      const drawn = sampler.source.kind === 'color' ? drawnBy.get(sampler.source.resource) : undefined;
+      if (drawn === undefined) samplers.push({ ...sampler, name: fusedName(i, sampler.name) });
+      else from.set(sampler.name, drawn);
+    }
+    for (const uniform of pass.uniforms) {
+      const name = fusedName(i, uniform.name);
+      uniforms.set(name, { ...uniform, name });
+    }
+    if (typeof pass.parts === 'string') throw new Error(`${pass.id} cannot be fused.`);
+    return { node: pass.node, parts: pass.parts, from };
+  });
+  // A fused pass does more than copy.
+  const { copies: _, ...own } = last;
+  return {
+    ...own,
+    reads: [...new Set(passes.flatMap(({ reads }) => reads))].filter((id) => !drawnBy.has(id)),
+    samplers,
+    uniforms: [...uniforms.values()],
+    shader: fusePasses(parts),
+    access: widestAccess(passes),
+    nodes: [...new Set(passes.map(({ node }) => node))],
+  };
+}
+
+const WIDEST_FIRST = ['persistent', 'resize', 'neighborhood', 'displaced', 'pointwise'] as const;
+
+function widestAccess(passes: readonly ScheduledPass[]): NonNullable<ScheduledPass['access']> {
+  return WIDEST_FIRST.find((access) => passes.some((pass) => pass.access === access)) ?? 'pointwise';
+}
+
+/** Drops targets. Sizes that are relative to a dropped one become relative to what its size is relative to. */
+function withoutTargets(resources: readonly Resource[], dropped: ReadonlySet<ResourceId>): Resource[] {
+  const targets = new Map(resources.flatMap((resource) => (resource.kind === 'target' ? [[resource.id, resource] as const] : [])));
+  return resources.flatMap((resource): Resource[] => {
+    if (dropped.has(resource.id)) return [];
+    return resource.kind === 'target' ? [rebased(resource, targets, dropped)] : [resource];
+  });
+}
+
+function rebased(target: Target, targets: ReadonlyMap<ResourceId, Target>, dropped: ReadonlySet<ResourceId>): Target {
+  let { size } = target;
+  for (let base = targets.get(size.base); base !== undefined && dropped.has(base.id); base = targets.get(size.base)) {
+    size = isWhole(size) ? base.size : { ...size, base: base.size.base };
+  }
+  return size === target.size ? target : { ...target, size };
+}

@@ -1,0 +1,30 @@
+import type { ResourceId } from '../../../program/program.ts';
+
+/** Why the passes at the two ends of a wire stay separate. `scrim plan --why` shows the texts. */
+export const SEPARATE_REASONS = {
+  objects: 'objects are drawn into it, or a worker computes it',
+  viewed: 'the editor shows it',
+  switched: 'fusion is turned off for one of the two nodes',
+  kept: 'its content is kept for the next frame',
+  vertex: 'one of the two has a vertex shader of its own',
+  loops: 'the preview limits the loops of one of the two',
+  depth: 'the reader computes depth',
+  elsewhere: 'the reader reads other pixels than the current one',
+  fitted: 'the reader fits an image to the view',
+  size: 'the two have different sizes',
+  readers: 'several passes read it',
+  neighborhoods: 'the fused shader would read neighboring pixels in two steps',
+  limits: 'the fused shader would exceed a limit of WebGL 2',
+  order: 'what the writer reads changes before the reader runs',
+} as const;
+
+export type SeparateReason = keyof typeof SEPARATE_REASONS;
+
+/** A layer that one pass draws and another reads as a texture, although both are passes. */
+export interface SeparateWire {
+  readonly resource: ResourceId;
+  /** Ids of the operations. */
+  readonly writer: string;
+  readonly reader: string;
+  readonly reason: SeparateReason;
+}

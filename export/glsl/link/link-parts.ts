@@ -1,0 +1,42 @@
+import type { BuiltinUniform, TargetFormat } from '../../program/program.ts';
+import type { Image, ImageUse, Reading } from './images.ts';
+import type { MappedLines } from './line-writer.ts';
+import type { LinkedPass, LinkedUniform } from './linked-pass.ts';
+import type { Output } from './prelude.ts';
+
+/** A linked pass with the parts of its shader. */
+export interface PartedPass extends LinkedPass {
+  readonly parts: PassParts | WhyNotFused;
+}
+
+/** Why a pass cannot be fused: it has an author's vertex shader, its loops are bounded for the preview, or it computes depth. */
+export type WhyNotFused = 'vertex' | 'loops' | 'depth';
+
+/** The parts of a fragment shader, of which `fusePasses` composes one shader for several passes. */
+export interface PassParts {
+  readonly file: string;
+  readonly passIndex: number;
+  readonly builtins: readonly BuiltinUniform[];
+  /** Uniforms of params. */
+  readonly params: readonly Pick<LinkedUniform, 'name' | 'type'>[];
+  readonly images: readonly ImagePart[];
+  /** Whether the author's text calls `scrim_project`. */
+  readonly projects: boolean;
+  readonly usesFragCoord: boolean;
+  readonly discards: boolean;
+  /** The author's functions and variables. */
+  readonly functions: MappedLines;
+  /** The statements of `main` that compute `scrim_fragColor`. */
+  readonly body: MappedLines;
+  readonly output: Output;
+  readonly format: TargetFormat;
+}
+
+/** An image that a pass reads. */
+export interface ImagePart {
+  readonly image: Image;
+  readonly uses: ReadonlySet<ImageUse>;
+  readonly reading: Reading;
+  /** Whether the pass reads at most the current pixel of it. */
+  readonly isHere: boolean;
+}

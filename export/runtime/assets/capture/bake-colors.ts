@@ -1,0 +1,116 @@
+import type { CaptureMesh } from '../../../../nodes/kit/capture.ts';
+import type { CaptureAsset } from '../../../../nodes/kit/capture-asset.ts';
+import { CAPTURE_GLSL, createCaptureUse } from '../../../../nodes/kit/capture-glsl.ts';
+import { linkProgram } from '../../../../nodes/kit/link-program.ts';
+import { setPassState } from '../../../../nodes/kit/pass-state.ts';
+
+const VERTEX = `#version 300 es
+precision highp float;
+precision highp sampler2DArray;
+${CAPTURE_GLSL}
+layout(location = 0) in vec3 position;
+uniform int viewCount;
+uniform int excluded;
+flat out highp uint color;
+void main() {
+  vec4 sum = vec4(0.0);
+  for (int view = 0; view < viewCount; view++) {
+    if (view == excluded) continue;
+    vec3 p = projectInto(view, position);
+    if (p.z <= 0.0) continue;
+    vec2 uv = p.xy / p.z;
+    float weight = insideOf(uv);
+    if (weight <= 0.0) continue;
+    weight *= seenBy(view, uv, p.z) / p.z;
+    sum += weight * vec4(textureLod(photos, vec3(uv, view), 0.0).rgb, 1.0);
+  }
+  uvec4 bytes = uvec4(sum.a > 0.0 ? round(vec4(sum.rgb / sum.a, 1.0) * 255.0) : vec4(0.0));
+  color = bytes.r | bytes.g << 8 | bytes.b << 16 | bytes.a << 24;
+  gl_Position = vec4(0.0);
+}`;
+
+const FRAGMENT = `#version 300 es
+precision highp float;
+void main() {}`;
+
+/**
+ * The color of each vertex: the mean of the photographs that see it, the nearer ones more. A vertex that none sees has the mean of its
+ * neighbors.
+ *
+ * @param excluded View whose photograph is left out; -1: none.
+ * @returns RGBA, 8 bits.
+ */
+export function bakeColors(
+  gl: WebGL2RenderingContext,
+  capture: CaptureAsset,
+  { positions, indices }: CaptureMesh,
+  excluded = -1,
+): Uint8Array<ArrayBuffer> {
+  const { vertexArray, viewCount } = capture;
+  const count = positions.length / 3;
+  const program = linkProgram(gl, VERTEX, FRAGMENT, ['color']);
+  const feedback = gl.createTransformFeedback();
+  const buffer = gl.createBuffer();
+  setPassState(gl, null, vertexArray, 0, 0, 1, 1);
+  createCaptureUse(gl, program)(capture);
+  gl.uniform1i(gl.getUniformLocation(program, 'viewCount'), viewCount);
+  gl.uniform1i(gl.getUniformLocation(program, 'excluded'), excluded);
+  gl.bindBuffer(gl.ARRAY_BUFFER, null);
+  gl.bindTransformFeedback(gl.TRANSFORM_FEEDBACK, feedback);
+  gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
+  gl.bufferData(gl.TRANSFORM_FEEDBACK_BUFFER, 4 * count, gl.STREAM_READ);
+  gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, null);
+  gl.enable(gl.RASTERIZER_DISCARD);
+  gl.beginTransformFeedback(gl.POINTS);
+  gl.drawArrays(gl.POINTS, 0, count);
+  gl.endTransformFeedback();
+  gl.disable(gl.RASTERIZER_DISCARD);
+  gl.bindVertexArray(null);
+  gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, null);
+  gl.bindTransformFeedback(gl.TRANSFORM_FEEDBACK, null);
+  gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, null);
+  gl.bindBuffer(gl.COPY_READ_BUFFER, buffer);
+  const colors = new Uint8Array(4 * count);
+  gl.getBufferSubData(gl.COPY_READ_BUFFER, 0, colors);
+  gl.bindBuffer(gl.COPY_READ_BUFFER, null);
+  gl.deleteTransformFeedback(feedback);
+  gl.deleteBuffer(buffer);
+  gl.deleteProgram(program);
+  fillUnseen(colors, indices);
+  return colors;
+}
+
+/** Rings of neighbors that are filled, so that a large capture is not searched endlessly. */
+const MAX_RINGS = 64;
+
+/**
+ * Gives each vertex with alpha 0 the mean color of its neighbors, ring by ring. What stays without a colored neighbor is gray.
+ *
+ * @param colors RGBA, 8 bits; changed in place.
+ */
+export function fillUnseen(colors: Uint8Array, indices: Uint32Array): void {
+  const sums = new Float64Array(colors.length);
+  for (let ring = 0; ring < MAX_RINGS; ring++) {
+    sums.fill(0);
+    let found = false;
+    for (let i = 0; i < indices.length; i++) {
+      const to = 4 * (indices[i] ?? 0);
+      if (colors[to + 3] !== 0) continue;
+      const first = i - (i % 3);
+      for (let corner = first; corner < first + 3; corner++) {
+        const from = 4 * (indices[corner] ?? 0);
+        if (colors[from + 3] === 0) continue;
+        found = true;
+        for (let c = 0; c < 4; c++) sums[to + c] = (sums[to + c] ?? 0) + (c === 3 ? 1 : (colors[from + c] ?? 0));
+      }
+    }
+    if (!found) break;
+    for (let at = 0; at < colors.length; at += 4) {
+      const weight = sums[at + 3] ?? 0;
+      if (weight === 0) continue;
+      for (let c = 0; c < 3; c++) colors[at + c] = Math.round((sums[at + c] ?? 0) / weight);
+      colors[at + 3] = 255;
+    }
+  }
+  for (let at = 0; at < colors.length; at += 4) if (colors[at + 3] === 0) colors.set([128, 128, 128, 255], at);
+}

@@ -1,0 +1,57 @@
+import type { CaptureAsset } from '../capture-asset.ts';
+import { createCaptureUse } from '../capture-glsl.ts';
+import { linkProgram } from '../link-program.ts';
+import { createNearestViews } from './nearest-views.ts';
+import { fragmentOf, type Method, MOST_VIEWS, VERTEX } from './shaders.ts';
+
+/** Draws a capture by one method. */
+export interface CaptureDrawing {
+  /**
+   * Draws color and depth to the bound framebuffer.
+   *
+   * @param clipFromCapture Column-major 4×4.
+   * @param eye Position in the space of the capture.
+   * @param forward Unit vector in the space of the capture.
+   * @param excluded View whose photograph is left out; -1: none.
+   */
+  draw(clipFromCapture: Float32Array, eye: Float32Array, forward: Float32Array, excluded?: number): void;
+  dispose(): void;
+}
+
+/**
+ * Creates the program of a method.
+ *
+ * @param blended Number of photographs per pixel (lumigraph).
+ *
+ * @example
+ * const drawing = createCaptureDrawing(gl, capture, 'lumigraph', 2);
+ * drawing.draw(clipFromCapture, eye, forward);
+ */
+export function createCaptureDrawing(gl: WebGL2RenderingContext, capture: CaptureAsset, method: Method, blended: number): CaptureDrawing {
+  const program = linkProgram(gl, VERTEX, fragmentOf(method, blended));
+  const use = createCaptureUse(gl, program);
+  const nearest = createNearestViews(capture.positions, capture.directions, MOST_VIEWS);
+  const matrix = gl.getUniformLocation(program, 'clipFromCapture');
+  const eyeAt = gl.getUniformLocation(program, 'eye');
+  const views = gl.getUniformLocation(program, 'views');
+  const viewCount = gl.getUniformLocation(program, 'viewCount');
+  return {
+    draw: (clipFromCapture, eye, forward, excluded) => {
+      nearest.choose(eye, forward, capture.radiusM, excluded);
+      use(capture);
+      gl.uniformMatrix4fv(matrix, false, clipFromCapture);
+      gl.uniform3fv(eyeAt, eye);
+      gl.uniform1iv(views, nearest.views);
+      gl.uniform1i(viewCount, nearest.count);
+      gl.enable(gl.DEPTH_TEST);
+      gl.depthFunc(gl.LEQUAL);
+      gl.depthMask(true);
+      gl.bindVertexArray(capture.vertexArray);
+      gl.drawElements(gl.TRIANGLES, capture.indexCount, gl.UNSIGNED_INT, 0);
+      gl.bindVertexArray(null);
+      gl.depthFunc(gl.LESS);
+      gl.disable(gl.DEPTH_TEST);
+    },
+    dispose: () => gl.deleteProgram(program),
+  };
+}

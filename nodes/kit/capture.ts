@@ -1,0 +1,249 @@
+/**
+ * The format of a capture: photographs with their cameras, and the mesh of what they show (docs/CAPTURE-FORMAT.md). The camera is that of
+ * Dupont de Dinechin and Paljic, “From Real to Virtual” (WEVR 2020), for perspective photographs: resolution, field of view, pose.
+ */
+export interface CaptureDocument {
+  readonly format: 'scrim-capture';
+  readonly version: 1;
+  readonly mesh: CaptureMeshFile;
+  readonly views: readonly CaptureView[];
+}
+
+/** The file of the mesh: positions as 32-bit floats in meters, then the corners of triangles as 32-bit indices, little-endian. */
+export interface CaptureMeshFile {
+  /** Path relative to the folder of the document. */
+  readonly file: string;
+  readonly vertexCount: number;
+  readonly triangleCount: number;
+}
+
+/** A pinhole camera. A pixel is a square; (0, 0) is the outer corner of the top left one, y down. */
+export interface Pinhole {
+  readonly widthPx: number;
+  readonly heightPx: number;
+  readonly fxPx: number;
+  readonly fyPx: number;
+  readonly cxPx: number;
+  readonly cyPx: number;
+}
+
+/** A photograph without distortion, and its camera. */
+export interface CaptureView extends Pinhole {
+  /** Path relative to the folder of the document. */
+  readonly file: string;
+  /** Column-major 4×4, rigid; the camera has y up and looks along −z. Meters. */
+  readonly worldFromCamera: readonly number[];
+}
+
+/** The mesh of a capture. */
+export interface CaptureMesh {
+  /** x, y, z of each vertex; meters. */
+  readonly positions: Float32Array<ArrayBuffer>;
+  /** Three vertices per triangle. */
+  readonly indices: Uint32Array<ArrayBuffer>;
+}
+
+/** The largest capture that is imported and shown. */
+export const CAPTURE_LIMITS = { views: 1000, triangles: 4_000_000, vertices: 8_000_000, sidePx: 8192 } as const;
+
+/** The name of the document in the folder of a capture. */
+export const CAPTURE_FILE = 'capture.json';
+
+/** A problem of a capture. The message is the end of a sentence for users, without its full stop. */
+export class CaptureError extends Error {
+  override readonly name = 'CaptureError';
+}
+
+/**
+ * Reads and checks `capture.json`.
+ *
+ * @param text The file.
+ * @throws CaptureError if the text is no capture of this version.
+ *
+ * @example
+ * const { views } = readCapture(await file.text());
+ */
+export function readCapture(text: string): CaptureDocument {
+  let json: unknown;
+  try {
+    json = JSON.parse(text);
+  } catch {
+    throw new CaptureError('it is not valid JSON');
+  }
+  const { format, version, mesh, views } = record(json, 'the document');
+  if (format !== 'scrim-capture') throw new CaptureError('it is not a capture: its "format" is not "scrim-capture"');
+  if (version !== 1) throw new CaptureError(`it has version ${String(version)}, but only version 1 can be read`);
+  if (!Array.isArray(views) || views.length === 0) throw new CaptureError('it has no views');
+  if (views.length > CAPTURE_LIMITS.views) throw new CaptureError(`it has ${views.length} views, more than ${CAPTURE_LIMITS.views}`);
+  const checked = views.map((view, i) => readView(view, `view ${i + 1}`));
+  const names = new Set<string>();
+  for (const { file } of checked) {
+    if (names.has(file)) throw new CaptureError(`two views have the file "${file}"`);
+    names.add(file);
+  }
+  return { format, version, mesh: readMeshFile(mesh), views: checked };
+}
+
+/**
+ * Reads and checks the mesh of a capture.
+ *
+ * @throws CaptureError if the bytes are not the mesh that the document describes.
+ *
+ * @example
+ * const { positions, indices } = readCaptureMesh(document.mesh, bytes);
+ */
+export function readCaptureMesh({ vertexCount, triangleCount }: CaptureMeshFile, bytes: ArrayBuffer): CaptureMesh {
+  const positionBytes = 12 * vertexCount;
+  if (bytes.byteLength !== positionBytes + 12 * triangleCount) {
+    throw new CaptureError(`its mesh has ${bytes.byteLength} bytes instead of ${positionBytes + 12 * triangleCount}`);
+  }
+  const positions = new Float32Array(bytes, 0, 3 * vertexCount);
+  const indices = new Uint32Array(bytes, positionBytes, 3 * triangleCount);
+  checkMesh({ positions, indices });
+  return { positions, indices };
+}
+
+/**
+ * Checks that all positions are finite, and that all corners are vertices.
+ *
+ * @throws CaptureError
+ *
+ * @example
+ * checkMesh({ positions, indices });
+ */
+export function checkMesh({ positions, indices }: CaptureMesh): void {
+  if (!positions.every(Number.isFinite)) throw new CaptureError('a vertex of its mesh is not finite');
+  const count = positions.length / 3;
+  if (!indices.every((index) => index < count)) throw new CaptureError(`a triangle of its mesh has a vertex beyond the ${count}`);
+}
+
+/**
+ * Whether a path stays inside its folder: names separated by `/`, none of them `..`.
+ *
+ * @example
+ * isInside('../secret.jpg'); // false
+ */
+export function isInside(path: string): boolean {
+  return path.length <= 512 && path.split('/').every((part) => part !== '' && part !== '.' && part !== '..' && !/[\\:\0]/.test(part));
+}
+
+/** Memory for photographs on the GPU, with mip levels. Larger photographs are all reduced to fit. */
+const MAX_PHOTO_GPU_BYTES = 128 * 2 ** 20;
+const PHOTO_BYTES_PER_PIXEL = 4 * (4 / 3);
+const MAX_DEPTH_SIDE_PX = 512;
+const DEPTH_BYTES_PER_PIXEL = 4;
+/** Position and color of a vertex; three indices. */
+const VERTEX_BYTES = 16;
+const TRIANGLE_BYTES = 12;
+
+/** The size of the texture arrays of a capture in pixels, and the bytes that it takes on the GPU. */
+export interface CaptureSize {
+  readonly photoPx: readonly [width: number, height: number];
+  readonly depthPx: readonly [width: number, height: number];
+  readonly gpuBytes: number;
+}
+
+/**
+ * The size of a capture on the GPU.
+ *
+ * @param maxSidePx The largest texture.
+ *
+ * @example
+ * const { gpuBytes } = captureSize(document, 4096);
+ */
+export function captureSize({ views, mesh }: CaptureDocument, maxSidePx: number): CaptureSize {
+  const widthPx = Math.max(...views.map((view) => view.widthPx));
+  const heightPx = Math.max(...views.map((view) => view.heightPx));
+  const fits = Math.sqrt(MAX_PHOTO_GPU_BYTES / (views.length * widthPx * heightPx * PHOTO_BYTES_PER_PIXEL));
+  const reduce = (scale: number) => [Math.max(1, Math.floor(widthPx * scale)), Math.max(1, Math.floor(heightPx * scale))] as const;
+  const photoPx = reduce(Math.min(1, fits, maxSidePx / Math.max(widthPx, heightPx)));
+  const depthPx = reduce(Math.min(MAX_DEPTH_SIDE_PX, Math.max(...photoPx)) / Math.max(widthPx, heightPx));
+  const perView = photoPx[0] * photoPx[1] * PHOTO_BYTES_PER_PIXEL + depthPx[0] * depthPx[1] * DEPTH_BYTES_PER_PIXEL;
+  return {
+    photoPx,
+    depthPx,
+    gpuBytes: Math.round(views.length * perView + mesh.vertexCount * VERTEX_BYTES + mesh.triangleCount * TRIANGLE_BYTES),
+  };
+}
+
+/** Largest difference of the axes of a pose from orthogonal unit vectors. */
+const RIGID_TOLERANCE = 1e-3;
+
+/**
+ * What keeps a matrix from being a rigid transform, or null: `not finite`, `not rigid` (scaled or sheared) or `mirrored`.
+ *
+ * @param m Column-major 4×4.
+ *
+ * @example
+ * poseFault(view.worldFromCamera); // null
+ */
+export function poseFault(m: readonly number[]): 'not finite' | 'not rigid' | 'mirrored' | null {
+  if (m.length !== 16 || !m.every(Number.isFinite)) return 'not finite';
+  const at = (row: number, column: number): number => m[4 * column + row] ?? 0;
+  if ([0, 1, 2, 3].some((column) => at(3, column) !== (column === 3 ? 1 : 0))) return 'not rigid';
+  const dot = (a: number, b: number): number => at(0, a) * at(0, b) + at(1, a) * at(1, b) + at(2, a) * at(2, b);
+  for (let a = 0; a < 3; a++) {
+    for (let b = a; b < 3; b++) if (Math.abs(dot(a, b) - (a === b ? 1 : 0)) > RIGID_TOLERANCE) return 'not rigid';
+  }
+  const determinant =
+    at(0, 0) * (at(1, 1) * at(2, 2) - at(1, 2) * at(2, 1)) -
+    at(0, 1) * (at(1, 0) * at(2, 2) - at(1, 2) * at(2, 0)) +
+    at(0, 2) * (at(1, 0) * at(2, 1) - at(1, 1) * at(2, 0));
+  return determinant < 0 ? 'mirrored' : null;
+}
+
+function readView(value: unknown, where: string): CaptureView {
+  const view = record(value, where);
+  const pose = view.worldFromCamera;
+  if (!Array.isArray(pose) || !pose.every((x) => typeof x === 'number')) throw new CaptureError(`${where} has no pose of 16 numbers`);
+  const fault = poseFault(pose);
+  if (fault !== null) throw new CaptureError(`the pose of ${where} is ${fault}`);
+  return {
+    file: path(view.file, where),
+    widthPx: size(view.widthPx, `the width of ${where}`),
+    heightPx: size(view.heightPx, `the height of ${where}`),
+    fxPx: number(view.fxPx, `the focal length of ${where}`, true),
+    fyPx: number(view.fyPx, `the focal length of ${where}`, true),
+    cxPx: number(view.cxPx, `the center of ${where}`),
+    cyPx: number(view.cyPx, `the center of ${where}`),
+    worldFromCamera: pose,
+  };
+}
+
+function readMeshFile(value: unknown): CaptureMeshFile {
+  const mesh = record(value, 'the mesh');
+  return {
+    file: path(mesh.file, 'the mesh'),
+    vertexCount: count(mesh.vertexCount, 'vertices', CAPTURE_LIMITS.vertices),
+    triangleCount: count(mesh.triangleCount, 'triangles', CAPTURE_LIMITS.triangles),
+  };
+}
+
+function record(value: unknown, what: string): Readonly<Record<string, unknown>> {
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) throw new CaptureError(`${what} is not an object`);
+  return value as Record<string, unknown>;
+}
+
+function path(value: unknown, where: string): string {
+  if (typeof value !== 'string' || !isInside(value)) throw new CaptureError(`the file of ${where} is not a path inside the capture`);
+  return value;
+}
+
+function number(value: unknown, what: string, isPositive = false): number {
+  if (typeof value !== 'number' || !Number.isFinite(value)) throw new CaptureError(`${what} is not a finite number`);
+  if (isPositive && value <= 0) throw new CaptureError(`${what} is not above 0`);
+  return value;
+}
+
+function size(value: unknown, what: string): number {
+  if (typeof value !== 'number' || !Number.isInteger(value) || value < 1 || value > CAPTURE_LIMITS.sidePx) {
+    throw new CaptureError(`${what} is not a whole number from 1 to ${CAPTURE_LIMITS.sidePx}`);
+  }
+  return value;
+}
+
+function count(value: unknown, what: string, most: number): number {
+  if (typeof value !== 'number' || !Number.isInteger(value) || value < 1) throw new CaptureError(`its mesh has no ${what}`);
+  if (value > most) throw new CaptureError(`its mesh has ${value} ${what}, more than ${most}`);
+  return value;
+}

@@ -1,0 +1,71 @@
+import { defineNode } from '../../kit/definition.ts';
+import { ROTATION_PARAM } from '../../kit/rotation-param.ts';
+
+export const definition = defineNode({
+  type: 'source/capture',
+  version: 1,
+  title: 'Capture',
+  doc: 'Draws a captured place: photographs projected on the mesh of what they show, so that one can walk around in it. `scrim import capture` makes the asset from a folder of photographs with cameras and a mesh. The layer has depth, so virtual objects stand in the place.',
+  keywords: ['photogrammetry', 'image-based rendering', 'lumigraph', 'colmap', 'scan', 'photographs', 'room', 'place'],
+  inputs: {},
+  outputs: {
+    layer: {
+      type: 'layer',
+      label: 'Layer',
+      doc: 'The place, transparent where its mesh is not; nothing while it loads.',
+      domain: 'view',
+      depth: true,
+    },
+  },
+  params: {
+    file: { type: 'asset', stage: 'asset', label: 'Capture', doc: 'The capture.', default: '', accept: 'capture' },
+    method: {
+      type: 'choice',
+      stage: 'structure',
+      label: 'Method',
+      doc: 'Lumigraph: each pixel shows the photographs that saw it from nearly the same direction, so highlights move. Nearest: each pixel shows the photograph that was taken nearest to the eye and sees it. Plain: the mesh in the mean colors of the photographs, the fastest.',
+      default: 'lumigraph',
+      options: [
+        { value: 'plain', label: 'Plain' },
+        { value: 'nearest', label: 'Nearest' },
+        { value: 'lumigraph', label: 'Lumigraph' },
+      ],
+    },
+    blended: {
+      type: 'number',
+      stage: 'structure',
+      label: 'Photographs per pixel',
+      doc: 'How many photographs a pixel blends (lumigraph). More hide seams, fewer are sharper.',
+      default: 2,
+      min: 1,
+      max: 4,
+      step: 1,
+      unit: 'none',
+    },
+    positionM: {
+      type: 'vector3',
+      stage: 'uniform',
+      handle: 'position',
+      label: 'Position',
+      doc: 'Translation in meters: x to the right, y up, z towards the viewer.',
+      default: [0, 0, 0],
+      min: [-10, -10, -10],
+      max: [10, 10, 10],
+      unit: 'm',
+    },
+    rotationRad: { ...ROTATION_PARAM, handle: 'rotation' },
+    scale: {
+      type: 'number',
+      stage: 'uniform',
+      handle: 'scale',
+      label: 'Scale',
+      doc: 'Uniform scale factor, if the capture was imported without its true size.',
+      default: 1,
+      min: 0.01,
+      max: 10,
+      step: 0.01,
+      unit: 'ratio',
+    },
+  },
+  lowering: { kind: 'geometry', ownDrawing: true },
+});

@@ -1,0 +1,48 @@
+import { type CaptureDrawing, createCaptureDrawing } from '../../kit/capture-drawing/capture-drawing.ts';
+import { multiplyMatrices } from '../../kit/matrices.ts';
+import { setFromAngles } from '../../kit/rigid.ts';
+import type { DrawView, NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { definition } from './definition.ts';
+
+export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
+  const { method, blended } = ctx.config;
+  const { positionM, rotationRad, scale } = ctx.params;
+  const id = ctx.assetIds.file;
+  const handle = id === null ? null : ctx.assets.capture(id);
+  const { gl } = ctx;
+  let drawing: CaptureDrawing | null = null;
+  const rigid = new Float32Array(16);
+  const worldFromCapture = new Float32Array(16);
+  const clipFromWorld = new Float32Array(16);
+  const clipFromCapture = new Float32Array(16);
+  const eye = new Float32Array(3);
+  const forward = new Float32Array(3);
+
+  return {
+    update: () => {},
+    draw: ({ view }: DrawView) => {
+      const capture = handle?.value ?? null;
+      if (!capture) return;
+      drawing ??= createCaptureDrawing(gl, capture, method, Math.round(blended));
+      const factor = Math.max(scale.value, 1e-6);
+      setFromAngles(rigid, positionM.value, rotationRad.value);
+      for (let i = 0; i < 16; i++) worldFromCapture[i] = (rigid[i] ?? 0) * (i < 12 ? factor : 1);
+      multiplyMatrices(clipFromWorld, view.clipFromView as Float32Array, view.viewFromWorld as Float32Array);
+      multiplyMatrices(clipFromCapture, clipFromWorld, worldFromCapture);
+      for (let axis = 0; axis < 3; axis++) {
+        eye[axis] = 0;
+        forward[axis] = 0;
+        for (let i = 0; i < 3; i++) {
+          const along = rigid[4 * axis + i] ?? 0;
+          eye[axis] = (eye[axis] ?? 0) + (along * ((view.worldFromView[12 + i] ?? 0) - (rigid[12 + i] ?? 0))) / factor;
+          forward[axis] = (forward[axis] ?? 0) - along * (view.worldFromView[8 + i] ?? 0);
+        }
+      }
+      drawing.draw(clipFromCapture, eye, forward);
+    },
+    dispose: () => {
+      drawing?.dispose();
+      handle?.release();
+    },
+  };
+}

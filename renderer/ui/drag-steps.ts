@@ -1,0 +1,62 @@
+/** Keys held during a drag. Shift makes it ten times finer, Ctrl or Command snaps to whole tens of steps. */
+export interface DragKeys {
+  readonly fine: boolean;
+  readonly snap: boolean;
+}
+
+export const NO_DRAG_KEYS: DragKeys = { fine: false, snap: false };
+
+type KeyState = Pick<MouseEvent, 'shiftKey' | 'altKey' | 'ctrlKey' | 'metaKey'>;
+
+export function dragKeysOf({ shiftKey, altKey, ctrlKey, metaKey }: KeyState): DragKeys {
+  return { fine: shiftKey || altKey, snap: ctrlKey || metaKey };
+}
+
+/** Drag of a slider. */
+export interface SliderDrag {
+  /**
+   * Value for the drag.
+   *
+   * @param pointed Value at the pointer, in the unit of the slider.
+   * @param shown Value before this movement.
+   */
+  move(pointed: number, shown: number, keys: DragKeys): number;
+}
+
+const FINENESS = 10;
+const STEPS_PER_SNAP = 10;
+
+/** @param step Step of the slider, above 0. */
+export function createSliderDrag(step: number): SliderDrag {
+  /** Where the fine part of the drag began. */
+  let fineFrom: { readonly pointed: number; readonly value: number } | null = null;
+  return {
+    move: (pointed, shown, { fine, snap }) => {
+      if (!fine) fineFrom = null;
+      else fineFrom ??= { pointed, value: shown };
+      const value = fineFrom === null ? pointed : fineFrom.value + (pointed - fineFrom.pointed) / FINENESS;
+      return snap ? snapped(value, step) : withoutBinaryError(value);
+    },
+  };
+}
+
+/**
+ * Value of a number field during a sideways drag.
+ *
+ * @param from Value at its start.
+ * @param steps Steps that the pointer has moved by, whole.
+ */
+export function scrubbedValue(from: number, steps: number, step: number, { fine, snap }: DragKeys): number {
+  const value = from + (steps * step) / (fine ? FINENESS : 1);
+  return snap ? snapped(value, step) : withoutBinaryError(value);
+}
+
+function snapped(value: number, step: number): number {
+  const grid = step * STEPS_PER_SNAP;
+  return withoutBinaryError(Math.round(value / grid) * grid);
+}
+
+/** Removes binary rounding errors from sums of decimal steps. */
+export function withoutBinaryError(value: number): number {
+  return Number(value.toPrecision(12));
+}

@@ -1,0 +1,205 @@
+import { describe, expect, test } from '@jest/globals';
+import { SEPARATE_REASONS } from '../../export/compiler/schedule/fuse/separate-wire.ts';
+import { chain, passes, type Twins, twins } from '../support/fusion-kit.ts';
+
+const INPUTS = '"INPUTS": [{ "NAME": "inputImage", "TYPE": "image" }]';
+const COPY = 'gl_FragColor = IMG_THIS_PIXEL(inputImage);';
+
+/** pattern → the filter `own`, of this text → sepia → screen. */
+function around(header: string, body: string, more: Readonly<Record<string, string>> = {}, options = {}): Twins {
+  const nodes = { 'own-a': { type: 'filter/own', version: 1 }, 'sepia-a': { type: 'filter/sepia', version: 1 } };
+  const wires = ['pattern-a.layer -> own-a.inputImage', 'own-a.layer -> sepia-a.inputImage', 'sepia-a.layer -> screen-a.layer'];
+  return twins(nodes, wires, { 'own.fs': `/*{ "ISFVSN": "2", ${INPUTS}${header} }*/\n${body}`, ...more }, options);
+}
+
+function reasonsOf({ wires }: Twins): Record<string, string> {
+  return Object.fromEntries(wires.map(({ writer, reader, reason }) => [`${writer} → ${reader}`, reason]));
+}
+
+describe('a layer stays a texture', () => {
+  const found = new Set<string>();
+
+  function expectReason(pair: Twins, wire: string, reason: keyof typeof SEPARATE_REASONS): void {
+    expect(reasonsOf(pair)).toMatchObject({ [wire]: reason });
+    found.add(reason);
+  }
+
+  test('where its reader reads other pixels, or reads it through a function that may', () => {
+    expectReason(chain(['filter/sepia', 'filter/gaussian-blur']), 'e-0.pass0 → e-1.pass0', 'elsewhere');
+    const passed =
+      'vec4 at(sampler2D image) { return IMG_NORM_PIXEL(image, isf_FragNormCoord); }\nvoid main() { gl_FragColor = at(inputImage); }';
+    expectReason(around('', passed), 'pattern-a.pass0 → own-a.pass0', 'elsewhere');
+  });
+
+  test('where one of two readers in the fused pass reads other pixels', () => {
+    const nodes = { 'lut-a': { type: 'operator/color-lut', version: 1 }, 'mask-a': { type: 'operator/mask', version: 1 } };
+    const wires = [
+      'pattern-a.layer -> lut-a.inputImage',
+      'other-a.layer -> lut-a.table',
+      'lut-a.layer -> mask-a.inputImage',
+      'other-a.layer -> mask-a.mask',
+      'mask-a.layer -> screen-a.layer',
+    ];
+    const pair = twins(nodes, wires);
+    expectReason(pair, 'other-a.pass0 → lut-a.pass0', 'elsewhere');
+    expect(passes(pair.fused).map(({ nodes }) => nodes)).toEqual([undefined, ['pattern-a', 'lut-a', 'mask-a']]);
+  });
+
+  test('where two passes that stay separate read it', () => {
+    const nodes = {
+      'grey-a': { type: 'filter/grey', version: 1 },
+      'blur-a': { type: 'filter/gaussian-blur', version: 1 },
+      'over-a': { type: 'operator/blend', version: 1 },
+    };
+    const wires = [
+      'pattern-a.layer -> grey-a.inputImage',
+      'grey-a.layer -> blur-a.inputImage',
+      'blur-a.layer -> over-a.top',
+      'grey-a.layer -> over-a.bottom',
+      'over-a.layer -> screen-a.layer',
+    ];
+    expectReason(twins(nodes, wires), 'grey-a.pass0 → over-a.pass0', 'readers');
+    const two = {
+      'grey-a': nodes['grey-a'],
+      'one-a': { type: 'filter/sepia', version: 1 },
+      'two-a': { type: 'filter/sepia', version: 1 },
+      'blur-a': nodes['blur-a'],
+      'over-a': nodes['over-a'],
+    };
+    const apart = [
+      'pattern-a.layer -> grey-a.inputImage',
+      'grey-a.layer -> one-a.inputImage',
+      'grey-a.layer -> two-a.inputImage',
+      'one-a.layer -> blur-a.inputImage',
+      'blur-a.layer -> over-a.top',
+      'two-a.layer -> over-a.bottom',
+      'over-a.layer -> screen-a.layer',
+    ];
+    expectReason(twins(two, apart), 'grey-a.pass0 → one-a.pass0', 'readers');
+  });
+
+  test('where the sizes differ', () => {
+    expectReason(
+      around(
+        ', "PASSES": [{ "TARGET": "half", "WIDTH": "$WIDTH / 2.0", "HEIGHT": "$HEIGHT / 2.0" }, {}]',
+        `void main() { if (PASSINDEX == 0) { ${COPY} } else { gl_FragColor = IMG_THIS_PIXEL(half); } }`,
+      ),
+      'pattern-a.pass0 → own-a.pass0',
+      'size',
+    );
+  });
+
+  test('where an image of its own size is fitted to the view', () => {
+    const nodes = {
+      'file-a': { type: 'source/image-file', version: 1 },
+      'grey-a': { type: 'filter/grey', version: 1 },
+      'over-a': { type: 'operator/blend', version: 1 },
+    };
+    const wires = [
+      'file-a.layer -> grey-a.inputImage',
+      'grey-a.layer -> over-a.top',
+      'pattern-a.layer -> over-a.bottom',
+      'over-a.layer -> screen-a.layer',
+    ];
+    expectReason(twins(nodes, wires), 'grey-a.pass0 → over-a.pass0', 'fitted');
+  });
+
+  test('where neighboring pixels would be read in two steps', () => {
+    expectReason(chain(['filter/anisotropic-kuwahara']), 'e-0.pass2 → e-0.pass3', 'neighborhoods');
+  });
+
+  test('whose content is kept for the next frame', () => {
+    expectReason(
+      around(
+        ', "PASSES": [{ "TARGET": "sum", "PERSISTENT": true }, {}]',
+        `void main() { if (PASSINDEX == 0) { gl_FragColor = IMG_THIS_PIXEL(inputImage) + IMG_THIS_PIXEL(sum); } else { gl_FragColor = IMG_THIS_PIXEL(sum); } }`,
+      ),
+      'own-a.pass0 → own-a.pass1',
+      'kept',
+    );
+  });
+
+  test('where what its writer reads changes before its reader runs', () => {
+    const body = `void main() {
+  if (PASSINDEX == 0) gl_FragColor = IMG_THIS_PIXEL(kept);
+  else if (PASSINDEX == 1) gl_FragColor = IMG_THIS_PIXEL(inputImage);
+  else gl_FragColor = IMG_THIS_PIXEL(before);
+}`;
+    const pair = around(', "PASSES": [{ "TARGET": "before" }, { "TARGET": "kept", "PERSISTENT": true }, {}]', body);
+    expectReason(pair, 'own-a.pass0 → own-a.pass2', 'order');
+  });
+
+  test('while the editor shows it', () => {
+    expectReason(around('', `void main() { ${COPY} }`, {}, { taps: ['own-a.layer'] }), 'own-a.pass0 → sepia-a.pass0', 'viewed');
+  });
+
+  test('where fusion is turned off for a node, or for the subgraph that contains it', () => {
+    const sepia = (more: object = {}) => ({ type: 'filter/sepia', version: 1, ...more });
+    const wires = ['pattern-a.layer -> one-a.inputImage', 'one-a.layer -> two-a.inputImage', 'two-a.layer -> three-a.inputImage'];
+    const pair = twins({ 'one-a': sepia(), 'two-a': sepia({ unfused: true }), 'three-a': sepia() }, [
+      ...wires,
+      'three-a.layer -> screen-a.layer',
+    ]);
+    expectReason(pair, 'one-a.pass0 → two-a.pass0', 'switched');
+    expectReason(pair, 'two-a.pass0 → three-a.pass0', 'switched');
+    expect(passes(pair.fused).map(({ id, nodes }) => nodes ?? [id])).toEqual([['pattern-a', 'one-a'], ['two-a.pass0'], ['three-a.pass0']]);
+    const look = {
+      nodes: { 'one-a': sepia(), 'two-a': sepia() },
+      wires: ['one-a.layer -> two-a.inputImage'],
+      exposed: { inputs: [{ name: 'in', node: 'one-a', port: 'inputImage' }], outputs: [{ name: 'out', node: 'two-a', port: 'layer' }] },
+    };
+    const around = { 'look-a': { type: 'graph/look', version: 1, unfused: true }, 'three-a': sepia() };
+    const inside = twins(
+      around,
+      ['pattern-a.layer -> look-a.in', 'look-a.out -> three-a.inputImage', 'three-a.layer -> screen-a.layer'],
+      {},
+      {},
+      { look },
+    );
+    expectReason(inside, 'look-a/one-a.pass0 → look-a/two-a.pass0', 'switched');
+  });
+
+  test('of a vertex shader, of loops that the preview limits, and of objects', () => {
+    const vertex = 'void main() { isf_vertShaderInit(); gl_Position.x *= 0.5; }';
+    expectReason(around('', `void main() { ${COPY} }`, { 'own.vs': vertex }), 'own-a.pass0 → sepia-a.pass0', 'vertex');
+    const endless = `void main() { vec4 sum = vec4(0.0); for (int i = 0; i < 100000; i++) { sum += IMG_THIS_PIXEL(inputImage); } gl_FragColor = sum; }`;
+    expectReason(around('', endless, {}, { loopBudget: true }), 'own-a.pass0 → sepia-a.pass0', 'loops');
+    const nodes = {
+      'box-a': { type: 'objects/primitive', version: 1 },
+      'scene-a': { type: 'layer/scene', version: 1 },
+      'sepia-a': { type: 'filter/sepia', version: 1 },
+    };
+    expectReason(
+      twins(nodes, ['box-a.objects -> scene-a.objects', 'scene-a.layer -> sepia-a.inputImage', 'sepia-a.layer -> screen-a.layer']),
+      'scene-a → sepia-a.pass0',
+      'objects',
+    );
+  });
+
+  test('whose depth is computed of it', () => {
+    const nodes = {
+      'box-a': { type: 'objects/primitive', version: 1 },
+      'scene-a': { type: 'layer/scene', version: 1 },
+      'sepia-a': { type: 'filter/sepia', version: 1 },
+      'over-a': { type: 'operator/over', version: 1 },
+      'fog-a': { type: 'filter/fog', version: 1 },
+    };
+    const wires = [
+      'box-a.objects -> scene-a.objects',
+      'scene-a.layer -> sepia-a.inputImage',
+      'sepia-a.layer -> over-a.top',
+      'pattern-a.layer -> over-a.bottom',
+      'over-a.layer -> fog-a.inputImage',
+      'fog-a.layer -> screen-a.layer',
+    ];
+    expectReason(twins(nodes, wires), 'sepia-a.pass0 → over-a.layer.depth', 'depth');
+  });
+
+  test('where the fused shader would exceed a limit', () => {
+    expectReason(chain(Array.from({ length: 40 }, () => 'filter/sepia')), 'e-7.pass0 → e-8.pass0', 'limits');
+  });
+
+  test('for no other reason', () => {
+    expect([...found].sort()).toEqual(Object.keys(SEPARATE_REASONS).sort());
+  });
+});

@@ -1,0 +1,75 @@
+import { expect, test } from '@jest/globals';
+import { axeFindings } from '../support/axe.ts';
+import { type GraphText, useOneEditor } from '../support/open-editor.ts';
+import { eventually } from '../support/patience.ts';
+import { countDifferent } from '../support/pixels.ts';
+
+/** A project as new ones are: the camera on the screen. */
+const GRAPH: GraphText = {
+  nodes: { 'video-aaaa': { type: 'source/camera-video' }, 'screen-aaaa': { type: 'output/screen' } },
+  wires: ['video-aaaa.layer -> screen-aaaa.layer'],
+  places: { 'video-aaaa': [0, 0], 'screen-aaaa': [300, 0] },
+};
+
+const open = useOneEditor(GRAPH, {}, async () => {
+  await open.editor.settled();
+  await open.editor.hold();
+});
+
+const step = (name: string) => open.page.getByRole('list', { name: 'History' }).getByRole('button', { name });
+const start = (name: string) => open.page.getByRole('region', { name: 'First steps' }).getByRole('button', { name });
+
+test('a blank project offers an object, which is drawn over the camera; the history leads back to the saved version and forth', async () => {
+  const { page, editor } = open;
+  const camera = await editor.picture();
+  await start('Filter the camera').waitFor();
+  expect(await axeFindings(page)).toEqual([]);
+
+  await start('Place an object in the room').click();
+  await editor.settled();
+  const placed = await editor.picture();
+  expect(countDifferent(placed, camera, 24).pixels).toBeGreaterThan(300);
+  await page.getByText('Not saved', { exact: true }).waitFor();
+  await start('Filter the camera').waitFor({ state: 'hidden' });
+
+  await page.keyboard.press('Shift+U');
+  await expect(step('Opened').getByText('Saved').count()).resolves.toBe(1);
+  expect(await axeFindings(page)).toEqual([]);
+  await step('Opened').click();
+  await eventually(async () => expect(await page.locator('.react-flow__node').count()).toBe(2));
+  await page.getByText('Saved', { exact: true }).first().waitFor();
+  await step('Place an object').click();
+  await eventually(async () => expect(await page.locator('.react-flow__node').count()).toBe(7));
+
+  await page.getByRole('button', { name: 'File', exact: true }).click();
+  await page.getByRole('menuitem', { name: 'Revert to saved' }).click();
+  await eventually(async () => expect(await page.locator('.react-flow__node').count()).toBe(2));
+  await page.keyboard.press('Control+y');
+  await eventually(async () => expect(await page.locator('.react-flow__node').count()).toBe(7));
+});
+
+test('the camera without the object is shown while B is held', async () => {
+  const { page, editor } = open;
+  await page.locator('.react-flow__pane').click({ position: { x: 10, y: 10 } });
+  await editor.settled();
+  const placed = await editor.picture();
+  await page.keyboard.down('b');
+  await eventually(async () => expect(countDifferent(await editor.picture(), placed, 24).pixels).toBeGreaterThan(300));
+  await page.keyboard.up('b');
+  await eventually(async () => expect(countDifferent(await editor.picture(), placed, 24).pixels).toBe(0));
+});
+
+test('a changed param is marked, and a double-click on its label resets it', async () => {
+  const { page, editor } = open;
+  await editor.node('directional').locator('.node-title').click();
+  const row = editor.inspector.locator('[data-param="intensity"]');
+  const field = row.getByRole('textbox').or(row.getByRole('spinbutton')).first();
+  const initial = await field.inputValue();
+  await expect(row.getAttribute('data-changed')).resolves.toBeNull();
+  await field.fill('2.5');
+  await page.keyboard.press('Enter');
+  await eventually(async () => expect(await row.getAttribute('data-changed')).toBe(''));
+  await row.locator('label').dblclick();
+  await eventually(async () => expect(await row.getAttribute('data-changed')).toBeNull());
+  await expect(field.inputValue()).resolves.toBe(initial);
+});
