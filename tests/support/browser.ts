@@ -30,11 +30,51 @@ export function useBrowser(more: readonly string[] = []): { readonly browser: Br
   };
 }
 
-/** Sets the timeout of pages to that of the tests, instead of Playwright’s 30 s. */
+/** Sets the timeout of pages to that of the tests, instead of Playwright’s 30 s, and lets previews draw at `EMBEDDED_FRAME_MS`. */
 export function prepareContext(context: BrowserContext): void {
   context.setDefaultTimeout(PATIENCE_MS);
+  void context.addInitScript(drawSeldom, { frameMs: EMBEDDED_FRAME_MS, embedded: true });
   const slowness = Number(process.env.SCRIM_THROTTLE ?? 1);
   if (slowness > 1) context.on('page', (page) => void slowDown(page, slowness));
+}
+
+/**
+ * Milliseconds between two frames of a preview. Without a GPU, a preview that plays as fast as it can takes both cores from the editor
+ * that is tested: the tests of the editor then took three times as long.
+ */
+const EMBEDDED_FRAME_MS = 100;
+
+/** Page code, installed before its scripts: frames start at least `frameMs` apart, in embedded pages or in the page itself. */
+function drawSeldom({ frameMs, embedded }: { readonly frameMs: number; readonly embedded: boolean }): void {
+  if ((window.top !== window) !== embedded) return;
+  const { requestAnimationFrame: request, cancelAnimationFrame: cancel, setTimeout: start, clearTimeout: stop } = window;
+  /** What ends a delayed request, by its id. Ids of the browser are positive. */
+  const delayed = new Map<number, () => void>();
+  let nextId = -1;
+  let lastMs = 0;
+  window.requestAnimationFrame = (draw) => {
+    const run = (timeMs: number) => {
+      lastMs = timeMs;
+      draw(timeMs);
+    };
+    const waitMs = lastMs + frameMs - performance.now();
+    if (waitMs <= 0) return request(run);
+    const id = nextId--;
+    const timer = start(() => {
+      const requested = request((timeMs) => {
+        delayed.delete(id);
+        run(timeMs);
+      });
+      delayed.set(id, () => cancel(requested));
+    }, waitMs);
+    delayed.set(id, () => stop(timer));
+    return id;
+  };
+  window.cancelAnimationFrame = (id) => {
+    if (id >= 0) return cancel(id);
+    delayed.get(id)?.();
+    delayed.delete(id);
+  };
 }
 
 /**

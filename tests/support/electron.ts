@@ -87,7 +87,8 @@ export function describeElectron(name: string, electron: FoundElectron, body: (l
     });
     body(async (args, env = {}) => {
       const settings = await mkdtemp(join(tmpdir(), 'scrim-electron-'));
-      cleanUps.push(() => rm(settings, { recursive: true, force: true }));
+      // The child processes of a killed Electron end a little later, and until then write to its settings.
+      cleanUps.push(() => rm(settings, { recursive: true, force: true, maxRetries: 20, retryDelay: 100 }));
       const app = await launchAttached({
         executablePath: electron.executablePath,
         // Chromium’s sandbox does not work as root, such as in a container.
