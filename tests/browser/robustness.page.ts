@@ -90,11 +90,11 @@ export async function startRun(program: Program, assetUrl: string, watched: read
 }
 
 /** Frames at 60 a second, from number `from` on. */
-export function runFrames(from: number, count: number) {
+export function runFrames(from: number, count: number, framesPerS: number) {
   for (let i = from; i < from + count; i++) {
     next.index = i;
-    next.timeS = i / 60;
-    next.deltaS = i === 0 ? 0 : 1 / 60;
+    next.timeS = i / framesPerS;
+    next.deltaS = i === 0 ? 0 : 1 / framesPerS;
     player.draw(next);
   }
   return { spied, gl: leaks.alive(), player: player.counts() };

@@ -60,10 +60,10 @@ export async function hold(program: Program, assetsUrl: string, sessionUrl: stri
   );
   clock.advance(0.01);
   session.seekTime(timeS);
-  // What comes late comes in these.
-  for (let i = 0; i < 30; i++) {
+  // Decoded files and prefiltered panoramas arrive during these frames.
+  for (let i = 0; i < 8; i++) {
     clock.advance(0);
-    await new Promise((resolve) => setTimeout(resolve, 0));
+    await new Promise((resolve) => setTimeout(resolve, 60));
   }
   pictures.length = 0;
   for (let i = 0; i < times; i++) {

@@ -3,7 +3,7 @@ import { resolve } from 'node:path';
 import { build } from 'esbuild';
 import type { XRDevice } from 'iwer';
 import type { Browser, Page } from 'playwright-core';
-import { collectErrors } from '../support/browser.ts';
+import { collectErrors, drawPageSeldom } from '../support/browser.ts';
 import { fromGl, type RgbaImage } from '../support/image.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
@@ -59,6 +59,7 @@ export async function openIwerPage(
   const context = await browser.newContext({ viewport });
   const page = await context.newPage();
   const errors = collectErrors(page);
+  await drawPageSeldom(page);
   await page.addInitScript({ content: `globalThis.testIwerOptions = ${JSON.stringify({ ...options, room })};\n${await bundleIwer()}` });
   await page.goto(url);
   return { page, errors, nextFrame: () => readFrame(page), close: () => context.close() };

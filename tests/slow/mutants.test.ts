@@ -198,7 +198,7 @@ function isSame(text: string, { line = 0, column = 0 }: Diagnostic, plain: numbe
   return line < plain && between.every((part) => part.trim() === '');
 }
 
-const WANTED = 300;
+const WANTED = 120;
 
 test.each(['syntax', 'semantic'] as const)('the first error of %s mutants is on the line where the driver has it', async (kind) => {
   const { next: random } = createRandom(7, kind);

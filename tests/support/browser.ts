@@ -5,6 +5,7 @@ import { findChromium } from '../../app/services/chromium.ts';
 import { startBrowser } from '../../app/services/start-browser.ts';
 import { PATIENCE_MS } from './patience.ts';
 import { type StaticServer, serveStatic } from './serve.ts';
+import { decodeTransfer, encodeTransfer } from './transfer.ts';
 
 /**
  * Starts the pinned Chromium once per test file. Goldens and pixel tests use only this browser.
@@ -30,19 +31,24 @@ export function useBrowser(more: readonly string[] = []): { readonly browser: Br
   };
 }
 
-/** Sets the timeout of pages to that of the tests, instead of Playwright’s 30 s, and lets previews draw at `EMBEDDED_FRAME_MS`. */
+/** Sets the timeout of pages to that of the tests, instead of Playwright’s 30 s, and lets previews draw every `FREE_FRAME_MS`. */
 export function prepareContext(context: BrowserContext): void {
   context.setDefaultTimeout(PATIENCE_MS);
-  void context.addInitScript(drawSeldom, { frameMs: EMBEDDED_FRAME_MS, embedded: true });
+  void context.addInitScript(drawSeldom, { frameMs: FREE_FRAME_MS, embedded: true });
   const slowness = Number(process.env.SCRIM_THROTTLE ?? 1);
   if (slowness > 1) context.on('page', (page) => void slowDown(page, slowness));
 }
 
 /**
- * Milliseconds between two frames of a preview. Without a GPU, a preview that plays as fast as it can takes both cores from the editor
- * that is tested: the tests of the editor then took three times as long.
+ * Milliseconds between two frames of a preview or a page. Without a GPU, one that plays as fast as it can takes both cores from what is
+ * tested: the tests of the editor then took three times as long.
  */
-const EMBEDDED_FRAME_MS = 100;
+const FREE_FRAME_MS = 100;
+
+/** Lets an exported page draw every `FREE_FRAME_MS`, from its next navigation. Frames that a test steps itself are drawn at once. */
+export async function drawPageSeldom(page: Page): Promise<void> {
+  await page.addInitScript(drawSeldom, { frameMs: FREE_FRAME_MS, embedded: false });
+}
 
 /** Page code, installed before its scripts: frames start at least `frameMs` apart, in embedded pages or in the page itself. */
 function drawSeldom({ frameMs, embedded }: { readonly frameMs: number; readonly embedded: boolean }): void {
@@ -103,10 +109,16 @@ export function collectErrors(page: Page): string[] {
 export interface PageModule {
   readonly page: Page;
   readonly errors: readonly string[];
-  /** Calls an exported function of the bundled module in the page. Arguments and result are passed as JSON. */
+  /** Calls an exported function of the bundled module in the page. Arguments and result are passed by `encodeTransfer`. */
   call<T>(name: string, ...args: readonly unknown[]): Promise<T>;
   close(): Promise<void>;
 }
+
+/** A bundled module, and what carries values to and from it. */
+type TestModule = Readonly<Record<string, (...args: readonly unknown[]) => unknown>> & {
+  readonly decodeTransfer: typeof decodeTransfer;
+  readonly encodeTransfer: typeof encodeTransfer;
+};
 
 export interface PageOptions {
   readonly width?: number;
@@ -129,14 +141,16 @@ export async function openModule(browser: Browser, entry: string, options: PageO
   return {
     page,
     errors,
-    call: (name, ...args) =>
-      page.evaluate(
-        ([n, a]) =>
-          (globalThis as unknown as { testModule: Record<string, (...x: unknown[]) => never> }).testModule[n as string]?.(
-            ...(a as unknown[]),
-          ),
-        [name, args] as const,
-      ) as Promise<never>,
+    call: async (name, ...args) =>
+      decodeTransfer(
+        await page.evaluate(
+          async ([n, sent]) => {
+            const module = (globalThis as unknown as { testModule: TestModule }).testModule;
+            return module.encodeTransfer(await module[n]?.(...(module.decodeTransfer(sent) as unknown[])));
+          },
+          [name, encodeTransfer(args)] as const,
+        ),
+      ) as never,
     close: async () => {
       await page.close();
       await server.close();
@@ -173,7 +187,10 @@ export function useModule(entry: string, options: PageOptions = {}): PageModule 
 
 async function bundleForPage(entry: string): Promise<string> {
   const result = await build({
-    entryPoints: [entry],
+    stdin: {
+      contents: `export * from './${entry}';\nexport { decodeTransfer, encodeTransfer } from './tests/support/transfer.ts';\n`,
+      resolveDir: process.cwd(),
+    },
     bundle: true,
     write: false,
     format: 'iife',

@@ -2,7 +2,7 @@ import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { expect } from '@jest/globals';
 import type { Browser } from 'playwright-core';
-import { collectErrors } from './browser.ts';
+import { collectErrors, drawPageSeldom } from './browser.ts';
 import { decodeImage } from './image.ts';
 import { countColors } from './pixels.ts';
 import { serveStatic } from './serve.ts';
@@ -12,6 +12,7 @@ export async function visitExportedPage(browser: Browser, folder: string): Promi
   const host = await serveStatic({ '/': folder });
   const page = await browser.newPage({ viewport: { width: 640, height: 480 } });
   const errors = collectErrors(page);
+  await drawPageSeldom(page);
   try {
     await page.goto(host.origin);
     await page.getByText('look around').waitFor();

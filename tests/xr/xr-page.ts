@@ -6,7 +6,7 @@ import type { HeadPose } from '../../export/emulator/emulator.ts';
 import type {} from '../../export/emulator/inject.ts';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { bundleEmulator } from '../../tools/lib/bundle-emulator.ts';
-import { collectErrors } from '../support/browser.ts';
+import { collectErrors, drawPageSeldom } from '../support/browser.ts';
 import type { RgbaImage } from '../support/image.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
@@ -52,6 +52,7 @@ export async function openXrPage(
   const context = await browser.newContext({ viewport });
   const page = await context.newPage();
   const errors = collectErrors(page);
+  await drawPageSeldom(page);
   await page.addInitScript({ content: await injected });
   await page.addInitScript((given: unknown) => void scrimEmulator?.install(given as EmulatorOptions), { clock: 'manual', ...options });
   if (script !== '') await page.addInitScript({ content: script });
