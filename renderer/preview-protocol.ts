@@ -34,9 +34,16 @@ export type ToPreview =
   | { readonly kind: 'poster'; readonly request: number; readonly widthPx: number; readonly heightPx: number }
   /**
    * Shows viewed layers instead of the screen output: `left` to the left of `split` (a fraction of the width of each view), `right`
-   * to the right of it. Null, or a layer that is not viewed in the program, shows the screen output.
+   * to the right of it. Null, or a layer that is not viewed in the program, shows the screen output. `probed`: the layer whose depth
+   * probes read.
    */
-  | { readonly kind: 'viewer'; readonly left: string | null; readonly right: string | null; readonly split: number }
+  | {
+      readonly kind: 'viewer';
+      readonly left: string | null;
+      readonly right: string | null;
+      readonly split: number;
+      readonly probed: string | null;
+    }
   /** Takes the panorama of `source/panorama-capture` in an emulated room, this many pixels wide. */
   | { readonly kind: 'take-panorama'; readonly widthPx: number }
   /** Requests a PNG of the next frame with all views. */

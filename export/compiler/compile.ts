@@ -17,6 +17,11 @@ import { createShaderStore } from './shaders/shader-store.ts';
 export interface CompileOptions {
   /** Layers to view, as `node.port`; missing ones are left out of `program.taps`. */
   readonly taps?: readonly string[];
+  /**
+   * Further layers to view, in small. One that would make the program request a capability, read input or show controls is left out, so
+   * that thumbnails do not change how the program plays.
+   */
+  readonly thumbnails?: readonly string[];
   /** Bound the loops of shaders (docs/adr/0012): for previews, never for exports. */
   readonly loopBudget?: boolean;
   /** Keep the source maps of shaders; true by default. */
@@ -66,14 +71,14 @@ export function createCompiler(): Compiler {
   const shaders = createShaderStore();
   return {
     compile: ({ project, library: base, options = {} }) => {
-      const { taps = [], loopBudget = false, sourceMaps = true, reportUnused = false, fuse = false } = options;
+      const { taps = [], thumbnails = [], loopBudget = false, sourceMaps = true, reportUnused = false, fuse = false } = options;
       const diagnostics: Diagnostic[] = [];
       const library = projectLibrary(base, project.sources, shaders.readDefinition);
 
       const resolved = resolve(project, library);
       diagnostics.push(...resolved.diagnostics);
       if (resolved.output === null) return { output: null, diagnostics, above: [], separate: [] };
-      const checked = check(resolved.output, taps);
+      const checked = check(resolved.output, { taps, thumbnails });
       diagnostics.push(...headerDiagnostics(library, resolved.output.project), ...checked.diagnostics);
       if (checked.output === null || hasErrors(diagnostics)) return { output: null, diagnostics, above: [], separate: [] };
       const scheduled = schedule(checked.output, { library, shaders, loopBudget, fuse });

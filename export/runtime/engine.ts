@@ -13,7 +13,7 @@ import { createProgramCache, type GlProgram, type ProgramCache } from './gl/prog
 import { type CameraMean, createCameraMean } from './light/camera-mean.ts';
 import type { NodeHost } from './operations/node-instance.ts';
 import type { PlayState } from './play-state.ts';
-import type { OperationTimer } from './program-instance/step.ts';
+import type { OperationMonitor } from './program-instance/step.ts';
 import type { CreateSceneBackend, SceneBackend } from './scene-backend.ts';
 import type { Spatial, SpatialCounts } from './spatial/spatial.ts';
 import type { NearestDepth } from './targets/nearest-depth.ts';
@@ -32,7 +32,7 @@ export interface Engine {
   readonly images: ImageStore;
   readonly clock: FrameClock;
   readonly state: PlayState;
-  readonly timer: OperationTimer | null;
+  readonly monitor: OperationMonitor | null;
   readonly host: NodeHost;
   /** The scene backend; null until a node has drawn objects or loaded a model. */
   scenesIfMade(): SceneBackend | null;
@@ -62,7 +62,7 @@ export interface EngineOptions {
   readonly state: PlayState;
   readonly held?: boolean;
   readonly startWorker?: StartWorker;
-  readonly timer?: OperationTimer;
+  readonly monitor?: OperationMonitor;
 }
 
 export function createEngine(options: EngineOptions): Engine {
@@ -107,7 +107,7 @@ export function createEngine(options: EngineOptions): Engine {
     images: createImageStore(objects),
     clock,
     state,
-    timer: options.timer ?? null,
+    monitor: options.monitor ?? null,
     host: {
       gl,
       modules: options.modules,

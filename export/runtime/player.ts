@@ -17,7 +17,7 @@ import type { SessionTraits } from './present/background.ts';
 import type { LoopGuard } from './program-instance/loop-watch.ts';
 import { disposeNodeInstances } from './program-instance/node-instances.ts';
 import { createProgramInstance, type ProgramInstance, type RetainedState } from './program-instance/program-instance.ts';
-import type { OperationTimer } from './program-instance/step.ts';
+import type { OperationMonitor } from './program-instance/step.ts';
 import type { CreateSceneBackend } from './scene-backend.ts';
 import type { CreateSpatial } from './spatial/spatial.ts';
 
@@ -43,8 +43,8 @@ export interface PlayerOptions {
   readonly held?: boolean;
   /** Starts the workers of nodes, such as CPU filters; by default from blobs. */
   readonly startWorker?: StartWorker;
-  /** Measures the cost of every operation that draws; absent where costs are not shown. */
-  readonly timer?: OperationTimer;
+  /** Follows every operation that draws; absent in pages. */
+  readonly monitor?: OperationMonitor;
   /**
    * Creates what watches bounded loops: `createLoopGuard`, in hosts that compile with a loop budget. If it is absent, bounded loops are not
    * watched.

@@ -42,7 +42,10 @@ function FullNode({ id, data, selected }: NodeBodyProps) {
   return (
     <div
       className={classOf(data, selected, dimmed === 'all')}
-      style={{ ['--category' as string]: categoryColor(data.nodeType) }}
+      style={{
+        ['--category' as string]: categoryColor(data.nodeType),
+        ['--thumbnail' as string]: `${data.shape.thumbnail?.height ?? 0}px`,
+      }}
       data-node={id}
     >
       <div className="node-head">
@@ -64,7 +67,7 @@ function FullNode({ id, data, selected }: NodeBodyProps) {
           dimmed={dimmed !== null && dimmed !== 'all' && dimmed.has(`${port.side} ${port.name}`)}
         />
       ))}
-      {data.shape.thumbnail !== null && <NodeThumbnail node={id} port={data.shape.thumbnail} />}
+      {data.shape.thumbnail !== null && <NodeThumbnail node={id} {...data.shape.thumbnail} />}
       <Expander id={id} data={data} />
       <NodeCost id={id} />
     </div>
@@ -159,8 +162,18 @@ function useDimmedPorts(node: string, ports: readonly PortView[]): ReadonlySet<s
   }, [editor, draggedWire, node, ports]);
 }
 
+interface ThumbnailProps {
+  readonly node: string;
+  readonly port: string;
+  /** Height with the margin, in canvas units. */
+  readonly height: number;
+}
+
+/** Distance of a thumbnail to the lower border of its node. */
+const THUMBNAIL_MARGIN = 6;
+
 /** Thumbnail of a layer. React Flow mounts only visible nodes, so only visible layers are requested; bitmaps bypass React. */
-function NodeThumbnail({ node, port }: { readonly node: string; readonly port: string }) {
+function NodeThumbnail({ node, port, height }: ThumbnailProps) {
   const { thumbnails } = useEditor();
   const layer = useDocument((state) => layerName(state, node, port));
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -176,7 +189,7 @@ function NodeThumbnail({ node, port }: { readonly node: string; readonly port: s
     [thumbnails, layer],
   );
   return (
-    <div className="node-thumbnail">
+    <div className="node-thumbnail" style={{ height: height - THUMBNAIL_MARGIN }}>
       <canvas ref={canvas} width="0" height="0" />
     </div>
   );

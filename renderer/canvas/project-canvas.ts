@@ -6,6 +6,7 @@ import type { WireType } from '../../nodes/kit/wire-types.ts';
 import { mainType, type NodeShape, nodeShape, PORT_SIZE, portCenter, unknownShape } from '../state/graph/node-shape.ts';
 import { valueText } from '../state/params/value-text.ts';
 import type { NodeProblem } from '../state/problems/problems.ts';
+import { createThumbnailsProjection } from './project-thumbnails.ts';
 import { type CanvasWire, createWiresProjection, sameParts as same, type WiresInput } from './project-wires.ts';
 
 /** Content of one node on the canvas. The object is reused until something in it changes. */
@@ -59,8 +60,10 @@ export function createCanvasProjection(): (input: CanvasInput) => CanvasView {
   let shown: CanvasNode[] = [];
   const projectWires = createWiresProjection();
   const wiredPortsOf = memoizeLast(wiredPorts);
+  const projectThumbnails = createThumbnailsProjection();
   return (input) => {
     const wiredOf = wiredPortsOf(input.graph.wires);
+    const heights = projectThumbnails(input, (id) => wiredOf.get(id) ?? NO_PORTS);
     const nextNodes = new Map<string, CachedNode>();
     for (const [id, node] of Object.entries(input.graph.nodes)) {
       const wired = wiredOf.get(id) ?? NO_PORTS;
@@ -79,10 +82,11 @@ export function createCanvasProjection(): (input: CanvasInput) => CanvasView {
         expanded,
         problem?.severity,
         problem?.text,
-        input.hasThumbnail,
+        heights.get(id),
       ];
       const known = nodes.get(id);
-      const fresh = known && same(known.key, key) ? known : { key, node: canvasNode(id, node, definition, wired, input, known?.node) };
+      const fresh =
+        known && same(known.key, key) ? known : { key, node: canvasNode(id, node, definition, wired, heights, input, known?.node) };
       nextNodes.set(id, fresh);
     }
     nodes = nextNodes;
@@ -121,12 +125,13 @@ function canvasNode(
   node: GraphNode,
   definition: NodeDefinition | undefined,
   wired: WiredPorts,
+  heights: ReadonlyMap<string, number>,
   input: CanvasInput,
   before: CanvasNode | undefined,
 ): CanvasNode {
   const expanded = input.expanded.has(id);
   const collapsed = input.layout.nodes[id]?.collapsed === true;
-  const options = { wired: wired.inputs, expanded, collapsed, hasThumbnail: input.hasThumbnail ?? false };
+  const options = { wired: wired.inputs, expanded, collapsed, thumbnailHeight: heights.get(id) ?? 0 };
   const shape = definition ? nodeShape(definition, node, options) : unknownShape([...wired.inputs], [...wired.outputs]);
   const values: Record<string, string> = {};
   for (const port of shape.ports) {

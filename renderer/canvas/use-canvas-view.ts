@@ -25,7 +25,7 @@ export function useCanvasView(): WholeView {
   const library = useNodeTypes();
   const selection = useStore(editor.selection);
   const { expanded, offered, dragged, wireUnder, resized } = useStore(editor.canvas);
-  const hasThumbnail = useStore(editor.viewer, (state) => state.thumbnails);
+  const hasThumbnail = useStore(editor.preferences, (state) => state.thumbnails);
   const problems = useNodeProblems();
   const shown = useMemo(() => (offered === null ? expanded : new Set([...expanded, offered])), [expanded, offered]);
   const projectItems = useMemo(createItemsProjection, []);

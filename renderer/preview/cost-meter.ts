@@ -1,9 +1,11 @@
+import type { Operation } from '../../export/program/program.ts';
 import type { FrameClock } from '../../export/runtime/clock.ts';
-import type { OperationTimer } from '../../export/runtime/program-instance/step.ts';
 import type { FromPreview, OperationCost } from '../preview-protocol.ts';
 
 /** Measures operations: number of draw calls, and GPU time if the browser supports timer queries. */
-export interface CostMeter extends OperationTimer {
+export interface CostMeter {
+  begin(operation: Operation): void;
+  end(): void;
   setOn(on: boolean): void;
   afterFrame(): void;
   dispose(): void;

@@ -5,6 +5,7 @@ import { createFetchAssetSource } from '../../export/runtime/assets/asset-source
 import type { FrameClock } from '../../export/runtime/clock.ts';
 import { createPlayer, type Player } from '../../export/runtime/player.ts';
 import { createLoopGuard } from '../../export/runtime/program-instance/loop-watch.ts';
+import type { OperationMonitor } from '../../export/runtime/program-instance/step.ts';
 import { createScenesWith } from '../../export/runtime/scenes/create-scenes.ts';
 import { readRadianceInWorker } from '../../export/runtime/scenes/environments/read-radiance-in-worker.ts';
 import { createGlass } from '../../export/runtime/scenes/glass/glass-scene.ts';
@@ -17,6 +18,7 @@ import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { FromPreview } from '../preview-protocol.ts';
 import { type CostMeter, createCostMeter } from './cost-meter.ts';
 import { previewDecoderFile } from './decoder-files.ts';
+import type { LayerGate } from './layer-gate.ts';
 import { pageFetch } from './network.ts';
 
 /** A canvas, its GL context and the player on it. A new program reuses them if `canPlay` accepts it. */
@@ -42,6 +44,7 @@ export interface PlayerHostOptions {
   readonly onDiagnostics: (diagnostics: readonly Diagnostic[]) => void;
   readonly onContext: (state: 'lost' | 'restored') => void;
   readonly send: (message: FromPreview) => void;
+  readonly gate: Pick<LayerGate, 'isDrawn'>;
 }
 
 /**
@@ -58,7 +61,8 @@ const SEED = 1;
  *
  * @throws If the browser does not support WebGL 2.
  */
-export function createPlayerHost({ parent, program, assetBaseUrl, clock, onDiagnostics, onContext, send }: PlayerHostOptions): PlayerHost {
+export function createPlayerHost(options: PlayerHostOptions): PlayerHost {
+  const { parent, program, assetBaseUrl, clock, onDiagnostics, onContext, send, gate } = options;
   const canvas = document.createElement('canvas');
   canvas.id = 'picture';
   parent.prepend(canvas);
@@ -77,7 +81,7 @@ export function createPlayerHost({ parent, program, assetBaseUrl, clock, onDiagn
   });
   const meter = createCostMeter(gl, clock, send);
   const player = createPlayer({
-    timer: meter,
+    monitor: monitorOf(meter, gate),
     createLoopGuard,
     gl,
     canvas,
@@ -116,5 +120,17 @@ export function createPlayerHost({ parent, program, assetBaseUrl, clock, onDiagn
       gl.getExtension('WEBGL_lose_context')?.loseContext();
       canvas.remove();
     },
+  };
+}
+
+/** Skips what the frame does not show, and measures the rest. */
+function monitorOf(meter: CostMeter, gate: Pick<LayerGate, 'isDrawn'>): OperationMonitor {
+  return {
+    begin: (operation) => {
+      if (!gate.isDrawn(operation)) return false;
+      meter.begin(operation);
+      return true;
+    },
+    end: meter.end,
   };
 }

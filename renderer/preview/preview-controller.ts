@@ -10,6 +10,7 @@ import { createCaptures } from './captures.ts';
 import { coalesce } from './coalesce.ts';
 import { createGizmo } from './gizmo/gizmo.ts';
 import { createKeys } from './keys.ts';
+import { createLayerGate } from './layer-gate.ts';
 import { type OpenSession, openSession, standsInRoom } from './open-session.ts';
 import { createPhysicsView, roomOf } from './physics/physics-view.ts';
 import { createPlayerHost, type PlayerHost } from './player-host.ts';
@@ -86,7 +87,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
   const isRoomKey = (event: KeyboardEvent, device: string): boolean =>
     isStep(event) || (device !== 'phone' && isHandKey(event)) || (wanted !== null && standsInRoom(wanted.program) && isTrackingKey(event));
   const keys = createKeys(window, send, (event) => sensors.isKey(event) || (source?.kind === 'room' && isRoomKey(event, source.device)));
-  let viewer: Extract<ToPreview, { kind: 'viewer' }> = { kind: 'viewer', left: null, right: null, split: 1 };
+  let viewer: Extract<ToPreview, { kind: 'viewer' }> = { kind: 'viewer', left: null, right: null, split: 1, probed: null };
   const clock = createTransportClock(base, () => {
     posters.beforeFrame();
     probes.beforeFrame(captureSource());
@@ -95,6 +96,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
   });
   const status = createStatus(base, send);
   const thumbnails = createThumbnails(base, send);
+  const gate = createLayerGate();
   const trialCompiler = createTrialCompiler(base, send);
 
   /** The current problems of the player. Omits open edges of models that are not phantoms in the current program. */
@@ -158,6 +160,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
       assetBaseUrl,
       clock,
       send,
+      gate,
       onDiagnostics: (diagnostics) => {
         playerProblems = diagnostics;
         sendProblems();
@@ -203,6 +206,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     status.begin();
     panorama.beforeDraw(frame);
     sensors.beforeFrame(frame);
+    gate.show(viewer, thumbnails.beforeFrame());
     host.player.draw(frame);
     recorder.afterFrame(frame, () => host && roomOf(host.player));
     status.end(frame, open?.recording?.isLate ?? false);
@@ -229,6 +233,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
 
   const setProgram = (next: Wanted) => {
     wanted = next;
+    gate.follow(next.program);
     sensors.follow(next.program);
     if (source && host?.canPlay(next.program, source.assetBaseUrl)) {
       void host.player.replaceProgram(next.program).then((result) => report(next.revision, result));

@@ -13,16 +13,18 @@ export interface Thumbnails {
    * while someone types.
    */
   invalidateAfterPause(): void;
-  /** Returns the seconds until another frame is needed for outdated thumbnails; null if none is. */
+  /** Returns the layer that this frame must draw for its thumbnail; null if none. */
+  beforeFrame(): string | null;
+  /** Reads that layer. Returns the seconds until another frame is needed for outdated thumbnails; null if none is. */
   afterFrame(player: Pick<Player, 'inspect'>): number | null;
 }
 
-/** Maximum fraction of time for reading pixels back, which waits for the GPU. */
+/** Maximum fraction of time for reading pixels back, which waits until the GPU has drawn the layer. */
 const SHARE = 0.1;
-/**
- * Maximum fraction of time for reading the first thumbnail of a layer. Higher than `SHARE`, because a node without a thumbnail looks empty.
- */
+/** Maximum fraction of time for the first thumbnail of a layer. Higher than `SHARE`, because a node without a thumbnail looks empty. */
 const FIRST_SHARE = 0.5;
+/** Time between two thumbnails of a layer. */
+const INTERVAL_S = 0.1;
 
 /** Pause before thumbnails are updated after a change. Each thumbnail needs a frame, which would delay the image after the next key. */
 const PAUSE_S = 0.25;
@@ -33,14 +35,18 @@ export function createThumbnails(clock: Pick<FrameClock, 'nowS'>, send: Send, re
   let ports: readonly string[] = [];
   /** Requested ports that have had a thumbnail. */
   let seen = new Set<string>();
+  /** Time at which each requested port was last read, in seconds. */
+  let readAtS = new Map<string, number>();
   let heightPx = 0;
   let next = 0;
   let restUntilS = Number.NEGATIVE_INFINITY;
   let left = 0;
+  let drawn: string | null = null;
   return {
     setPorts: (wanted, height) => {
       ports = wanted;
       seen = new Set(wanted.filter((port) => seen.has(port)));
+      readAtS = new Map([...readAtS].filter(([port]) => wanted.includes(port)));
       heightPx = height;
       left = ports.length;
     },
@@ -51,20 +57,34 @@ export function createThumbnails(clock: Pick<FrameClock, 'nowS'>, send: Send, re
       left = ports.length;
       if (seen.size === ports.length) restUntilS = Math.max(restUntilS, clock.nowS() + PAUSE_S);
     },
+    beforeFrame: () => {
+      const nowS = clock.nowS();
+      const port = ports[(next + 1) % ports.length];
+      drawn = null;
+      if (port === undefined || nowS < restUntilS) return null;
+      const freeS = (readAtS.get(port) ?? Number.NEGATIVE_INFINITY) + INTERVAL_S;
+      if (nowS < freeS) {
+        restUntilS = freeS;
+        return null;
+      }
+      next = (next + 1) % ports.length;
+      drawn = port;
+      return port;
+    },
     afterFrame: (player) => {
       const beganS = clock.nowS();
-      if (ports.length === 0) return null;
-      if (beganS < restUntilS) return left > 0 ? restUntilS - beganS : null;
-      next = (next + 1) % ports.length;
+      const port = drawn;
+      drawn = null;
+      if (port === null) return left > 0 ? Math.max(0, restUntilS - beganS) : null;
       left = Math.max(0, left - 1);
-      const port = ports[next];
-      const layer = port === undefined ? null : read(player.inspect(port), 0, heightPx);
-      if (port !== undefined && layer !== null) {
+      readAtS.set(port, beganS);
+      const layer = read(player.inspect(port), 0, heightPx);
+      if (layer !== null) {
         // `ImageData` has straight alpha, a layer premultiplied alpha.
         const image = new ImageData(straightAlpha(layer.pixels), layer.widthPx, layer.heightPx);
         void createImageBitmap(image).then((bitmap) => send({ kind: 'thumbnail', port, image: bitmap }, [bitmap]));
       }
-      const isFirst = port !== undefined && layer !== null && !seen.has(port);
+      const isFirst = layer !== null && !seen.has(port);
       if (isFirst) seen.add(port);
       const nowS = clock.nowS();
       restUntilS = nowS + (nowS - beganS) * (1 / (isFirst ? FIRST_SHARE : SHARE) - 1);

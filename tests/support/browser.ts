@@ -31,12 +31,25 @@ export function useBrowser(more: readonly string[] = []): { readonly browser: Br
   };
 }
 
-/** Sets the timeout of pages to that of the tests, instead of Playwright’s 30 s, and lets previews draw every `FREE_FRAME_MS`. */
+/**
+ * Sets the timeout of pages to that of the tests, instead of Playwright’s 30 s, lets previews draw every `FREE_FRAME_MS`, and switches
+ * thumbnails off in the editor.
+ */
 export function prepareContext(context: BrowserContext): void {
   context.setDefaultTimeout(PATIENCE_MS);
   void context.addInitScript(drawSeldom, { frameMs: FREE_FRAME_MS, embedded: true });
+  void context.addInitScript(storePreferences);
   const slowness = Number(process.env.SCRIM_THROTTLE ?? 1);
   if (slowness > 1) context.on('page', (page) => void slowDown(page, slowness));
+}
+
+/**
+ * Page code: the editor shows no thumbnails unless a test asks for them, because without a GPU they take much of the time of the preview. The
+ * choice of a test stays when it reloads the page.
+ */
+function storePreferences(): void {
+  if (window.top !== window || !location.protocol.match(/^(http|scrim)/)) return;
+  if (localStorage.getItem('scrim-preferences') === null) localStorage.setItem('scrim-preferences', '{"thumbnails":false}');
 }
 
 /**

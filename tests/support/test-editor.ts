@@ -4,6 +4,7 @@ import { saveProject } from '../../export/graph/save.ts';
 import { DEFINITIONS, SHADERS } from '../../nodes/generated/definitions.gen.ts';
 import type { EditorClock } from '../../renderer/clock.ts';
 import { createEditor, type Editor } from '../../renderer/state/editor/editor.ts';
+import { DEFAULT_PREFERENCES } from '../../renderer/state/editor/preferences.ts';
 import { DEFAULT_SIZES } from '../../renderer/state/editor/ui.ts';
 import { openPath } from '../../renderer/state/files/files.ts';
 import { createFakeHost, type FakeFolder, type FakeHost } from './fake-host.ts';
@@ -65,6 +66,8 @@ export async function openTestEditor(project: Project = newProject('Test'), fold
     },
     keepFile: () => {},
     sizes: DEFAULT_SIZES,
+    // Tests of places state those of nodes without thumbnails.
+    preferences: { ...DEFAULT_PREFERENCES, thumbnails: false },
   });
   if (!(await openPath(editor, '/project'))) throw new Error('The project did not open.');
   return { editor, host, clock };

@@ -20,17 +20,24 @@ export interface Checked {
   readonly taps: readonly Tap[];
 }
 
+/** Names of layers to view; see `CompileOptions`. */
+export interface ViewedLayers {
+  readonly taps: readonly string[];
+  readonly thumbnails: readonly string[];
+}
+
 /** A viewed layer and the name it was requested by. */
 export interface Tap {
   readonly name: string;
   readonly source: Source;
+  readonly isThumbnail: boolean;
 }
 
 /**
  * Second phase: validates the project and the resolved graph. Viewed layers that do not exist or are incomplete are dropped without a
  * diagnostic.
  */
-export function check({ project, library, graph }: Resolved, taps: readonly string[]): Result<Checked> {
+export function check({ project, library, graph }: Resolved, wanted: ViewedLayers): Result<Checked> {
   const diagnostics = validateProject(project, library);
   const { screen } = graph;
   if (!screen && !hasErrors(diagnostics))
@@ -42,7 +49,7 @@ export function check({ project, library, graph }: Resolved, taps: readonly stri
   const live = order.filter(({ id }) => liveIds.has(id));
   diagnostics.push(...live.flatMap((node) => checkNode(node, encodings)), ...checkSingle(live));
   if (hasErrors(diagnostics)) return { output: null, diagnostics };
-  const whole = completeTaps(graph, order, taps, encodings);
+  const whole = completeTaps(graph, order, wanted, encodings).filter((tap) => !tap.isThumbnail || isInert(graph, tap, liveIds));
   const viewedIds = nodesBehind(
     graph,
     whole.map(({ source }) => source.node),
@@ -146,13 +153,30 @@ function checkEncodings(node: FlatNode, encodings: Encodings): Diagnostic[] {
   });
 }
 
-function completeTaps({ replacements }: FlatGraph, order: readonly FlatNode[], taps: readonly string[], encodings: Encodings): Tap[] {
-  const whole = taps.length === 0 ? new Map<string, FlatNode>() : completeNodes(order, encodings);
-  return [...new Set(taps)].sort().flatMap((name): Tap[] => {
+function completeTaps({ replacements }: FlatGraph, order: readonly FlatNode[], wanted: ViewedLayers, encodings: Encodings): Tap[] {
+  const names = new Set([...wanted.taps, ...wanted.thumbnails]);
+  const viewed = new Set(wanted.taps);
+  const whole = names.size === 0 ? new Map<string, FlatNode>() : completeNodes(order, encodings);
+  return [...names].sort().flatMap((name): Tap[] => {
     const dot = name.lastIndexOf('.');
     const source = replacements.get(name) ?? { node: name.slice(0, dot), port: name.slice(dot + 1) };
     const outputs = whole.get(source.node)?.definition.outputs ?? {};
-    return Object.hasOwn(outputs, source.port) && outputs[source.port]?.type === 'layer' ? [{ name, source }] : [];
+    return Object.hasOwn(outputs, source.port) && outputs[source.port]?.type === 'layer'
+      ? [{ name, source, isThumbnail: !viewed.has(name) }]
+      : [];
+  });
+}
+
+/**
+ * Whether a layer can be viewed without effect on how the program plays. The nodes that it adds to the program then request no capability
+ * (except if sampled, which a thumbnail does not count as), read no input and show no controls.
+ */
+function isInert(graph: FlatGraph, { source }: Tap, live: ReadonlySet<string>): boolean {
+  return [...nodesBehind(graph, [source.node])].every((id) => {
+    const definition = graph.nodes.get(id)?.definition;
+    if (!definition || live.has(id)) return true;
+    const { needs = [], control, visitorParams, single, heard, readsInput } = definition;
+    return needs.every(({ when }) => when === 'sampled') && !control && !visitorParams && !single && !heard && !readsInput;
   });
 }
 

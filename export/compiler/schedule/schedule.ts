@@ -40,7 +40,7 @@ export interface Schedule {
   readonly separate: readonly SeparateWire[];
   /** Nodes that the output or a viewed layer depends on. */
   readonly nodes: readonly FlatNode[];
-  /** Nodes among them that need an operation; a camera image that is only the background needs none. */
+  /** Nodes among them that need an operation, except for thumbnails; a camera image that is only the background needs none. */
   readonly working: ReadonlySet<string>;
 }
 
@@ -78,7 +78,9 @@ export function schedule(checked: Checked, options: ScheduleOptions): ScheduleRe
     taps.map(({ source }) => source.node),
   );
   const viewedOrder = viewed.filter(({ id }) => behind.has(id));
-  const viewedDemand = findDemand(graph, viewedOrder, { nodes: [], images: taps.map(({ source }) => source), fused: [] }, demand);
+  const demandOf = (wanted: readonly Tap[]) =>
+    findDemand(graph, viewedOrder, { nodes: [], images: wanted.map(({ source }) => source), fused: [] }, demand);
+  const viewedDemand = demandOf(taps);
   lowerViewed(lowering, viewedOrder, viewedDemand, shown);
   const isLive = new Set(live.map(({ id }) => id));
   const viewedLayers = taps.map(({ name, source }) => [name, layerAt(lowering, source, (layer) => depthAt(lowering, layer))] as const);
@@ -97,7 +99,7 @@ export function schedule(checked: Checked, options: ScheduleOptions): ScheduleRe
       presentation,
       taps: Object.fromEntries(viewedLayers),
       nodes: order.filter(({ id }) => isLive.has(id) || behind.has(id)),
-      working: new Set([...demand.nodes, ...viewedDemand.nodes]),
+      working: new Set([...demand.nodes, ...demandOf(taps.filter(({ isThumbnail }) => !isThumbnail)).nodes]),
     },
     diagnostics,
     above: [],

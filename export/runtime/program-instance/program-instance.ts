@@ -19,7 +19,7 @@ import { createDrawStep } from './draw-step.ts';
 import type { LoopGuard, LoopWatch } from './loop-watch.ts';
 import { createNodeInstances, disposeNodeInstances, isShadowMaps, type NodeInstances } from './node-instances.ts';
 import type { Step } from './step.ts';
-import { timed } from './step.ts';
+import { monitored } from './step.ts';
 
 /** What a program instance passes to the instance that replaces it. */
 export interface RetainedState {
@@ -256,7 +256,7 @@ function createSteps(
   const { objects, drawer, clock, copy } = engine;
   const parts: PassParts = { gl: objects.gl, drawer, clock, resources, slots, imports, copy };
   const steps: Step[] = [];
-  const add = (operation: Operation, step: Step) => void steps.push(timed(step, operation, engine.timer));
+  const add = (operation: Operation, step: Step) => void steps.push(monitored(step, operation, engine.monitor));
   for (const operation of loaded.program.operations) {
     if (operation.view !== view) continue;
     if (operation.kind === 'pass') {

@@ -1,9 +1,10 @@
 import type { Operation } from '../../program/program.ts';
 import type { PlayState } from '../play-state.ts';
 
-/** Measures the cost of each operation while it draws, for the performance overlay. Exported pages have none. */
-export interface OperationTimer {
-  begin(operation: Operation): void;
+/** Follows each operation that draws, for the preview. Exported pages have none. */
+export interface OperationMonitor {
+  /** Called before an operation draws. The operation draws nothing if this returns false. */
+  begin(operation: Operation): boolean;
   end(): void;
 }
 
@@ -14,15 +15,14 @@ export interface Step {
   prepare?(state: PlayState): void;
 }
 
-export function timed(step: Step, operation: Operation, timer: OperationTimer | null): Step {
-  if (timer === null) return step;
+export function monitored(step: Step, operation: Operation, monitor: OperationMonitor | null): Step {
+  if (monitor === null) return step;
   const { run } = step;
   return {
     ...step,
     run: (state) => {
-      timer.begin(operation);
-      run(state);
-      timer.end();
+      if (monitor.begin(operation)) run(state);
+      monitor.end();
     },
   };
 }

@@ -35,7 +35,7 @@ export const VIEW_COMMANDS = {
     keywords: ['pictures', 'images'],
     keys: ['T'],
     enabled: isOpen,
-    run: ({ viewer }) => viewer.setState(({ thumbnails }) => ({ thumbnails: !thumbnails })),
+    run: ({ preferences }) => preferences.setState(({ thumbnails }) => ({ thumbnails: !thumbnails })),
   },
   'view.pin': { label: 'Show in the preview', keywords: ['viewer', 'show', 'pin'], keys: ['P'], enabled: hasOneNode, run: pinSelected },
   'view.compare': {

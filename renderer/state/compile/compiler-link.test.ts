@@ -22,7 +22,7 @@ test('one request at a time, and of those that wait only the newest', () => {
   const answered: [number, boolean][] = [];
   const link = createCompilerLink(worker, ({ revision }, more) => void answered.push([revision, more]));
   const { layout: _, ...project } = newProject('Test');
-  for (const revision of [1, 2, 3, 4]) link.request({ revision, project, taps: [] });
+  for (const revision of [1, 2, 3, 4]) link.request({ revision, project, taps: [], thumbnails: [] });
   expect(asked).toEqual([1]);
   answer(1);
   expect(asked).toEqual([1, 4]);
@@ -31,6 +31,6 @@ test('one request at a time, and of those that wait only the newest', () => {
     [1, true],
     [4, false],
   ]);
-  link.request({ revision: 5, project, taps: [] });
+  link.request({ revision: 5, project, taps: [], thumbnails: [] });
   expect(asked).toEqual([1, 4, 5]);
 });

@@ -8,6 +8,7 @@ export interface CompileRequest {
   readonly project: ProjectLogic;
   /** Layers that the program keeps for viewing; see `CompileOptions`. */
   readonly taps: readonly string[];
+  readonly thumbnails: readonly string[];
 }
 
 export interface CompileAnswer {

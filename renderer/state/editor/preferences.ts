@@ -17,6 +17,8 @@ export interface Preferences {
   readonly motion: Motion;
   /** UI scale, one of `SCALES`. */
   readonly scale: number;
+  /** Whether nodes show thumbnails of their layers. */
+  readonly thumbnails: boolean;
   /** Keybindings that differ from the defaults, by command. An empty list removes the default. */
   readonly keybindings: Readonly<Record<string, readonly string[]>>;
   /** Recent projects, newest first. */
@@ -28,7 +30,14 @@ export type PreferencesStore = StoreApi<Preferences>;
 /** The part of the editor that these functions need. */
 type PreferencesHolder = { readonly preferences: PreferencesStore };
 
-export const DEFAULT_PREFERENCES: Preferences = { theme: 'system', motion: 'system', scale: 1, keybindings: {}, recent: [] };
+export const DEFAULT_PREFERENCES: Preferences = {
+  theme: 'system',
+  motion: 'system',
+  scale: 1,
+  thumbnails: true,
+  keybindings: {},
+  recent: [],
+};
 
 const KEY = 'scrim-preferences';
 
@@ -52,6 +61,7 @@ export function loadPreferences(storage: Pick<Storage, 'getItem'>): Preferences 
     theme: saved.theme === 'light' || saved.theme === 'dark' ? saved.theme : 'system',
     motion: saved.motion === 'reduced' ? 'reduced' : 'system',
     scale: SCALES.find((scale) => scale === saved.scale) ?? 1,
+    thumbnails: saved.thumbnails !== false,
     keybindings: readKeybindings(saved.chords),
     recent: Array.isArray(saved.recent) ? saved.recent.filter(isRecent).slice(0, MAX_RECENT) : [],
   };

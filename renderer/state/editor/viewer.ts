@@ -3,8 +3,6 @@ import type { PreviewProbe } from '../../preview-protocol.ts';
 
 /** State of the viewer. Layers have their names in the program: `outer/inner.port`. */
 export interface ViewerState {
-  /** Whether nodes show thumbnails of their layers. */
-  readonly thumbnails: boolean;
   /** The layer that the preview shows to the left of `split`; null for the screen output. */
   readonly left: string | null;
   readonly right: string | null;
@@ -34,7 +32,6 @@ export interface ColorRequest {
 export type ViewerStore = StoreApi<ViewerState>;
 
 const NOTHING: ViewerState = {
-  thumbnails: false,
   left: null,
   right: null,
   split: null,
@@ -49,8 +46,8 @@ export function createViewerState(): ViewerStore {
 }
 
 export function resetViewer(store: ViewerStore): void {
-  const { thumbnails, picking } = store.getState();
-  store.setState({ ...NOTHING, thumbnails, picking });
+  const { picking } = store.getState();
+  store.setState({ ...NOTHING, picking });
 }
 
 /** Components that show thumbnails. Thumbnails bypass the stores, so that a new one rerenders nothing. */

@@ -253,7 +253,7 @@ async function addAssetNode(editor: Editor, file: DroppedFile, kind: FileKind, p
     (before) => putAsset(before, { id: assetId, asset }),
     (before) => addNode(before, { library, graph, id, type: source.type, ...place, params: { [source.param]: assetId } }),
     kind === 'model' ? showObjects({ node: id, port: 'objects' }, place, { library, random: editor.random }) : unchanged,
-    placeFreely(project, { library, graph, hasThumbnail: editor.viewer.getState().thumbnails }),
+    placeFreely(project, { library, graph, hasThumbnail: editor.preferences.getState().thumbnails }),
   );
   if (!apply(editor, `Add ${file.name}`, change)) return null;
   return kind === 'model' ? selectPlacement(editor, id, project) : id;

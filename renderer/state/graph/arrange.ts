@@ -9,7 +9,7 @@ import type { Editor } from '../editor/editor.ts';
 import { itemId, itemOf, nodesAndReroutes } from '../editor/item-ids.ts';
 import { revealNodes } from '../editor/ui.ts';
 import type { NodeBox } from './auto-layout.ts';
-import { type NodeShape, nodeShape, portCenter, unknownShape } from './node-shape.ts';
+import { type NodeShape, nodeShape, portCenter, THUMBNAIL_HEIGHT, unknownShape } from './node-shape.ts';
 
 export interface ShapedBox extends NodeBox {
   readonly shape: NodeShape;
@@ -52,12 +52,21 @@ export function portPlace(editor: Editor, { node, port }: PortAddress, side: 'in
 
 const NO_PORTS: ReadonlySet<string> = new Set();
 
+/** Nodes of the open graph as boxes, with their thumbnails at full height. */
 export function boxesOf(editor: Editor, isWanted: (id: string) => boolean): readonly ShapedBox[] {
+  return shapedBoxes(editor, isWanted, editor.preferences.getState().thumbnails ? THUMBNAIL_HEIGHT : 0);
+}
+
+/** Nodes of the open graph as boxes, without thumbnails. */
+export function bareBoxesOf(editor: Editor): readonly ShapedBox[] {
+  return shapedBoxes(editor, () => true, 0);
+}
+
+function shapedBoxes(editor: Editor, isWanted: (id: string) => boolean, thumbnailHeight: number): readonly ShapedBox[] {
   const state = editor.document.getState();
   const { nodes, wires } = graphOf(state);
   const places = layoutOf(state).nodes;
   const { expanded } = editor.canvas.getState();
-  const { thumbnails: hasThumbnail } = editor.viewer.getState();
   const wiredOf = new Map<string, Set<string>>();
   for (const { to } of wires) wiredOf.set(to.node, (wiredOf.get(to.node) ?? new Set()).add(to.port));
   return Object.entries(nodes)
@@ -65,7 +74,7 @@ export function boxesOf(editor: Editor, isWanted: (id: string) => boolean): read
     .map(([id, node]) => {
       const definition = state.library.definition(node.type);
       const wired = wiredOf.get(id) ?? NO_PORTS;
-      const options = { wired, expanded: expanded.has(id), collapsed: getOwn(places, id)?.collapsed === true, hasThumbnail };
+      const options = { wired, expanded: expanded.has(id), collapsed: getOwn(places, id)?.collapsed === true, thumbnailHeight };
       const shape = definition ? nodeShape(definition, node, options) : unknownShape([...wired], []);
       const { x, y } = getOwn(places, id) ?? { x: 0, y: 0 };
       return { id, x, y, width: shape.width, height: shape.height, shape };

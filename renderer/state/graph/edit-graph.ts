@@ -136,7 +136,7 @@ export function addNodeFromPalette(
     ...(added?.ids ?? [id]).map((node) => autoConnect(node, { library, graph, random })),
     fitEncodings(editor),
     (before) => (throughWire === null ? unchanged(before) : spaceOnWire(editor, id, throughWire)(before)),
-    placeFreely(project, { library, graph, hasThumbnail: editor.viewer.getState().thumbnails }),
+    placeFreely(project, { library, graph, hasThumbnail: editor.preferences.getState().thumbnails }),
   );
   if (!apply(editor, `Add ${definition.title}`, change)) return null;
   selectOnly(editor.selection, [id]);

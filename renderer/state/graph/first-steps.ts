@@ -41,7 +41,7 @@ export function startObject(editor: Editor): string | null {
     ...changes,
     (before) => addNode(before, { library, graph: MAIN_GRAPH, id, type: 'objects/primitive', ...free, params: { sizeM: [0.4, 0.4, 0.4] } }),
     showObjects({ node: id, port: 'objects' }, free, { library, random: editor.random }),
-    placeFreely(project, { library, graph: MAIN_GRAPH, hasThumbnail: editor.viewer.getState().thumbnails }),
+    placeFreely(project, { library, graph: MAIN_GRAPH, hasThumbnail: editor.preferences.getState().thumbnails }),
   );
   if (!apply(editor, 'Place an object', change)) return null;
   selectOnly(editor.selection, [id]);

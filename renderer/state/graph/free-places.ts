@@ -3,7 +3,7 @@ import { moveNodes } from '../../../export/graph/commands/layout-commands.ts';
 import type { Project } from '../../../export/graph/project.ts';
 import { getOwn } from '../../../export/graph/record.ts';
 import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
-import { HEADER_HEIGHT, NODE_WIDTH, nodeShape } from './node-shape.ts';
+import { HEADER_HEIGHT, NODE_WIDTH, nodeShape, THUMBNAIL_HEIGHT } from './node-shape.ts';
 
 interface Box {
   readonly x: number;
@@ -37,7 +37,12 @@ export function placeFreely(
       const definition = node && library.definition(node.type);
       if (!node || !definition) return { x, y, width: NODE_WIDTH, height: HEADER_HEIGHT };
       const wired = new Set(wires.flatMap(({ to }) => (to.node === id ? [to.port] : [])));
-      const { width, height } = nodeShape(definition, node, { wired, expanded: false, collapsed, hasThumbnail });
+      const { width, height } = nodeShape(definition, node, {
+        wired,
+        expanded: false,
+        collapsed,
+        thumbnailHeight: hasThumbnail ? THUMBNAIL_HEIGHT : 0,
+      });
       return { x, y, width, height };
     };
     const ids = Object.keys(nodes);

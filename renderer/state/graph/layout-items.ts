@@ -9,7 +9,7 @@ import { layoutOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { type ItemKind, idsOfKind, itemId, itemOf, nodesAndReroutes } from '../editor/item-ids.ts';
 import { selectOnly } from '../editor/selection.ts';
-import { boxesOf } from './arrange.ts';
+import { bareBoxesOf, boxesOf } from './arrange.ts';
 import type { NodeBox } from './auto-layout.ts';
 
 export interface Box extends Place {
@@ -68,7 +68,7 @@ export function contentOf(editor: Editor, canvasId: string): Readonly<Record<str
     ...Object.entries(layout.notes).map(([id, box]) => ({ ...box, id: itemId('note', id) })),
     ...Object.entries(layout.reroutes).map(([id, place]) => ({ ...place, width: 0, height: 0, id: itemId('reroute', id) })),
   ];
-  const inside = [...boxesOf(editor, () => true), ...items].filter((box) => box.id !== canvasId && isIn(box, frame));
+  const inside = [...bareBoxesOf(editor), ...items].filter((box) => box.id !== canvasId && isIn(box, frame));
   return Object.fromEntries(inside.map(({ id, x, y }) => [id, { x, y }]));
 }
 

@@ -13,7 +13,7 @@ export const ROW_HEIGHT = 22;
 export const BODY_PADDING = 6;
 /** Size of the hit area of a port. The drawn shape has half of it. */
 export const PORT_SIZE = 22;
-/** Height of a thumbnail. */
+/** Maximum height of a thumbnail with its margin. */
 export const THUMBNAIL_HEIGHT = 104;
 
 export interface PortView {
@@ -38,8 +38,8 @@ export interface NodeShape {
   readonly hiddenParams: number;
   /** Present if only the header is shown. */
   readonly collapsed?: true;
-  /** Output port of the layer in the thumbnail; null without one. */
-  readonly thumbnail: string | null;
+  /** The thumbnail: the output port of its layer, and its height with its margin. Null without one. */
+  readonly thumbnail: { readonly port: string; readonly height: number } | null;
 }
 
 export interface ShapeOptions {
@@ -49,14 +49,14 @@ export interface ShapeOptions {
   readonly expanded: boolean;
   /** Whether only the header is shown. Wires then end at its sides. */
   readonly collapsed?: boolean;
-  /** Whether a thumbnail of the first layer is shown. */
-  readonly hasThumbnail?: boolean;
+  /** Height of the thumbnail of the first layer, in canvas units; 0 for none. */
+  readonly thumbnailHeight?: number;
 }
 
 export function nodeShape(
   definition: NodeDefinition,
   node: GraphNode,
-  { wired, expanded, collapsed = false, hasThumbnail = false }: ShapeOptions,
+  { wired, expanded, collapsed = false, thumbnailHeight = 0 }: ShapeOptions,
 ): NodeShape {
   const inputs = Object.entries(definition.inputs);
   const outputs = Object.entries(definition.outputs);
@@ -107,8 +107,9 @@ export function nodeShape(
   }
   if (collapsed) return { width: NODE_WIDTH, height: HEADER_HEIGHT, ports, hiddenParams: 0, collapsed, thumbnail: null };
   const rows = Math.max(row, 1);
-  const thumbnail = hasThumbnail ? layerPortOf(definition) : null;
-  const height = HEADER_HEIGHT + 2 * BODY_PADDING + rows * ROW_HEIGHT + (thumbnail === null ? 0 : THUMBNAIL_HEIGHT);
+  const port = thumbnailHeight === 0 ? null : layerPortOf(definition);
+  const thumbnail = port === null ? null : { port, height: thumbnailHeight };
+  const height = HEADER_HEIGHT + 2 * BODY_PADDING + rows * ROW_HEIGHT + (thumbnail?.height ?? 0);
   return { width: NODE_WIDTH, height, ports, hiddenParams, thumbnail };
 }
 

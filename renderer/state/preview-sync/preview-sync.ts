@@ -108,7 +108,7 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
     if (open === null) return;
     const { layout: _, ...logic } = project;
     editor.compile.setState({ busy: true });
-    compiler.request({ revision, project: logic, taps: viewerSync.taps() });
+    compiler.request({ revision, project: logic, ...viewerSync.layers() });
   };
 
   const stopDocument = editor.document.subscribe((state, before) => {

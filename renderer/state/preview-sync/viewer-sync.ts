@@ -1,7 +1,7 @@
 import { debounce } from '../../clock.ts';
 import type { ToPreview } from '../../preview-protocol.ts';
 import type { Editor } from '../editor/editor.ts';
-import { viewedLayers } from '../preview/viewed-layers.ts';
+import { probedLayer, viewedLayers } from '../preview/viewed-layers.ts';
 
 /** Height of thumbnails: that of a node’s thumbnail at a pixel ratio of 2. */
 const THUMBNAIL_HEIGHT_PX = 192;
@@ -10,8 +10,8 @@ const PAUSE_MS = 200;
 
 /** Keeps program and preview in sync with the viewer, the thumbnails and the performance overlay. */
 export interface ViewerSync {
-  /** Layers that the next program must keep for viewing. */
-  taps(): readonly string[];
+  /** Layers that the next program must keep for viewing; see `CompileOptions`. */
+  layers(): { readonly taps: readonly string[]; readonly thumbnails: readonly string[] };
   /** Sends the whole state to a preview page that has just loaded. */
   sendAll(): void;
   dispose(): void;
@@ -20,24 +20,32 @@ export interface ViewerSync {
 /**
  * Creates the viewer sync.
  *
- * @param compile Recompiles the project. A program keeps only the viewed layers, so a change of these needs another program.
+ * @param compile Recompiles the project. A program keeps only the viewed layers, so further ones need another program.
  */
 export function createViewerSync(editor: Editor, post: (message: ToPreview) => void, compile: () => void): ViewerSync {
-  let compiled = '';
-  const taps = () => {
-    const layers = viewedLayers(editor);
-    compiled = layers.join();
-    return layers;
+  let compiledTaps = '';
+  let compiledThumbnails: ReadonlySet<string> = new Set();
+  const layers = () => {
+    const taps = viewedLayers(editor);
+    const thumbnails = editor.thumbnails.wanted();
+    compiledTaps = taps.join();
+    compiledThumbnails = new Set(thumbnails);
+    return { taps, thumbnails };
+  };
+  /** Thumbnails that are no longer visible cost nothing, so they wait for the next compile. */
+  const compileIfNeeded = () => {
+    const isCompiled = editor.thumbnails.wanted().every((layer) => compiledThumbnails.has(layer));
+    if (!isCompiled || viewedLayers(editor).join() !== compiledTaps) compile();
   };
   const sendAll = () => {
-    const { left, right, split } = editor.viewer.getState();
+    const { left, right, split, probing } = editor.viewer.getState();
     post({ kind: 'thumbnails', ports: editor.thumbnails.wanted(), heightPx: THUMBNAIL_HEIGHT_PX });
-    post({ kind: 'viewer', left, right, split: split ?? 1 });
+    post({ kind: 'viewer', left, right, split: split ?? 1, probed: probing ? probedLayer(editor) : null });
     post({ kind: 'cost', on: editor.costs.getState().on });
   };
   const settle = debounce(editor.clock, PAUSE_MS, () => {
     sendAll();
-    if (viewedLayers(editor).join() !== compiled) compile();
+    compileIfNeeded();
   });
   editor.thumbnails.onChange.run = settle.trigger;
   const stopCosts = editor.costs.subscribe((state, before) => {
@@ -47,10 +55,10 @@ export function createViewerSync(editor: Editor, post: (message: ToPreview) => v
     if (state.left === before.left && state.right === before.right && state.split === before.split && state.probing === before.probing)
       return;
     sendAll();
-    if (viewedLayers(editor).join() !== compiled) compile();
+    compileIfNeeded();
   });
   return {
-    taps,
+    layers,
     sendAll,
     dispose: () => {
       stop();

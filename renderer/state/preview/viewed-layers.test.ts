@@ -43,10 +43,11 @@ test('what is looked at is kept by the program: pins, both sides of a wipe, pict
   editor.viewer.setState({ probing: true });
   expect(viewedLayers(editor)).toEqual([`${sepia}.layer`]);
   resetViewer(editor.viewer);
-  const stop = editor.thumbnails.watch('x.layer', () => {});
-  expect(viewedLayers(editor)).toEqual(['x.layer']);
-  stop();
   expect(viewedLayers(editor)).toEqual([]);
+  const stop = editor.thumbnails.watch('x.layer', () => {});
+  expect(editor.thumbnails.wanted()).toEqual(['x.layer']);
+  stop();
+  expect(editor.thumbnails.wanted()).toEqual([]);
   // What gives no layer cannot be shown, and says so.
   selectOnly(editor.selection, [screen]);
   pinSelected(editor);

@@ -13,11 +13,11 @@ function screenLayer({ project }: DocumentState): string | null {
   return wire ? `${wire.from.node}.${wire.from.port}` : null;
 }
 
-/** All layers that the program must keep for viewing. */
-export function viewedLayers(editor: Pick<Editor, 'viewer' | 'thumbnails' | 'document'>): readonly string[] {
+/** The layers that the program must keep for viewing, besides thumbnails. */
+export function viewedLayers(editor: Pick<Editor, 'viewer' | 'document'>): readonly string[] {
   const { left, right, probing } = editor.viewer.getState();
-  const besides = [left, right, probing ? probedLayer(editor) : null];
-  return [...new Set([...editor.thumbnails.wanted(), ...besides.flatMap((layer) => layer ?? [])])].sort();
+  const layers = [left, right, probing ? probedLayer(editor) : null];
+  return [...new Set(layers.flatMap((layer) => layer ?? []))].sort();
 }
 
 /** The layer whose depth the pixel probe reads. */
