@@ -177,7 +177,7 @@ export const definition = defineNode({
       type: 'toggle',
       stage: 'structure',
       label: 'Show before the first tap',
-      doc: 'The objects stand where they are in the graph until they are placed. Otherwise, and with “Place one more”, they are hidden.',
+      doc: 'The objects stand where they are in the graph until they are placed. A tap then brings the origin of the first one to the surface; the others keep their places relative to it. Otherwise, and with “Place one more”, they are hidden before.',
       default: false,
     },
     nextSession: {

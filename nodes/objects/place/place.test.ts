@@ -1,8 +1,9 @@
 import { describe, expect, test } from '@jest/globals';
-import { Matrix4 } from 'three';
+import { Matrix4, Vector3 } from 'three';
 import type { MutablePointer } from '../../../export/runtime/sessions/input/session-input.ts';
-import { fingers, NOTHING, rounded, start, wall } from '../../../tests/support/place-kit.ts';
+import { cube, fingers, NOTHING, rounded, start, wall } from '../../../tests/support/place-kit.ts';
 import { type Place, pointer, rayTo } from '../../../tests/support/pointer-kit.ts';
+import type { ObjectItem, ObjectList } from '../../kit/scene-lists.ts';
 
 describe('objects/place', () => {
   test('hides the objects until a tap, and then places them where its ray meets the floor', () => {
@@ -17,6 +18,26 @@ describe('objects/place', () => {
     const { step, tap } = start({ showBefore: true });
     expect(step()).toMatchObject({ at: null, object: [0, 0, 0] });
     expect(tap([0, 0, -2]).object).toEqual([0, 0, -2]);
+  });
+
+  test('brings the origin of the first to the tapped point, from wherever it stood before, and the others along', () => {
+    const { ctx, step, tap, posture } = start({ showBefore: true });
+    const [list] = ctx.inputs.objects as readonly ObjectList[];
+    list?.items[0]?.worldFromObject
+      .makeRotationY(0.5)
+      .setPosition(-0.2, 0.42, -0.5)
+      .scale(new Vector3(2, 2, 2));
+    list?.items.push({ ...cube().items[0], key: 'lid', worldFromObject: new Matrix4().makeTranslation(-0.2, 0.92, -0.5) } as ObjectItem);
+    if (list) list.version++;
+    expect(step().object).toEqual([-0.2, 0.42, -0.5]);
+    const atPoint = tap([0.5, 0, -2]);
+    expect([atPoint.at, atPoint.object]).toEqual([
+      [0.5, 0, -2],
+      [0.5, 0, -2],
+    ]);
+    const lid = ctx.outputs.objects.items[1]?.worldFromObject.elements ?? [];
+    expect(rounded(Array.from(lid).slice(12, 15))).toEqual([0.5, 0.5, -2]);
+    expect(posture().scale).toBe(2);
   });
 
   test.each([

@@ -12,7 +12,7 @@ import { applyKey } from './keyboard.ts';
 import { distanceToBounds, writeBounds } from './reach.ts';
 import { createReticle } from './reticle.ts';
 import { createShownObjects } from './shown-objects.ts';
-import { createSpot, restorePose, type Spot, stateOf, vacate, writeSpot } from './spot.ts';
+import { createSpot, restorePose, type Spot, stateOf, vacate, writeOrigin, writeSpot } from './spot.ts';
 
 const IDENTITY = new Matrix4();
 /** Greatest distance of the ring: farther away, a ring on a floor is too flat to see, and often behind a wall. */
@@ -36,6 +36,8 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const history = createHistory();
   const reticle = hasReticle ? createReticle() : null;
   const shown = createShownObjects(outputs.objects, reticle?.items ?? [], gestures ? ctx : null);
+  const standsBefore = showBefore && mode !== 'add';
+  const originFromGraph = new Matrix4();
   const steps = { minScale: 1, maxScale: 1, snapRad: 0, gridM: 0 };
   /** The copy that was placed or touched last. */
   let newest = firstSpot;
@@ -57,7 +59,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   }
 
   function write(spot: Spot): void {
-    if (spot.isPlaced) writeSpot(spot, steps.snapRad, steps.gridM);
+    if (spot.isPlaced) writeSpot(spot, steps.snapRad, steps.gridM, originFromGraph);
   }
   function writeAll(): void {
     for (let i = 0; i < spots.length; i++) write(spots[i] as Spot);
@@ -249,7 +251,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   function show(): void {
     for (let i = 0; i < spots.length; i++) {
       const spot = spots[i];
-      places[i] = spot?.isPlaced ? spot.worldFromPlaced : showBefore && i === 0 && mode !== 'add' ? IDENTITY : null;
+      places[i] = spot?.isPlaced ? spot.worldFromPlaced : standsBefore ? IDENTITY : null;
     }
     shown.update(inputs.objects, places);
   }
@@ -268,6 +270,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       }
       frameJumps = frame.jumps;
       if (session.sessions !== lastSession) enterSession(frame);
+      if (standsBefore) writeOrigin(originFromGraph, inputs.objects);
       for (let i = 0; i < spots.length; i++) spots[i]?.placement.follow();
       writeAll();
       if (inputs.remove.count > 0) removeAll();

@@ -1,5 +1,6 @@
-import { Matrix4, type Quaternion, Vector3 } from 'three';
+import { Matrix4, Quaternion, Vector3 } from 'three';
 import type { AnchorService } from '../../kit/anchors.ts';
+import type { ObjectList } from '../../kit/scene-lists.ts';
 import { createPlacement, type Placement } from './placement.ts';
 
 /** One copy of the objects: whether it is placed, and where. */
@@ -10,7 +11,7 @@ export interface Spot {
   isPlaced: boolean;
   /** Rigid pose of the copy, with the rotation that the visitor has added. */
   readonly worldFromPose: Matrix4;
-  /** Matrix of the placed copy: its pose and its scale. */
+  /** Matrix of the placed copy, from the places of the objects in the graph: its pose and its scale. */
   readonly worldFromPlaced: Matrix4;
 }
 
@@ -25,16 +26,36 @@ export interface SpotState {
 }
 
 // Filled and read within one call.
+const scratchPosition = new Vector3();
+const scratchRotation = new Quaternion();
 const scratchScale = new Vector3();
+const ONE = new Vector3(1, 1, 1);
 
 export function createSpot(index: number, anchors: () => AnchorService): Spot {
   return { index, placement: createPlacement(anchors), isPlaced: false, worldFromPose: new Matrix4(), worldFromPlaced: new Matrix4() };
 }
 
-/** Updates the matrices of a spot. */
-export function writeSpot({ placement, worldFromPose, worldFromPlaced }: Spot, snapRad: number, gridM: number): void {
+/**
+ * Updates the matrices of a spot.
+ *
+ * @param originFromGraph The inverse of the pose in the graph that comes to lie on the surface.
+ */
+export function writeSpot(
+  { placement, worldFromPose, worldFromPlaced }: Spot,
+  snapRad: number,
+  gridM: number,
+  originFromGraph: Matrix4,
+): void {
   placement.writePose(worldFromPose, snapRad, gridM);
-  worldFromPlaced.copy(worldFromPose).scale(scratchScale.setScalar(placement.scale));
+  worldFromPlaced.copy(worldFromPose).scale(scratchScale.setScalar(placement.scale)).multiply(originFromGraph);
+}
+
+/** Writes the inverse of the pose of the first object, without its scale. */
+export function writeOrigin(out: Matrix4, inputs: readonly ObjectList[]): void {
+  const first = inputs[0]?.items[0];
+  if (!first) return;
+  first.worldFromObject.decompose(scratchPosition, scratchRotation, scratchScale);
+  out.compose(scratchPosition, scratchRotation, ONE).invert();
 }
 
 /** Resets a spot that is no longer placed: no anchor, no added rotation, scale 1. */
