@@ -2,14 +2,19 @@ import { readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { describe, expect, test } from '@jest/globals';
 import {
+  Bone,
   BoxGeometry,
   BufferAttribute,
   BufferGeometry,
   CylinderGeometry,
   Group,
+  InstancedMesh,
   Matrix4,
   Mesh,
+  MeshBasicMaterial,
   PlaneGeometry,
+  Skeleton,
+  SkinnedMesh,
   SphereGeometry,
   TorusGeometry,
   Vector3,
@@ -92,6 +97,22 @@ describe('shapes', () => {
 
   test('a scale counts', () => {
     expect(volumeOf(shapeOf('auto', new Mesh(new BoxGeometry()), new Vector3(1, 2, 3)).shapes)).toBeCloseTo(6, 6);
+  });
+
+  test('all instances count, and a skinned mesh has the shape of its rest pose', () => {
+    const posts = new InstancedMesh(new BoxGeometry(0.1, 1, 0.1), new MeshBasicMaterial(), 2);
+    posts.setMatrixAt(0, new Matrix4().makeTranslation(-0.5, 0, 0));
+    posts.setMatrixAt(1, new Matrix4().makeTranslation(0.5, 0, 0));
+    expect(volumeOf(shapeOf('hull', posts, ONE).shapes)).toBeCloseTo(0.11, 6);
+    const geometry = new BoxGeometry(0.1, 1, 0.1);
+    geometry.setAttribute('skinIndex', new BufferAttribute(new Uint16Array(4 * 24), 4));
+    geometry.setAttribute('skinWeight', new BufferAttribute(new Float32Array(4 * 24).fill(0.25), 4));
+    const arm = new SkinnedMesh(geometry);
+    const bone = new Bone();
+    arm.bind(new Skeleton([bone]));
+    bone.scale.set(3, 3, 3);
+    bone.updateMatrixWorld();
+    expect(volumeOf(shapeOf('hull', arm, new Vector3(1, 2, 1)).shapes)).toBeCloseTo(0.02, 6);
   });
 
   const flat = new Mesh(new PlaneGeometry(1, 1));
@@ -185,6 +206,18 @@ describe('physics/body', () => {
     expect(new Vector3().setFromMatrixScale(moved?.worldFromObject ?? new Matrix4()).x).toBeCloseTo(2, 6);
   });
 
+  test('a static body is where the graph places it in the same frame, whatever the world last said', () => {
+    const { item, update, body, ctx } = start({ params: { mode: 'static' } });
+    item.worldFromObject.makeTranslation(0, 1, 0);
+    update();
+    const [made] = body();
+    if (made) made.world = { applyPoses: () => {}, control: createWorldControl(), massOf: () => ({ massKg: 1, centerM: [0, 0, 0] }) };
+    item.worldFromObject.makeTranslation(2, 1, 0);
+    update();
+    expect(ctx.outputs.objects.items[0]?.worldFromObject.elements[12]).toBe(2);
+    expect(ctx.outputs.pose.worldFromPose[12]).toBe(2);
+  });
+
   test('makes another shape where the scale changes by more than a hundredth', () => {
     const { item, update, body } = start();
     update();
@@ -201,6 +234,8 @@ describe('physics/body', () => {
     const { spawn, update, body, ctx } = start({ params: { copies: 2, spawnSpeed: 5 } });
     update();
     expect([body(), ctx.outputs.objects.items.map(({ hidden }) => hidden)]).toEqual([[], [true, true]]);
+    // Readers of the objects build everything anew at each version, which takes longer than a frame.
+    const { version } = ctx.outputs.objects;
     const keys: (string | undefined)[] = [];
     for (let i = 0; i < 3; i++) {
       spawn.emit().setPose(new Matrix4().makeTranslation(i, 1, 0).elements);
@@ -208,6 +243,7 @@ describe('physics/body', () => {
       keys.push(body().find(({ worldFromTarget }) => worldFromTarget[12] === i)?.key);
     }
     expect(body()).toHaveLength(2);
+    expect(ctx.outputs.objects).toMatchObject({ version, items: [{ hidden: false }, { hidden: false }] });
     expect(keys[0]).toBe(keys[2]);
     expect(Array.from(body()[0]?.targetVelocity ?? [])).toEqual([-0, -0, -5]);
   });

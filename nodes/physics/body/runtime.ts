@@ -43,7 +43,8 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   let passed: { readonly source: ObjectItem; readonly item: ObjectItem }[] = [];
   /** Index of the copy that is thrown next. */
   let next = 0;
-  let hasListChanged = false;
+  /** Whether other bodies are in the world than before. */
+  let hasBodyChanged = false;
   let lostCount = 0;
   const spawnPose = new Matrix4();
   let frames = 0;
@@ -66,7 +67,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
         }
       });
     }
-    hasListChanged = true;
+    writeItems();
   }
   function createEntry(source: ObjectItem, key: string): Entry {
     const item: ObjectItem = { ...source, key, worldFromObject: source.worldFromObject.clone() };
@@ -80,7 +81,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       scale: new Vector3(),
       rootScale: new Vector3(),
       isShown: !isCopy,
-      isHidden: false,
+      isHidden: source.hidden ?? false,
       isReturning: false,
     };
   }
@@ -151,7 +152,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     entry.isReturning = false;
   }
   function show(entry: Entry, isShown: boolean): void {
-    hasListChanged ||= entry.isShown !== isShown;
+    hasBodyChanged ||= entry.isShown !== isShown;
     entry.isShown = isShown;
   }
   function recycle(entry: Entry): void {
@@ -190,35 +191,39 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       fix: 'Connect it to “Bodies” of a Physics world.',
     });
   }
-  function writeLists(): void {
-    hasListChanged = false;
+  /** Lists the items. Copies that wait are hidden items: when one is thrown, nothing is compiled, and no reader builds anything anew. */
+  function writeItems(): void {
     outputs.objects.items.length = 0;
-    outputs.body.bodies.length = 0;
-    for (const entry of entries) {
-      // Copies that wait are hidden items, so that nothing is compiled when they are thrown.
-      entry.item.hidden = entry.isHidden || !entry.isShown;
-      outputs.objects.items.push(entry.item);
-      if (!entry.item.hidden) outputs.body.bodies.push(entry.body);
-    }
+    for (const { item } of entries) outputs.objects.items.push(item);
     for (const { item } of passed) outputs.objects.items.push(item);
     outputs.objects.version++;
+    writeBodies();
+  }
+  function writeBodies(): void {
+    hasBodyChanged = false;
+    outputs.body.bodies.length = 0;
+    for (const { item, body, isHidden, isShown } of entries) {
+      item.hidden = isHidden || !isShown;
+      if (!item.hidden) outputs.body.bodies.push(body);
+    }
     outputs.body.version++;
   }
 
   return {
     prepare: () => {
       if (watch.changed(ctx.inputs.objects)) rebuild();
-      writeLists();
     },
     update: (frame) => {
       if (watch.changed(ctx.inputs.objects)) rebuild();
       for (const { body } of entries) body.world?.applyPoses();
       for (const entry of entries) {
         const isHidden = entry.source.hidden ?? false;
-        hasListChanged ||= entry.isHidden !== isHidden;
+        hasBodyChanged ||= entry.isHidden !== isHidden;
         entry.isHidden = isHidden;
         updateShape(entry);
         if (config.mode !== 'dynamic' || (entry.body.world === null && !entry.isCopy)) aim(entry, entry.source.worldFromObject);
+        // At once and not with the next answer of the world: what follows its pose would begin at the former place.
+        if (config.mode === 'static') entry.body.worldFromBody.set(entry.body.worldFromTarget);
         if (entry.isShown && config.mode === 'dynamic') returnLost(entry);
       }
       const { spawn: spawns, recycle: recycles } = ctx.inputs;
@@ -228,7 +233,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
         else for (const entry of entries) restart(entry, entry.source.worldFromObject);
       }
       for (const { source, item } of passed) item.hidden = source.hidden ?? false;
-      if (hasListChanged) writeLists();
+      if (hasBodyChanged) writeBodies();
       if (++frames === 3) checkWorld();
       for (const { source, item, body, isShown, scale } of entries) {
         if (!isShown) continue;
@@ -249,7 +254,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       entries = [];
       passed = [];
       watch = createVersionWatch();
-      writeLists();
+      writeItems();
     },
     dispose: () => {
       entries = [];
