@@ -24,6 +24,8 @@ export interface PhysicsRoom {
   version: number;
   /** Depth images since the last frame; the world reads them and empties the list. */
   readonly frames: DepthFrame[];
+  /** Arrays of depth frames that the worker of the world has read. The room uses them again and removes them. */
+  readonly spent: Float32Array<ArrayBuffer>[];
   /** Changes of the whole grid, oldest first, before the depth of this frame; the world carries them out and empties the list. */
   readonly edits: RoomEdit[];
   /** Whether the world shall write the grid to `file`. The world then sets it to false. */
@@ -58,7 +60,10 @@ export interface VoxelSettings {
 
 /** A depth image with the pose and rays of its texels. */
 export interface DepthFrame {
-  /** Depth along the axis of the view, rows from the bottom; 0 is unknown. */
+  /**
+   * Depth along the axis of the view, rows from the bottom; 0 is unknown. A typed array moves to the worker of the world without a copy: it
+   * is then empty here, and its buffer comes back in `PhysicsRoom.spent`.
+   */
   readonly meters: ArrayLike<number>;
   readonly widthPx: number;
   readonly heightPx: number;

@@ -10,13 +10,14 @@ export interface DepthFrames {
    * Converts a depth image for the voxel grid: skips texels and computes the rays of the others. The frame is valid until as many others
    * have been written as there are buffers.
    *
+   * @param spent Arrays that may be used again, because a worker has taken those of former frames. It removes what it takes.
    * @returns Null for a projection or a UV matrix without inverse.
    */
-  write(image: DepthImage, deltaS: number): DepthFrame | null;
+  write(image: DepthImage, deltaS: number, spent: Float32Array<ArrayBuffer>[]): DepthFrame | null;
 }
 
 interface Slot {
-  meters: Float32Array;
+  meters: Float32Array<ArrayBuffer>;
   widthPx: number;
   heightPx: number;
   readonly worldFromDepth: Float64Array;
@@ -41,7 +42,7 @@ export function createDepthFrames(count: number): DepthFrames {
   );
   let next = 0;
   return {
-    write: (image, deltaS) => {
+    write: (image, deltaS, spent) => {
       const slot = slots[next];
       const { meters, widthPx, heightPx, worldFromView } = image;
       const stride = Math.max(1, Math.ceil(widthPx / MAX_WIDTH_PX));
@@ -49,7 +50,8 @@ export function createDepthFrames(count: number): DepthFrames {
       next = (next + 1) % count;
       const width = Math.floor(widthPx / stride);
       const height = Math.floor(heightPx / stride);
-      if (slot.meters.length !== width * height) slot.meters = new Float32Array(width * height);
+      const length = width * height;
+      while (slot.meters.length !== length) slot.meters = spent.pop() ?? new Float32Array(length);
       for (let j = 0; j < height; j++)
         for (let i = 0; i < width; i++) slot.meters[j * width + i] = meters[j * stride * widthPx + i * stride] ?? 0;
       slot.widthPx = width;

@@ -290,6 +290,7 @@ describe('physics/room', () => {
       restitution: 0,
       version: 0,
       frames,
+      spent: [],
       edits: [],
       wantsFile: false,
       file: null,

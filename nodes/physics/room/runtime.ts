@@ -32,7 +32,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { edgeM, speed, threshold, farM, friction, restitution, surface, depth, planes, meshes, keep } = ctx.config;
   const settings = { edgeM, speed, threshold, farM, isSmooth: surface === 'smooth' };
   const room: PhysicsRoom = {
-    ...{ settings, friction, restitution, version: 0, frames: [], edits: [] },
+    ...{ settings, friction, restitution, version: 0, frames: [], spent: [], edits: [] },
     ...{ wantsFile: false, file: null, changes: 0, fileChanges: 0 },
   };
   // One more than can wait: the world has copied the others when it returns.
@@ -102,7 +102,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   }
   function add(image: DepthImage, deltaS: number): void {
     if (room.frames.length === MAX_FRAMES) room.frames.shift();
-    const frame: DepthFrame | null = depthFrames.write(image, deltaS);
+    const frame: DepthFrame | null = depthFrames.write(image, deltaS, room.spent);
     if (frame) room.frames.push(frame);
   }
   return {

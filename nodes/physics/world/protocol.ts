@@ -51,7 +51,7 @@ export interface JointCommand {
   readonly worldFromTarget: ArrayLike<number>;
 }
 
-/** The message to the worker: commands and a step. The buffers are transferred, and return with the answer. */
+/** The message to the worker: commands and a step. The buffers, also those of depth frames, are transferred and return with the answer. */
 export interface StepMessage {
   readonly commands: readonly PhysicsCommand[];
   /** Time to simulate, seconds; 0 only applies the commands. */
@@ -72,6 +72,8 @@ export interface StepAnswer {
   readonly touchCount: number;
   /** As `PhysicsEngine.voxels`; null if they are not wanted. */
   readonly voxels: Float32Array | null;
+  /** The depth of the commands, if it was transferred. */
+  readonly spent: readonly Float32Array<ArrayBuffer>[];
   /** As `PhysicsEngine.roomFile`; null if it is not wanted. */
   readonly file: Uint8Array | null;
   /** The message of an error, after which the engine is lost; null otherwise. */
@@ -102,6 +104,12 @@ export const FIXED_BODY: BodyDescription = {
   angularDamping: 0,
   gravityFactor: 0,
 };
+
+/** The array of a command that moves to the worker and back without a copy; null for most commands. */
+export function depthOf(command: PhysicsCommand): Float32Array<ArrayBuffer> | null {
+  if (command.kind !== 'depth' || !ArrayBuffer.isView(command.frame.meters)) return null;
+  return command.frame.meters as Float32Array<ArrayBuffer>;
+}
 
 /** A physics engine. Ids are positive integers. Commands with numbers that are not finite have no effect. */
 export interface PhysicsEngine {

@@ -1,5 +1,7 @@
 import type { PhysicsEngine, StepAnswer, StepMessage } from './protocol.ts';
 
+const NONE: StepAnswer['spent'] = [];
+
 /**
  * Creates a function that answers step messages with one engine. The worker and the main thread use the same function, so the results are
  * the same.
@@ -16,10 +18,11 @@ export function createStepper(createEngine: () => PhysicsEngine): (message: Step
       engine.writePoses(poses);
       const voxels = wantsVoxels ? engine.voxels() : null;
       const file = wantsFile ? engine.roomFile() : null;
-      return { poses, touches, bodyCount: engine.bodyCount, touchCount: engine.writeTouches(touches), voxels, file, failure: null };
+      const touchCount = engine.writeTouches(touches);
+      return { poses, touches, bodyCount: engine.bodyCount, touchCount, voxels, file, spent: NONE, failure: null };
     } catch (error) {
       const failure = error instanceof Error ? error.message : String(error);
-      return { poses, touches, bodyCount: 0, touchCount: 0, voxels: null, file: null, failure };
+      return { poses, touches, bodyCount: 0, touchCount: 0, voxels: null, file: null, spent: NONE, failure };
     }
   };
 }

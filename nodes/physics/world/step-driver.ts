@@ -1,5 +1,5 @@
 import type { NodeWorker, WorkerService } from '../../kit/runtime.ts';
-import { type PhysicsCommand, POSE_STRIDE, type StepAnswer, type StepMessage, TOUCH_STRIDE } from './protocol.ts';
+import { depthOf, type PhysicsCommand, POSE_STRIDE, type StepAnswer, type StepMessage, TOUCH_STRIDE } from './protocol.ts';
 
 /** Sends steps to an engine in a worker. If no worker starts, it runs the engine on the main thread. */
 export interface StepDriver {
@@ -121,8 +121,12 @@ export function createStepDriver({ workers, createStepper, restore, onRestart }:
       finish(answer);
       return;
     }
-    transfer[0] = poses.buffer;
-    transfer[1] = touches.buffer;
+    transfer.length = 0;
+    transfer.push(poses.buffer, touches.buffer);
+    for (const command of commands) {
+      const depth = depthOf(command);
+      if (depth) transfer.push(depth.buffer);
+    }
     worker?.post(message, transfer);
   }
 

@@ -205,7 +205,8 @@ export function createTrackedBodies(world: BodyWorld): TrackedBodies {
       askedChanges = sentRoom.changes;
       return true;
     },
-    take: ({ poses, touches, bodyCount, touchCount, file }) => {
+    take: ({ poses, touches, bodyCount, touchCount, file, spent }) => {
+      for (const depth of spent) sentRoom?.spent.push(depth);
       if (file && sentRoom) {
         sentRoom.file = file;
         sentRoom.fileChanges = askedChanges;

@@ -1,5 +1,5 @@
 import { createCannonEngine } from './cannon-engine.ts';
-import type { StepAnswer, StepMessage } from './protocol.ts';
+import { depthOf, type StepAnswer, type StepMessage } from './protocol.ts';
 import { createStepper } from './run-step.ts';
 
 /** The part of a worker's global scope that is used. */
@@ -13,6 +13,7 @@ export function serve(scope: WorkerScope): void {
   const step = createStepper(createCannonEngine);
   scope.onmessage = ({ data }) => {
     const answer = step(data);
-    scope.postMessage(answer, [answer.poses.buffer, answer.touches.buffer]);
+    const spent = data.commands.flatMap((command) => depthOf(command) ?? []);
+    scope.postMessage({ ...answer, spent }, [answer.poses.buffer, answer.touches.buffer, ...spent.map(({ buffer }) => buffer)]);
   };
 }
