@@ -137,3 +137,13 @@ test('sound is played although no picture depends on it, once something is conne
   expect(nodes(studio)).not.toEqual(expect.arrayContaining(['tap-a']));
   expect(nodes(studio.wire('tap-a.tapped -> sound-a.play'))).toEqual(expect.arrayContaining(['tap-a', 'sound-a']));
 });
+
+test('bodies that reach two physics worlds are an error at the second', () => {
+  const studio = firstLight()
+    .add('body-a', 'physics/body')
+    .add('world-a', 'physics/world')
+    .wire('fox-a.objects -> body-a.objects', 'body-a.objects -> scene-a.objects', 'body-a.body -> world-a.bodies');
+  const errors = ({ project }: TestStudio) => again({ project, library: LIBRARY }).diagnostics.map(({ code, nodeId }) => [code, nodeId]);
+  expect(errors(studio)).toEqual([]);
+  expect(errors(studio.add('world-b', 'physics/world').wire('body-a.body -> world-b.bodies'))).toEqual([['SCR027', 'world-b']]);
+});

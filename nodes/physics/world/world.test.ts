@@ -72,6 +72,16 @@ describe('motion by formula', () => {
     expect(periodS / exactS).toBeLessThan(1.01);
   });
 
+  test('a ball with rolling resistance rolls 7/10 v² r / (g s) far, where s is the lever arm', () => {
+    const lab = createLab();
+    lab.floor();
+    const id = lab.add({ shapes: ball(0.1), rollingM: 0.004 }, { positionM: [0, 0.1, 0], velocity: [1, 0, 0], spin: [0, 0, -10] });
+    lab.run(5);
+    const { positionM, velocity } = lab.body(id);
+    expect(length(velocity)).toBeLessThan(0.001);
+    expect(positionM[0] / ((0.7 * 0.1) / (G * 0.004))).toBeCloseTo(1, 1);
+  });
+
   test('a collision keeps momentum', () => {
     const lab = createLab({ gravity: [0, 0, 0] });
     const a = lab.add({ shapes: ball(0.1), massKg: 2, restitution: 0.5 }, { velocity: [3, 0, 0] });
@@ -170,10 +180,12 @@ describe('what stands', () => {
     const ids = Array.from({ length: 30 }, (_, i) =>
       lab.add({ shapes: i % 2 ? ball(0.1) : cube(0.2) }, { positionM: [0.13 * Math.sin(i * 7), 0.3 + 0.22 * i, 0.13 * Math.cos(i * 5)] }),
     );
+    // Balls and cubes turn as easily about each axis.
+    const inertias = [cube(0.2), ball(0.1)].map((shapes) => massProperties(shapes, 1, 0).inertia.xx);
     const energy = () =>
-      ids.reduce((sum, id) => {
-        const { positionM, velocity } = lab.body(id);
-        return sum + G * positionM[1] + 0.5 * length(velocity) ** 2;
+      ids.reduce((sum, id, i) => {
+        const { positionM, velocity, spin } = lab.body(id);
+        return sum + G * positionM[1] + 0.5 * length(velocity) ** 2 + 0.5 * (inertias[i % 2] ?? 0) * length(spin) ** 2;
       }, 0);
     const start = energy();
     let most = start;
