@@ -68,6 +68,16 @@ export const OPTIONAL_PARTS: readonly OptionalPart[] = [
     otherwise: `export const isCpu = () => false;\n${absent('createCpuStep')}`,
   },
   {
+    file: 'export/runtime/pixels/live-pixels.ts',
+    isNeeded: ({ operationKinds }) => operationKinds.has('readback'),
+    otherwise: absent('createLivePixels'),
+  },
+  {
+    file: 'export/runtime/pixels/pixels-step.ts',
+    isNeeded: ({ operationKinds }) => operationKinds.has('readback'),
+    otherwise: `export const isReadback = () => false;\n${absent('createReadbackStep')}`,
+  },
+  {
     file: 'export/runtime/cpu/worker-source.ts',
     isNeeded: ({ workers, panoramas, takesPanorama }) => workers || panoramas || takesPanorama,
     otherwise: absent('startBlobWorker'),

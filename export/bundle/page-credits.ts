@@ -1,5 +1,5 @@
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import type { ProgramCredit } from '../program/program.ts';
+import type { ProgramCredit } from '../program/program-credit.ts';
 import type { PreparedAsset } from './assets/prepare-assets.ts';
 
 /** A work on the page and its license. */

@@ -88,7 +88,7 @@ export function programUse(program: Program): ProgramUse {
   };
 }
 
-const RESTLESS: ReadonlySet<Operation['kind']> = new Set(['draw', 'cpu', 'shadow-maps']);
+const RESTLESS: ReadonlySet<Operation['kind']> = new Set(['draw', 'cpu', 'shadow-maps', 'readback']);
 
 /** Layers of the view domain that no pass draws come from the camera. */
 function isCamera(resource: Resource): boolean {

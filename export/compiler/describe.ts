@@ -61,6 +61,8 @@ function describeOperation(operation: Operation, program: Program): string {
       return describePass(operation, program);
     case 'shadow-maps':
       return `${operation.id}: shadow maps of ${operation.casters.join(', ')} for ${operation.lights.join(', ')}`;
+    case 'readback':
+      return `${operation.id}: reads ${operation.picture} back for the next frame`;
     case 'draw':
       return describeDraw(operation as DrawOperation, program);
     case 'cpu':

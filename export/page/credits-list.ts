@@ -1,4 +1,4 @@
-import type { ProgramCredit } from '../program/program.ts';
+import type { ProgramCredit } from '../program/program-credit.ts';
 import { element } from './dom.ts';
 
 export type Credit = Omit<ProgramCredit, 'nodes'>;

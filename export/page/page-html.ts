@@ -1,5 +1,6 @@
 import type { Tier } from '../program/needs.ts';
-import type { Control, ProgramCredit } from '../program/program.ts';
+import type { Control } from '../program/program.ts';
+import type { ProgramCredit } from '../program/program-credit.ts';
 import type { Ask } from './needs-text.ts';
 import { type PagePowers, pagePolicy } from './page-policy.ts';
 

@@ -3,6 +3,7 @@ import type { AssetKind, LayerEncoding, ParamValue } from '../../nodes/kit/defin
 import type { FoundLamps } from '../../nodes/kit/panorama/found-lamps.ts';
 import type { ValueType } from '../../nodes/kit/wire-types.ts';
 import type { ProgramNeed, Tier } from './needs.ts';
+import type { ProgramCredit } from './program-credit.ts';
 
 /**
  * Version of the program format. A program is the output of the compiler and the only input of the runtime: versioned JSON without data of
@@ -33,19 +34,6 @@ export interface Program {
   readonly readsInput?: true;
   /** Credits of its works by title; absent if no author is named. For display only: the runtime ignores them. */
   readonly credits?: readonly ProgramCredit[];
-}
-
-/** A work and its license. */
-export interface ProgramCredit {
-  /** An effect's title, or the project path of an asset. */
-  readonly title: string;
-  readonly kind: 'effect' | 'asset';
-  /** The author; empty if none is named. */
-  readonly credit: string;
-  /** Empty if none is named; effects of Scrim's own library are under Scrim's license. */
-  readonly licence: string;
-  /** Ids of the nodes that use it. */
-  readonly nodes: readonly string[];
 }
 
 /**
@@ -125,6 +113,8 @@ export type Resource =
   | { readonly id: ResourceId; readonly kind: 'curve'; readonly slot: number }
   /** A technique. No operation writes it. */
   | TechniqueResource
+  /** Pixels of a reduced image on the CPU, of an earlier frame. Nodes read them before the image of the frame is drawn. */
+  | { readonly id: ResourceId; readonly kind: 'pixels' }
   /** Depth maps of all shadow-casting lights for one set of casters. */
   | { readonly id: ResourceId; readonly kind: 'shadow-maps' };
 
@@ -274,6 +264,13 @@ export interface ShadowMapOperation extends OperationBase {
   readonly lights: readonly ResourceId[];
 }
 
+/** Reads a small image back to the CPU: that of the first view, or of all views. */
+export interface ReadbackOperation extends OperationBase {
+  readonly kind: 'readback';
+  readonly picture: ResourceId;
+  readonly pixels: ResourceId;
+}
+
 /** Draws one full-screen triangle. */
 export interface PassOperation extends OperationBase {
   readonly kind: 'pass';
@@ -327,7 +324,7 @@ export interface PassUniform {
 /** ISF's automatic uniforms (docs.isf.video, “Automatically Created Uniforms”). */
 export type BuiltinUniform = 'TIME' | 'TIMEDELTA' | 'FRAMEINDEX' | 'DATE' | 'RENDERSIZE' | 'PASSINDEX';
 
-export type Operation = NodeOperation | DrawOperation | CpuOperation | ShadowMapOperation | PassOperation;
+export type Operation = NodeOperation | DrawOperation | CpuOperation | ShadowMapOperation | ReadbackOperation | PassOperation;
 
 /** Complete GLSL ES 3.00. Equal sources are stored once. */
 export interface LinkedShader {

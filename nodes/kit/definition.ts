@@ -105,13 +105,14 @@ export interface InputPort {
   /** Whether the input accepts several wires; their order is that of the document. */
   readonly multiple?: boolean;
   /**
-   * Only for inputs of type `depth`. `raw`: the node measures with the depth, as physics does, and would be wrong on the smoothed surfaces
-   * between near and far. A session is asked for raw depth only if all readers of depth say `raw`, because other uses, such as occlusion,
-   * flicker with it.
+   * Only for inputs of type `depth`. `raw`: the node measures with the depth, as physics does; surfaces smoothed between near and far would
+   * be wrong. A session is asked for raw depth only if all readers say `raw`, because other uses, such as occlusion, flicker with it.
    */
   readonly depthType?: 'raw';
   /** Only for layer inputs: the encoding that the node reads. All inputs with `either` get the same encoding. Default: `display`. */
   readonly encoding?: LayerEncoding | 'either';
+  /** Only for layer inputs of behaviors: the node reads a reduced image of an earlier frame on the CPU, as `PixelsView` (ADR 46). */
+  readonly pixels?: true;
 }
 
 /** An output. */

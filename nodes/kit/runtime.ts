@@ -4,6 +4,7 @@ import type { InputPort, LayerEncoding, NodeDefinition, OutputPort, ParamDefinit
 import type { Diagnostic } from './diagnostics.ts';
 import type { HitRecord, HitSource, HitTest, HitTestOptions, MeasuredRoom } from './hit-test.ts';
 import type { KeptFiles } from './kept-files.ts';
+import type { PixelsView } from './layer-pixels.ts';
 import type { BodyList } from './physics.ts';
 import type { PoseOutput, PoseView } from './pose.ts';
 import type { EnvironmentOutput, LightList, ObjectList, RoomDepthOutput } from './scene-lists.ts';
@@ -189,12 +190,14 @@ export interface WireViews extends ValueViews {
 type WireView<T extends WireType> = WireViews[T];
 type InputView<P extends InputPort> = P extends { readonly type: 'pulse' }
   ? PulseList
-  : P extends { readonly multiple: true }
-    ? readonly WireView<P['type']>[]
-    : // If the type of the port is not known statically, all are possible.
-      InputPort extends P
-      ? readonly WireView<P['type']>[] | WireView<P['type']> | null
-      : WireView<P['type']> | null;
+  : P extends { readonly pixels: true }
+    ? PixelsView | null
+    : P extends { readonly multiple: true }
+      ? readonly WireView<P['type']>[]
+      : // If the type of the port is not known statically, all are possible.
+        InputPort extends P
+        ? readonly WireView<P['type']>[] | WireView<P['type']> | PixelsView | null
+        : WireView<P['type']> | null;
 type OutputView<T extends WireType> = T extends keyof ValueViews
   ? Writable<ValueViews[T]>
   : T extends 'pulse'

@@ -116,6 +116,35 @@ export async function playRunning(program: Program, colors: readonly number[][])
   return { framesLate, buffers, leaks: tracked.report(), diagnostics: told, error: gl.getError() };
 }
 
+/** Plays a program as a page does until a pixel of the screen has a color, and then again with another camera. */
+export async function playUntil(program: Program, stages: readonly { readonly camera: number[]; readonly screen: number[] }[]) {
+  const gl = createGl();
+  const tracked = trackGl(gl);
+  const { player, diagnostics } = await stand(program, { gl, modules: RUNTIMES });
+  player.setSession({ world: 'image', blend: 'opaque' });
+  const framesLate: number[] = [];
+  const cameras: (WebGLTexture | null)[] = [];
+  let index = 0;
+  for (const { camera, screen } of stages) {
+    const views = viewsOf(gl, [camera]);
+    cameras.push(views[0]?.cameraImage?.texture ?? null);
+    for (let late = 0; ; late++) {
+      await new Promise((resolve) => requestAnimationFrame(resolve));
+      player.draw(frame(index++, views));
+      const seen = pixel(gl, WIDTH / 2, HEIGHT / 2);
+      if (seen.every((value, i) => Math.abs(value - (screen[i] ?? 0)) <= 1)) {
+        framesLate.push(late);
+        break;
+      }
+      if (late > 1000) throw new Error(`The screen shows ${seen.join()} for ever.`);
+    }
+  }
+  const told = diagnostics();
+  player.dispose();
+  for (const made of cameras) gl.deleteTexture(made);
+  return { framesLate, leaks: tracked.report(), diagnostics: told, error: gl.getError() };
+}
+
 function modules(which: string): Readonly<Record<string, PlayedModule>> {
   const own = WORKERS[which];
   return own ? { ...RUNTIMES, 'filter/cpu-equalize-histogram': own } : RUNTIMES;

@@ -119,3 +119,42 @@ test('a plan says so in words', () => {
     'cpu-a: sends cpu-a.picture to a worker and draws the result of an earlier frame into cpu-a.layer',
   );
 });
+
+describe('a node that reads pixels', () => {
+  /** Red is bright enough for the mask, blue is not; while there is a mask, the image is gray. */
+  const measuring = (): Program =>
+    compiled(
+      new TestStudio({ library: LIBRARY, readShader })
+        .add('video-a', 'source/camera-video')
+        .add('measure-a', 'layer/measure-mask', { threshold: 0.2 })
+        .add('gray-a', 'filter/grey')
+        .add('screen-a', 'output/screen')
+        .wire('video-a.layer -> measure-a.mask')
+        .wire('measure-a.inside -> gray-a.amount')
+        .wire('video-a.layer -> gray-a.inputImage')
+        .wire('gray-a.layer -> screen-a.layer'),
+    );
+  const GRAY_OF_RED = [54, 54, 54, 255];
+  const GRAY_OF_BLUE = [18, 18, 18, 255];
+
+  test('sees the previous frame of a render, and forgets it at a reset', async () => {
+    const frames = [[RED], [RED], [BLUE], [BLUE], [RED], [RED]];
+    const played = await page.call<PlayedFrames>('playHeld', measuring(), 'node', frames, { 5: 'reset' });
+    expect(one(played)).toEqual([RED, GRAY_OF_RED, GRAY_OF_BLUE, BLUE, RED, RED]);
+    expect(played).toMatchObject({ diagnostics: [], error: 0 });
+  });
+
+  test('follows a page that plays without waiting for the GPU, and leaves nothing behind', async () => {
+    const stages = [
+      { camera: RED, screen: GRAY_OF_RED },
+      { camera: BLUE, screen: BLUE },
+    ];
+    const ran = await page.call<{ framesLate: number[] }>('playUntil', measuring(), stages);
+    expect(Math.min(...ran.framesLate)).toBeGreaterThanOrEqual(1);
+    expect(ran).toMatchObject({ leaks: [], diagnostics: [], error: 0 });
+  });
+
+  test('is in a plan with what it reads', () => {
+    expect(describeProgram(measuring())).toContain('measure-a.mask.readback: reads measure-a.mask.picture back for the next frame');
+  });
+});

@@ -27,7 +27,8 @@ export function programFaults(program: Program): string[] {
     for (const read of reads) {
       const resource = known.get(read);
       const waits = 'delay' in operation && operation.delay === true;
-      const lasts = resource?.kind === 'target' && resource.lifetime === 'persistent';
+      // Both contain an earlier frame until they are written.
+      const lasts = (resource?.kind === 'target' && resource.lifetime === 'persistent') || resource?.kind === 'pixels';
       fault(!resource, `${id} reads ${read}, which is not there`);
       fault(!written.has(read) && !lasts && !waits, `${id} reads ${read} before it is written`);
     }
@@ -102,7 +103,7 @@ function sharingFaults({ operations, resources, taps }: Program): string[] {
 }
 
 function slotsOf(operation: Operation): number[] {
-  if (operation.kind === 'shadow-maps') return [];
+  if (operation.kind === 'shadow-maps' || operation.kind === 'readback') return [];
   if (operation.kind === 'pass') return operation.uniforms.flatMap(({ source }) => ('slot' in source ? [source.slot] : []));
   const ports = [...Object.values(operation.inputs).flat(), ...Object.values(operation.outputs)];
   return [...Object.values(operation.params), ...ports.flatMap((ref) => (ref.kind === 'slot' ? [ref.slot] : []))];

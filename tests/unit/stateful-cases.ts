@@ -7,6 +7,7 @@ import { LIBRARY } from '../support/library.ts';
 /** What one node alone does not show: on the GPU, or in the nodes that it acts on. */
 export const SHOWN_ELSEWHERE: Readonly<Record<string, string>> = {
   'world/depth': 'Only its steadier keeps a picture, on the GPU, and only where smoothing is on: tests/browser/room-depth.test.ts.',
+  'layer/measure-mask': 'It measures pixels that come from the GPU: nodes/layer/measure-mask/measure-mask.test.ts.',
   'physics/grab': 'It holds bodies of other nodes: nodes/physics/grab/grab.test.ts.',
   'physics/room': 'It sends depth to the world: nodes/physics/room/room.test.ts.',
   'physics/world': 'It moves the bodies of other nodes: nodes/physics/world/steps.test.ts.',

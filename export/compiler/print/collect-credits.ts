@@ -1,5 +1,5 @@
 import type { Asset } from '../../graph/project.ts';
-import type { ProgramCredit } from '../../program/program.ts';
+import type { ProgramCredit } from '../../program/program-credit.ts';
 import type { FlatNode } from '../flat-graph.ts';
 
 /** Credits of the nodes' effects and of the assets that they use, without duplicates: effects first, by title. */

@@ -36,7 +36,7 @@ function usedAssets({ assets }: ProjectLogic, operations: readonly Operation[]):
   const used = new Set<string>();
   const imported = importedAssets(operations.filter((operation) => operation.kind === 'pass'));
   for (const operation of operations) {
-    if (operation.kind === 'pass' || operation.kind === 'shadow-maps') continue;
+    if (operation.kind === 'pass' || operation.kind === 'shadow-maps' || operation.kind === 'readback') continue;
     for (const id of Object.values(operation.assets)) if (id !== null) used.add(id);
   }
   const chosen = [...used].sort().flatMap((id): ProgramAsset[] => {

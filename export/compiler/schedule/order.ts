@@ -33,7 +33,16 @@ function runs(view: 'once' | 'each') {
   return ({ operation }: Step) => operation.view === view;
 }
 
-const ONCE_KINDS: readonly ScheduledOperation['kind'][] = ['value', 'source', 'behavior', 'geometry', 'shadow-maps', 'pass', 'cpu'];
+const ONCE_KINDS: readonly ScheduledOperation['kind'][] = [
+  'value',
+  'source',
+  'behavior',
+  'geometry',
+  'shadow-maps',
+  'pass',
+  'cpu',
+  'readback',
+];
 
 function orderOnce(steps: readonly Step[]): Step[] {
   const rank = ({ operation }: Step) => ONCE_KINDS.indexOf(operation.kind);

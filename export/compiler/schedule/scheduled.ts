@@ -1,5 +1,13 @@
 import type { PassParts, WhyNotFused } from '../../glsl/link/link-parts.ts';
-import type { CpuOperation, DrawOperation, LinkedShader, NodeOperation, PassOperation, ShadowMapOperation } from '../../program/program.ts';
+import type {
+  CpuOperation,
+  DrawOperation,
+  LinkedShader,
+  NodeOperation,
+  PassOperation,
+  ReadbackOperation,
+  ShadowMapOperation,
+} from '../../program/program.ts';
 import type { ShaderLink } from '../shaders/shader-link.ts';
 
 /** A pass that contains its shader; *link* replaces it by an index. */
@@ -9,7 +17,7 @@ export type ScheduledPass = Omit<PassOperation, 'shader'> & {
   readonly parts: PassParts | WhyNotFused;
 };
 
-export type ScheduledOperation = NodeOperation | DrawOperation | CpuOperation | ShadowMapOperation | ScheduledPass;
+export type ScheduledOperation = NodeOperation | DrawOperation | CpuOperation | ShadowMapOperation | ReadbackOperation | ScheduledPass;
 
 /** A shader that tests a technique, and the node of the technique. */
 export interface ScheduledTrial {

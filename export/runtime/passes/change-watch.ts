@@ -38,7 +38,9 @@ export function createChangeWatch(program: Program, inputs: Omit<PassInputs, 'cu
   const curveSlots = new Map(program.resources.flatMap((resource) => (resource.kind === 'curve' ? [[resource.id, resource.slot]] : [])));
   const watched = watchPasses(program, { ...inputs, curveSlots });
   const inOrder = [...watched.values()];
-  const isOnlyPasses = program.operations.every(({ kind }) => kind !== 'draw' && kind !== 'cpu' && kind !== 'shadow-maps');
+  const isOnlyPasses = program.operations.every(
+    ({ kind }) => kind !== 'draw' && kind !== 'cpu' && kind !== 'shadow-maps' && kind !== 'readback',
+  );
   const showsWorld = program.presentation.background === 'world';
   const viewport = { x: -1, y: -1, widthPx: -1, heightPx: -1 };
   let lastSession: SessionTraits | null = null;

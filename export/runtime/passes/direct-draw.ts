@@ -21,7 +21,7 @@ export function findDirectDraws(program: Program, resources: LiveResources): Rea
   const { operations } = program;
   const found = new Map<PassOperation, DirectDraw>();
   // Nodes that draw or compute images may read images in ways of their own.
-  if (operations.some(({ kind }) => kind === 'draw' || kind === 'cpu' || kind === 'shadow-maps')) return found;
+  if (operations.some(({ kind }) => kind === 'draw' || kind === 'cpu' || kind === 'shadow-maps' || kind === 'readback')) return found;
   const passes = operations.filter((operation) => operation.kind === 'pass');
   const inOrder = [...passes.filter(({ view }) => view === 'once'), ...passes.filter(({ view }) => view === 'each')];
   const viewed = new Set(Object.values(program.taps).map(({ color }) => color));

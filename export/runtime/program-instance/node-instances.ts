@@ -87,7 +87,7 @@ export function disposeNodeInstances(instances: NodeInstances, kept: Members = N
 }
 
 export function isNode(operation: Operation): operation is NodeOperation {
-  return operation.kind !== 'pass' && operation.kind !== 'shadow-maps';
+  return operation.kind !== 'pass' && operation.kind !== 'shadow-maps' && operation.kind !== 'readback';
 }
 
 export function isShadowMaps(operation: Operation): operation is ShadowMapOperation {

@@ -9,6 +9,7 @@ import { type ChangeWatch, createChangeWatch } from '../passes/change-watch.ts';
 import { type DirectDraw, findDirectDraws } from '../passes/direct-draw.ts';
 import { createImports, type Imports } from '../passes/imports.ts';
 import { createPass, type PassParts } from '../passes/pass.ts';
+import { createReadbackStep, isReadback } from '../pixels/pixels-step.ts';
 import { EMPTY_FRAME, enterView } from '../play-state.ts';
 import { createBackground, type SessionTraits } from '../present/background.ts';
 import { createResources, disposeUnused, type LiveResources, pointResources } from '../resources/resources.ts';
@@ -133,6 +134,7 @@ export function createProgramInstance(
       watch?.forget();
       for (const resource of resources.values()) {
         if (resource.kind === 'target' && resource.target.resource.lifetime === 'persistent') resource.target.clear();
+        if (resource.kind === 'pixels') resource.pixels.forget();
       }
     },
     prepare: async () => {
@@ -161,7 +163,7 @@ export function createProgramInstance(
     outlive: () => {
       const nodes = new Map([...instances.nodes].filter(([id, { usesGpu }]) => !usesGpu && makesValues(program, id)));
       const left: NodeInstances = {
-        resources: new Map([...resources].filter(([, { kind }]) => kind !== 'target')),
+        resources: new Map([...resources].filter(([, { kind }]) => kind !== 'target' && kind !== 'pixels')),
         nodes,
         shadowMaps: new Map(),
       };
@@ -279,6 +281,8 @@ function createSteps(
         maps?.update();
       };
       add(operation, { run: render, prepare: render });
+    } else if (isReadback(operation)) {
+      add(operation, createReadbackStep(operation, resources, engine.host.clock));
     } else if (isDraw(operation)) {
       const instance = instances.nodes.get(operation.id);
       if (instance) add(operation, createDrawStep(engine, loaded.program, operation, instance, resources));

@@ -5,6 +5,7 @@ import { type LayerOutput, MAY_CHANGE } from '../../../nodes/kit/runtime.ts';
 import type { EnvironmentOutput, LightList, ObjectList, RoomDepthOutput } from '../../../nodes/kit/scene-lists.ts';
 import type { Program, Resource, ResourceId } from '../../program/program.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
+import { createLivePixels, type LivePixels } from '../pixels/live-pixels.ts';
 import { createLiveSound, type LiveSound } from '../sound/live-sound.ts';
 import type { NearestDepth } from '../targets/nearest-depth.ts';
 import { createTarget, MAX_VIEWS } from '../targets/target.ts';
@@ -25,6 +26,7 @@ export type LiveResource =
   | { readonly kind: 'pulses'; readonly queue: PulseQueue }
   | { readonly kind: 'pose'; readonly pose: PoseOutput }
   | { readonly kind: 'bodies'; readonly list: BodyList }
+  | { readonly kind: 'pixels'; readonly pixels: LivePixels }
   | { readonly kind: 'technique'; readonly technique: LiveTechnique }
   /** Shadow maps have no object here: their operation creates them. */
   | { readonly kind: 'shadow-maps' };
@@ -88,6 +90,7 @@ export function disposeUnused(before: LiveResources, after: LiveResources | null
     if (resource.kind === 'target') resource.target.dispose();
     if (resource.kind === 'sound') resource.live.dispose();
     if (resource.kind === 'curve') resource.curve.dispose();
+    if (resource.kind === 'pixels') resource.pixels.dispose();
   }
 }
 
@@ -132,6 +135,7 @@ export function clearOutput(resource: LiveResource): void {
     case 'target':
     case 'curve':
     case 'technique':
+    case 'pixels':
     case 'shadow-maps':
       break;
     default:
@@ -161,6 +165,8 @@ function create(resource: Resource, { objects, nearestDepth }: TargetParts, tapp
       return { kind: 'pulses', queue: createPulseQueue() };
     case 'pose':
       return { kind: 'pose', pose: createPose() };
+    case 'pixels':
+      return { kind: 'pixels', pixels: createLivePixels(objects.gl) };
     case 'bodies':
       return { kind: 'bodies', list: { version: 0, bodies: [] } };
     case 'technique':

@@ -127,5 +127,5 @@ function wayTo(seen: Seen, list: ObjectList, item: ObjectItem): string[] {
 }
 
 function isNode(operation: Operation): operation is NodeOperation {
-  return operation.kind !== 'pass' && operation.kind !== 'shadow-maps';
+  return operation.kind !== 'pass' && operation.kind !== 'shadow-maps' && operation.kind !== 'readback';
 }

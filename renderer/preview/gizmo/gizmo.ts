@@ -213,7 +213,8 @@ function freezeParams({ handles }: PreviewGizmo, read: ReadParam): ReadParam {
 function readerOf({ program, slots }: Inspected, node: string): ReadParam {
   return (param) => {
     for (const operation of program.operations) {
-      if (operation.node !== node || operation.kind === 'pass' || operation.kind === 'shadow-maps') continue;
+      if (operation.node !== node || operation.kind === 'pass' || operation.kind === 'shadow-maps' || operation.kind === 'readback')
+        continue;
       const slot = Object.hasOwn(operation.params, param) ? operation.params[param] : undefined;
       if (slot === undefined) continue;
       const offset = slots.offset(slot);

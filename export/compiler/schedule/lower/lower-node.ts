@@ -7,6 +7,7 @@ import { type FlatNode, portKey, type Source, sourcesAt } from '../../flat-graph
 import { drawsItself, isDraw, layerInputs, layerOutput } from '../layers.ts';
 import { movingBinding, startValue } from '../slot-allocator.ts';
 import { depthAt } from './lower-depth.ts';
+import { lowerReadback } from './lower-readback.ts';
 import { shadowMapsOf } from './lower-shadow-maps.ts';
 import { readsOfTechniques, underAt } from './lower-technique.ts';
 import { addResource, addStep, type Lowering, layerAt, resourceAt, type TechniqueReads, valueSteps } from './lowering.ts';
@@ -129,10 +130,14 @@ export function nodeOperation<K extends NodeKind | 'draw' | 'cpu'>(
   const ports = kind === 'cpu' ? {} : kind === 'draw' ? withoutLayers(node.definition.inputs) : node.definition.inputs;
   const pulses = Object.keys(ports).filter((port) => ports[port]?.type === 'pulse');
   const poses = Object.keys(ports).filter((port) => ports[port]?.type === 'pose');
+  const readBack = (port: string, source: Source): InputRef => ({
+    kind: 'resource',
+    resource: lowerReadback(lowering, node, port, source),
+  });
   const inputs = Object.fromEntries(
-    Object.entries(ports).map(([port, { type: wire }]) => [
+    Object.entries(ports).map(([port, { type: wire, pixels }]) => [
       port,
-      sourcesAt(node, port).map((source) => inputRef(lowering, source, wire, delay ?? false)),
+      sourcesAt(node, port).map((source) => (pixels ? readBack(port, source) : inputRef(lowering, source, wire, delay ?? false))),
     ]),
   );
   const slots = uniformParams(lowering, node, params);
