@@ -13,6 +13,7 @@ import { runFromMenu } from './shell/menu-command.ts';
 import { syncNativeMenus } from './state/commands/menus.ts';
 import { createEditor } from './state/editor/editor.ts';
 import { createPreferences, keepPreferences, loadPreferences } from './state/editor/preferences.ts';
+import { keepViews } from './state/preferences/kept-views.ts';
 import { keepLayout, loadLayout } from './state/preferences/panel-layout.ts';
 import { keepRanges } from './state/preview/kept-ranges.ts';
 import { createPreviewSync } from './state/preview-sync/preview-sync.ts';
@@ -56,6 +57,7 @@ async function main(): Promise<void> {
   autosave(editor);
   keepLayout(editor, localStorage);
   keepRanges(editor, localStorage);
+  keepViews(editor, localStorage);
   window.addEventListener('beforeunload', (event) => {
     if (hasUnsavedWork(editor)) event.preventDefault();
   });

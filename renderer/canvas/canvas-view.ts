@@ -1,6 +1,7 @@
-import { useReactFlow } from '@xyflow/react';
+import { useReactFlow, useStoreApi } from '@xyflow/react';
 import { type RefObject, useEffect, useRef, useState } from 'react';
 import { useStore } from 'zustand';
+import { debounce } from '../clock.ts';
 import type { Place } from '../state/editor/canvas-state.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 
@@ -45,6 +46,28 @@ export function useScale(): void {
     void zoomTo((getZoom() * scale) / shown.current);
     shown.current = scale;
   }, [scale, getZoom, zoomTo]);
+}
+
+const PAUSE_MS = 200;
+
+/** Tells the editor what the canvas shows, when it rests. */
+export function useShownPlace(): void {
+  const { canvas, clock } = useEditor();
+  const store = useStoreApi();
+  useEffect(() => {
+    const tell = debounce(clock, PAUSE_MS, () => {
+      const { transform, width, height } = store.getState();
+      const [x, y, zoom] = transform;
+      canvas.setState({ shown: { x: (width / 2 - x) / zoom, y: (height / 2 - y) / zoom, zoom } });
+    });
+    const stop = store.subscribe((now, before) => {
+      if (now.transform !== before.transform) tell.trigger();
+    });
+    return () => {
+      stop();
+      tell.cancel();
+    };
+  }, [canvas, clock, store]);
 }
 
 /** Gives commands the center of the visible canvas, in canvas units on the grid. */

@@ -17,7 +17,7 @@ import { CanvasControls } from './canvas-controls.tsx';
 import { CanvasMenu, useCanvasMenu } from './canvas-menu.tsx';
 import './canvas.css';
 import './far-view.css';
-import { useCanvasCenter, useScale, useWheel } from './canvas-view.ts';
+import { useCanvasCenter, useScale, useShownPlace, useWheel } from './canvas-view.ts';
 import { ConnectionHint } from './connection-hint.tsx';
 import { DetailProvider, detailOf } from './detail.ts';
 import { useFileDrop } from './file-drop.ts';
@@ -67,6 +67,7 @@ function CanvasInside() {
   useReveal();
   useRefit();
   useScale();
+  useShownPlace();
   const [fit] = useState(() => ({ padding: FIT_PADDING, maxZoom: uiScale() }));
   useLongPress(root);
   useWireTarget();

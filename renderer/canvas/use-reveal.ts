@@ -17,6 +17,13 @@ export function useReveal(): void {
   const store = useStoreApi();
   useEffect(() => {
     if (reveal === null) return;
+    if (typeof reveal.how === 'object') {
+      const { x, y, zoom } = reveal.how;
+      // React Flow fits its first nodes when they arrive, which would replace the place.
+      store.setState({ fitViewQueued: false });
+      void setCenter(x, y, { zoom, duration: 0 });
+      return;
+    }
     const duration = isStill() ? 0 : DURATION_MS;
     if (reveal.how === 'fit') {
       void fitView({ ...nodesOf(reveal), padding: FIT_PADDING, maxZoom: uiScale(), duration });

@@ -14,6 +14,8 @@ export interface CanvasState {
   readonly wireUnder: string | null;
   /** Returns the center of the visible canvas, in canvas units. Set by the page. */
   readonly middle: () => Place;
+  /** The part of the graph that the canvas shows; null before it is drawn. */
+  readonly shown: CanvasPlace | null;
   /** A frame or note during a resize. */
   readonly resized: ResizedItem | null;
 }
@@ -27,6 +29,11 @@ export interface ResizedItem extends Place {
 export interface Place {
   readonly x: number;
   readonly y: number;
+}
+
+/** A part of the graph, by its center in canvas units. */
+export interface CanvasPlace extends Place {
+  readonly zoom: number;
 }
 
 /** The free end of a dragged wire. */
@@ -54,6 +61,7 @@ export function createCanvasState(): CanvasStore {
     dragged: NOWHERE,
     draggedWire: null,
     wireUnder: null,
+    shown: null,
     resized: null,
     middle: () => ({ x: 0, y: 0 }),
   }));

@@ -1,7 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { ProjectFiles } from '../../../app/contract/contract.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
-import type { DraggedWire } from './canvas-state.ts';
+import type { CanvasPlace, DraggedWire } from './canvas-state.ts';
 
 /** Stored sizes of the panels in CSS pixels. */
 export interface PanelSizes {
@@ -87,8 +87,8 @@ export interface Reveal {
   readonly serial: number;
   /** Nodes to show; empty for all. */
   readonly nodes: readonly string[];
-  /** `show` moves the view as little as possible; `fit` fills the view with the nodes. */
-  readonly how: 'show' | 'fit';
+  /** `show` moves the view as little as possible; `fit` fills the view with the nodes. A place is shown at once. */
+  readonly how: 'show' | 'fit' | CanvasPlace;
 }
 
 export interface CodePosition {
@@ -177,8 +177,12 @@ export function removeToast(store: UiStore, id: number): void {
   store.setState(({ toasts }) => ({ toasts: toasts.filter((toast) => toast.id !== id) }));
 }
 
-export function revealNodes(store: UiStore, nodes: readonly string[], how: Reveal['how'] = 'show'): void {
+export function revealNodes(store: UiStore, nodes: readonly string[], how: 'show' | 'fit' = 'show'): void {
   store.setState(({ reveal }) => ({ reveal: { serial: (reveal?.serial ?? 0) + 1, nodes, how } }));
+}
+
+export function revealPlace(store: UiStore, place: CanvasPlace): void {
+  store.setState(({ reveal }) => ({ reveal: { serial: (reveal?.serial ?? 0) + 1, nodes: [], how: place } }));
 }
 
 /**
