@@ -19,6 +19,20 @@ const open = useOneEditor(GRAPH, {}, async () => {
 const step = (name: string) => open.page.getByRole('list', { name: 'History' }).getByRole('button', { name });
 const start = (name: string) => open.page.getByRole('region', { name: 'First steps' }).getByRole('button', { name });
 
+test('the camera is filtered by three interactions', async () => {
+  const { page, editor } = open;
+  const camera = await editor.picture();
+  await start('Filter the camera').click();
+  await page.keyboard.type('sepia');
+  await page.keyboard.press('Enter');
+  await editor.node('sepia').waitFor();
+  await editor.settled();
+  expect(countDifferent(await editor.picture(), camera, 24).pixels).toBeGreaterThan(300);
+  await page.keyboard.press('Control+z');
+  await editor.node('sepia').waitFor({ state: 'detached' });
+  await editor.settled();
+});
+
 test('a blank project offers an object, which is drawn over the camera; the history leads back to the saved version and forth', async () => {
   const { page, editor } = open;
   const camera = await editor.picture();

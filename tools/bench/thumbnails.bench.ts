@@ -14,8 +14,8 @@ const FRAMES = 20;
 const SAMPLES = 7;
 
 /**
- * Measures what thumbnails on nodes cost while a recording plays. Passes of their own draw the layers of the thumbnails, and one thumbnail
- * per frame is read back. Counts the CPU time of editor and preview together if the system reports it, else wall-clock time.
+ * Measures what thumbnails on nodes cost while a recording plays. Passes of their own draw the layers of the thumbnails, in the frames in
+ * which a thumbnail is read back. Counts the CPU time of editor and preview together if the system reports it, else wall-clock time.
  */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   let opened: Promise<Opened> | undefined;
@@ -62,6 +62,9 @@ async function openEditor(root: string): Promise<Opened> {
   const { server, url } = await openServer(root, folder);
   const browser = await startBenchBrowser();
   const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
+  await page.addInitScript(() => {
+    if (window.top === window) localStorage.setItem('scrim-preferences', '{"thumbnails":false}');
+  });
   await page.goto(url);
   await page.locator('.react-flow__node').first().waitFor();
   await page.waitForFunction(() => /[1-9]/.test(document.querySelector('.transport-time span')?.textContent ?? ''));

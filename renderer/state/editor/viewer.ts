@@ -54,10 +54,14 @@ export function resetViewer(store: ViewerStore): void {
 export interface ThumbnailWatchers {
   /** Watches a layer until the returned function is called. The watcher must close the bitmaps. */
   watch(layer: string, onImage: (picture: ImageBitmap) => void): () => void;
+  /** The watched layers, of which at most `MOST_THUMBNAILS` are shown. */
   wanted(): readonly string[];
   onChange: { run: (() => void) | null };
   deliver(layer: string, picture: ImageBitmap): void;
 }
+
+/** Each layer with a thumbnail has a render target of the size of the preview. More would take too much memory in large graphs. */
+const MOST_THUMBNAILS = 40;
 
 export function createThumbnailWatchers(): ThumbnailWatchers {
   const watchers = new Map<string, Set<(picture: ImageBitmap) => void>>();
@@ -75,7 +79,7 @@ export function createThumbnailWatchers(): ThumbnailWatchers {
         onChange.run?.();
       };
     },
-    wanted: () => [...watchers.keys()].sort(),
+    wanted: () => [...watchers.keys()].slice(0, MOST_THUMBNAILS).sort(),
     deliver: (layer, picture) => {
       const [first] = watchers.get(layer) ?? [];
       if (first) first(picture);
