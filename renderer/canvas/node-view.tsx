@@ -48,7 +48,7 @@ function FullNode({ id, data, selected }: NodeBodyProps) {
       }}
       data-node={id}
     >
-      <div className="node-head">
+      <div className="node-head" data-tip={data.title === data.typeTitle ? undefined : `${data.typeTitle} · ${data.title}`}>
         <CategoryMark type={data.nodeType} />
         <span className="node-title">{data.title}</span>
         {data.problem && (

@@ -2,6 +2,7 @@ import { describe, expect, test } from '@jest/globals';
 import { EMPTY_LAYOUT } from '../../export/graph/new-project.ts';
 import type { Graph, GraphLayout } from '../../export/graph/project.ts';
 import { LIBRARY } from '../../tests/support/library.ts';
+import { THUMBNAIL_HEIGHT } from '../state/graph/node-shape.ts';
 import { detailOf } from './detail.ts';
 import { createOverviewPaths } from './overview-paths.ts';
 import { type CanvasInput, createCanvasProjection } from './project-canvas.ts';
@@ -56,6 +57,25 @@ describe('the canvas as data', () => {
     expect(node.data.known).toBe(false);
     expect(node.data.title).toBe('filter/from-the-future');
     expect(node.data.shape.ports.map(({ name, side }) => `${side} ${name}`)).toEqual(['input mystery']);
+  });
+
+  test('a source is named by its file, and by its type while it has none', () => {
+    const nodes = { 'model-aaaa': { type: 'source/model', version: 1, params: { model: { value: 'fox' } } } };
+    const input = { ...INPUT, graph: { ...GRAPH, nodes, wires: [] } };
+    const [without] = createCanvasProjection()(input).nodes;
+    expect(without?.data.title).toBe('Model');
+    const assets = { fox: { path: 'assets/fox.glb', kind: 'model' as const } };
+    const [node] = createCanvasProjection()({ ...input, assets }).nodes;
+    expect(node?.data.title).toBe('fox.glb');
+    expect(node?.ariaLabel).toBe('Model, fox.glb');
+  });
+
+  test('thumbnails take the free space below their nodes', () => {
+    const close = { ...LAYOUT, nodes: { 'video-aaaa': { x: 0, y: 0 }, 'blur-aaaa': { x: 100, y: 140 } } };
+    const nodes = (layout: GraphLayout) => createCanvasProjection()({ ...INPUT, layout, hasThumbnail: true }).nodes;
+    expect(byId(nodes(LAYOUT), 'video-aaaa').data.shape.thumbnail).toEqual({ port: 'layer', height: THUMBNAIL_HEIGHT });
+    const squeezed = byId(nodes(close), 'video-aaaa');
+    expect(squeezed.position.y + (squeezed.height ?? 0)).toBe(128);
   });
 
   test('a drag replaces only the dragged node, and keeps its data', () => {

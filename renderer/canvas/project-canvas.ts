@@ -1,6 +1,7 @@
 import type { Node, NodeHandle } from '@xyflow/react';
 import { subgraphName } from '../../export/graph/document-names.ts';
-import type { GraphNode, NodeLayout, Wire } from '../../export/graph/project.ts';
+import type { GraphNode, NodeLayout, Project, Wire } from '../../export/graph/project.ts';
+import { getOwn } from '../../export/graph/record.ts';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 import type { WireType } from '../../nodes/kit/wire-types.ts';
 import { mainType, type NodeShape, nodeShape, PORT_SIZE, portCenter, unknownShape } from '../state/graph/node-shape.ts';
@@ -11,7 +12,9 @@ import { type CanvasWire, createWiresProjection, sameParts as same, type WiresIn
 
 /** Content of one node on the canvas. The object is reused until something in it changes. */
 export interface NodeData extends Record<string, unknown> {
+  /** The name of its file for a source with one file, else the title of its type. */
   readonly title: string;
+  readonly typeTitle: string;
   /** Type id of the node. */
   readonly nodeType: string;
   /** Type of its main output. */
@@ -31,6 +34,7 @@ export type CanvasNode = Node<NodeData, 'scrim'>;
 
 export interface CanvasInput extends WiresInput {
   readonly selectedNodes: ReadonlySet<string>;
+  readonly assets?: Project['assets'];
   readonly expanded: ReadonlySet<string>;
   /** Whether nodes show thumbnails of their layers. */
   readonly hasThumbnail?: boolean;
@@ -83,6 +87,7 @@ export function createCanvasProjection(): (input: CanvasInput) => CanvasView {
         problem?.severity,
         problem?.text,
         heights.get(id),
+        fileOf(node, definition, input.assets),
       ];
       const known = nodes.get(id);
       const fresh =
@@ -138,7 +143,8 @@ function canvasNode(
     if (port.param && !wired.inputs.has(port.name)) values[port.name] = valueText(port.param, node.params[port.name]);
   }
   const data: NodeData = {
-    title: definition?.title ?? node.type,
+    title: fileOf(node, definition, input.assets) ?? definition?.title ?? node.type,
+    typeTitle: definition?.title ?? node.type,
     nodeType: node.type,
     type: definition && mainType(definition),
     shape,
@@ -165,8 +171,23 @@ function canvasNode(
   };
 }
 
-function ariaLabel({ title, subgraph, muted, problem }: NodeData): string {
-  return [title, subgraph ? 'subgraph' : '', muted ? 'muted' : '', problem ? `${problem.severity}: ${problem.text}` : '']
+/** Name of the file of a source with one file; null for other nodes. */
+function fileOf({ type, params }: GraphNode, definition: NodeDefinition | undefined, assets: Project['assets'] = {}): string | null {
+  if (!definition || !type.startsWith('source/')) return null;
+  const [name, ...others] = Object.keys(definition.params).filter((param) => definition.params[param]?.type === 'asset');
+  const binding = name === undefined || others.length > 0 ? undefined : params[name];
+  const path = binding && 'value' in binding ? getOwn(assets, String(binding.value))?.path : undefined;
+  return path?.slice(path.lastIndexOf('/') + 1) ?? null;
+}
+
+function ariaLabel({ title, typeTitle, subgraph, muted, problem }: NodeData): string {
+  return [
+    typeTitle,
+    title === typeTitle ? '' : title,
+    subgraph ? 'subgraph' : '',
+    muted ? 'muted' : '',
+    problem ? `${problem.severity}: ${problem.text}` : '',
+  ]
     .filter(Boolean)
     .join(', ');
 }

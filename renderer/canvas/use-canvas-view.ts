@@ -40,7 +40,7 @@ export function useCanvasView(): WholeView {
     () => projectReroutes({ open: { project: document, graph: name, library }, wires: graph.wires, selected: selection.items, dragged }),
     [projectReroutes, document, name, library, graph.wires, selection.items, dragged],
   );
-  const { graphs } = document;
+  const { graphs, assets } = document;
   const encodings = useMemo(() => createEncodingLookup({ graphs }, library, name), [graphs, library, name]);
   const view = useMemo(
     () =>
@@ -48,6 +48,7 @@ export function useCanvasView(): WholeView {
         graph,
         layout,
         library,
+        assets,
         selectedNodes: selection.nodes,
         selectedWires: selection.wires,
         expanded: shown,
@@ -57,7 +58,7 @@ export function useCanvasView(): WholeView {
         wireUnder,
         encodings,
       }),
-    [project, graph, layout, library, selection, shown, hasThumbnail, dragged, problems, wireUnder, encodings],
+    [project, graph, layout, library, assets, selection, shown, hasThumbnail, dragged, problems, wireUnder, encodings],
   );
   return useMemo(() => ({ ...view, items, reroutes }), [view, items, reroutes]);
 }
