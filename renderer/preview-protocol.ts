@@ -285,6 +285,8 @@ export interface PreviewStatus {
   readonly timeS: number;
   /** Mean CPU time of the last frames. */
   readonly frameMs: number;
+  /** Frames drawn per second while time passes; 0 before it was measured, and while paused. */
+  readonly framesPerS: number;
   readonly widthPx: number;
   readonly heightPx: number;
   /** Pose of the first view, column-major; null before the first frame. */

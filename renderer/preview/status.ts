@@ -18,6 +18,8 @@ export interface Status {
 }
 
 const INTERVAL_S = 0.1;
+/** Time over which the frame rate is measured. */
+const RATE_INTERVAL_S = 0.5;
 /** Weight of a new frame in the mean frame time. */
 const WEIGHT = 0.1;
 
@@ -29,6 +31,7 @@ export function createStatus(clock: FrameClock, send: (message: FromPreview) => 
     late: false,
     timeS: 0,
     frameMs: 0,
+    framesPerS: 0,
     widthPx: 0,
     heightPx: 0,
   };
@@ -38,14 +41,33 @@ export function createStatus(clock: FrameClock, send: (message: FromPreview) => 
   let lastS = 0;
   let frames: FrameTimes | null = null;
   let seen: SessionFrame | null = null;
+  /** Start of the current measurement of the frame rate, and the frames since. */
+  let measuredS: number | null = null;
+  let drawn = 0;
   const post = () => {
     sentS = clock.nowS();
     const [view] = seen?.views ?? [];
     send({ kind: 'status', status: { ...status, worldFromView: view ? [...view.worldFromView] : null } });
   };
+  const measureRate = (nowS: number) => {
+    if (measuredS === null) {
+      measuredS = nowS;
+      drawn = 0;
+      return;
+    }
+    drawn++;
+    if (nowS - measuredS < RATE_INTERVAL_S) return;
+    status.framesPerS = drawn / (nowS - measuredS);
+    measuredS = nowS;
+    drawn = 0;
+  };
   return {
     setState: (state) => {
       status.state = state;
+      if (state !== 'playing') {
+        measuredS = null;
+        status.framesPerS = 0;
+      }
       post();
     },
     setRequest: (request) => {
@@ -71,6 +93,7 @@ export function createStatus(clock: FrameClock, send: (message: FromPreview) => 
       status.timeS = frame.timeS - originS;
       if (frames) status.frame = frameAtTime(frames, status.timeS);
       status.frameMs = status.frameMs === 0 ? tookMs : status.frameMs * (1 - WEIGHT) + tookMs * WEIGHT;
+      if (status.state === 'playing') measureRate(nowS);
       status.widthPx = frame.framebufferWidthPx;
       status.heightPx = frame.framebufferHeightPx;
       if (nowS - sentS >= INTERVAL_S || ((moved || arrived) && status.state === 'paused')) post();

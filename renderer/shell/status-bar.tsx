@@ -41,8 +41,9 @@ function PreviewStatus() {
   const status = useStore(preview, (state) => state.status);
   if (!status) return null;
   return (
-    <span className="status-quiet" data-tip="Preview size in pixels, and CPU time per frame">
-      {status.widthPx} × {status.heightPx} · {status.frameMs.toFixed(1)} ms
+    <span className="status-quiet" data-tip="Preview: size in pixels, frames per second, CPU time per frame">
+      {status.widthPx} × {status.heightPx}
+      {status.framesPerS > 0 && ` · ${Math.round(status.framesPerS)} fps`} · {status.frameMs.toFixed(1)} ms
     </span>
   );
 }

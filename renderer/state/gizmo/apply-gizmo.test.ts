@@ -197,7 +197,18 @@ describe('a drag', () => {
     toggleKey(editor, left, 'positionM', 0);
     const before = filesOf(editor);
     editor.preview.setState({
-      status: { state: 'paused', frame: 30, timeS: 2, frameMs: 1, widthPx: 1, heightPx: 1, request: 0, late: false, worldFromView: null },
+      status: {
+        state: 'paused',
+        frame: 30,
+        timeS: 2,
+        frameMs: 1,
+        framesPerS: 0,
+        widthPx: 1,
+        heightPx: 1,
+        request: 0,
+        late: false,
+        worldFromView: null,
+      },
     });
     drag({ positionM: [1, 0, 0] });
     drag({ positionM: [2, 0, 0] }, 'ended');

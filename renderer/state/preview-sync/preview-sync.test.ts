@@ -213,7 +213,17 @@ describe('the way from document to preview', () => {
   });
 
   test('the preview counts as loading from the moment another source is chosen until it is there', () => {
-    const status = { state: 'playing', frame: 1, late: false, timeS: 0, frameMs: 1, widthPx: 1, heightPx: 1, worldFromView: null } as const;
+    const status = {
+      state: 'playing',
+      frame: 1,
+      late: false,
+      timeS: 0,
+      frameMs: 1,
+      framesPerS: 0,
+      widthPx: 1,
+      heightPx: 1,
+      worldFromView: null,
+    } as const;
     const tell = (request: number | null) => previewSync.receive({ kind: 'status', status: { ...status, request } });
     const loading = () => isLoading(editor.preview.getState());
     previewSync.receive({ kind: 'ready' });
