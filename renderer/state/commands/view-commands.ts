@@ -62,6 +62,7 @@ export const VIEW_COMMANDS = {
   },
   'view.probe': {
     label: 'Pixel probe',
+    keywords: ['color', 'depth', 'distance', 'inspect'],
     keys: ['Q'],
     enabled: isOpen,
     run: ({ viewer }) => viewer.setState(({ probing }) => ({ probing: !probing, probed: null })),
@@ -80,7 +81,13 @@ export const VIEW_COMMANDS = {
     run: (editor) => toggleBottom(editor, 'code'),
     whileTyping: true,
   },
-  'view.timeline': { label: 'Timeline', keys: ['Shift+T'], enabled: isOpen, run: (editor) => toggleBottom(editor, 'timeline') },
+  'view.timeline': {
+    label: 'Timeline',
+    keywords: ['keyframes', 'animation', 'tracks'],
+    keys: ['Shift+T'],
+    enabled: isOpen,
+    run: (editor) => toggleBottom(editor, 'timeline'),
+  },
   'view.history': {
     label: 'History',
     keywords: ['undo list', 'steps', 'versions', 'back in time'],
@@ -90,6 +97,7 @@ export const VIEW_COMMANDS = {
   },
   'view.problems': {
     label: 'Problems',
+    keywords: ['errors', 'warnings', 'diagnostics'],
     keys: ['Mod+M'],
     enabled: always,
     run: (editor) => toggleBottom(editor, 'problems'),
