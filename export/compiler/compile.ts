@@ -18,7 +18,7 @@ export interface CompileOptions {
   /** Layers to view, as `node.port`; missing ones are left out of `program.taps`. */
   readonly taps?: readonly string[];
   /**
-   * Further layers to view, in small. One that would make the program request a capability, read input or show controls is left out, so
+   * Further layers to view, in small. One that would make the program request a capability, read input, show controls or depend on earlier frames is left out, so
    * that thumbnails do not change how the program plays.
    */
   readonly thumbnails?: readonly string[];

@@ -13,6 +13,7 @@ import { findLampsAtOnce } from '../../nodes/kit/panorama/find-lamps.ts';
 import type { FrameRenderRequest, FromPreview, ToPreview } from '../preview-protocol.ts';
 import { previewDecoderFile } from './decoder-files.ts';
 import { createFrameEncoder, type FrameEncoder } from './frame-encoder.ts';
+import { createLayerGate } from './layer-gate.ts';
 import { pageFetch } from './network.ts';
 import { type OpenRenderSource, openRenderSource } from './render-source.ts';
 
@@ -61,7 +62,11 @@ export function createFrameRender(send: (message: FromPreview, transfer?: Transf
       findLamps: findLampsAtOnce,
       createGlass,
     });
+    const gate = createLayerGate();
+    gate.follow(program);
     const player = createPlayer({
+      // The program is that of the preview, with layers that only its viewers and thumbnails show.
+      monitor: { begin: gate.isDrawn, end: () => {} },
       gl,
       canvas,
       program,

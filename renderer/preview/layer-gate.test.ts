@@ -15,8 +15,10 @@ function program(thumbnails: readonly string[]): Program {
     .add('screen-a', 'output/screen')
     .add('spare-a', 'layer/scene')
     .add('sepia-a', 'filter/sepia')
+    .add('previous-a', 'layer/previous-frame')
     .wire('box-a.objects -> scene-a.objects', 'scene-a.layer -> over-a.top', 'video-a.layer -> over-a.bottom')
-    .wire('over-a.layer -> screen-a.layer', 'box-a.objects -> spare-a.objects', 'spare-a.layer -> sepia-a.inputImage');
+    .wire('over-a.layer -> screen-a.layer', 'box-a.objects -> spare-a.objects', 'spare-a.layer -> sepia-a.inputImage')
+    .wire('sepia-a.layer -> previous-a.layer');
   const { output } = studio.compile({ thumbnails });
   if (!output) throw new Error('The program has errors.');
   return output;
@@ -40,9 +42,11 @@ test('what only thumbnails need is drawn in the frames that read it; the output 
   expect(drawnNodes()).toEqual(['over-a', 'scene-a', 'spare-a']);
 });
 
-test('thumbnails do not change what a program requests, or which devices play it', () => {
+test('thumbnails do not change what a program requests, which devices play it, or which earlier frames it depends on', () => {
   const { needs, tiers, presentation } = program([]);
-  const viewed = program(['video-a.layer', 'sepia-a.layer']);
+  const viewed = program(['video-a.layer', 'sepia-a.layer', 'previous-a.layer']);
   expect(Object.keys(viewed.taps)).toEqual(['sepia-a.layer', 'video-a.layer']);
+  // A render of one frame would have to play all earlier ones.
+  expect(viewed.operations.some(({ node }) => node === 'previous-a')).toBe(false);
   expect({ needs: viewed.needs, tiers: viewed.tiers, presentation: viewed.presentation }).toEqual({ needs, tiers, presentation });
 });

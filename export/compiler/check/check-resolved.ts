@@ -169,14 +169,15 @@ function completeTaps({ replacements }: FlatGraph, order: readonly FlatNode[], w
 
 /**
  * Whether a layer can be viewed without effect on how the program plays. The nodes that it adds to the program then request no capability
- * (except if sampled, which a thumbnail does not count as), read no input and show no controls.
+ * (except if sampled, which a thumbnail does not count as), read no input, show no controls and do not depend on earlier frames.
  */
 function isInert(graph: FlatGraph, { source }: Tap, live: ReadonlySet<string>): boolean {
   return [...nodesBehind(graph, [source.node])].every((id) => {
     const definition = graph.nodes.get(id)?.definition;
     if (!definition || live.has(id)) return true;
-    const { needs = [], control, visitorParams, single, heard, readsInput } = definition;
-    return needs.every(({ when }) => when === 'sampled') && !control && !visitorParams && !single && !heard && !readsInput;
+    const { needs = [], control, visitorParams, single, heard, readsInput, stateful, lowering } = definition;
+    if (control || visitorParams || single || heard || readsInput || stateful) return false;
+    return needs.every(({ when }) => when === 'sampled') && !(lowering.kind === 'image' && lowering.access === 'persistent');
   });
 }
 
