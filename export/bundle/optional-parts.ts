@@ -98,6 +98,11 @@ export const OPTIONAL_PARTS: readonly OptionalPart[] = [
     otherwise: absent('createDrawStep'),
   },
   {
+    file: 'export/runtime/targets/multisampling.ts',
+    isNeeded: ({ operationKinds }) => operationKinds.has('draw'),
+    otherwise: absent('createMultisampling'),
+  },
+  {
     file: 'export/runtime/passes/imports.ts',
     isNeeded: ({ importsImages }) => importsImages,
     otherwise: `export const createImports = () => ({ release() {} });`,

@@ -45,10 +45,11 @@ export function describeProgram(program: Program, reference: ReferenceSize = REF
   return `${lines.join('\n')}\n`;
 }
 
-function presentation({ presentation: { mode, antialias, background } }: Program): string {
+function presentation({ presentation: { mode, antialias, background, screenDepth } }: Program): string {
   const how = mode === 'forward' ? 'directly into the session’s framebuffer, without render targets' : 'through render targets';
   const behind = background === 'world' ? 'the world' : `the color ${background.join(' ')}`;
-  return `Drawn ${how}; the background is ${behind}; ${antialias ? 'with' : 'without'} multisampling on the screen.`;
+  const depth = screenDepth === 'none' ? 'without depth' : screenDepth === 'whole' ? 'with depth that headsets get' : 'with depth';
+  return `Drawn ${how}; the background is ${behind}; ${antialias ? 'with' : 'without'} multisampling and ${depth} on the screen.`;
 }
 
 function list(lines: readonly string[]): string[] {
@@ -122,11 +123,14 @@ function describeCpu({ id, type, picture, target }: CpuOperation): string {
 }
 
 function pictures(program: Program, reference: ReferenceSize): string[] {
-  const targets = targetsOf(program);
-  const total = targets.reduce((sum, target) => sum + (targetBytes(target, program, reference) ?? 0), 0);
+  const bytes = targetBytes(program, reference);
+  const total = [...bytes.values()].reduce<number>((sum, known) => sum + (known ?? 0), 0);
   const heading = `Render targets, at ${reference.widthPx}×${reference.heightPx} per view`;
-  const lines = targets.map((target) => describeTarget(target, program, reference));
-  return [total === 0 ? heading : `${heading}: ${inMebibytes(total)}`, ...list(lines), ...behindGlass(program, reference)];
+  const lines = targetsOf(program).map((target) => describeTarget(target, bytes.get(target.id) ?? null, program, reference));
+  const multisampled = targetsOf(program).filter(({ samples, shares }) => samples > 1 && shares === undefined);
+  const shared =
+    multisampled.length > 1 ? ['  Multisampled targets of equal size draw into the same samples, which count for the first.'] : [];
+  return [total === 0 ? heading : `${heading}: ${inMebibytes(total)}`, ...list(lines), ...shared, ...behindGlass(program, reference)];
 }
 
 /**
@@ -147,10 +151,9 @@ function behindGlass(program: Program, reference: ReferenceSize): string[] {
   return [`  ${when}: its objects are drawn once more, into an image of what is behind it, ${inMebibytes(bytes)}.`];
 }
 
-function describeTarget(target: Target, program: Program, reference: ReferenceSize): string {
+function describeTarget(target: Target, bytes: number | null, program: Program, reference: ReferenceSize): string {
   if (target.shares !== undefined) return `${target.id}: reuses the texture of ${target.shares}`;
   const size = targetSize(target, program, reference);
-  const bytes = targetBytes(target, program, reference);
   const parts = [
     size === null ? `size of ${target.size.base}` : `${size.widthPx}×${size.heightPx}`,
     target.format,

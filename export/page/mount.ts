@@ -53,10 +53,11 @@ export interface Mounted {
  * @throws Error if the browser has no WebGL 2.
  */
 export function mount(canvas: HTMLCanvasElement, options: MountOptions): Mounted {
+  const { antialias, screenDepth } = options.program.presentation;
   const gl = canvas.getContext('webgl2', {
     alpha: true,
-    antialias: options.program.presentation.antialias,
-    depth: true,
+    antialias,
+    depth: screenDepth !== 'none',
     stencil: false,
     powerPreference: 'high-performance',
   });

@@ -159,6 +159,7 @@ export function createPageController({ page, root, program, modes, createPanoram
       gl,
       needs: program.needs,
       antialias: program.presentation.antialias,
+      screenDepth: program.presentation.screenDepth,
       overlayRoot: root.overlay,
     });
   };

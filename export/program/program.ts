@@ -4,6 +4,7 @@ import type { FoundLamps } from '../../nodes/kit/panorama/found-lamps.ts';
 import type { ValueType } from '../../nodes/kit/wire-types.ts';
 import type { ProgramNeed, Tier } from './needs.ts';
 import type { ProgramCredit } from './program-credit.ts';
+import type { Presentation } from './program-presentation.ts';
 
 /**
  * Version of the program format. A program is the output of the compiler and the only input of the runtime: versioned JSON without data of
@@ -88,6 +89,8 @@ export type Resource =
       /** `window`: with a readable depth buffer. `none`: color only. */
       readonly depth: 'none' | 'window';
       readonly samples: 1 | 4;
+      /** Whether passes read its depth buffer, or that of a target that shares its texture. */
+      readonly depthRead?: true;
       /** `persistent` targets keep the previous frame: an operation that reads and writes one reads the previous content. */
       readonly lifetime: 'frame' | 'persistent';
       /** An equal target whose texture this target shares: no operation reads the other target after this one is drawn. */
@@ -361,18 +364,6 @@ export interface ProgramAsset {
   readonly path: string;
   /** For a panorama in an export: the lamps that its nodes look for, by `lampKey`, so that the page does not search it. */
   readonly lamps?: Readonly<Record<string, FoundLamps>>;
-}
-
-/** Fixed before a session starts, because WebXR framebuffers cannot change afterwards. */
-export interface Presentation {
-  /** `forward`: draws directly to the session's framebuffer. `composed`: at least one layer is needed as an image. */
-  readonly mode: 'forward' | 'composed';
-  readonly antialias: boolean;
-  /** `world`: passthrough or the session's camera image. A color is display-referred sRGB, straight alpha. */
-  readonly background: 'world' | readonly [number, number, number, number];
-  readonly blend: 'alpha';
-  /** Start of the orbit camera if it is not the default: its target in world space and its distance, meters. */
-  readonly around?: { readonly targetWorld: readonly [number, number, number]; readonly distanceM: number };
 }
 
 /**

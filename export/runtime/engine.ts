@@ -16,6 +16,7 @@ import type { PlayState } from './play-state.ts';
 import type { OperationMonitor } from './program-instance/step.ts';
 import type { CreateSceneBackend, SceneBackend } from './scene-backend.ts';
 import type { Spatial, SpatialCounts } from './spatial/spatial.ts';
+import { createMultisampling, type Multisampling } from './targets/multisampling.ts';
 import type { NearestDepth } from './targets/nearest-depth.ts';
 
 /** Everything that exists once per WebGL context, independent of the program. */
@@ -27,7 +28,8 @@ export interface Engine {
   readonly copy: GlProgram;
   /** A program of the runtime itself, linked at the first request and kept. */
   tool(shader: LinkedShader): GlProgram;
-  readonly nearestDepth: NearestDepth;
+  /** Created at the first call. */
+  readonly multisampling: Multisampling;
   readonly assets: AssetStore;
   readonly images: ImageStore;
   readonly clock: FrameClock;
@@ -84,6 +86,7 @@ export function createEngine(options: EngineOptions): Engine {
   const tools = new Map<string, GlProgram>();
   let cameraMean: CameraMean | null = null;
   let nearestDepth: NearestDepth | null = null;
+  let multisampling: Multisampling | null = null;
   const assets = createAssetStore({ objects, source: options.assets, scenes, delay: clock.delay });
   const tool = (shader: LinkedShader): GlProgram => {
     const made = tools.get(shader.id) ?? programs.acquire(shader);
@@ -97,11 +100,14 @@ export function createEngine(options: EngineOptions): Engine {
     drawer,
     copy,
     tool,
-    nearestDepth: {
-      createResolve: (...buffer) => {
-        nearestDepth ??= scenes().createNearestDepth(objects, drawer, tool);
-        return nearestDepth.createResolve(...buffer);
-      },
+    get multisampling() {
+      multisampling ??= createMultisampling(objects, {
+        createResolve: (...buffer) => {
+          nearestDepth ??= scenes().createNearestDepth(objects, drawer, tool);
+          return nearestDepth.createResolve(...buffer);
+        },
+      });
+      return multisampling;
     },
     assets,
     images: createImageStore(objects),

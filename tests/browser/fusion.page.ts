@@ -1,4 +1,5 @@
 import type { Program } from '../../export/program/program.ts';
+import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import type { Twins } from '../support/fusion-kit.ts';
 import { createGl, frame, HEIGHT, stand, WIDTH } from './runtime-kit.ts';
@@ -12,7 +13,7 @@ export interface Difference {
   readonly tones: number;
 }
 
-/** Frames that each program plays, so that content that is kept between frames counts. */
+/** Frames that a program with content that is kept between frames plays. */
 const FRAMES = 3;
 
 /** Draws each pair of programs and compares the last frame. */
@@ -22,17 +23,21 @@ export async function compare(pairs: readonly Pick<Twins, 'separate' | 'fused'>[
   return differences;
 }
 
+function frameCount({ resources }: Program): number {
+  return resources.some((resource) => resource.kind === 'target' && resource.lifetime === 'persistent') ? FRAMES : 1;
+}
+
 const gl = createGl();
 let stage: Awaited<ReturnType<typeof stand>> | null = null;
 
 async function draw(program: Program): Promise<Uint8Array> {
   stage?.player.dispose();
-  stage = await stand(program, { gl, modules: RUNTIMES, seed: 1 });
+  stage = await stand(program, { gl, modules: RUNTIMES, seed: 1, createScenes });
   stage.player.setSession({ world: 'none', blend: 'opaque' });
   gl.clearColor(0, 0, 0, 0);
   gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   gl.clear(gl.COLOR_BUFFER_BIT);
-  for (let i = 0; i < FRAMES; i++) stage.player.draw(frame(i));
+  for (let i = 0; i < frameCount(program); i++) stage.player.draw(frame(i));
   const errors = stage.diagnostics().filter(({ severity }) => severity === 'error');
   if (errors.length > 0) throw new Error(JSON.stringify(errors));
   gl.bindFramebuffer(gl.FRAMEBUFFER, null);

@@ -51,6 +51,43 @@ describe('a fused pass draws what the passes drew', () => {
     await expectOnePass(twins(nodes, wires));
   });
 
+  test('of objects, whose multisampled layers are drawn into the same samples', async () => {
+    const box = (name: string, x: number, z: number) => ({
+      [`box-${name}`]: { type: 'objects/primitive', version: 1 },
+      [`place-${name}`]: { type: 'objects/transform', version: 1, params: { positionM: [x, 0, z] } },
+      [`scene-${name}`]: { type: 'layer/scene', version: 1 },
+    });
+    const nodes = {
+      'sun-a': { type: 'light/directional', version: 1 },
+      ...box('a', -0.1, -0.8),
+      ...box('b', 0.1, -1.2),
+      'sepia-a': { type: 'filter/sepia', version: 1 },
+      'over-a': { type: 'operator/over', version: 1, params: { opacity: 0.8 } },
+      'fog-a': { type: 'filter/fog', version: 1, params: { far: 3 } },
+      'grey-a': { type: 'filter/grey', version: 1 },
+    };
+    const wires = [
+      ...['a', 'b'].flatMap((name) => [
+        `box-${name}.objects -> place-${name}.objects`,
+        `place-${name}.objects -> scene-${name}.objects`,
+        `sun-a.lights -> scene-${name}.lights`,
+      ]),
+      'scene-a.layer -> sepia-a.inputImage',
+      'sepia-a.layer -> over-a.top',
+      'scene-b.layer -> over-a.bottom',
+      'over-a.layer -> fog-a.inputImage',
+      'fog-a.layer -> grey-a.inputImage',
+      'grey-a.layer -> screen-a.layer',
+    ];
+    // Viewed layers have samples of their own.
+    const { separate } = twins(nodes, wires, {}, { taps: ['scene-a.layer', 'scene-b.layer'] });
+    const { fused } = twins(nodes, wires);
+    expect(passes(fused).map(({ target }) => target)).toEqual(['sepia-a.layer', 'over-a.layer.depth', 'screen']);
+    const [difference] = await compareTwins(page, [{ separate, fused, wires: [] }]);
+    expect(difference).toMatchObject({ differing: 0 });
+    expect(difference?.tones).toBeGreaterThan(0.05);
+  });
+
   test('of scene layers, which are rounded to half floats', async () => {
     await expectOnePass(chain(['filter/to-scene', 'filter/hdr-exposure', 'filter/hdr-exposure', 'filter/tone-map']));
   });

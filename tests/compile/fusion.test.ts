@@ -1,5 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { SEPARATE_REASONS } from '../../export/compiler/schedule/fuse/separate-wire.ts';
+import { totalBytes } from '../../export/compiler/target-bytes.ts';
 import { chain, passes, type Twins, twins } from '../support/fusion-kit.ts';
 
 const INPUTS = '"INPUTS": [{ "NAME": "inputImage", "TYPE": "image" }]';
@@ -14,6 +15,24 @@ function around(header: string, body: string, more: Readonly<Record<string, stri
 
 function reasonsOf({ wires }: Twins): Record<string, string> {
   return Object.fromEntries(wires.map(({ writer, reader, reason }) => [`${writer} → ${reader}`, reason]));
+}
+
+/** Scenes over each other, one by one, and a filter over all. */
+function stackOfScenes(count: number): Twins {
+  const scenes = Array.from({ length: count }, (_, i) => i);
+  const nodes = Object.fromEntries(
+    scenes.flatMap((i) => [
+      [`s-${i}`, { type: 'layer/scene', version: 1 }],
+      [`o-${i}`, { type: 'operator/over', version: 1 }],
+    ]),
+  );
+  const wires = scenes.flatMap((i) =>
+    ['box-a.objects -> s-N.objects', 's-N.layer -> o-N.top', `${i === 0 ? 'pattern-a' : `o-${i - 1}`}.layer -> o-N.bottom`].map((wire) =>
+      wire.replaceAll('-N', `-${i}`),
+    ),
+  );
+  const ends = { 'box-a': { type: 'objects/primitive', version: 1 }, 'sepia-a': { type: 'filter/sepia', version: 1 } };
+  return twins({ ...nodes, ...ends }, [...wires, `o-${count - 1}.layer -> sepia-a.inputImage`, 'sepia-a.layer -> screen-a.layer']);
 }
 
 describe('a layer stays a texture', () => {
@@ -197,6 +216,13 @@ describe('a layer stays a texture', () => {
 
   test('where the fused shader would exceed a limit', () => {
     expectReason(chain(Array.from({ length: 40 }, () => 'filter/sepia')), 'e-7.pass0 → e-8.pass0', 'limits');
+  });
+
+  test('where more layers would exist at the same time than the passes need one after the other', () => {
+    const pair = stackOfScenes(12);
+    expectReason(pair, 'o-3.pass0 → o-4.pass0', 'memory');
+    expect(totalBytes(pair.fused)).toBeLessThanOrEqual(totalBytes(pair.separate));
+    expect(passes(pair.fused).length).toBeLessThan(passes(pair.separate).length);
   });
 
   test('for no other reason', () => {

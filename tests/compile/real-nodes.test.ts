@@ -3,6 +3,7 @@ import { join } from 'node:path';
 import { describe, expect, test } from '@jest/globals';
 import { createCompiler } from '../../export/compiler/compile.ts';
 import { describeProgram } from '../../export/compiler/describe.ts';
+import { totalBytes } from '../../export/compiler/target-bytes.ts';
 import { loadProject } from '../../export/graph/load.ts';
 import type { Project } from '../../export/graph/project.ts';
 import type { DrawOperation, PassOperation, Program } from '../../export/program/program.ts';
@@ -47,7 +48,7 @@ describe('the library that ships', () => {
     expect(describeProgram(made)).toContain(type === 'source/camera-video' ? 'the world' : 'Per view');
   });
 
-  test('its examples compile without a word but about files', async () => {
+  test('its examples compile without a word but about files, and fusion never needs more memory', async () => {
     const folders = await exampleFolders();
     expect(folders.length).toBeGreaterThan(10);
     for (const folder of folders) {
@@ -56,6 +57,10 @@ describe('the library that ships', () => {
       const { output, diagnostics } = again({ project, library: LIBRARY });
       expect([folder, diagnostics.map(formatDiagnostic)]).toEqual([folder, []]);
       expect(output && programFaults(output)).toEqual([]);
+      const fused = again({ project, library: LIBRARY, options: { fuse: true } }).output;
+      if (output === null || fused === null) throw new Error(`${folder} does not compile.`);
+      expect(programFaults(fused)).toEqual([]);
+      expect([folder, totalBytes(fused)]).toEqual([folder, Math.min(totalBytes(fused), totalBytes(output))]);
     }
   });
 });

@@ -1,4 +1,4 @@
-import { BYTES_PER_PIXEL, type ReferenceSize, targetBytes, targetSize, targetsOf } from '../../export/compiler/target-bytes.ts';
+import { BYTES_PER_PIXEL, type ReferenceSize, targetSize, targetsOf, totalBytes } from '../../export/compiler/target-bytes.ts';
 import type { PassOperation, Program, ResourceId } from '../../export/program/program.ts';
 
 /** What the passes of a program cost per view and frame, whatever the device. */
@@ -39,7 +39,7 @@ export function frameTraffic(program: Program, reference: ReferenceSize): FrameT
   return {
     passes: passes.length,
     targets: own.length,
-    targetBytes: sum(own, (target) => targetBytes(target, program, reference) ?? layerBytes(target.id)),
+    targetBytes: totalBytes(program, reference),
     readBytes: sum(passes, (pass) => sum([...read(pass)], layerBytes)),
     writtenBytes: sum(passes, ({ target }) =>
       target === 'screen' ? reference.widthPx * reference.heightPx * SCREEN_BYTES : layerBytes(target),

@@ -1,6 +1,6 @@
 import type { Capability } from '../../../nodes/kit/definition.ts';
 import type { ProgramNeed, Tier } from '../../program/needs.ts';
-import type { Presentation } from '../../program/program.ts';
+import type { Presentation } from '../../program/program-presentation.ts';
 
 /** Capabilities that the page itself requests, so that they are available in any kind of session. */
 const OF_THE_PAGE: readonly Capability[] = ['microphone', 'motion', 'location'];

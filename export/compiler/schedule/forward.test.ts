@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { asked, draws, ids, passes, program, targets } from '../../../tests/compile/compiled.ts';
-import { arScene, sceneStudio, videoStudio } from '../../../tests/compile/graphs.ts';
+import { arScene, blurAfterMerging, sceneStudio, videoStudio } from '../../../tests/compile/graphs.ts';
 import { TEST_LIBRARY as library } from '../../../tests/support/test-library.ts';
 import { compile } from '../compile.ts';
 
@@ -159,7 +159,20 @@ describe('the forward path', () => {
     const studio = sceneStudio().wire('scene-a.layer -> screen-a.layer');
     expect(program(studio).presentation.background).toBe('world');
     studio.set('screen-a.background', 'color').set('screen-a.color', [1, 0, 0, 1]).set('screen-a.antialias', false);
-    expect(program(studio).presentation).toEqual({ mode: 'forward', antialias: false, background: [1, 0, 0, 1], blend: 'alpha' });
+    expect(program(studio).presentation).toEqual({
+      mode: 'forward',
+      antialias: false,
+      background: [1, 0, 0, 1],
+      blend: 'alpha',
+      screenDepth: 'whole',
+    });
     expect(program(videoStudio().set('screen-a.background', 'color')).presentation.background).toBe('world');
+  });
+
+  test('has a depth buffer where objects are drawn to it, which headsets get where it shows all of them', () => {
+    const depthOf = (studio: Parameters<typeof program>[0]) => program(studio).presentation.screenDepth ?? 'partial';
+    expect(depthOf(blurAfterMerging())).toBe('none');
+    // The shadow is drawn first, and its depth is cleared for the scene.
+    expect(depthOf(arScene())).toBe('partial');
   });
 });

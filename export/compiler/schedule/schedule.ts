@@ -1,9 +1,11 @@
 import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
 import { type Diagnostic, hasErrors, type Result } from '../../../nodes/kit/diagnostics.ts';
-import type { LayerRef, Presentation, Resource, SlotTable } from '../../program/program.ts';
+import type { LayerRef, Resource, SlotTable } from '../../program/program.ts';
+import type { Presentation } from '../../program/program-presentation.ts';
 import { type Checked, nodesBehind, type Tap } from '../check/check-resolved.ts';
 import { type FlatNode, portKey } from '../flat-graph.ts';
 import type { ShaderStore } from '../shaders/shader-store.ts';
+import { totalBytes } from '../target-bytes.ts';
 import { type DemandStart, findDemand } from './demand.ts';
 import { fuseOperations } from './fuse/fuse-operations.ts';
 import type { SeparateWire } from './fuse/separate-wire.ts';
@@ -49,6 +51,8 @@ export interface ScheduleResult extends Result<Schedule> {
   readonly above: readonly ScheduledAbove[];
 }
 
+type Targets = Pick<Schedule, 'operations' | 'resources'>;
+
 /** Sample count that every WebGL 2 device supports. */
 const DRAW_SAMPLES = 4;
 
@@ -72,34 +76,38 @@ export function schedule(checked: Checked, options: ScheduleOptions): ScheduleRe
   if (hasErrors(diagnostics)) return { output: null, diagnostics, above };
   const presentation: Presentation = { ...presentationOf(plan, lowering), ...(around && { around }) };
 
-  const taps = linkableTaps(lowering, checked);
+  const linkable = linkableTaps(lowering, checked);
   const behind = nodesBehind(
     graph,
-    taps.map(({ source }) => source.node),
+    linkable.map(({ source }) => source.node),
   );
   const viewedOrder = viewed.filter(({ id }) => behind.has(id));
   const demandOf = (wanted: readonly Tap[]) =>
     findDemand(graph, viewedOrder, { nodes: [], images: wanted.map(({ source }) => source), fused: [] }, demand);
-  const viewedDemand = demandOf(taps);
+  const viewedDemand = demandOf(linkable);
   lowerViewed(lowering, viewedOrder, viewedDemand, shown);
   const isLive = new Set(live.map(({ id }) => id));
-  const viewedLayers = taps.map(({ name, source }) => [name, layerAt(lowering, source, (layer) => depthAt(lowering, layer))] as const);
+  const viewedLayers = linkable.map(({ name, source }) => [name, layerAt(lowering, source, (layer) => depthAt(lowering, layer))] as const);
   const operations = orderOperations(lowering.steps, shown.onScreen, delayedTargets(order));
   const viewedResources = new Set(viewedLayers.flatMap(([, { color, depth }]) => [color, depth?.resource ?? color]));
-  const plain = { operations, resources: lowering.resources };
+  const plain: Targets = { operations, resources: lowering.resources };
   const unfused = new Set(order.flatMap((node) => (node.unfused ? [node.id] : [])));
-  const fused = options.fuse ? fuseOperations({ ...plain, viewed: viewedResources, unfused }) : { ...plain, separate: [] };
+  const slots = lowering.slots.table();
+  const taps = Object.fromEntries(viewedLayers);
+  const shared = ({ operations, resources }: Targets) => shareTargets(operations, resources, viewedResources);
+  const bytesOf = (made: Targets) => totalBytes({ resources: shared(made), slots, taps });
+  const fused = options.fuse ? fuseOperations({ ...plain, viewed: viewedResources, unfused }, bytesOf) : { ...plain, separate: [] };
   return {
     output: {
       operations: fused.operations,
-      resources: shareTargets(fused.operations, fused.resources, viewedResources),
+      resources: shared(fused),
       separate: fused.separate,
       trials: lowering.trials,
-      slots: lowering.slots.table(),
+      slots,
       presentation,
-      taps: Object.fromEntries(viewedLayers),
+      taps,
       nodes: order.filter(({ id }) => isLive.has(id) || behind.has(id)),
-      working: new Set([...demand.nodes, ...demandOf(taps.filter(({ isThumbnail }) => !isThumbnail)).nodes]),
+      working: new Set([...demand.nodes, ...demandOf(linkable.filter(({ isThumbnail }) => !isThumbnail)).nodes]),
     },
     diagnostics,
     above: [],
@@ -129,8 +137,10 @@ function presentationOf({ background }: ScreenPlan, { steps, samples }: Lowering
   const draws = steps.map(({ operation }) => operation).filter(isDrawOperation);
   const composed = steps.some(({ operation }) => isPass(operation)) || draws.some(({ target }) => target !== 'screen');
   // Full-screen passes cover whole pixels, so a multisampled framebuffer would only add the cost of resolving.
-  const antialias = samples > 1 && draws.some(({ target }) => target === 'screen');
-  return { mode: composed ? 'composed' : 'forward', antialias, background, blend: 'alpha' };
+  const onScreen = draws.filter(({ target }) => target === 'screen');
+  const antialias = samples > 1 && onScreen.length > 0;
+  const screenDepth = onScreen.length === 0 ? 'none' : onScreen.length === 1 && !composed ? 'whole' : null;
+  return { mode: composed ? 'composed' : 'forward', antialias, background, blend: 'alpha', ...(screenDepth && { screenDepth }) };
 }
 
 /** Textures of delayed nodes, which contain the previous frame until the end of the frame, by `node.port`. */

@@ -1,4 +1,4 @@
-import type { Presentation } from '../../program/program.ts';
+import type { Presentation } from '../../program/program-presentation.ts';
 import type { FlatNode } from '../flat-graph.ts';
 import { startValue } from './slot-allocator.ts';
 

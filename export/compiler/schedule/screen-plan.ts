@@ -1,4 +1,4 @@
-import type { Presentation } from '../../program/program.ts';
+import type { Presentation } from '../../program/program-presentation.ts';
 import { type FlatGraph, type FlatNode, portKey, type Source, sourcesAt } from '../flat-graph.ts';
 import { drawBehind, isDraw, isWorld, type LayerTable, layerInputs, layerOutput } from './layers.ts';
 import { type Fit, fitOf } from './lower/pass-parts.ts';

@@ -1,5 +1,5 @@
 import type { Resource, ResourceId } from '../../program/program.ts';
-import type { ScheduledOperation } from './scheduled.ts';
+import { isPass, type ScheduledOperation } from './scheduled.ts';
 import { type Target, targetSizes } from './whole-size.ts';
 
 /** The time in which a texture is needed: from the operation that draws it first to the last that reads it, as indices of the order. */
@@ -39,10 +39,25 @@ export function shareTargets(
       else free.set(texture, [owner]);
     }
   }
+  const depthRead = depthsRead(operations, owners);
   return resources.map((resource) => {
-    const owner = owners.get(resource.id);
-    return resource.kind !== 'target' || owner === undefined || owner === resource.id ? resource : { ...resource, shares: owner };
+    if (resource.kind !== 'target') return resource;
+    const owner = owners.get(resource.id) ?? resource.id;
+    return { ...resource, ...(depthRead.has(resource.id) && { depthRead: true }), ...(owner !== resource.id && { shares: owner }) };
   });
+}
+
+/** Targets whose depth buffer a pass reads, or that have the texture of such a target. */
+function depthsRead(operations: readonly ScheduledOperation[], owners: ReadonlyMap<ResourceId, ResourceId>): ReadonlySet<ResourceId> {
+  const read = new Set<ResourceId>();
+  for (const operation of operations) {
+    for (const { source } of isPass(operation) ? operation.samplers : []) {
+      if (source.kind !== 'depth' || source.depth.encoding !== 'window') continue;
+      const { resource } = source.depth;
+      read.add(owners.get(resource) ?? resource);
+    }
+  }
+  return read;
 }
 
 function findLifetimes(

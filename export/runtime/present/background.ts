@@ -1,5 +1,5 @@
 import type { Session } from '../../../nodes/kit/session.ts';
-import type { Presentation } from '../../program/program.ts';
+import type { Presentation } from '../../program/program-presentation.ts';
 import { clearRectangle } from '../gl/clear.ts';
 import { COPY_SAMPLER, COPY_UV } from '../gl/copy-shader.ts';
 import type { PassDrawer } from '../gl/pass-drawer.ts';

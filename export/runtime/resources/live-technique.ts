@@ -18,7 +18,7 @@ export interface LiveTechnique {
 
 /** A layer of a running program: drawn by the runtime (`target`), or provided by a node (`external`). */
 export type LiveLayer =
-  | { readonly kind: 'target'; readonly domain: 'view' | 'image'; readonly target: Target; readonly tapped: boolean }
+  | { readonly kind: 'target'; readonly domain: 'view' | 'image'; readonly target: Target; readonly isViewed: boolean }
   | { readonly kind: 'external'; readonly domain: 'view' | 'image'; readonly layer: LayerOutput };
 
 /** The parts of a running program that a technique reads. */

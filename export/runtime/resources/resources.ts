@@ -7,7 +7,7 @@ import type { Program, Resource, ResourceId } from '../../program/program.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
 import { createLivePixels, type LivePixels } from '../pixels/live-pixels.ts';
 import { createLiveSound, type LiveSound } from '../sound/live-sound.ts';
-import type { NearestDepth } from '../targets/nearest-depth.ts';
+import type { Multisampling } from '../targets/multisampling.ts';
 import { createTarget, MAX_VIEWS } from '../targets/target.ts';
 import { createPulseQueue, type PulseQueue } from '../values/pulses.ts';
 import type { Slots } from '../values/slots.ts';
@@ -34,22 +34,24 @@ export type LiveResource =
 /** The parts of the engine that create render targets. */
 export interface TargetParts {
   readonly objects: GlObjects;
-  readonly nearestDepth: NearestDepth;
+  /** Created at the first call. */
+  readonly multisampling: Multisampling;
 }
 
 export type LiveResources = ReadonlyMap<ResourceId, LiveResource>;
 
 /** Creates the resources of a program and reuses unchanged ones of `before`. The caller disposes the rest with `disposeUnused`. */
-export function createResources(program: Program, { objects, nearestDepth }: TargetParts, before: LiveResources | null): LiveResources {
-  const tapped = new Set(Object.values(program.taps).flatMap((layer) => [layer.color, layer.depth?.resource ?? layer.color]));
+export function createResources(program: Program, parts: TargetParts, before: LiveResources | null): LiveResources {
+  const viewed = new Set(Object.values(program.taps).flatMap((layer) => [layer.color, layer.depth?.resource ?? layer.color]));
   const live = new Map<ResourceId, LiveResource>();
   const taken = new Set<LiveResource>();
   for (const resource of program.resources) {
     if (sharedWith(resource) !== null) continue;
     const old = before?.get(resource.id);
     // Two resources that shared a texture may have separate ones now.
-    const kept = old && !taken.has(old) && isSame(old, resource, tapped.has(resource.id));
-    const made = kept ? old : create(resource, { objects, nearestDepth }, tapped.has(resource.id));
+    const isViewed = viewed.has(resource.id);
+    const kept = old && !taken.has(old) && isSame(old, resource, isViewed);
+    const made = kept ? old : create(resource, parts, isViewed);
     taken.add(made);
     live.set(resource.id, made);
   }
@@ -143,10 +145,13 @@ export function clearOutput(resource: LiveResource): void {
   }
 }
 
-function create(resource: Resource, { objects, nearestDepth }: TargetParts, tapped: boolean): LiveResource {
+function create(resource: Resource, parts: TargetParts, isViewed: boolean): LiveResource {
+  const { objects } = parts;
   switch (resource.kind) {
-    case 'target':
-      return { kind: 'target', domain: resource.domain, target: createTarget(objects, resource, tapped, nearestDepth), tapped };
+    case 'target': {
+      const target = createTarget(objects, resource, isViewed, resource.samples > 1 ? parts.multisampling : null);
+      return { kind: 'target', domain: resource.domain, target, isViewed };
+    }
     case 'external':
       return { kind: 'external', domain: resource.domain, layer: createExternalLayer(resource.domain === 'view' ? MAX_VIEWS : 1) };
     case 'room-depth':
@@ -188,7 +193,7 @@ function createExternalLayer(count: number): LayerOutput {
   };
 }
 
-function isSame(old: LiveResource, resource: Resource, tapped: boolean): boolean {
+function isSame(old: LiveResource, resource: Resource, isViewed: boolean): boolean {
   if (old.kind !== resource.kind) return false;
   if (old.kind === 'external' && resource.kind === 'external') return old.domain === resource.domain;
   if (old.kind !== 'target' || resource.kind !== 'target') return true;
@@ -196,7 +201,8 @@ function isSame(old: LiveResource, resource: Resource, tapped: boolean): boolean
   // The size is not compared: a target can be resized.
   return (
     // Persistent targets have buffers per view in any case.
-    (old.tapped === tapped || was.lifetime === 'persistent') &&
+    (old.isViewed === isViewed || was.lifetime === 'persistent') &&
+    was.depthRead === resource.depthRead &&
     was.domain === resource.domain &&
     was.format === resource.format &&
     was.depth === resource.depth &&

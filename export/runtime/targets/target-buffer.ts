@@ -1,7 +1,7 @@
 import type { Resource } from '../../program/program.ts';
 import { allocateTexture } from '../gl/allocate-texture.ts';
 import type { GlLimits, GlObjects } from '../gl/gl-objects.ts';
-import type { DepthResolve, NearestDepth } from './nearest-depth.ts';
+import type { Multisampling } from './multisampling.ts';
 
 export type TargetResource = Extract<Resource, { kind: 'target' }>;
 
@@ -20,26 +20,27 @@ export interface TargetBuffer {
   resolve(): void;
   /**
    * Window-space depth of the nearest covered sample, or null if the target has none. With multisampling, the first call after `resolve`
-   * draws the depth, which binds framebuffers; further calls only return it. Memory for it is allocated at the first call, because few
-   * layers need it.
+   * draws the depth, which binds framebuffers; further calls only return it. The samples must not have been drawn over by another target
+   * since. Memory for it is allocated at the first call, because few layers need it.
    */
   readDepth(): WebGLTexture | null;
   dispose(): void;
 }
 
-/** Creates a transparent buffer. Leaves its framebuffer bound. `nearest` is needed if it has multisampled depth. */
+/** Creates a transparent buffer. Leaves its framebuffer bound. Without `multisampling` it has one sample; see there for `ownSamples`. */
 export function createTargetBuffer(
   objects: GlObjects,
   resource: TargetResource,
   widthPx: number,
   heightPx: number,
-  nearest: NearestDepth | null = null,
+  multisampling: Multisampling | null = null,
+  ownSamples = false,
 ): TargetBuffer {
   const { gl, limits } = objects;
   const format = colorFormat(gl, resource, limits);
   const color = allocateTexture(gl, objects.createTexture(), format.internal, format.filter, widthPx, heightPx);
   const hasDepth = resource.depth === 'window';
-  const samples = resource.samples > 1 ? Math.min(resource.samples, maxSamplesOf(gl, format.internal, limits)) : 1;
+  const samples = resource.samples > 1 && multisampling ? Math.min(resource.samples, maxSamplesOf(gl, format.internal, limits)) : 1;
   const depth =
     hasDepth && samples <= 1 ? allocateTexture(gl, objects.createTexture(), gl.DEPTH_COMPONENT24, gl.NEAREST, widthPx, heightPx) : null;
   const resolvedFramebuffer = objects.createFramebuffer();
@@ -47,9 +48,10 @@ export function createTargetBuffer(
   gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, color, 0);
   if (depth) gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, depth, 0);
 
-  const multisampled = samples > 1 ? createMultisampled(objects, format.internal, hasDepth, samples, widthPx, heightPx) : null;
-  let depthResolve: DepthResolve | null = null;
-  let isDepthStale = true;
+  const multisampled =
+    samples > 1 && multisampling
+      ? multisampling.createBuffer({ internal: format.internal, withDepth: hasDepth, samples, widthPx, heightPx }, ownSamples)
+      : null;
   return {
     widthPx,
     heightPx,
@@ -57,25 +59,10 @@ export function createTargetBuffer(
     hasDepth,
     framebuffer: multisampled?.framebuffer ?? resolvedFramebuffer,
     resolvedFramebuffer,
-    resolve: () => {
-      if (!multisampled) return;
-      isDepthStale = true;
-      // The scissor test also limits a blit.
-      gl.disable(gl.SCISSOR_TEST);
-      gl.bindFramebuffer(gl.READ_FRAMEBUFFER, multisampled.framebuffer);
-      gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, resolvedFramebuffer);
-      gl.blitFramebuffer(0, 0, widthPx, heightPx, 0, 0, widthPx, heightPx, gl.COLOR_BUFFER_BIT, gl.NEAREST);
-    },
-    readDepth: () => {
-      if (!multisampled?.depth) return depth;
-      depthResolve ??= nearest?.createResolve(multisampled.depth, multisampled.framebuffer, samples, widthPx, heightPx) ?? null;
-      if (isDepthStale) depthResolve?.run();
-      isDepthStale = false;
-      return depthResolve?.texture ?? null;
-    },
+    resolve: () => multisampled?.resolve(resolvedFramebuffer),
+    readDepth: () => (multisampled ? multisampled.readDepth() : depth),
     dispose: () => {
       multisampled?.dispose();
-      depthResolve?.dispose();
       objects.deleteFramebuffer(resolvedFramebuffer);
       objects.deleteTexture(color);
       if (depth) objects.deleteTexture(depth);
@@ -110,41 +97,4 @@ function maxSamplesOf(gl: WebGL2RenderingContext, format: GLenum, { maxSamples }
   if (format !== gl.RGBA16F) return maxSamples;
   const counts = gl.getInternalformatParameter(gl.RENDERBUFFER, format, gl.SAMPLES) as Int32Array | null;
   return counts?.[0] ?? 1;
-}
-
-interface Multisampled {
-  readonly framebuffer: WebGLFramebuffer;
-  readonly depth: WebGLRenderbuffer | null;
-  dispose(): void;
-}
-
-function createMultisampled(
-  objects: GlObjects,
-  internal: GLenum,
-  withDepth: boolean,
-  samples: number,
-  widthPx: number,
-  heightPx: number,
-): Multisampled {
-  const { gl } = objects;
-  const framebuffer = objects.createFramebuffer();
-  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-  const attach = (attachment: GLenum, format: GLenum): WebGLRenderbuffer => {
-    const renderbuffer = objects.createRenderbuffer();
-    gl.bindRenderbuffer(gl.RENDERBUFFER, renderbuffer);
-    gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, widthPx, heightPx);
-    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, renderbuffer);
-    return renderbuffer;
-  };
-  const color = attach(gl.COLOR_ATTACHMENT0, internal);
-  const depth = withDepth ? attach(gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT24) : null;
-  return {
-    framebuffer,
-    depth,
-    dispose: () => {
-      objects.deleteFramebuffer(framebuffer);
-      objects.deleteRenderbuffer(color);
-      if (depth) objects.deleteRenderbuffer(depth);
-    },
-  };
 }

@@ -1,6 +1,6 @@
 import { clearAll } from '../gl/clear.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
-import type { NearestDepth } from './nearest-depth.ts';
+import type { Multisampling } from './multisampling.ts';
 import { createTargetBuffer, type TargetBuffer, type TargetResource } from './target-buffer.ts';
 
 /**
@@ -17,7 +17,7 @@ export interface Target {
   front(viewIndex: number): TargetBuffer;
   /** The buffer that readers got in the last frame, or null without a size. For a persistent target it is the previous image. */
   peek(viewIndex: number): TargetBuffer | null;
-  /** Completes the image in `back`. */
+  /** Completes the image in `back`. Resolves samples that other targets draw over, which binds framebuffers. */
   finish(viewIndex: number): void;
   /** Clears all images. */
   clear(): void;
@@ -36,10 +36,20 @@ interface ViewState {
   unresolved: boolean;
 }
 
-export function createTarget(objects: GlObjects, resource: TargetResource, ownPerView: boolean, nearest: NearestDepth): Target {
+/**
+ * Creates a target without buffers.
+ *
+ * @param isViewed Whether something outside of the program may read it at any time: it has samples and buffers per view of its own.
+ * @param multisampling Needed for a target with several samples.
+ */
+export function createTarget(objects: GlObjects, resource: TargetResource, isViewed: boolean, multisampling: Multisampling | null): Target {
   const { gl } = objects;
   const persistent = resource.lifetime === 'persistent';
-  const separate = persistent || ownPerView;
+  const separate = persistent || isViewed;
+  // Another target may draw into the same samples next.
+  const resolvesAtOnce = resource.samples > 1 && !isViewed;
+  const createBuffer = (widthPx: number, heightPx: number): TargetBuffer =>
+    createTargetBuffer(objects, resource, widthPx, heightPx, multisampling, isViewed);
   const states: ViewState[] = Array.from({ length: MAX_VIEWS }, () => ({ front: null, back: null, unresolved: false }));
   const [first] = states as [ViewState];
   /** The state to which each view draws; views of equal size share one. */
@@ -63,12 +73,12 @@ export function createTarget(objects: GlObjects, resource: TargetResource, ownPe
       stateOf[viewIndex] = state;
       if (hasSize(state.front, widthPx, heightPx)) return;
       const before = state.front;
-      const front = createTargetBuffer(objects, resource, widthPx, heightPx, nearest);
+      const front = createBuffer(widthPx, heightPx);
       if (persistent && before) copyScaled(gl, before, front, resource.format === 'r32f' ? gl.NEAREST : gl.LINEAR);
       before?.dispose();
       state.back?.dispose();
       state.front = front;
-      state.back = persistent ? createTargetBuffer(objects, resource, widthPx, heightPx, nearest) : null;
+      state.back = persistent ? createBuffer(widthPx, heightPx) : null;
       state.unresolved = false;
     },
     back: (viewIndex) => present(at(viewIndex).back ?? at(viewIndex).front, resource),
@@ -82,6 +92,9 @@ export function createTarget(objects: GlObjects, resource: TargetResource, ownPe
         state.front = drawn;
       }
       state.unresolved = true;
+      if (!resolvesAtOnce) return;
+      const front = resolved(state);
+      if (resource.depthRead) front?.readDepth();
     },
     clear: () => {
       for (const { front, back } of states) {

@@ -1,5 +1,5 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import { type ReferenceSize, targetBytes, targetsOf } from '../../../export/compiler/target-bytes.ts';
+import { type ReferenceSize, targetBytes } from '../../../export/compiler/target-bytes.ts';
 import type { Program } from '../../../export/program/program.ts';
 import type { OperationCost } from '../../preview-protocol.ts';
 
@@ -56,19 +56,19 @@ export const NO_COST: Cost = { passes: 0, targets: 0, bytes: 0, draws: 0, gpuMs:
 /** Costs by node id of the program (`outer/inner`). Nodes without a cost are absent. */
 export function costsOf(program: Program, measured: readonly OperationCost[], device: Device): ReadonlyMap<string, Cost> {
   const byId = new Map(measured.map((cost) => [cost.id, cost]));
-  const targets = new Map(targetsOf(program).map((target) => [target.id, target]));
+  const bytes = targetBytes(program, BUDGETS[device].size);
   const views = device === 'headset' ? 2 : 1;
   const costs = new Map<string, Cost>();
   const add = (node: string, cost: Partial<Cost>) => costs.set(node, sumOf(costs.get(node) ?? NO_COST, { ...NO_COST, ...cost }));
   for (const operation of program.operations) {
     const seen = byId.get(operation.id);
-    const written = operation.writes.flatMap((id) => targets.get(id) ?? []);
+    const written = operation.writes.filter((id) => bytes.has(id));
     const isPass = operation.kind === 'pass';
     if (!isPass && seen === undefined && written.length === 0) continue;
     add(operation.node, {
       passes: isPass ? (operation.view === 'each' ? views : 1) : 0,
       targets: written.length,
-      bytes: written.reduce((sum, target) => sum + (targetBytes(target, program, BUDGETS[device].size) ?? 0), 0),
+      bytes: written.reduce((sum, id) => sum + (bytes.get(id) ?? 0), 0),
       draws: seen?.draws ?? 0,
       gpuMs: seen?.gpuMs ?? null,
     });

@@ -20,6 +20,8 @@ export interface FuseInput {
   readonly viewed: ReadonlySet<ResourceId>;
   /** Nodes whose passes keep shaders of their own. */
   readonly unfused: ReadonlySet<string>;
+  /** Number of drawn layers up to which a pass may join a shader that thereby reads more of them; with -1 no pass joins. */
+  readonly maxLayers: number;
 }
 
 /** Samplers that every WebGL 2 device has in a fragment shader (OpenGL ES 3.0.6, table 6.33). */
@@ -97,7 +99,7 @@ interface Rules {
   whySeparate(wire: Wire, group: ReadonlySet<number>): SeparateReason | null;
 }
 
-function createRules({ operations, resources, viewed, unfused }: FuseInput): Rules {
+function createRules({ operations, resources, viewed, unfused, maxLayers }: FuseInput): Rules {
   const writers = placesBy(operations, ({ writes }) => writes);
   const readers = placesBy(operations, ({ reads }) => reads);
   const targets = new Map(resources.flatMap((resource) => (resource.kind === 'target' ? [[resource.id, resource] as const] : [])));
@@ -117,6 +119,13 @@ function createRules({ operations, resources, viewed, unfused }: FuseInput): Rul
       const [writer] = writers.get(resource) ?? [];
       return writer === undefined || !targets.has(resource) ? [] : [{ writer, reader, resource, sampler }];
     });
+  }
+
+  /** Number of drawn layers that the shader of these passes reads. They all exist while it draws. */
+  function layersRead(passes: readonly ScheduledPass[]): number {
+    const written = new Set(passes.map(({ target }) => target));
+    const read = new Set(passes.flatMap(({ reads }) => reads));
+    return [...read].filter((id) => targets.has(id) && !written.has(id)).length;
   }
 
   /** Whether a pass reads at most the current pixel of a layer. */
@@ -145,6 +154,8 @@ function createRules({ operations, resources, viewed, unfused }: FuseInput): Rul
     if (readsElsewhere(from.parts) && members.some(({ parts }) => typeof parts !== 'string' && readsElsewhere(parts)))
       return 'neighborhoods';
     if (exceedsLimits([from, ...members])) return 'limits';
+    const layers = layersRead([from, ...members]);
+    if (layers > maxLayers && (maxLayers < 0 || layers > layersRead(members))) return 'memory';
     const last = Math.max(...group);
     const changes = from.reads.some((read) => writers.get(read)?.some((place) => place > writer && place < last));
     return changes ? 'order' : null;

@@ -2,7 +2,7 @@ import { type FusedPart, fusedName, fusePasses } from '../../../glsl/fuse/fuse-p
 import type { PassSampler, PassUniform, Resource, ResourceId } from '../../../program/program.ts';
 import { isPass, type ScheduledOperation, type ScheduledPass } from '../scheduled.ts';
 import { isWhole, type Target } from '../whole-size.ts';
-import { type FuseInput, findGroups, type PassGroup } from './find-groups.ts';
+import { type FoundGroups, type FuseInput, findGroups, type PassGroup } from './find-groups.ts';
 import type { SeparateWire } from './separate-wire.ts';
 
 export interface Fused {
@@ -12,23 +12,44 @@ export interface Fused {
   readonly separate: readonly SeparateWire[];
 }
 
+/** Values of `maxLayers`, tried in this order. With the last one nothing is fused. */
+const MAX_LAYERS = [Number.POSITIVE_INFINITY, 8, 4, 2, -1];
+
 /**
  * Replaces passes by fused ones, which draw the same pixels with fewer targets (ADR 43). A fused pass has the id and the node of its last
  * pass and runs at its place.
+ *
+ * All layers that a fused pass reads exist at the same time, where passes of their own need one after the other. So the memory of the
+ * targets may grow; then fewer passes are fused.
+ *
+ * @param bytesOf Memory of the targets.
  */
-export function fuseOperations(input: FuseInput): Fused {
-  const { groups, separate } = findGroups(input);
+export function fuseOperations(
+  input: Omit<FuseInput, 'maxLayers'>,
+  bytesOf: (program: Pick<Fused, 'operations' | 'resources'>) => number,
+): Fused {
+  const mostBytes = bytesOf(input);
+  const { operations, resources } = input;
+  let fused: Fused = { operations, resources, separate: [] };
+  for (const maxLayers of MAX_LAYERS) {
+    fused = fuseGroups(operations, resources, findGroups({ ...input, maxLayers }));
+    if (bytesOf(fused) <= mostBytes) break;
+  }
+  return fused;
+}
+
+function fuseGroups(operations: readonly ScheduledOperation[], resources: readonly Resource[], { groups, separate }: FoundGroups): Fused {
   const fused = new Map<number, ScheduledPass>();
   const dropped = new Set<number>();
   for (const group of groups) {
     for (const place of group) dropped.add(place);
-    const pass = fuseGroup(input.operations, group);
+    const pass = fuseGroup(operations, group);
     fused.set(group.at(-1) ?? -1, pass);
   }
-  const gone = new Set([...dropped].filter((place) => !fused.has(place)).flatMap((place) => input.operations[place]?.writes ?? []));
+  const gone = new Set([...dropped].filter((place) => !fused.has(place)).flatMap((place) => operations[place]?.writes ?? []));
   return {
-    operations: input.operations.flatMap((operation, place) => fused.get(place) ?? (dropped.has(place) ? [] : [operation])),
-    resources: withoutTargets(input.resources, gone),
+    operations: operations.flatMap((operation, place) => fused.get(place) ?? (dropped.has(place) ? [] : [operation])),
+    resources: withoutTargets(resources, gone),
     separate,
   };
 }

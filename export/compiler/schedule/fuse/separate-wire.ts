@@ -15,6 +15,7 @@ export const SEPARATE_REASONS = {
   readers: 'several passes read it',
   neighborhoods: 'the fused shader would read neighboring pixels in two steps',
   limits: 'the fused shader would exceed a limit of WebGL 2',
+  memory: 'the layers that the fused shader reads would need more memory at the same time',
   order: 'what the writer reads changes before the reader runs',
 } as const;
 

@@ -2,6 +2,7 @@ import type { Capability } from '../../../../nodes/kit/definition.ts';
 import type { Diagnostic, Result } from '../../../../nodes/kit/diagnostics.ts';
 import type { Session } from '../../../../nodes/kit/session.ts';
 import type { ProgramNeed } from '../../../program/needs.ts';
+import type { Presentation } from '../../../program/program-presentation.ts';
 import { WEBXR_FEATURES } from '../../../program/webxr-features.ts';
 import type { SessionInputs } from '../input/session-inputs.ts';
 import { grantedCapabilities, sessionInit } from './session-init.ts';
@@ -18,6 +19,8 @@ export interface WebXrRequest {
   readonly mode?: WebXrMode;
   readonly needs: readonly ProgramNeed[];
   readonly antialias: boolean;
+  /** As in `Presentation`. */
+  readonly screenDepth?: Presentation['screenDepth'] | undefined;
   /** Page element that handheld devices show over the camera feed. */
   readonly overlayRoot?: Element | null;
   /** Functions that read input; absent or null: frames have no input. */
@@ -54,7 +57,12 @@ export async function requestWebXrSession(request: WebXrRequest): Promise<Result
     const { origin, referenceSpace } = await requestReferenceSpaces(session);
     const capabilities = new Set(grantedCapabilities(session, asked));
     if (mode === 'immersive-vr') capabilities.add('camera-image');
-    const options = { antialias: request.antialias, wantsDepth: capabilities.has('depth'), authoredRoom: mode === 'immersive-vr' };
+    const options = {
+      antialias: request.antialias,
+      screenDepth: request.screenDepth,
+      wantsDepth: capabilities.has('depth'),
+      authoredRoom: mode === 'immersive-vr',
+    };
     const target = await createXrRenderTarget(gl, session, options);
     const renewTarget = () => createXrRenderTarget(gl, session, options);
     const output = createWebXrSession({

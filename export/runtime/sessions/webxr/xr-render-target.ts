@@ -1,3 +1,4 @@
+import type { Presentation } from '../../../program/program-presentation.ts';
 import { FAR_M, NEAR_M } from '../matrix.ts';
 import { type AuthoredRoom, createAuthoredRoom } from './authored-room.ts';
 import { createViewSources, type ViewSources } from './view-sources.ts';
@@ -15,6 +16,7 @@ export interface XrRenderTarget {
 
 export interface XrRenderTargetOptions {
   readonly antialias: boolean;
+  readonly screenDepth: Presentation['screenDepth'] | undefined;
   readonly wantsDepth: boolean;
   /** Whether an authored room replaces the visitor's room. */
   readonly authoredRoom: boolean;
@@ -33,10 +35,14 @@ export async function createXrRenderTarget(
   options: XrRenderTargetOptions,
 ): Promise<XrRenderTarget> {
   await gl.makeXRCompatible();
-  const layer = new XRWebGLLayer(session, gl, { antialias: options.antialias, alpha: true, depth: true, stencil: false });
+  const { antialias, screenDepth, authoredRoom } = options;
+  const depth = screenDepth !== 'none';
+  // A headset that shifts the image by depth shifts wrongly what the depth does not show, as the authored room (ADR 47).
+  const ignoreDepthValues = screenDepth !== 'whole' || authoredRoom;
+  const layer = new XRWebGLLayer(session, gl, { antialias, alpha: true, depth, stencil: false, ignoreDepthValues });
   await session.updateRenderState({ baseLayer: layer, ...DEPTH_RANGE });
   const binding = typeof XRWebGLBinding === 'undefined' ? null : (new XRWebGLBinding(session, gl) as XrBinding);
-  const room = options.authoredRoom ? createAuthoredRoom(gl) : null;
+  const room = authoredRoom ? createAuthoredRoom(gl) : null;
   const sources = createViewSources(gl, session, binding, options.wantsDepth);
   const dispose = () => {
     sources.dispose();
