@@ -1,0 +1,80 @@
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { describe, expect, test } from '@jest/globals';
+import { createCompiler } from '../../export/compiler/compile.ts';
+import { loadProject } from '../../export/graph/load.ts';
+import { type FrameTraffic, frameTraffic } from '../../tools/bench/frame-traffic.ts';
+import { chain, passes, type Twins, twins } from '../support/fusion-kit.ts';
+import { LIBRARY } from '../support/library.ts';
+import { TESTS_FOLDER } from '../support/this-test.ts';
+
+const SIZE = { widthPx: 1280, heightPx: 720 } as const;
+const LAYER_BYTES = SIZE.widthPx * SIZE.heightPx * 4;
+const EIGHT = ['sepia', 'posterize', 'vignette', 'threshold', 'film-grain', 'curves', 'white-balance', 'luminance-variation'];
+const { compile } = createCompiler();
+
+function traffic({ separate, fused }: Pick<Twins, 'separate' | 'fused'>): {
+  readonly apart: FrameTraffic;
+  readonly together: FrameTraffic;
+} {
+  return { apart: frameTraffic(separate, SIZE), together: frameTraffic(fused, SIZE) };
+}
+
+/** A shipped example, with and without fusion. */
+async function example(name: string): Promise<Pick<Twins, 'separate' | 'fused'>> {
+  const text = await readFile(join(TESTS_FOLDER, '../examples', name, 'project.scrim.json'), 'utf8');
+  const project = loadProject({ project: text, layout: null, sources: {} }).output;
+  const made = [false, true].map((fuse) => project && compile({ project, library: LIBRARY, options: { fuse } }).output);
+  const [separate, fused] = made;
+  if (!separate || !fused) throw new Error(`${name} does not compile.`);
+  return { separate, fused };
+}
+
+describe('a frame needs', () => {
+  test('one pass for eight pointwise effects, which reads and writes each pixel once', () => {
+    const { apart, together } = traffic(chain(EIGHT.map((type) => `filter/${type}`)));
+    expect(apart).toMatchObject({ passes: 9, targets: 2, readBytes: 8 * LAYER_BYTES, writtenBytes: 9 * LAYER_BYTES });
+    expect(together).toEqual({ passes: 1, targets: 0, targetBytes: 0, readBytes: 0, writtenBytes: LAYER_BYTES });
+  });
+
+  test('one pass for eight pointwise effects over an image file, besides the one that fits it to views of another size', () => {
+    const ids = ['file-a', ...EIGHT.map((type) => `${type}-a`), 'screen-a'];
+    const filters = EIGHT.map((type) => [`${type}-a`, { type: `filter/${type}`, version: LIBRARY.definition(`filter/${type}`)?.version }]);
+    const nodes = { 'file-a': { type: 'source/image-file', version: 1 }, ...Object.fromEntries(filters) };
+    const wires = ids.slice(1).map((id, i) => `${ids[i]}.layer -> ${id}.${id === 'screen-a' ? 'layer' : 'inputImage'}`);
+    const { fused } = twins(nodes, wires);
+    expect(passes(fused).map(({ view, copies }) => [view, copies ?? false])).toEqual([
+      ['once', false],
+      ['each', true],
+    ]);
+  });
+
+  test('three passes for five effects of which one is a blur: what is before it, across, and along with what is after it', () => {
+    const { apart, together } = traffic(
+      chain(['sepia', 'vignette', 'gaussian-blur', 'posterize', 'curves'].map((type) => `filter/${type}`)),
+    );
+    expect(apart).toMatchObject({ passes: 7, targets: 2 });
+    expect(together).toEqual({
+      passes: 3,
+      targets: 2,
+      targetBytes: 2 * LAYER_BYTES,
+      readBytes: 2 * LAYER_BYTES,
+      writtenBytes: 3 * LAYER_BYTES,
+    });
+  });
+
+  test('half of the passes for a drawing where a mask of depth says so, and a third of the bytes less', async () => {
+    const { apart, together } = traffic(await example('near-in-colour-far-in-ink'));
+    expect([apart.passes, together.passes]).toEqual([4, 2]);
+    expect([apart.targets, together.targets]).toEqual([3, 1]);
+    expect(together.readBytes + together.writtenBytes).toBeLessThan((apart.readBytes + apart.writtenBytes) * 0.67);
+  });
+
+  test('a third of the passes for a scene that shows in the shape of an object, of which only the blurred mask stays a layer', async () => {
+    const pair = await example('the-world-in-the-book');
+    const { apart, together } = traffic(pair);
+    expect([apart.passes, together.passes]).toEqual([6, 2]);
+    expect(together.targetBytes).toBeLessThan(apart.targetBytes);
+    expect(passes(pair.fused).flatMap(({ target }) => (target === 'screen' ? [] : [target]))).toEqual(['feather-f13.across']);
+  });
+});
