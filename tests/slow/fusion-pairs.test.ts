@@ -1,3 +1,4 @@
+import process from 'node:process';
 import { expect, test } from '@jest/globals';
 import fc from 'fast-check';
 import type { Program } from '../../export/program/program.ts';
@@ -64,6 +65,12 @@ const plans = fc.array(fc.tuple(fc.nat(POINTWISE.length - 1), fc.array(fc.nat(3)
   maxLength: 9,
 });
 
+/** More graphs for a change of the fusion: `SCRIM_GRAPHS=500 npm run test:one slow slow/fusion-pairs`. */
+const GRAPHS = Number(process.env.SCRIM_GRAPHS ?? 40);
+/** Graphs that one call of the page gets. */
+const AT_ONCE = 25;
+
 test('random graphs of effects draw what they drew in passes', async () => {
-  await expectSameImages(page, fc.sample(plans, { seed: 7, numRuns: 40 }).map(graphOf));
+  const graphs = fc.sample(plans, { seed: 7, numRuns: GRAPHS });
+  for (let i = 0; i < graphs.length; i += AT_ONCE) await expectSameImages(page, graphs.slice(i, i + AT_ONCE).map(graphOf));
 });
