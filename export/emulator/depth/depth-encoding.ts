@@ -11,7 +11,7 @@ const MAX_UINT16 = 65_535;
 
 /** Encodes meters as a device stores them. 16-bit formats hold millimeters; distances beyond 65.535 m become unknown. */
 export function encodeDepth(meters: Float32Array, format: DepthFormat): EncodedDepth {
-  if (format === 'float32') return { data: Float32Array.from(meters).buffer, rawValueToMeters: 1 };
+  if (format === 'float32') return { data: new Float32Array(meters).buffer, rawValueToMeters: 1 };
   const units = new Uint16Array(meters.length);
   for (let i = 0; i < meters.length; i++) {
     const unit = Math.round((meters[i] ?? 0) / METERS_PER_UNIT);

@@ -49,13 +49,17 @@ export function createSessionDepth(view: RoomView, granted: DepthConfiguration, 
   /** Newest last. The first is the one that the sensor reports, `lagFrames` frames old. */
   const stands: Stand[] = [];
   const shots = new Map<number, DepthShot>();
+  /** Arrays of former shots. Pages get encoded copies. */
+  const spare: Float32Array[] = [];
   let frames = 0;
   let stopped = false;
 
   const measure = (stand: Stand, index: number): DepthShot | null => {
     const pose = stand.poses[index];
     if (!pose) return null;
-    const meters = camera.measure(pose).slice();
+    const measured = camera.measure(pose);
+    const meters = spare.pop() ?? new Float32Array(measured.length);
+    meters.set(measured);
     if (maxM !== null) for (let i = 0; i < meters.length; i++) if ((meters[i] ?? 0) > maxM) meters[i] = 0;
     if (noise) addDepthNoise(meters, noise, `${stand.frame}/${index}`);
     return { ...pose, meters };
@@ -73,6 +77,7 @@ export function createSessionDepth(view: RoomView, granted: DepthConfiguration, 
       if (state === 'frozen' && stands.length > 0) return;
       stands.push({ frame, poses: eyes.map((eye) => aimSensor(sensor, eye, aspect, nearM, farM)) });
       if (stands.length > lagFrames + 1) stands.shift();
+      for (const { meters } of shots.values()) spare.push(meters);
       shots.clear();
     },
     shot: (index) => {
