@@ -32,7 +32,7 @@ const RAINS = [
   ['voxels', { isSmooth: false, isNoisy: false, seconds: 60, nearM: 0.06 }, 95],
   ['a smooth surface', { isSmooth: true, isNoisy: false, seconds: 60, nearM: 0.02 }, 95],
   ['voxels of a noisy sensor', { isSmooth: false, isNoisy: true, seconds: 60, nearM: 0.06 }, 95],
-  ['a smooth surface of a noisy sensor', { isSmooth: true, isNoisy: true, seconds: 60, nearM: 0.02 }, 90],
+  ['a smooth surface of a noisy sensor', { isSmooth: true, isNoisy: true, seconds: 60, nearM: 0.02 }, 94],
 ] as const;
 
 describeWithData('in a recorded living room', 'sessions/icl-livingroom/session.json', (path) => {

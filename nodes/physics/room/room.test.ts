@@ -93,6 +93,17 @@ describe('bodies in a room', () => {
     expect(lab.body(box).positionM[1]).toBeLessThan(0.13);
   });
 
+  test.each([false, true])('a box that lands flat bounces straight up (a smooth surface: %p)', (isSmooth) => {
+    const lab = createLab();
+    lab.engine.apply({ kind: 'room', room: { ...SETTINGS, isSmooth }, friction: 0.5, restitution: 0 });
+    for (let i = 0; i < 20; i++) lab.engine.apply({ kind: 'depth', frame: SEEN_FLOOR });
+    const id = lab.add({ shapes: cube(0.4), restitution: 0.6 }, { positionM: [0, 1, 0] });
+    lab.run(3);
+    const { positionM, rotation } = lab.body(id);
+    expect(Math.hypot(positionM[0], positionM[2])).toBeLessThan(0.05);
+    expect(2 * Math.hypot(rotation[0], rotation[1], rotation[2])).toBeLessThan(0.15);
+  });
+
   test('a fast ball does not pass through the top of the box', () => {
     const lab = start();
     const id = lab.add({ shapes: ball(0.03) }, { positionM: [0.02, 1.63, 0.02], velocity: [0, -30, 0] });

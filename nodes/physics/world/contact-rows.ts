@@ -38,7 +38,7 @@ const MOST = 30;
 const APPROACH = 31;
 /** The speed along the normal at the start of the substep. */
 const SPEED = 32;
-const IS_ROOM = 33;
+const KEEPS_ORDER = 33;
 const CONTACT = 34;
 
 /**
@@ -145,7 +145,7 @@ export function createContactRows(): ContactRows {
         numbers[o + ROLL_MASS] = c.rollingMass;
         numbers[o + IS_STIFF] = (!c.a.isDynamic || !c.b.isDynamic) && !c.isRoom ? 1 : 0;
         numbers[o + WAS_MATCHED] = c.wasMatched ? 1 : 0;
-        numbers[o + IS_ROOM] = c.isRoom ? 1 : 0;
+        numbers[o + KEEPS_ORDER] = c.keepsOrder ? 1 : 0;
         numbers[o + NORMAL] = c.normalImpulse;
         numbers[o + T_IMPULSE] = c.tangentImpulse;
         numbers[o + U_IMPULSE] = c.otherTangentImpulse;
@@ -156,10 +156,9 @@ export function createContactRows(): ContactRows {
         numbers[o + APPROACH] = 0;
       }
       for (let first = 0, end = 0; first < count; first = end) {
-        const { pair, isRoom } = contacts.at(first);
+        const { pair, keepsOrder } = contacts.at(first);
         while (end < count && contacts.at(end).pair === pair) end++;
-        // Those of voxels keep their order, because fewer balls come to rest on a noisy room otherwise.
-        for (let i = first; i < end; i++) mirrors[i] = isRoom ? i : first + end - 1 - i;
+        for (let i = first; i < end; i++) mirrors[i] = keepsOrder ? i : first + end - 1 - i;
       }
       if (states.length < bodies.length * BODY) states = new Float64Array(2 * bodies.length * BODY);
     },
@@ -288,7 +287,7 @@ export function createContactRows(): ContactRows {
         const total = Math.max(before + (-(k[o + NORMAL_MASS] as number) * mass * (speed + bias) - keep * before), 0);
         const given = total - before;
         if (given > 0 && k[o + MOST] === 0 && k[o + WAS_MATCHED] === 0)
-          k[o + APPROACH] = Math.min(0, k[o + IS_ROOM] === 1 ? speed : (k[o + SPEED] as number));
+          k[o + APPROACH] = Math.min(0, k[o + KEEPS_ORDER] === 1 ? speed : (k[o + SPEED] as number));
         k[o + NORMAL] = total;
         k[o + MOST] = Math.max(k[o + MOST] as number, total);
         if (given !== 0) {

@@ -63,9 +63,8 @@ export function bounce(contacts: ContactList): void {
     for (let n = 0; n < contacts.count; n++) {
       const c = contacts.at(pass % 2 === 0 ? n : contacts.count - 1 - n);
       if (c.restitution === 0 || c.approach > -BOUNCE_MPS || c.maxImpulse === 0) continue;
-      // On a noisy room, fewer balls come to rest after several passes.
-      if (c.isRoom && pass > 0) continue;
-      bounces ||= !c.isRoom;
+      if (c.keepsOrder && pass > 0) continue;
+      bounces ||= !c.keepsOrder;
       readRelativeVelocity(relative, c);
       const speed = relative.x * c.nx + relative.y * c.ny + relative.z * c.nz;
       const total = Math.max(c.normalImpulse - c.normalMass * (speed + c.restitution * c.approach), 0);

@@ -20,6 +20,11 @@ export interface Contact extends Levers {
   rollingM: number;
   /** Whether the contact is with the measured room. Such contacts are softer than those between bodies. */
   isRoom: boolean;
+  /**
+   * Whether all passes of the solver go through the contacts of the pair in one order, as they do for a ball on the measured room: forces
+   * through its middle do not turn it, and with other orders fewer balls come to rest on a noisy room.
+   */
+  keepsOrder: boolean;
 
   // Of the solver.
   tx: number;
@@ -51,7 +56,7 @@ export function createContact(body: RigidBody): Contact {
     b: body,
     pair: none,
     ...{ nx: 0, ny: 0, nz: 0, ax: 0, ay: 0, az: 0, bx: 0, by: 0, bz: 0, gapM: 0, lx: 0, ly: 0, lz: 0 },
-    ...{ friction: 0, restitution: 0, rollingM: 0, isRoom: false },
+    ...{ friction: 0, restitution: 0, rollingM: 0, isRoom: false, keepsOrder: false },
     ...{ tx: 0, ty: 0, tz: 0, ux: 0, uy: 0, uz: 0, normalMass: 0, tangentMass: 0, otherTangentMass: 0, rollingMass: 0 },
     ...{ normalImpulse: 0, tangentImpulse: 0, otherTangentImpulse: 0, rollX: 0, rollY: 0, rollZ: 0, maxImpulse: 0, approach: 0 },
     wasMatched: false,
@@ -108,6 +113,7 @@ export class ContactList {
     contact.restitution = Math.max(from.restitution, to.restitution);
     contact.rollingM = Math.max(from.rollingM, to.rollingM);
     contact.isRoom = false;
+    contact.keepsOrder = false;
     contact.wasMatched = false;
     return contact;
   }

@@ -115,6 +115,7 @@ export function addKept(owner: RigidBody, body: RigidBody, isRoom: boolean, out:
       const { x, y, z, radiusM } = sphere;
       const contact = out.add(owner, body, x - nx * distance, y - ny * distance, z - nz * distance, nx, ny, nz, distance - radiusM);
       contact.isRoom = isRoom;
+      contact.keepsOrder = isRoom;
     }
   }
 }

@@ -138,6 +138,7 @@ function meetVoxel(
   }
   const contact = out.add(room, body, cx, cy, cz, dx, dy, dz, gapM);
   contact.isRoom = true;
+  contact.keepsOrder = radiusM > 0;
 }
 
 function distanceTo({ ax, ay, az }: Contact, { position: p }: RigidBody, x: number, y: number, z: number): number {
