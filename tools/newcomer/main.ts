@@ -2,22 +2,17 @@ import { mkdtemp, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
-import sharp from 'sharp';
 import { startServer } from '../../app/server/start-server.ts';
 import { findChromium } from '../../app/services/chromium.ts';
 import { installationAt } from '../../app/services/installation.ts';
 import { startBrowser } from '../../app/services/start-browser.ts';
+import { type AnimationFrame, encodeAnimation } from '../lib/animated-webp.ts';
 import type { ToolMain } from '../lib/tool.ts';
 import type { NewcomerOptions } from './editor-steps.ts';
 import type { Interaction } from './hands.ts';
 import { markInteraction, unmark } from './mark.ts';
 import { playNewcomer } from './play-newcomer.ts';
 import { playPlacing, tryPlacing } from './play-placing.ts';
-
-interface FilmFrame {
-  readonly png: Uint8Array;
-  readonly ms: number;
-}
 
 const WIDTH_PX = 900;
 
@@ -53,14 +48,14 @@ export const main: ToolMain = async ([wanted = ''], { root }) => {
       const server = await startServer({ installation: installationAt(root, '0.0.0'), startPath: null, log: console.log });
       const page = await browser.newPage({ viewport: SIZE, colorScheme: 'dark' });
       await page.goto(server.invite());
-      const frames: FilmFrame[] = [];
+      const frames: AnimationFrame[] = [];
       const onDone = async (done: Interaction) => {
         frames.push({ png: await film(page, done, frames.length + 1), ms: FRAME_MS });
       };
       const folders = { project: join(base, `my-robot-${i}`), exportTo: join(base, `page-${i}`) };
       await play({ page, model: join(root, MODEL), ...folders, onDone });
       frames.push({ png: await page.screenshot(), ms: LAST_MS });
-      const bytes = await encodeFilm(frames);
+      const bytes = await encodeAnimation(frames, WIDTH_PX, QUALITY);
       await writeFile(join(root, file), bytes);
       console.log(`${file}: ${frames.length - 1} interactions, ${bytes.length} bytes`);
       await page.close();
@@ -80,12 +75,4 @@ async function film(page: Page, done: Interaction, count: number): Promise<Uint8
   const png = await page.screenshot();
   await unmark(page);
   return png;
-}
-
-/** An animated WebP that loops forever. WebP and not GIF: the preview has more than 256 colors, and the file is a third of the size. */
-async function encodeFilm(frames: readonly FilmFrame[]): Promise<Uint8Array> {
-  const small = await Promise.all(frames.map(({ png }) => sharp(png).resize({ width: WIDTH_PX }).png().toBuffer()));
-  return sharp(small, { join: { animated: true } })
-    .webp({ quality: QUALITY, effort: 6, loop: 0, delay: frames.map(({ ms }) => ms), smartSubsample: true })
-    .toBuffer();
 }
