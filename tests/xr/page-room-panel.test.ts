@@ -8,6 +8,7 @@ import { LAMP } from '../browser/controls-program.ts';
 import { DISC, type ServedPage, servePage } from '../browser/page-kit.ts';
 import { useBrowser } from '../support/browser.ts';
 import { pixelAt, type RgbaImage } from '../support/image.ts';
+import { countDifferent } from '../support/pixels.ts';
 import { aliveGl, watchGl } from './count-gl.ts';
 import { openXrPage, type XrPage } from './xr-page.ts';
 
@@ -208,6 +209,27 @@ describe('the controls of a page in a headset', () => {
     await xr.page.getByText('AR has ended').waitFor();
     expect(await xr.page.locator('output').textContent()).toBe('0.5');
     expect(await xr.page.getByRole('radio', { name: 'Cold' }).isChecked()).toBe(true);
+    expect(xr.errors).toEqual([]);
+  });
+
+  test('brighten where a ray points, only there, and only while it does', async () => {
+    const { xr, layout } = await enter();
+    const beside = [0.2, 1.8, -1] as const;
+    const [x, y] = middleOf(layout, 1);
+    await pointAt(xr, beside);
+    const before = await xr.readLayer();
+    await pointAt(xr, placeOf(layout, x, y));
+    const pointed = await xr.readLayer();
+    const brighterAt = async (left: number, top: number) => {
+      const seen = await seenAt(xr, before, 0, placeOf(layout, left, top));
+      return pixelAt(pointed, ...seen)[0] - pixelAt(before, ...seen)[0];
+    };
+    // Neither place is on a letter or on the ray.
+    expect(await brighterAt(x + 60, y)).toBeGreaterThan(15);
+    const [otherX, otherY] = middleOf(layout, 2, 1);
+    expect(await brighterAt(otherX - 62, otherY)).toBe(0);
+    await pointAt(xr, beside);
+    expect(countDifferent(await xr.readLayer(), before).pixels).toBe(0);
     expect(xr.errors).toEqual([]);
   });
 

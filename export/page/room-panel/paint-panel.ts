@@ -29,6 +29,33 @@ export function createMeasure(context: CanvasRenderingContext2D): Measure {
   };
 }
 
+/** How far the outline of a part reaches beyond it, pixels. */
+const OUTLINE_PX = 3;
+
+/**
+ * Paints one part of the panel anew. Returns its pixels and where they are in the image of the canvas, whose context is scaled by `scale`.
+ */
+export function repaintPart(
+  context: CanvasRenderingContext2D,
+  layout: PanelLayout,
+  values: ControlValues,
+  touchOf: (part: number) => Touch,
+  { x, y, width, height }: Part,
+  scale: number,
+): { readonly pixels: ImageData; readonly x: number; readonly y: number } {
+  const left = Math.max(0, Math.floor((x - OUTLINE_PX) * scale));
+  const top = Math.max(0, Math.floor((y - OUTLINE_PX) * scale));
+  const widthPx = Math.min(context.canvas.width, Math.ceil((x + width + OUTLINE_PX) * scale)) - left;
+  const heightPx = Math.min(context.canvas.height, Math.ceil((y + height + OUTLINE_PX) * scale)) - top;
+  context.save();
+  context.beginPath();
+  context.rect(left / scale, top / scale, widthPx / scale, heightPx / scale);
+  context.clip();
+  paintPanel(context, layout, values, touchOf);
+  context.restore();
+  return { pixels: context.getImageData(left, top, widthPx, heightPx), x: left, y: top };
+}
+
 /** Paints the whole panel from the current values. */
 export function paintPanel(
   context: CanvasRenderingContext2D,

@@ -16,6 +16,8 @@ const RAY_START_M = 0.06;
 export interface PanelDrawer {
   /** Uploads a changed image of the panel. */
   upload(image: HTMLCanvasElement): void;
+  /** Uploads changed pixels of the image, whose left upper corner is at x, y: pixels of the image from its left upper corner. */
+  uploadPart(pixels: ImageData, x: number, y: number): void;
   /** Draws the panel over all views without a depth test, so that it is always legible. */
   draw(frame: SessionFrame, worldFromPanel: Float32Array, pointers: readonly Pointer[]): void;
   dispose(): void;
@@ -78,19 +80,22 @@ export function createPanelDrawer(gl: WebGL2RenderingContext, layout: PanelLayou
     gl.uniform1i(shader.uniform('isRay'), 1);
     gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
   };
+  /** x, y: pixels of the texture, from its left lower corner. */
+  const uploadAt = (pixels: HTMLCanvasElement | ImageData, x: number, y: number): void => {
+    prepareUpload(gl, 4);
+    gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, true);
+    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, true);
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, x, y, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    gl.generateMipmap(gl.TEXTURE_2D);
+    gl.bindTexture(gl.TEXTURE_2D, null);
+    gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+  };
   return {
-    upload: (image) => {
-      prepareUpload(gl, 4);
-      gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, true);
-      gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, true);
-      gl.activeTexture(gl.TEXTURE0);
-      gl.bindTexture(gl.TEXTURE_2D, texture);
-      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, gl.RGBA, gl.UNSIGNED_BYTE, image);
-      gl.generateMipmap(gl.TEXTURE_2D);
-      gl.bindTexture(gl.TEXTURE_2D, null);
-      gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
-      gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
-    },
+    upload: (image) => uploadAt(image, 0, 0),
+    uploadPart: (pixels, x, y) => uploadAt(pixels, x, heightPx - y - pixels.height),
     draw: (frame, worldFromPanel, pointers) => {
       for (let i = 0; i < 2; i++) {
         const pointer = pointers[i];

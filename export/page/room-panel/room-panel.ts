@@ -1,6 +1,6 @@
 import type { SessionFrame } from '../../../nodes/kit/session.ts';
 import type { ControlValues } from '../control-values.ts';
-import { createMeasure, paintPanel, type Touch } from './paint-panel.ts';
+import { createMeasure, paintPanel, repaintPart, type Touch } from './paint-panel.ts';
 import { createPanelDrawer, type PanelDrawer } from './panel-drawer.ts';
 import { layOutPanel } from './panel-layout.ts';
 import { createPanelPose } from './panel-pose.ts';
@@ -36,18 +36,21 @@ const MOST_PX = 2048;
 
 export function createRoomPanel({ gl, document, title, values }: RoomPanelOptions): RoomPanel {
   const canvas = document.createElement('canvas');
-  const context = canvas.getContext('2d');
+  // Parts of the image are read when a ray comes or goes.
+  const context = canvas.getContext('2d', { willReadFrequently: true });
   if (!context) throw new Error('The browser has no 2D canvas.');
   const layout = layOutPanel(title, values.controls, createMeasure(context));
   const scale = Math.min(1, MOST_PX / Math.max(layout.widthPx, layout.heightPx));
   canvas.width = Math.round(layout.widthPx * scale);
   canvas.height = Math.round(layout.heightPx * scale);
-  context.scale(canvas.width / layout.widthPx, canvas.height / layout.heightPx);
+  context.scale(scale, scale);
   const pose = createPanelPose();
   const pointing = createPointing(layout, values);
   let drawer: PanelDrawer | null = null;
   /** Whether the painted image is out of date. */
   let stale = true;
+  /** Parts whose touch has changed since the image was painted. A whole image takes milliseconds to upload, a part a tenth of one. */
+  const touched = layout.parts.map(() => false);
   const painted = pointing.pointers.map(() => ({ part: -1, held: -1 }));
   const touchOf = (part: number): Touch => {
     if (painted.some(({ held }) => held === part)) return 'held';
@@ -58,9 +61,25 @@ export function createRoomPanel({ gl, document, title, values }: RoomPanelOption
       const pointer = pointing.pointers[i];
       const before = painted[i];
       if (!pointer || !before || (before.part === pointer.part && before.held === pointer.held)) continue;
+      for (const part of [before.part, before.held, pointer.part, pointer.held]) if (part >= 0) touched[part] = true;
       before.part = pointer.part;
       before.held = pointer.held;
-      stale = true;
+    }
+  };
+  const upload = (drawer: PanelDrawer): void => {
+    if (stale) {
+      paintPanel(context, layout, values, touchOf);
+      drawer.upload(canvas);
+      stale = false;
+      touched.fill(false);
+      return;
+    }
+    for (let i = 0; i < touched.length; i++) {
+      const part = layout.parts[i];
+      if (!part || !touched[i]) continue;
+      const { pixels, x, y } = repaintPart(context, layout, values, touchOf, part, scale);
+      drawer.uploadPart(pixels, x, y);
+      touched[i] = false;
     }
   };
   const stop = values.listen(() => {
@@ -78,11 +97,7 @@ export function createRoomPanel({ gl, document, title, values }: RoomPanelOption
         drawer = createPanelDrawer(gl, layout, canvas.width, canvas.height);
         stale = true;
       }
-      if (stale) {
-        paintPanel(context, layout, values, touchOf);
-        drawer.upload(canvas);
-        stale = false;
-      }
+      upload(drawer);
       drawer.draw(frame, pose.worldFromPanel, pointing.pointers);
     },
     reset: pose.reset,
