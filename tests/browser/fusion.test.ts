@@ -25,7 +25,8 @@ describe('a fused pass draws what the passes drew', () => {
     // `tests/slow/fusion-pairs.test.ts` draws the others.
     const pairs = EFFECTS.flatMap((type, i) => (i % 3 === 0 ? [chain([type, EFFECTS[(i * 2 + 5) % EFFECTS.length] ?? type])] : []));
     await expectSameImages(page, pairs);
-    expect(count(pairs.map(({ fused }) => fused))).toBeLessThan(count(pairs.map(({ separate }) => separate)) * 0.8);
+    // Each pair can save one pass; the drawing and painting filters have up to five that stay.
+    expect(count(pairs.map(({ fused }) => fused))).toBeLessThan(count(pairs.map(({ separate }) => separate)) * 0.85);
   });
 
   test('of eight pointwise effects and their source', async () => {
