@@ -233,6 +233,31 @@ describe('the controls of a page in a headset', () => {
     expect(xr.errors).toEqual([]);
   });
 
+  test('look the same after a change as in a session that begins with it', async () => {
+    const { xr, layout } = await enter();
+    const beside = [0.2, 1.8, -1] as const;
+    const press = async (x: number, y: number) => {
+      await pointAt(xr, placeOf(layout, x, y));
+      await pull(xr, 1);
+      await pull(xr, 0);
+    };
+    await pointAt(xr, beside);
+    const before = await xr.readLayer();
+    const [x, y] = middleOf(layout, 0);
+    await press(x - 80, y);
+    await press(...middleOf(layout, 2, 1));
+    await pointAt(xr, beside);
+    const changed = await xr.readLayer();
+    expect(countDifferent(changed, before).pixels).toBeGreaterThan(200);
+    await xr.page.evaluate(() => scrimEmulator?.current?.endSession());
+    await xr.page.getByText('AR has ended').waitFor();
+    await xr.enter();
+    await xr.step(2);
+    // Areas are uploaded with straight alpha, which rounds.
+    expect(countDifferent(await xr.readLayer(), changed, 1).pixels).toBe(0);
+    expect(xr.errors).toEqual([]);
+  });
+
   test('show in the room what was set on the page, repeatedly and without leaks', async () => {
     const { xr, layout } = await enter();
     await watchGl(xr.page);

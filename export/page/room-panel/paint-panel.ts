@@ -1,7 +1,7 @@
 import type { Control } from '../../program/program.ts';
 import { sliderText } from '../control-elements.ts';
 import type { ControlValues } from '../control-values.ts';
-import { type Measure, type PanelLayout, type Part, SIZES } from './panel-layout.ts';
+import { type Heading, type Measure, type PanelLayout, type Part, SIZES } from './panel-layout.ts';
 
 /** Colors of the panel, as in the page's style sheet. */
 const CARD = 'rgb(28 31 37 / 92%)';
@@ -33,14 +33,15 @@ export function createMeasure(context: CanvasRenderingContext2D): Measure {
 const OUTLINE_PX = 3;
 
 /**
- * Paints one part of the panel anew. Returns its pixels and where they are in the image of the canvas, whose context is scaled by `scale`.
+ * Paints a part or a heading of the panel anew. Returns its pixels and where they are in the image of the canvas, whose context is scaled by
+ * `scale`.
  */
-export function repaintPart(
+export function repaintArea(
   context: CanvasRenderingContext2D,
   layout: PanelLayout,
   values: ControlValues,
   touchOf: (part: number) => Touch,
-  { x, y, width, height }: Part,
+  { x, y, width, height }: Part | Heading,
   scale: number,
 ): { readonly pixels: ImageData; readonly x: number; readonly y: number } {
   const left = Math.max(0, Math.floor((x - OUTLINE_PX) * scale));

@@ -17,7 +17,7 @@ export interface PanelDrawer {
   /** Uploads a changed image of the panel. */
   upload(image: HTMLCanvasElement): void;
   /** Uploads changed pixels of the image, whose left upper corner is at x, y: pixels of the image from its left upper corner. */
-  uploadPart(pixels: ImageData, x: number, y: number): void;
+  uploadArea(pixels: ImageData, x: number, y: number): void;
   /** Draws the panel over all views without a depth test, so that it is always legible. */
   draw(frame: SessionFrame, worldFromPanel: Float32Array, pointers: readonly Pointer[]): void;
   dispose(): void;
@@ -95,7 +95,7 @@ export function createPanelDrawer(gl: WebGL2RenderingContext, layout: PanelLayou
   };
   return {
     upload: (image) => uploadAt(image, 0, 0),
-    uploadPart: (pixels, x, y) => uploadAt(pixels, x, heightPx - y - pixels.height),
+    uploadArea: (pixels, x, y) => uploadAt(pixels, x, heightPx - y - pixels.height),
     draw: (frame, worldFromPanel, pointers) => {
       for (let i = 0; i < 2; i++) {
         const pointer = pointers[i];

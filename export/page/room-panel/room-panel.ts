@@ -1,6 +1,6 @@
 import type { SessionFrame } from '../../../nodes/kit/session.ts';
 import type { ControlValues } from '../control-values.ts';
-import { createMeasure, paintPanel, repaintPart, type Touch } from './paint-panel.ts';
+import { createMeasure, paintPanel, repaintArea, type Touch } from './paint-panel.ts';
 import { createPanelDrawer, type PanelDrawer } from './panel-drawer.ts';
 import { layOutPanel } from './panel-layout.ts';
 import { createPanelPose } from './panel-pose.ts';
@@ -47,10 +47,12 @@ export function createRoomPanel({ gl, document, title, values }: RoomPanelOption
   const pose = createPanelPose();
   const pointing = createPointing(layout, values);
   let drawer: PanelDrawer | null = null;
-  /** Whether the painted image is out of date. */
+  /** Whether the whole image must be painted. */
   let stale = true;
-  /** Parts whose touch has changed since the image was painted. A whole image takes milliseconds to upload, a part a tenth of one. */
-  const touched = layout.parts.map(() => false);
+  /** Parts come first, so that their indices are those of the layout. */
+  const areas = [...layout.parts, ...layout.headings];
+  /** Areas that have changed since the image was painted. A whole image takes milliseconds to upload, an area a tenth of one. */
+  const changed = areas.map(() => false);
   const painted = pointing.pointers.map(() => ({ part: -1, held: -1 }));
   const touchOf = (part: number): Touch => {
     if (painted.some(({ held }) => held === part)) return 'held';
@@ -61,7 +63,7 @@ export function createRoomPanel({ gl, document, title, values }: RoomPanelOption
       const pointer = pointing.pointers[i];
       const before = painted[i];
       if (!pointer || !before || (before.part === pointer.part && before.held === pointer.held)) continue;
-      for (const part of [before.part, before.held, pointer.part, pointer.held]) if (part >= 0) touched[part] = true;
+      for (const part of [before.part, before.held, pointer.part, pointer.held]) if (part >= 0) changed[part] = true;
       before.part = pointer.part;
       before.held = pointer.held;
     }
@@ -71,19 +73,21 @@ export function createRoomPanel({ gl, document, title, values }: RoomPanelOption
       paintPanel(context, layout, values, touchOf);
       drawer.upload(canvas);
       stale = false;
-      touched.fill(false);
+      changed.fill(false);
       return;
     }
-    for (let i = 0; i < touched.length; i++) {
-      const part = layout.parts[i];
-      if (!part || !touched[i]) continue;
-      const { pixels, x, y } = repaintPart(context, layout, values, touchOf, part, scale);
-      drawer.uploadPart(pixels, x, y);
-      touched[i] = false;
+    for (let i = 0; i < areas.length; i++) {
+      const area = areas[i];
+      if (!area || !changed[i]) continue;
+      const { pixels, x, y } = repaintArea(context, layout, values, touchOf, area, scale);
+      drawer.uploadArea(pixels, x, y);
+      changed[i] = false;
     }
   };
-  const stop = values.listen(() => {
-    stale = true;
+  const stop = values.listen((control) => {
+    // A button does not show how often it was pressed.
+    if (values.controls[control]?.kind === 'button') return;
+    for (let i = 0; i < areas.length; i++) if (areas[i]?.control === control) changed[i] = true;
   });
   return {
     take: (frame) => {
