@@ -132,6 +132,8 @@ export function listenForOrbit(
   const lift = (event: PointerEvent): void => {
     const lifted = pointers.find((pointer) => pointer.id === event.pointerId);
     if (!lifted) return;
+    // Moves before the frame that decided the claim are not applied yet.
+    apply(lifted);
     if (claimOf(lifted.id) === 'undecided') lifted.lifted = true;
     else remove(lifted.id);
   };
