@@ -100,8 +100,10 @@ function describePass(operation: PassOperation, program: Program): string {
   return `${id}: ${access ?? 'full-screen'} pass${from}${onto}${fused}${files.length === 0 ? '' : ` (${files.join(', ')})`}`;
 }
 
+const GLASS_WORDS = { certain: 'glass', possible: 'glass of models, where they have it,' } as const;
+
 /** Whether draws show glass: that of materials of the program is certain, that of models is known only once they are loaded. */
-function glassOf(draws: readonly DrawOperation[], { assets }: Program): 'certain' | 'possible' | null {
+function glassOf(draws: readonly DrawOperation[], { assets }: Program): keyof typeof GLASS_WORDS | null {
   if (draws.some(({ glass }) => glass)) return 'certain';
   return draws.length > 0 && assets.some(({ kind }) => kind === 'model') ? 'possible' : null;
 }
@@ -113,7 +115,7 @@ function describeDraw(operation: DrawOperation, program: Program): string {
     `${id}: draws objects ${target === 'screen' ? 'onto the screen' : `into ${target}`}`,
     ...(shadowMaps === null ? [] : [`with ${shadowMaps}`]),
     ...(occlusion === null ? [] : [`hidden where ${occlusion.roomDepth} is nearer (${occlusion.node})`]),
-    ...(under && glass ? [`${glass === 'certain' ? 'glass' : 'glass, if a model has any,'} before ${under.resource}`] : []),
+    ...(under && glass ? [`${GLASS_WORDS[glass]} in front of ${under.resource}`] : []),
   ];
   return `${parts.join(', ')} (${type})`;
 }

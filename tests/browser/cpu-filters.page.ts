@@ -1,5 +1,6 @@
 import type { Program } from '../../export/program/program.ts';
 import { type StartWorker, startBlobWorker } from '../../export/runtime/cpu/worker-source.ts';
+import type { Player } from '../../export/runtime/player.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import type { CpuAnswer, CpuTask, PlayedModule } from '../../nodes/kit/cpu-filter.ts';
 import { servePixels } from '../../nodes/kit/serve-pixels.ts';
@@ -92,56 +93,49 @@ export async function playRunning(program: Program, colors: readonly number[][])
   };
   const { player, diagnostics } = await stand(program, { gl, modules: modules('swap'), startWorker });
   player.setSession({ world: 'image', blend: 'opaque' });
-  const framesLate: number[] = [];
-  const cameras: (WebGLTexture | null)[] = [];
-  let index = 0;
-  for (const color of colors) {
-    const camera = viewsOf(gl, [color]);
-    cameras.push(camera[0]?.cameraImage?.texture ?? null);
-    const [red = 0, green = 0, blue = 0] = color;
-    for (let late = 0; ; late++) {
-      await new Promise((resolve) => requestAnimationFrame(resolve));
-      player.draw(frame(index++, camera));
-      const seen = pixel(gl, WIDTH / 2, HEIGHT / 2);
-      if (seen[0] === blue && seen[1] === green && seen[2] === red) {
-        framesLate.push(late);
-        break;
-      }
-      if (late > 1000) throw new Error(`The screen shows ${seen.join()} for ever.`);
-    }
-  }
+  const stages = colors.map((camera) => ({ camera, screen: [camera[2] ?? 0, camera[1] ?? 0, camera[0] ?? 0, 255] }));
+  const framesLate = await playStages(gl, player, stages, 0);
   const told = diagnostics();
   player.dispose();
-  for (const made of cameras) gl.deleteTexture(made);
   return { framesLate, buffers, leaks: tracked.report(), diagnostics: told, error: gl.getError() };
 }
 
-/** Plays a program as a page does until a pixel of the screen has a color, and then again with another camera. */
-export async function playUntil(program: Program, stages: readonly { readonly camera: number[]; readonly screen: number[] }[]) {
-  const gl = createGl();
-  const tracked = trackGl(gl);
-  const { player, diagnostics } = await stand(program, { gl, modules: RUNTIMES });
-  player.setSession({ world: 'image', blend: 'opaque' });
+/** Colors of the camera image and, once it is played, of the screen: RGBA bytes. */
+interface Colors {
+  readonly camera: number[];
+  readonly screen: readonly number[];
+}
+
+/** Draws a frame per repaint, and changes the camera when the screen shows its color. Returns by how many frames each was late. */
+async function playStages(gl: WebGL2RenderingContext, player: Player, stages: readonly Colors[], tolerance: number): Promise<number[]> {
   const framesLate: number[] = [];
-  const cameras: (WebGLTexture | null)[] = [];
   let index = 0;
   for (const { camera, screen } of stages) {
     const views = viewsOf(gl, [camera]);
-    cameras.push(views[0]?.cameraImage?.texture ?? null);
     for (let late = 0; ; late++) {
       await new Promise((resolve) => requestAnimationFrame(resolve));
       player.draw(frame(index++, views));
       const seen = pixel(gl, WIDTH / 2, HEIGHT / 2);
-      if (seen.every((value, i) => Math.abs(value - (screen[i] ?? 0)) <= 1)) {
+      if (seen.every((value, i) => Math.abs(value - (screen[i] ?? 0)) <= tolerance)) {
         framesLate.push(late);
         break;
       }
       if (late > 1000) throw new Error(`The screen shows ${seen.join()} for ever.`);
     }
+    gl.deleteTexture(views[0]?.cameraImage?.texture ?? null);
   }
+  return framesLate;
+}
+
+/** Plays a program as a page does until a pixel of the screen has a color, and then again with another camera. */
+export async function playUntil(program: Program, stages: readonly Colors[]) {
+  const gl = createGl();
+  const tracked = trackGl(gl);
+  const { player, diagnostics } = await stand(program, { gl, modules: RUNTIMES });
+  player.setSession({ world: 'image', blend: 'opaque' });
+  const framesLate = await playStages(gl, player, stages, 1);
   const told = diagnostics();
   player.dispose();
-  for (const made of cameras) gl.deleteTexture(made);
   return { framesLate, leaks: tracked.report(), diagnostics: told, error: gl.getError() };
 }
 

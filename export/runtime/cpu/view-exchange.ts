@@ -1,6 +1,7 @@
 import { allocateTexture } from '../gl/allocate-texture.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
-import { prepareReadback, prepareUpload } from '../gl/upload.ts';
+import { createPixelReadback } from '../gl/pixel-readback.ts';
+import { prepareUpload } from '../gl/upload.ts';
 import type { TargetBuffer } from '../targets/target-buffer.ts';
 
 /**
@@ -30,9 +31,7 @@ export interface ViewBytes {
 
 export function createViewExchange(objects: GlObjects): ViewExchange {
   const { gl } = objects;
-  const packBuffer = gl.createBuffer();
-  let packBytes = 0;
-  let fence: WebGLSync | null = null;
+  const readback = createPixelReadback(gl);
   let state: ViewExchange['state'] = 'idle';
   /** Size of the image in transit. */
   let widthPx = 0;
@@ -42,10 +41,7 @@ export function createViewExchange(objects: GlObjects): ViewExchange {
   let result: { readonly texture: WebGLTexture; readonly widthPx: number; readonly heightPx: number } | null = null;
   let hasResult = false;
 
-  const endReading = (): void => {
-    if (fence) gl.deleteSync(fence);
-    fence = null;
-  };
+  const bufferOf = (byteLength: number): Uint8Array<ArrayBuffer> => (room?.length === byteLength ? room : new Uint8Array(byteLength));
   const resultOfSize = (): WebGLTexture => {
     if (result?.widthPx === widthPx && result.heightPx === heightPx) return result.texture;
     if (result) objects.deleteTexture(result.texture);
@@ -59,25 +55,13 @@ export function createViewExchange(objects: GlObjects): ViewExchange {
     },
     read: (image) => {
       ({ widthPx, heightPx } = image);
-      const bytes = widthPx * heightPx * 4;
-      prepareReadback(gl);
       gl.bindFramebuffer(gl.FRAMEBUFFER, image.resolvedFramebuffer);
-      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, packBuffer);
-      if (packBytes !== bytes) gl.bufferData(gl.PIXEL_PACK_BUFFER, bytes, gl.STREAM_READ);
-      packBytes = bytes;
-      gl.readPixels(0, 0, widthPx, heightPx, gl.RGBA, gl.UNSIGNED_BYTE, 0);
-      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
-      fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-      gl.flush();
-      if (fence) state = 'reading';
+      readback.start(widthPx, heightPx, 'bytes');
+      if (readback.isReading) state = 'reading';
     },
     collect: (wait) => {
-      if (!fence || (!wait && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED)) return null;
-      endReading();
-      const bytes = room?.length === packBytes ? room : new Uint8Array(packBytes);
-      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, packBuffer);
-      gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, bytes);
-      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+      const bytes = readback.collect(bufferOf, wait);
+      if (!bytes) return null;
       room = null;
       state = 'away';
       return { buffer: bytes.buffer, widthPx, heightPx };
@@ -98,13 +82,12 @@ export function createViewExchange(objects: GlObjects): ViewExchange {
       return hasResult && result ? result.texture : null;
     },
     forget: () => {
-      endReading();
+      readback.cancel();
       if (state !== 'away') state = 'idle';
       hasResult = false;
     },
     dispose: () => {
-      endReading();
-      gl.deleteBuffer(packBuffer);
+      readback.dispose();
       if (result) objects.deleteTexture(result.texture);
       result = null;
     },

@@ -1,4 +1,5 @@
 import type { LayerPixels, PixelsView } from '../../../nodes/kit/layer-pixels.ts';
+import { createPixelReadback } from '../gl/pixel-readback.ts';
 import { prepareReadback } from '../gl/upload.ts';
 import type { TargetBuffer } from '../targets/target-buffer.ts';
 
@@ -11,18 +12,11 @@ export interface LivePixels extends PixelsView {
   dispose(): void;
 }
 
-/** The buffer on the GPU is created with the first image that is not awaited. */
 export function createLivePixels(gl: WebGL2RenderingContext): LivePixels {
+  const readback = createPixelReadback(gl);
   const pixels = { data: new Uint8Array(0), widthPx: 0, heightPx: 0 } satisfies LayerPixels;
-  let buffer: WebGLBuffer | null = null;
-  let bufferBytes = 0;
-  let fence: WebGLSync | null = null;
   let hasPixels = false;
 
-  const endReading = (): void => {
-    if (fence) gl.deleteSync(fence);
-    fence = null;
-  };
   const resize = ({ widthPx, heightPx }: TargetBuffer): void => {
     if (pixels.widthPx === widthPx && pixels.heightPx === heightPx) return;
     pixels.data = new Uint8Array(widthPx * heightPx * 4);
@@ -30,24 +24,9 @@ export function createLivePixels(gl: WebGL2RenderingContext): LivePixels {
     pixels.heightPx = heightPx;
     hasPixels = false;
   };
+  const dataOf = (): Uint8Array<ArrayBuffer> => pixels.data;
   const collect = (): void => {
-    if (!fence || gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) return;
-    endReading();
-    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
-    gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, pixels.data);
-    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
-    hasPixels = true;
-  };
-  const startReading = ({ widthPx, heightPx }: TargetBuffer): void => {
-    const bytes = pixels.data.byteLength;
-    buffer ??= gl.createBuffer();
-    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
-    if (bufferBytes !== bytes) gl.bufferData(gl.PIXEL_PACK_BUFFER, bytes, gl.STREAM_READ);
-    bufferBytes = bytes;
-    gl.readPixels(0, 0, widthPx, heightPx, gl.RGBA, gl.UNSIGNED_BYTE, 0);
-    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
-    fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    gl.flush();
+    if (readback.collect(dataOf, false)) hasPixels = true;
   };
   return {
     read: () => {
@@ -56,23 +35,19 @@ export function createLivePixels(gl: WebGL2RenderingContext): LivePixels {
     },
     take: (image, held) => {
       collect();
-      if (fence) return;
+      if (readback.isReading) return;
       resize(image);
-      prepareReadback(gl);
       gl.bindFramebuffer(gl.FRAMEBUFFER, image.resolvedFramebuffer);
       if (held) {
+        prepareReadback(gl);
         gl.readPixels(0, 0, image.widthPx, image.heightPx, gl.RGBA, gl.UNSIGNED_BYTE, pixels.data);
         hasPixels = true;
-      } else startReading(image);
+      } else readback.start(image.widthPx, image.heightPx, 'bytes');
     },
     forget: () => {
-      endReading();
+      readback.cancel();
       hasPixels = false;
     },
-    dispose: () => {
-      endReading();
-      if (buffer) gl.deleteBuffer(buffer);
-      buffer = null;
-    },
+    dispose: readback.dispose,
   };
 }

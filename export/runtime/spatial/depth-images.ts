@@ -1,4 +1,5 @@
 import type { RoomDepth, SessionFrame, ViewFrame } from '../../../nodes/kit/session.ts';
+import { createPixelReadback } from '../gl/pixel-readback.ts';
 import { prepareReadback } from '../gl/upload.ts';
 import { MAX_VIEWS } from '../targets/target.ts';
 import type { DepthImage } from './cast/cast-depth.ts';
@@ -51,9 +52,7 @@ function createReading(gl: WebGL2RenderingContext, held: boolean): Reading {
   let coming = createImage();
   let hasShown = false;
   let framebuffer: WebGLFramebuffer | null = null;
-  let buffer: WebGLBuffer | null = null;
-  let bufferBytes = 0;
-  let fence: WebGLSync | null = null;
+  const readback = createPixelReadback(gl);
   let askedFrame = -1;
   let askedS = -1;
 
@@ -74,7 +73,6 @@ function createReading(gl: WebGL2RenderingContext, held: boolean): Reading {
       image.rgba = new Float32Array(4 * count);
       image.meters = new Float32Array(count);
     }
-    prepareReadback(gl);
     gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, depth.texture, 0);
     if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) {
@@ -82,16 +80,10 @@ function createReading(gl: WebGL2RenderingContext, held: boolean): Reading {
       return false;
     }
     if (held) {
+      prepareReadback(gl);
       gl.readPixels(0, 0, depth.widthPx, depth.heightPx, gl.RGBA, gl.FLOAT, image.rgba);
     } else {
-      buffer ??= gl.createBuffer();
-      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
-      if (bufferBytes !== image.rgba.byteLength) gl.bufferData(gl.PIXEL_PACK_BUFFER, image.rgba.byteLength, gl.STREAM_READ);
-      bufferBytes = image.rgba.byteLength;
-      gl.readPixels(0, 0, depth.widthPx, depth.heightPx, gl.RGBA, gl.FLOAT, 0);
-      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
-      fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-      gl.flush();
+      readback.start(depth.widthPx, depth.heightPx, 'floats');
     }
     // The session's texture is not kept alive by this framebuffer.
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, null, 0);
@@ -105,28 +97,23 @@ function createReading(gl: WebGL2RenderingContext, held: boolean): Reading {
     hasShown = true;
   }
 
+  const comingRgba = (): Float32Array => coming.rgba;
+
   function collect(): void {
-    if (fence === null || gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) return;
-    gl.deleteSync(fence);
-    fence = null;
-    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
-    gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, coming.rgba);
-    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
-    show();
+    if (readback.collect(comingRgba, false)) show();
   }
 
   function readBack(frame: SessionFrame, view: ViewFrame, depth: RoomDepth): void {
     collect();
-    if (fence !== null || !read(coming, depth)) return;
+    if (readback.isReading || !read(coming, depth)) return;
     describe(coming, frame, view, depth);
     if (held) show();
   }
 
   const forget = (): void => {
     framebuffer = null;
-    buffer = null;
-    bufferBytes = 0;
-    fence = null;
+    // Objects that were lost with the context are ignored.
+    readback.dispose();
     hasShown = false;
   };
   return {
@@ -149,8 +136,6 @@ function createReading(gl: WebGL2RenderingContext, held: boolean): Reading {
     },
     forget,
     dispose: () => {
-      if (fence) gl.deleteSync(fence);
-      if (buffer) gl.deleteBuffer(buffer);
       if (framebuffer) gl.deleteFramebuffer(framebuffer);
       forget();
     },
