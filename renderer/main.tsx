@@ -3,8 +3,10 @@ import { createRoot } from 'react-dom/client';
 import { connectHost } from '../app/contract/connect-host.ts';
 import { DEFINITIONS, SHADERS } from '../nodes/generated/definitions.gen.ts';
 import { pageClock } from './clock.ts';
+import { watchDrags } from './drag-watch.ts';
 import { createPageClipboard, downloadFile } from './page-services.ts';
 import { guardPreviewInPage } from './preview-guard.ts';
+import { createModelPage } from './preview-panel/model-page.ts';
 import { openRenderPage } from './preview-panel/render-page.ts';
 import { pageRandom } from './random.ts';
 import { App } from './shell/app.tsx';
@@ -13,6 +15,7 @@ import { runFromMenu } from './shell/menu-command.ts';
 import { syncNativeMenus } from './state/commands/menus.ts';
 import { createEditor } from './state/editor/editor.ts';
 import { createPreferences, keepPreferences, loadPreferences } from './state/editor/preferences.ts';
+import { keepExports } from './state/preferences/kept-exports.ts';
 import { keepViews } from './state/preferences/kept-views.ts';
 import { keepLayout, loadLayout } from './state/preferences/panel-layout.ts';
 import { keepRanges } from './state/preview/kept-ranges.ts';
@@ -50,14 +53,21 @@ async function main(): Promise<void> {
   const worker = new Worker(new URL('./state/compile/compile.worker.ts', import.meta.url), { type: 'module', name: 'compiler' });
   const previewSync = createPreviewSync(editor, worker);
   guardPreviewInPage(editor);
+  watchDrags(
+    window,
+    (ms) => new Promise((done) => pageClock.after(ms, done)),
+    (on) => previewSync.send({ kind: 'dragging', on }),
+  );
   const { previewUrl, hasMenu } = await start(editor);
   editor.renderPage.open = () => openRenderPage(document, previewUrl);
+  editor.models.draw = createModelPage(document, previewUrl);
   handleHostEvents(editor, (id) => runFromMenu(editor, id));
   if (hasMenu) syncNativeMenus(editor);
   autosave(editor);
   keepLayout(editor, localStorage);
   keepRanges(editor, localStorage);
   keepViews(editor, localStorage);
+  keepExports(editor, localStorage);
   window.addEventListener('beforeunload', (event) => {
     if (hasUnsavedWork(editor)) event.preventDefault();
   });

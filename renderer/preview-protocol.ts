@@ -46,6 +46,10 @@ export type ToPreview =
     }
   /** Takes the panorama of `source/panorama-capture` in an emulated room, this many pixels wide. */
   | { readonly kind: 'take-panorama'; readonly widthPx: number }
+  /** Sets the size in which the preview renders. Until then it is that of the panel. */
+  | { readonly kind: 'render-size'; readonly size: RenderSize }
+  /** Whether a pointer drags something in the editor. The preview then holds its frame rate at the cost of resolution. */
+  | { readonly kind: 'dragging'; readonly on: boolean }
   /** Requests a PNG of the next frame with all views. */
   | { readonly kind: 'screenshot' }
   /**
@@ -59,15 +63,31 @@ export type ToPreview =
    */
   | { readonly kind: 'render-frame'; readonly timeS: number; readonly keep: boolean }
   | { readonly kind: 'render-end' }
+  /** Draws a model alone, framed, on a transparent background. `path`: its asset. `request` is a counter that the answer repeats. */
+  | {
+      readonly kind: 'draw-model';
+      readonly request: number;
+      readonly assetBaseUrl: string;
+      readonly path: string;
+      readonly widthPx: number;
+      readonly heightPx: number;
+    }
   /** Starts or stops the recording of a video. `captured` follows when it stops. */
   | { readonly kind: 'record'; readonly on: boolean }
   /** Starts or stops the recording of a session. `session-recorded` follows, also where it ends by itself or cannot begin. */
   | { readonly kind: 'record-session'; readonly on: boolean; readonly title: string }
   /**
-   * Probes a point, given as fractions of the preview’s size from the top left. `layer`: the viewed layer to read depth from.
-   * `aroundPx`: pixels on each side to return as well.
+   * Probes a point, given as fractions of the preview’s size from the top left. `layer`: the viewed layer to read depth from;
+   * with `ofLayer`, of it alone, without the room, once a program that keeps the layer plays. `aroundPx`: pixels on each side to return as well.
    */
-  | { readonly kind: 'probe'; readonly x: number; readonly y: number; readonly layer: string | null; readonly aroundPx?: number }
+  | {
+      readonly kind: 'probe';
+      readonly x: number;
+      readonly y: number;
+      readonly layer: string | null;
+      readonly ofLayer?: boolean;
+      readonly aroundPx?: number;
+    }
   /** The gizmo to show; null for none. Removing it during a drag ends the drag without a message. */
   | { readonly kind: 'gizmo'; readonly gizmo: PreviewGizmo | null }
   /** Whether clicks report the object that they hit. */
@@ -84,6 +104,12 @@ export type ToPreview =
   | { readonly kind: 'cost'; readonly on: boolean }
   /** Requests copies of viewed layers of the program (`node.port`), `heightPx` tall. */
   | { readonly kind: 'thumbnails'; readonly ports: readonly string[]; readonly heightPx: number };
+
+/**
+ * Size in which the preview renders: the pixels of the shorter side, that of the panel, or `auto`: 1080 pixels, and that of the panel where
+ * the CPU draws. The longer side follows from the shape of the preview.
+ */
+export type RenderSize = 'auto' | 'panel' | 720 | 1080 | 1440;
 
 /** Source of the frames of a frame render. */
 export type FrameRenderSource =
@@ -186,6 +212,11 @@ export type FromPreview =
   | { readonly kind: 'frame-rendered'; readonly frame: Uint8Array<ArrayBuffer> | null }
   | { readonly kind: 'render-finished'; readonly file: Blob | null }
   | { readonly kind: 'render-failed'; readonly diagnostic: Diagnostic }
+  /**
+   * The answer to `draw-model`. `image`: null if the model cannot be loaded. `gpuBytes`: its textures with mipmaps and its geometry; null if it
+   * cannot be read.
+   */
+  | { readonly kind: 'model-drawn'; readonly request: number; readonly image: ImageBitmap | null; readonly gpuBytes: number | null }
   /** A session began. Null if it is not a recording and cannot seek. */
   | { readonly kind: 'frames'; readonly frames: FrameTimes | null }
   /** All problems of the running program, or of the program of `revision` if it could not be played. */

@@ -296,6 +296,8 @@ describe('scrim plan', () => {
     const { status, out } = await scrim('plan', project);
     expect(status).toBe(0);
     for (const words of ['Robot', 'scene-e5f6', 'filters/sepia.fs', 'the camera image', 'Any other browser']) expect(out).toContain(words);
+    expect(out).not.toContain('Layers that are not fused');
+    expect((await scrim('plan', project, '--why')).out).toContain('Layers that are not fused');
     const { json } = await scrimJson('plan', project);
     expect(json).toMatchObject({ ok: true, program: { format: 'scrim-program', title: 'Robot' } });
   });

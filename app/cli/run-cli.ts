@@ -2,6 +2,7 @@ import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { HostError } from '../contract/host-error.ts';
 import type { Installation } from '../services/installation.ts';
 import { type Call, type Command, type Context, EXIT, failed, type Outcome, UsageError } from './command.ts';
+import { acquireCommand } from './commands/acquire.ts';
 import { checkCommand } from './commands/check.ts';
 import { exportCommand } from './commands/export.ts';
 import { importCaptureCommand } from './commands/import-capture.ts';
@@ -10,6 +11,7 @@ import { openCommand } from './commands/open.ts';
 import { planCommand } from './commands/plan.ts';
 import { renderCommand } from './commands/render.ts';
 import { rephotographCommand } from './commands/rephotograph.ts';
+import { scoreCommand } from './commands/score.ts';
 import { shaderCheckCommand } from './commands/shader-check.ts';
 import { shaderImportCommand } from './commands/shader-import.ts';
 import { commandHelp, overviewHelp } from './help.ts';
@@ -25,6 +27,8 @@ export const COMMANDS: readonly Command[] = [
   planCommand,
   exportCommand,
   renderCommand,
+  acquireCommand,
+  scoreCommand,
   importCaptureCommand,
   rephotographCommand,
   shaderCheckCommand,

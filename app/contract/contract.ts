@@ -50,6 +50,9 @@ const projectFiles = z.object({
   sources: z.record(z.string(), z.string().max(4 * 2 ** 20)),
 });
 
+/** Files in `assets/` with their sizes. */
+const assetFiles = z.array(z.object({ path: projectPath, bytes: z.number() }));
+
 const openProject = z.object({
   handle,
   /** Path for the title bar. Never sent back. */
@@ -59,8 +62,7 @@ const openProject = z.object({
   revision: z.string(),
   /** URL on the origin of the preview, ending in `/`. Append a path inside the project folder to load that file. */
   assetBaseUrl: z.string(),
-  /** Files in `assets/` with their sizes. */
-  assetFiles: z.array(z.object({ path: projectPath, bytes: z.number() })),
+  assetFiles,
   /** Unsaved changes found after a crash; null if there are none. This window owns them from now on. */
   recovery: projectFiles.nullable(),
   /** Whether another window or tab shows the project. */
@@ -88,6 +90,35 @@ const poster = z.instanceof(Uint8Array).refine(isPosterJpeg, 'not a JPEG, or too
 function isPosterJpeg(bytes: Uint8Array): boolean {
   return bytes.length <= MAX_POSTER_BYTES && bytes[0] === 0xff && bytes[1] === 0xd8 && bytes[2] === 0xff;
 }
+
+/** Address of a published page. */
+const pageAddress = z
+  .string()
+  .max(2048)
+  .refine((text) => URL.canParse(text) && /^https?:$/.test(new URL(text).protocol), 'not an address of the web');
+
+const sizes = z.object({ raw: z.number(), gzip: z.number() });
+
+/** What an export wrote: an extract of `report.json`. */
+const exportReport = z.object({
+  files: z.number(),
+  bytes: sizes,
+  /** Sizes of assets by project path, after compression. `gpuBytes` is an estimate. */
+  assets: z.array(z.object({ path: z.string(), bytes: z.number(), gpuBytes: z.number() })),
+  /** Sizes by kind of file, largest first. */
+  parts: z.array(z.object({ kind: z.string(), ...sizes.shape })),
+  /** How the page plays on each kind of device. */
+  devices: z.array(
+    z.object({
+      title: z.string(),
+      tier: z.enum(['ar-camera', 'ar', 'camera', 'authored-vr', 'orbit']),
+      display: z.string(),
+      worthless: z.boolean(),
+      lost: z.array(z.object({ node: z.string(), capability: z.string(), effect: z.string(), known: z.boolean() })),
+      unseen: z.array(z.string()),
+    }),
+  ),
+});
 
 /** Id of an editor command in the native menus. */
 const menuCommand = z.string().regex(/^[a-z]+\.[a-z-]+$/);
@@ -126,6 +157,8 @@ export const HOST_CONTRACT = {
       /** Templates for new projects; the default is first. */
       templates: z.array(z.object({ name: z.string(), title: z.string(), description: z.string(), picture: thumbnailUrl })),
       canPickFolders: z.boolean(),
+      /** Whether `asset.reveal` shows files in the file manager. */
+      canReveal: z.boolean(),
       /** Folder for the projects of the user. It may not exist yet. */
       projectsDir: z.string(),
     }),
@@ -165,6 +198,10 @@ export const HOST_CONTRACT = {
   },
   /** Reads an asset file, to copy it to another project. Rejects with SCR005 above `MAX_COPIED_BYTES`. */
   'asset.read': { input: z.object({ handle, path: projectPath }), output: z.object({ base64: z.string() }) },
+  /** Lists the files in `assets/`, as they are now. */
+  'asset.list': { input: z.object({ handle }), output: z.object({ assetFiles }) },
+  /** Shows an asset file in the file manager. Does nothing if the host has none. */
+  'asset.reveal': { input: z.object({ handle, path: projectPath }), output: z.object({}) },
   /**
    * Writes a recorded session into a new folder in `sessions/`, in one step. `content`: the bytes of all files, one after another. Gives
    * the id of `session.list`. SCR073 if the lengths do not add up.
@@ -186,9 +223,25 @@ export const HOST_CONTRACT = {
    * is written, and `ok` is false without an error in the diagnostics.
    */
   'export.run': {
-    input: z.object({ handle, files: projectFiles, out: z.string().min(1).max(4096), poster: poster.nullable().optional() }),
-    output: z.object({ ok: z.boolean(), out: z.string(), diagnostics: z.array(diagnostic), bytes: z.number() }),
+    input: z.object({
+      handle,
+      files: projectFiles,
+      out: z.string().min(1).max(4096),
+      poster: poster.nullable().optional(),
+      /** Whether to write one file that opens without a server. Default: false. */
+      singleFile: z.boolean().optional(),
+      /** Whether the page opens offline after a visit. Default: true. */
+      offline: z.boolean().optional(),
+      /** Where the page will be published. */
+      address: pageAddress.nullable().optional(),
+    }),
+    output: z.object({ ok: z.boolean(), out: z.string(), diagnostics: z.array(diagnostic), report: exportReport.nullable() }),
   },
+  /**
+   * Serves the page of the last export of this project on loopback, on an own port. `open`: opens it in the browser, if the host can;
+   * `opened` says whether it did. Rejects with SCR004 if nothing was exported, or the page is gone.
+   */
+  'export.show': { input: z.object({ handle, open: z.boolean() }), output: z.object({ url: z.string(), opened: z.boolean() }) },
   /**
    * Begins a frame render into a temporary folder that replaces `out` at the end. `out` is absolute. SCR061 unless it is missing,
    * empty, or contains an earlier render. One at a time per project.
@@ -249,6 +302,7 @@ export interface Host {
 export type ProjectFiles = z.infer<typeof projectFiles>;
 export type OpenProject = z.infer<typeof openProject>;
 export type SessionSource = z.infer<typeof sessionSource>;
+export type ExportedReport = z.infer<typeof exportReport>;
 export type HostDiagnostic = z.infer<typeof diagnostic>;
 export type PlatformMenu = z.infer<typeof platformMenu>;
 export type PlatformMenuEntry = PlatformMenu['entries'][number];

@@ -1,13 +1,21 @@
-import type { App, Session } from 'electron';
+import type { App, Session, WindowOpenHandlerResponse } from 'electron';
 import { ORIGINS } from './scheme.ts';
 
 /** Permissions of the editor: to write text to the clipboard, and full screen. */
 const ALLOWED_PERMISSIONS: ReadonlySet<string> = new Set(['clipboard-sanitized-write', 'fullscreen']);
 
-/** Prevents navigation other than a reload of the editor, new windows, and webviews. */
+/** An empty window that the editor fills with the preview. It has no preload script, so it cannot call the host. */
+const PREVIEW_WINDOW: WindowOpenHandlerResponse = {
+  action: 'allow',
+  overrideBrowserWindowOptions: { title: 'Preview', autoHideMenuBar: true, backgroundColor: '#0b0c0e' },
+};
+
+/** Prevents navigation other than a reload of the editor, webviews, and new windows other than that of the preview. */
 export function guardContents(app: App): void {
   app.on('web-contents-created', (_event, contents) => {
-    contents.setWindowOpenHandler(() => ({ action: 'deny' }));
+    contents.setWindowOpenHandler(({ url }) =>
+      url === 'about:blank' && isEditor(contents.getURL()) ? PREVIEW_WINDOW : { action: 'deny' },
+    );
     contents.on('will-navigate', (event, url) => {
       if (!isEditor(url)) event.preventDefault();
     });

@@ -1,4 +1,4 @@
-import { type App, BrowserWindow, dialog, Menu, protocol, session } from 'electron';
+import { type App, BrowserWindow, dialog, Menu, protocol, session, shell } from 'electron';
 import type { PlatformMenu } from '../contract/contract.ts';
 import { createHost } from '../services/host.ts';
 import type { Installation } from '../services/installation.ts';
@@ -39,6 +39,8 @@ export function startApp(app: App, installation: Installation): void {
         origins: ORIGINS,
         pickFolder: (purpose) => pickFolder(PICK_TITLES[purpose]),
         closeWindow: () => editor?.closeNow(),
+        revealFile: (path) => shell.showItemInFolder(path),
+        openInBrowser: (url) => shell.openExternal(url),
         showMenus,
       },
       installation,

@@ -3,8 +3,8 @@ import type { HostDiagnostic } from '../contract/contract.ts';
 import { CLIENT_HEADER, CODE_HEADER, SESSION_PATH, TOKEN_HEADER } from '../contract/http-client.ts';
 import { decodeMessage, MESSAGE_TYPE } from '../contract/message.ts';
 import type { HostService } from '../services/host.ts';
+import { originRefusal, singleHeader } from '../services/request-checks.ts';
 import type { Session } from './access-session.ts';
-import { originRefusal, singleHeader } from './request-checks.ts';
 
 export interface Api {
   answer(request: IncomingMessage, response: ServerResponse): Promise<void>;

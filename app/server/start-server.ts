@@ -6,9 +6,9 @@ import type { Content } from '../services/content.ts';
 import type { Origins } from '../services/content-policy.ts';
 import { createHost, type HostService } from '../services/host.ts';
 import type { Installation } from '../services/installation.ts';
+import { hostCheck } from '../services/request-checks.ts';
 import { createSession } from './access-session.ts';
 import { createApi } from './api.ts';
-import { hostCheck } from './request-checks.ts';
 
 export interface ServerOptions {
   readonly installation: Installation;
@@ -54,7 +54,7 @@ export async function startServer(options: ServerOptions): Promise<EditorServer>
   });
   const origins = { editor: originOf(editor.server), preview: originOf(preview.server) };
   const host = createHost({
-    shell: { kind: 'server', origins, pickFolder: null, closeWindow: () => {}, showMenus: null },
+    shell: { kind: 'server', origins, pickFolder: null, closeWindow: () => {}, revealFile: null, openInBrowser: null, showMenus: null },
     installation: options.installation,
     startPath: options.startPath,
     log: options.log,

@@ -2,9 +2,11 @@ import { mkdir, mkdtemp, readdir, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterEach, beforeEach, expect, test } from '@jest/globals';
+import { decode as decodePng, encode as encodePng } from 'fast-png';
 import { encode } from 'jpeg-js';
+import { readCapture } from '../../nodes/kit/capture.ts';
 import { projectText } from '../../tests/support/project-kit.ts';
-import { importCapture } from './add-capture.ts';
+import { type CaptureJob, importCapture } from './add-capture.ts';
 import { type FileLayer, NODE_FILES } from './file-layer.ts';
 import { readBytes } from './read-file.ts';
 
@@ -35,8 +37,10 @@ beforeEach(async () => {
 });
 afterEach(() => rm(base, { recursive: true, force: true }));
 
-function run(interrupted = new AbortController().signal, files: FileLayer = NODE_FILES) {
-  const more = { name: null, maxSidePx: 1600, up: null, metersPerUnit: 1, files, say: () => {} };
+const DEPTH: CaptureJob['depth'] = { from: null, unit: null, kind: null };
+
+function run(interrupted = new AbortController().signal, files: FileLayer = NODE_FILES, depth = DEPTH) {
+  const more = { name: null, maxSidePx: 1600, up: null, metersPerUnit: 1, depth, files, say: () => {} };
   return importCapture({ folder: source(), root: project(), ...more, interrupted });
 }
 
@@ -47,6 +51,18 @@ test('removes the metadata of photographs, and takes another name where one is t
   expect(await run()).toMatchObject({ path: 'assets/scan.capture/capture.json', diagnostics: [] });
   expect(Buffer.from(await readBytes(join(project(), 'assets/scan.capture/views/000.jpg'), 1e6)).includes('GPS here')).toBe(false);
   expect((await run()).path).toBe('assets/scan-2.capture/capture.json');
+});
+
+test('imports the photographs of a rig, which have the same name in the folder of each camera', async () => {
+  const names = ['rig/left/1.jpg', 'rig/right/1.jpg', 'rig/left/2.jpg', 'rig/right/2.jpg'];
+  await put('images.txt', names.map((name, i) => IMAGE(i + 1, name)).join(''));
+  for (const name of NAMES) await rm(join(source(), 'images', name));
+  for (const name of names) await put(`images/${name}`, photo(8, 6));
+  await put('rigs.txt', '1 2 CAMERA 1 CAMERA 2 1 1 0 0 0 -0.12 0 0\n');
+  await put('frames.txt', '1 1 1 0 0 0 0 0 1 2 CAMERA 1 1 CAMERA 2 2\n');
+  const { views, diagnostics } = await run();
+  expect(views.map((view) => view.photo)).toEqual(names);
+  expect(diagnostics).toEqual([]);
 });
 
 test('warns of what it leaves out', async () => {
@@ -75,6 +91,107 @@ test.each([
   await put(path, content);
   await expect(run()).rejects.toMatchObject({ diagnostic: { code: 'SCR069', message: expect.stringContaining(reason) } });
   expect(await readdir(join(project(), 'assets')).catch(() => [])).toEqual([]);
+});
+
+const depthPng = (width: number, height: number, level: number, depth: 8 | 16 = 16) => {
+  const data = new (depth === 16 ? Uint16Array : Uint8Array)(width * height).fill(level);
+  return encodePng({ width, height, data, depth, channels: 1 });
+};
+
+test('stores the depth of photographs in meters, and warns of those without', async () => {
+  // Half the size of the photographs, and with a hole.
+  const png = { width: 4, height: 3, data: new Uint16Array(12).fill(2000), depth: 16, channels: 1 } as const;
+  png.data[5] = 0;
+  for (const name of ['a', 'b', 'c']) await put(`depth/${name}.png`, encodePng(png));
+  const { depth, diagnostics } = await run();
+  expect(depth).toEqual({ unit: 'mm', kind: 'z', count: 3 });
+  expect(diagnostics.map(({ message }) => message)).toEqual(['1 photograph has no depth, such as d.jpg.']);
+  const folder = join(project(), 'assets/scan.capture');
+  const { version, views } = readCapture(Buffer.from(await readBytes(join(folder, 'capture.json'), 1e6)).toString());
+  expect([version, views[3]?.depth]).toEqual([2, undefined]);
+  expect(views[0]?.depth).toMatchObject({ file: 'depths/000.png', widthPx: 4, heightPx: 3 });
+  const { data } = decodePng(await readBytes(join(folder, 'depths/000.png'), 1e6));
+  const metersOf = (i: number) => (data[i] ?? 0) * (views[0]?.depth?.metersPerLevel ?? 0);
+  expect([metersOf(0), metersOf(5)]).toEqual([expect.closeTo(2, 3), 0]);
+  expect((await run(undefined, NODE_FILES, { ...DEPTH, from: 'none' })).depth).toBeNull();
+});
+
+test.each([
+  ['depth/a.png', depthPng(6, 6, 2000), 'the depth of a.jpg is 6 × 6 pixels, but the photograph 8 × 6, which has another shape'],
+  ['depth/a.png', depthPng(8, 6, 0), 'the depth of a.jpg has no value above 0'],
+  ['depth/a.png', depthPng(8, 6, 200, 8), 'has 8 bits, which are too few'],
+  ['depth/a.png', depthPng(8, 6, 2000).subarray(0, 60), 'is not a whole PNG file'],
+  ['depth/a.png', depthPng(8, 6, 9), 'in any usual unit. Name another unit with --depth-unit'],
+  ['depth/a.pfm', 'Pf\n8 6\n-1\nshort', 'a.jpg is incomplete'],
+  ['stereo/depth_maps/a.jpg.geometric.bin', '8&6&3&', 'it is not a depth map'],
+  ['depth/a.exr', 'no EXR', 'a.jpg is not an EXR file'],
+])('refuses the depth %s, and writes nothing', async (path, content, reason) => {
+  await put(path, content);
+  await expect(run()).rejects.toMatchObject({ diagnostic: { code: 'SCR069', message: expect.stringContaining(reason) } });
+  expect(await readdir(join(project(), 'assets')).catch(() => [])).toEqual([]);
+});
+
+/** Removes all but a 360° photograph of 16 × 8 pixels. */
+async function onlyPanorama(width = 16): Promise<void> {
+  await rm(source(), { recursive: true });
+  await put('place_color.jpg', photo(width, 8));
+}
+
+test('imports a 360° photograph with its depth, which gives its height above the floor', async () => {
+  await onlyPanorama();
+  // A room whose walls are 3 m away, and whose floor is 1.5 m below.
+  const data = Uint16Array.from({ length: 16 * 8 }, (_, i) => (i >= 16 * 7 ? 1500 : 3000));
+  await put('place_depth_mm.png', encodePng({ width: 16, height: 8, data, depth: 16, channels: 1 }));
+  const { form, depth, triangleCount, depthTriangles, diagnostics } = await run();
+  expect([form, depth, diagnostics]).toEqual(['one 360° photograph', { unit: 'mm', kind: 'ray', count: 1 }, []]);
+  // The photograph has no other mesh.
+  expect(triangleCount).toBe(depthTriangles);
+  const { version, views } = readCapture(Buffer.from(await readBytes(join(project(), 'assets/scan.capture/capture.json'), 1e6)).toString());
+  expect([version, views[0]?.projection, views[0]?.depthMesh?.widthPx]).toEqual([2, 'equirectangular', 16]);
+  expect(views[0]?.worldFromCamera.slice(12, 15)).toEqual([0, expect.closeTo(1.5, 3), 0]);
+});
+
+test('refuses a 360° photograph without depth, and what only looks like one', async () => {
+  await onlyPanorama();
+  await expect(run()).rejects.toMatchObject({ diagnostic: { message: expect.stringContaining('neither a mesh') } });
+  await onlyPanorama(12);
+  await expect(run()).rejects.toMatchObject({ diagnostic: { message: expect.stringContaining('it has no cameras') } });
+});
+
+test('imports 360° photographs beside others, with depth meshes that are drawn from the mesh', async () => {
+  for (const name of ['cameras.txt', 'images.txt']) await rm(join(source(), name));
+  await put('images/around.jpg', photo(32, 16));
+  const transform_matrix = [
+    [1, 0, 0, 0],
+    [0, 1, 0, 0],
+    [0, 0, 1, 0],
+  ];
+  const around = { transform_matrix, file_path: 'images/around.jpg', camera_model: 'EQUIRECTANGULAR' };
+  await put('mesh.obj', 'v -2 -2 -2\nv 2 -2 -2\nv 2 2 -2\nv -2 2 -2\nv -2 -2 2\nv 2 -2 2\nf 1 2 3 4\nf 1 2 6 5\n');
+  await put('transforms.json', JSON.stringify({ fl_x: 8, frames: [{ transform_matrix, file_path: 'images/a.jpg' }, around] }));
+  const { depth, views } = await run();
+  expect([depth, views]).toMatchObject([null, [{ widthPx: 8 }, { widthPx: 32 }]]);
+  const text = Buffer.from(await readBytes(join(project(), 'assets/scan.capture/capture.json'), 1e6)).toString();
+  expect(readCapture(text).views.map(({ projection, depthMesh }) => [projection, depthMesh?.widthPx])).toEqual([
+    [undefined, 8],
+    ['equirectangular', 32],
+  ]);
+  await put('images/around.jpg', photo(30, 16));
+  await expect(run()).rejects.toMatchObject({ diagnostic: { message: expect.stringContaining('twice as wide as high') } });
+});
+
+test('refuses depth outside the folder that transforms.json names', async () => {
+  for (const name of ['cameras.txt', 'images.txt']) await rm(join(source(), name));
+  const pose = {
+    transform_matrix: [
+      [1, 0, 0, 0],
+      [0, -1, 0, 0],
+      [0, 0, -1, 0],
+    ],
+  };
+  const frames = [{ ...pose, file_path: 'images/a.jpg', depth_file_path: '../secret.png' }];
+  await put('transforms.json', JSON.stringify({ fl_x: 8, frames }));
+  await expect(run()).rejects.toMatchObject({ diagnostic: { message: expect.stringContaining('"../secret.png" is outside the folder') } });
 });
 
 test('leaves nothing behind when it is interrupted', async () => {

@@ -1,6 +1,9 @@
 import { randomInt } from 'node:crypto';
 import { readdir } from 'node:fs/promises';
 import { basename, dirname, resolve } from 'node:path';
+import type { DepthAnswers, DepthScale } from '../../export/captures/depth/depth-scale.ts';
+import { createDepthFusion } from '../../export/captures/depth/fuse-depth-meshes.ts';
+import type { Lens } from '../../export/captures/lens.ts';
 import { unitWarning } from '../../export/captures/plausible.ts';
 import { reprojectionErrorPx } from '../../export/captures/source-view.ts';
 import { type Axis, upAxis, uprightMesh, uprightPose } from '../../export/captures/upright.ts';
@@ -8,15 +11,26 @@ import { putAsset } from '../../export/graph/commands/asset-commands.ts';
 import { makeAssetId } from '../../export/graph/document-names.ts';
 import { loadProject } from '../../export/graph/load.ts';
 import { saveProject } from '../../export/graph/save.ts';
-import { CAPTURE_FILE, type CaptureDocument, CaptureError, type CaptureMesh, type CaptureView } from '../../nodes/kit/capture.ts';
+import {
+  CAPTURE_FILE,
+  CAPTURE_LIMITS,
+  type CaptureDocument,
+  CaptureError,
+  type CaptureMesh,
+  type CaptureView,
+  captureMeshFile,
+  meshCounts,
+} from '../../nodes/kit/capture.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import { findDepths, readDepthM, readDepthScale } from './capture-depths.ts';
 import { resolveInside } from './confine.ts';
 import { refusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
+import { heightAboveFloorM, packDepthFiles } from './pack-depth.ts';
 import { packPhoto } from './pack-photo.ts';
 import { writePageFolder } from './page-folder.ts';
 import { ASSETS_FOLDER, revisionOf } from './project-files.ts';
-import { type FoundView, readCaptureFolder } from './read-capture-folder.ts';
+import { type FoundView, PANORAMA_FORM, readCaptureFolder } from './read-capture-folder.ts';
 import { readBytes } from './read-file.ts';
 import { readConsistentFiles } from './recover-folder.ts';
 import { saveOver } from './save-over.ts';
@@ -34,6 +48,11 @@ export interface CaptureJob {
   readonly up: Axis | null;
   /** Meters per unit of the reconstruction. */
   readonly metersPerUnit: number;
+  /** What depth meshes are made from, and what the depth files have. */
+  readonly depth: DepthAnswers & {
+    /** Null: depth files where they are, else the mesh. */
+    readonly from: 'files' | 'mesh' | 'none' | null;
+  };
   readonly files: FileLayer;
   /** Receives progress texts. */
   readonly say: (text: string) => void;
@@ -52,6 +71,10 @@ export interface ImportedCapture {
   readonly pointCount: number;
   readonly vertexCount: number;
   readonly triangleCount: number;
+  /** What the depth files have; null without them. */
+  readonly depth: (Pick<DepthScale, 'unit' | 'kind'> & { readonly count: number }) | null;
+  /** Triangles of all depth meshes together. */
+  readonly depthTriangles: number;
   /** Size of the mesh along x, y and z, meters. */
   readonly sizeM: readonly number[];
   readonly fileBytes: number;
@@ -85,39 +108,60 @@ export async function importCapture(job: CaptureJob): Promise<ImportedCapture> {
 async function importWhole(job: CaptureJob): Promise<ImportedCapture> {
   const { folder, root, files, say, interrupted } = job;
   say('Reading cameras and mesh…');
-  const { source, views, mesh, diagnostics } = await readCaptureFolder(resolve(folder));
+  const { source, views, mesh: ownMesh, diagnostics: warnings } = await readCaptureFolder(resolve(folder));
+  const diagnostics = [...warnings];
+  const depths = await findUsedDepths(job, views);
+  const missing = views.filter((_, i) => depths[i] == null);
+  const hasDepth = depths.some((path) => path !== null);
+  if (!ownMesh && !hasDepth) throw new CaptureError(NO_MESH);
+  if (job.depth.from === 'files' && !hasDepth) throw new CaptureError('it has no depth files with the names of the photographs');
+  if (hasDepth && missing.length > 0) diagnostics.push(withoutDepth(missing.length, missing[0]?.view.name ?? ''));
+  const scale = hasDepth ? await readDepthScale(views, depths, ownMesh, job.depth, job.metersPerUnit) : null;
   const up = job.up ?? upAxis(views.map(({ view }) => view.worldFromCamera));
-  uprightMesh(mesh, up, job.metersPerUnit);
-  const sizeM = sizeOf(mesh);
-  const unit = unitWarning(sizeM);
+  if (ownMesh) uprightMesh(ownMesh, up, job.metersPerUnit);
+  let mesh = ownMesh;
   const path = await freePath(root, job.name ?? basename(resolve(folder)));
   let fileBytes = 0;
+  let depthTriangles = 0;
   await writePageFolder(await resolveInside(root, path), files, async (sink) => {
     const write = async (file: string, bytes: Uint8Array): Promise<void> => {
       fileBytes += bytes.length;
       await sink.write(file, bytes);
     };
     const packed: CaptureView[] = [];
-    for (const [i, { file, lens, view }] of views.entries()) {
+    const fusion = createDepthFusion();
+    for (const [i, found] of views.entries()) {
+      const { file, lens, view } = found;
       interrupted.throwIfAborted();
       say(`Packing photographs (${i + 1} of ${views.length})…`);
-      const { bytes, extension, pinhole } = packPhoto(await readBytes(file, MAX_PHOTO_BYTES), view.name, lens, job.maxSidePx);
+      const { bytes, extension, pinhole } = packPhoto(await readBytes(file, MAX_PHOTO_BYTES), view.name, lens, sideOf(lens, job.maxSidePx));
       const name = `views/${String(i).padStart(3, '0')}${extension}`;
       await write(name, bytes);
-      packed.push({ file: name, ...pinhole, worldFromCamera: uprightPose(view.worldFromCamera, up, job.metersPerUnit) });
+      const worldFromCamera = uprightPose(view.worldFromCamera, up, job.metersPerUnit);
+      const path = depths[i] ?? null;
+      const map = path === null || scale === null ? null : await readDepthM(path, found, pinhole, scale, job.metersPerUnit);
+      if (map && source.form === PANORAMA_FORM) worldFromCamera[13] = heightAboveFloorM(map) ?? 0;
+      const more = packDepthFiles(map, job.depth.from === 'none' ? null : ownMesh, pinhole, worldFromCamera, i, views.length);
+      for (const [name, content] of more.files) await write(name, content);
+      depthTriangles += more.members.depthMesh?.triangleCount ?? 0;
+      if (!ownMesh && more.fused) fusion.add(more.fused);
+      packed.push({ file: name, ...pinhole, worldFromCamera, ...more.members });
     }
-    const meshBytes = meshFile(mesh);
+    mesh ??= fusion.mesh();
+    const meshBytes = captureMeshFile(mesh);
     await write(MESH_FILE, meshBytes);
-    const counts = { vertexCount: mesh.positions.length / 3, triangleCount: mesh.indices.length / 3 };
     const document: CaptureDocument = {
       format: 'scrim-capture',
-      version: 1,
-      mesh: { file: MESH_FILE, ...counts },
+      version: packed.some(({ projection, depth, depthMesh }) => projection ?? depth ?? depthMesh) ? 2 : 1,
+      mesh: { file: MESH_FILE, ...meshCounts(mesh) },
       views: packed,
     };
     await write(CAPTURE_FILE, new TextEncoder().encode(`${JSON.stringify(document, null, 1)}\n`));
     return true;
   });
+  if (!mesh) throw new Error('The capture has no mesh.');
+  const sizeM = sizeOf(mesh);
+  const unit = unitWarning(sizeM);
   return {
     path: `${path}/${CAPTURE_FILE}`,
     asset: await addToProject(job, `${path}/${CAPTURE_FILE}`),
@@ -127,13 +171,34 @@ async function importWhole(job: CaptureJob): Promise<ImportedCapture> {
     pointCount: source.pointCount,
     vertexCount: mesh.positions.length / 3,
     triangleCount: mesh.indices.length / 3,
+    depth: scale && { unit: scale.unit, kind: scale.kind, count: views.length - missing.length },
+    depthTriangles,
     sizeM,
     fileBytes,
     diagnostics: unit === null ? diagnostics : [...diagnostics, { code: 'SCR069', severity: 'warning', message: unit }],
   };
 }
 
+async function findUsedDepths({ folder, depth }: CaptureJob, views: readonly FoundView[]): Promise<readonly (string | null)[]> {
+  if (depth.from === 'mesh' || depth.from === 'none') return views.map(() => null);
+  return findDepths(resolve(folder), views);
+}
+
+function withoutDepth(count: number, name: string): Diagnostic {
+  const photographs = count === 1 ? '1 photograph has' : `${count} photographs have`;
+  return { code: 'SCR069', severity: 'warning', message: `${photographs} no depth, such as ${name}.` };
+}
+
+const NO_MESH =
+  'it has neither a mesh (.ply, .obj, .glb or .gltf) nor depth of its photographs. Make a mesh, as with COLMAP’s poisson_mesher, and put it into the folder';
 const MESH_FILE = 'mesh.bin';
+/** A 360° photograph may be larger by this factor, because it shows more. */
+const AROUND = 2.5;
+
+function sideOf({ projection }: Lens, maxSidePx: number): number {
+  return projection === 'equirectangular' ? Math.min(AROUND * maxSidePx, CAPTURE_LIMITS.sidePx) : maxSidePx;
+}
+
 const MAX_PHOTO_BYTES = 256 * 2 ** 20;
 
 function reportOf({ view, lens }: FoundView): ImportedView {
@@ -144,13 +209,6 @@ function reportOf({ view, lens }: FoundView): ImportedView {
     errorPx: reprojectionErrorPx(view, lens),
     points: view.observations.length / 5,
   };
-}
-
-function meshFile({ positions, indices }: CaptureMesh): Uint8Array {
-  const bytes = new Uint8Array(positions.byteLength + indices.byteLength);
-  bytes.set(new Uint8Array(positions.buffer, positions.byteOffset, positions.byteLength));
-  bytes.set(new Uint8Array(indices.buffer, indices.byteOffset, indices.byteLength), positions.byteLength);
-  return bytes;
 }
 
 function sizeOf({ positions }: CaptureMesh): readonly number[] {

@@ -3,8 +3,10 @@ import type { Asset } from '../../export/graph/project.ts';
 import { CaptureError, readCapture } from '../../nodes/kit/capture.ts';
 import type { AssetKind } from '../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import { SplatError } from '../../nodes/kit/splats/splats.ts';
 import { HostError } from '../contract/host-error.ts';
 import { exrFault, imageFileFault, radianceFault } from './check-image-files.ts';
+import { countSplats, manySplats } from './check-splats.ts';
 import { mp4Fault, webmFault } from './check-video-files.ts';
 import { resolveInside } from './confine.ts';
 import { errorCode } from './file-errors.ts';
@@ -43,6 +45,7 @@ async function problemOf(root: string, { path, kind }: Asset): Promise<Problem |
       await file.read(head, 0, HEAD_BYTES, 0);
       const wrong = WRONG[kind](head, size) ?? (await contentFault(file, kind, head, size));
       if (wrong !== null) return { code: 'SCR032', message: `${path} ${wrong}`, fix: 'Export it again, or choose another file.' };
+      if (kind === 'splats') return await splatProblem(file, path, size);
       return tooLarge(path, kind, size);
     } finally {
       await file.close();
@@ -73,6 +76,8 @@ async function contentFault(file: FileHandle, kind: AssetKind, head: Buffer, siz
       return isEbml(head) ? webmFault(file, size) : mp4Fault(file, size);
     case 'audio':
     case 'model':
+    // Splats are counted below.
+    case 'splats':
       return null;
   }
 }
@@ -96,6 +101,7 @@ const LARGE: Readonly<Record<AssetKind, { readonly bytes: number; readonly fix: 
   model: null,
   audio: null,
   capture: null,
+  splats: null,
   video: { bytes: 40 * 2 ** 20, fix: 'Shorten it, reduce its size, or lower its bit rate.' },
   environment: { bytes: 16 * 2 ** 20, fix: 'Reduce its size: 2048 × 1024 is enough for light, 4096 × 2048 for a visible background.' },
 };
@@ -106,6 +112,16 @@ function tooLarge(path: string, kind: AssetKind, size: number): Problem | null {
   const { bytes, fix } = large;
   const message = `${path} has ${Math.round(size / 2 ** 20)} MB; above ${bytes / 2 ** 20} MB visitors wait long.`;
   return { code: 'SCR034', severity: 'warning', message, fix };
+}
+
+async function splatProblem(file: FileHandle, path: string, size: number): Promise<Problem | null> {
+  try {
+    const many = manySplats(await countSplats(file, path, size));
+    return many && { code: 'SCR034', severity: 'warning', message: `${path} ${many.message}`, fix: many.fix };
+  } catch (error) {
+    if (!(error instanceof SplatError)) throw error;
+    return { code: 'SCR032', message: `${path} cannot be shown: ${error.message}.`, fix: error.fix };
+  }
 }
 
 /** Checks the header of a video (ISO 14496-12, §4.3; RFC 8794, §11.2). */
@@ -151,6 +167,7 @@ const WRONG: Readonly<Record<AssetKind, (head: Buffer, size: number) => string |
   video: wrongVideo,
   audio: wrongSound,
   environment: wrongPanorama,
+  splats: (_, size) => (size === 0 ? 'is empty.' : null),
   capture: (head, size) => (size < MAX_CAPTURE_BYTES && head.toString('latin1').startsWith('{') ? null : 'is not a capture.'),
 };
 

@@ -1,5 +1,6 @@
 import { compileApart } from '../../export/bundle/compile/compile-apart.ts';
 import { type Compiled, type CompileOptions, compile } from '../../export/compiler/compile.ts';
+import type { FoldedNode } from '../../export/compiler/fold/folded-node.ts';
 import { isImported } from '../../export/compiler/imported-assets.ts';
 import type { SeparateWire } from '../../export/compiler/schedule/fuse/separate-wire.ts';
 import { migrateNodes } from '../../export/graph/library/migrate-nodes.ts';
@@ -21,6 +22,8 @@ export interface CompiledProject {
   readonly diagnostics: readonly Diagnostic[];
   /** Layers that passes read as textures, and why they are not fused; empty if fusion is off. */
   readonly separate: readonly SeparateWire[];
+  /** Nodes that folding leaves out; see `Compiled`. */
+  readonly folded: readonly FoldedNode[];
 }
 
 /** Options to compile large projects in a worker. */
@@ -48,7 +51,7 @@ export async function compileProject(
 ): Promise<CompiledProject> {
   const loaded = loadProject(files);
   const project = loaded.output;
-  if (project === null) return { project, program: null, diagnostics: loaded.diagnostics, separate: [] };
+  if (project === null) return { project, program: null, diagnostics: loaded.diagnostics, separate: [], folded: [] };
   const options = optionsOf(project);
   const compiled =
     apart !== null && isLarge(project) ? await compileMigrated(project, options, apart) : compile({ project, library: LIBRARY, options });
@@ -61,7 +64,13 @@ export async function compileProject(
   const known = new Set(assets.flatMap(({ file }) => file ?? []));
   const models = compiled.output === null ? [] : await checkModels(root, compiled.output, known);
   const diagnostics = [...loaded.diagnostics, ...compiled.diagnostics, ...assets, ...models];
-  return { project, program: hasErrors(diagnostics) ? null : compiled.output, diagnostics, separate: compiled.separate };
+  return {
+    project,
+    program: hasErrors(diagnostics) ? null : compiled.output,
+    diagnostics,
+    separate: compiled.separate,
+    folded: compiled.folded ?? [],
+  };
 }
 
 /** Migrates the params and then compiles in a worker, which cannot migrate params. */

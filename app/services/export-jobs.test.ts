@@ -55,6 +55,27 @@ describe('an export by the host', () => {
     expect(steps.slice(0, 3)).toEqual(['Compiling…', 'Bundling the page…', 'Writing file 1…']);
   });
 
+  test('reports its sizes and devices, and is shown on this machine until the host ends', async () => {
+    const { window, handle, files } = await open();
+    await expect(window.call('export.show', { handle, open: true })).rejects.toMatchObject({ diagnostic: { code: 'SCR004' } });
+    const { report } = await window.call('export.run', { handle, files, out, poster: JPEG, address: 'https://example.org/effect' });
+    expect(report?.parts.map(({ kind }) => kind)).toEqual(
+      expect.arrayContaining(['page', 'script', 'style', 'program', 'poster', 'offline']),
+    );
+    expect(report?.bytes.gzip).toBe(report?.parts.reduce((sum, { gzip }) => sum + gzip, 0));
+    expect(report?.devices.find(({ title }) => title.startsWith('Android phone'))?.tier).toBe('ar-camera');
+    const { url, opened } = await window.call('export.show', { handle, open: true });
+    expect(opened).toBe(false);
+    const page = await fetch(url);
+    expect([page.status, page.headers.get('content-type')]).toEqual([200, 'text/html; charset=utf-8']);
+    expect(await page.text()).toContain('https://example.org/effect/poster-');
+    await window.call('export.run', { handle, files, out, poster: JPEG, singleFile: true });
+    expect(await window.call('export.show', { handle, open: false })).toEqual({ url, opened: false });
+    expect((await readdir(out)).sort()).toEqual(['index.html', 'report.json']);
+    await stopHosts();
+    await expect(fetch(url)).rejects.toThrow();
+  });
+
   test('is done without one, too, and says so', async () => {
     const { window, handle, files } = await open();
     const { ok, diagnostics } = await window.call('export.run', { handle, files, out, poster: null });
@@ -82,7 +103,7 @@ describe('an export by the host', () => {
       if (event.kind === 'export-progress' && event.text === step) cancelled.push(window.call('export.cancel', { handle }));
     });
     const result = await window.call('export.run', { handle, files, out, poster: JPEG });
-    expect(result).toEqual({ ok: false, out, diagnostics: [], bytes: 0 });
+    expect(result).toEqual({ ok: false, out, diagnostics: [], report: null });
     expect(cancelled).toHaveLength(1);
     expect(await readdir(base)).toEqual(['project']);
   });

@@ -28,6 +28,8 @@ export interface ExportJob {
   readonly say?: (text: string) => void;
   /** Whether to write a single HTML file that opens from a disk. */
   readonly singleFile?: boolean;
+  /** Whether the page opens offline after a visit. Default: true. */
+  readonly offline?: boolean;
   /** Address of the published page, ending in `/`. */
   readonly address?: string | null;
   /**
@@ -54,12 +56,17 @@ export async function exportProject(job: ExportJob): Promise<ExportOutcome> {
     job.say?.(text);
   };
   const files = watchedFiles(job.files ?? NODE_FILES, interrupted, (count) => say(`Writing file ${count}…`));
-  const { singleFile = false, address = null, drawPoster } = job;
+  const { singleFile = false, offline = true, address = null, drawPoster } = job;
   say('Compiling…');
-  const { project, program, diagnostics } = await compileProject(root, projectFiles, () => ({ sourceMaps: false, fuse: true }), {
-    root: installation.root,
-    interrupted,
-  });
+  const { project, program, diagnostics } = await compileProject(
+    root,
+    projectFiles,
+    () => ({ sourceMaps: false, fuse: true, fold: true }),
+    {
+      root: installation.root,
+      interrupted,
+    },
+  );
   if (project === null || program === null || hasErrors(diagnostics)) return { report: null, diagnostics };
   const all = [...diagnostics];
   try {
@@ -79,6 +86,7 @@ export async function exportProject(job: ExportJob): Promise<ExportOutcome> {
         cache: createAssetCache(root, NODE_FILES),
         say,
         singleFile,
+        offline,
         address,
         poster,
       });

@@ -3,6 +3,7 @@ import { isAbsolute, join } from 'node:path';
 import type { HostEvent, HostInput, PlatformMenu } from '../contract/contract.ts';
 import type { Answer } from '../contract/host-error.ts';
 import { POSTER_SIZE } from '../contract/poster-size.ts';
+import { resolveInside } from './confine.ts';
 import { type Content, createContent } from './content.ts';
 import type { Origins } from './content-policy.ts';
 import { copyExample, isExample } from './copy-example.ts';
@@ -15,7 +16,8 @@ import { createFrameJobs } from './frame-jobs.ts';
 import { importAsset } from './import-asset.ts';
 import type { Installation } from './installation.ts';
 import { createOpenProjects } from './open-projects.ts';
-import { findProject } from './project-files.ts';
+import { createPageServers } from './page-servers.ts';
+import { findProject, listAssets } from './project-files.ts';
 import { readAsset } from './read-asset.ts';
 import { ROOMS } from './rooms.ts';
 import { saveSession } from './save-session.ts';
@@ -29,6 +31,10 @@ export interface Shell {
   /** Asks for a folder with the native dialog; null if the shell has none. */
   readonly pickFolder: ((purpose: HostInput<'folder.pick'>['purpose']) => Promise<string | null>) | null;
   readonly closeWindow: () => void;
+  /** Shows a file in the file manager; null if the shell cannot. */
+  readonly revealFile: ((path: string) => void) | null;
+  /** Opens an address of this machine in the default browser; null if the editor itself runs in a browser. */
+  readonly openInBrowser: ((url: string) => Promise<void>) | null;
   /** Sets the native menus; null if the shell has none. */
   readonly showMenus: ((menus: readonly PlatformMenu[]) => void) | null;
 }
@@ -68,6 +74,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
   const clients = createClients();
   const exports = createExportJobs();
   const frames = createFrameJobs(files);
+  const pages = createPageServers();
   const projects = createOpenProjects({ content, previewOrigin: shell.origins.preview, files, emit, isThere: clients.isThere });
 
   const handlers: Handlers = {
@@ -83,6 +90,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
         ),
       ),
       canPickFolders: shell.pickFolder !== null,
+      canReveal: shell.revealFile !== null,
       projectsDir: installation.projectsDir,
     }),
     'app.close': async () => {
@@ -122,6 +130,11 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
     },
     'asset.import': async ({ handle, name, bytes }) => ({ path: await importAsset(projects.rootOf(handle), name, bytes, files) }),
     'asset.read': async ({ handle, path }) => ({ base64: Buffer.from(await readAsset(projects.rootOf(handle), path)).toString('base64') }),
+    'asset.list': async ({ handle }) => ({ assetFiles: await listAssets(projects.rootOf(handle)) }),
+    'asset.reveal': async ({ handle, path }) => {
+      shell.revealFile?.(await resolveInside(projects.rootOf(handle), path));
+      return {};
+    },
     'session.save': async ({ handle, session, files: images, content: bytes }) => ({
       id: `project/${await saveSession(projects.rootOf(handle), { session, images, bytes }, files)}`,
     }),
@@ -150,16 +163,27 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
         })),
       ];
     },
-    'export.run': ({ handle, files: projectFiles, out, poster = null }) =>
+    'export.run': ({ handle, files: projectFiles, out, poster = null, singleFile = false, offline = true, address = null }) =>
       exports.run(handle, {
         root: projects.rootOf(handle),
         projectFiles,
         out: fullPath(out, 'SCR060'),
         installation,
         files,
+        singleFile,
+        offline,
+        address: address && withSlash(address),
         say: (text) => emit({ kind: 'export-progress', handle, text }),
         drawPoster: async () => poster && { type: 'jpg', bytes: poster, drawn: true, ...POSTER_SIZE },
       }),
+    'export.show': async ({ handle, open }) => {
+      projects.rootOf(handle);
+      const folder = exports.lastOf(handle);
+      if (folder === null) throw refusal('SCR004', 'This project has no exported page yet.');
+      const url = await pages.serve(folder);
+      if (open) await shell.openInBrowser?.(url);
+      return { url, opened: open && shell.openInBrowser !== null };
+    },
     'frames.begin': async ({ handle, out, widthPx, heightPx }, client) => {
       projects.rootOf(handle);
       await frames.begin(handle, client, { out: fullPath(out, 'SCR060'), widthPx, heightPx });
@@ -208,9 +232,14 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       exports.dispose();
       frames.dispose();
       projects.dispose();
-      await Promise.all(calls);
+      await Promise.all([...calls, pages.dispose()]);
     },
   };
+}
+
+/** The address of a folder ends in a slash. */
+function withSlash(address: string): string {
+  return address.endsWith('/') ? address : `${address}/`;
 }
 
 /** Tracks clients by their open event streams. A page that reconnects has two for a moment. */

@@ -1,6 +1,8 @@
 import { randomBytes } from 'node:crypto';
+import { rmSync } from 'node:fs';
 import { lstat, readdir, realpath, rm } from 'node:fs/promises';
 import { dirname, join, resolve } from 'node:path';
+import process from 'node:process';
 import type { FileSink } from '../../export/bundle/bundle-page.ts';
 import { REPORT_FILE } from '../../export/bundle/report.ts';
 import { errorCode, refusal, writeRefusal } from './file-errors.ts';
@@ -37,6 +39,11 @@ export async function writePageFolder<T>(
   const suffix = randomBytes(6).toString('hex');
   const fresh = `${target}.new-${suffix}`;
   const old = `${target}.old-${suffix}`;
+  // On an interrupt the browser driver ends the process, without running `finally` blocks.
+  const sweep = () => {
+    for (const path of [fresh, ...(firstMade === undefined ? [] : [firstMade])]) rmSync(path, { recursive: true, force: true });
+  };
+  process.once('exit', sweep);
   try {
     firstMade = await makeFolders(dirname(target));
     await files.makeFolder(fresh);
@@ -51,6 +58,8 @@ export async function writePageFolder<T>(
   } catch (error) {
     await discard(fresh, firstMade);
     throw errorCode(error) === undefined ? error : writeRefusal(error, out);
+  } finally {
+    process.off('exit', sweep);
   }
 }
 

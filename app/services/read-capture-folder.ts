@@ -1,7 +1,7 @@
 import { readdir } from 'node:fs/promises';
 import { extname, join } from 'node:path';
 import { readColmapBinary, readColmapText } from '../../export/captures/colmap.ts';
-import type { Lens } from '../../export/captures/lens.ts';
+import { equirectangularLens, type Lens } from '../../export/captures/lens.ts';
 import { readGltfMesh } from '../../export/captures/mesh-gltf.ts';
 import { readObj } from '../../export/captures/mesh-obj.ts';
 import { readPly } from '../../export/captures/mesh-ply.ts';
@@ -27,7 +27,8 @@ export interface FoundView {
 export interface FoundCapture {
   readonly source: SourceCapture;
   readonly views: readonly FoundView[];
-  readonly mesh: CaptureMesh;
+  /** Null if there is none: the depth of the photographs makes one. */
+  readonly mesh: CaptureMesh | null;
   /** Warnings. */
   readonly diagnostics: readonly Diagnostic[];
 }
@@ -66,10 +67,10 @@ export async function readCaptureFolder(folder: string): Promise<FoundCapture> {
   const without = await photosWithoutCamera(folder, source.views);
   if (without.length > 0)
     warnings.push(`${counted(without.length, 'photograph has', 'photographs have')} no camera, such as ${without[0]}.`);
-  if (views.length < FEW_VIEWS)
+  if (views.length < FEW_VIEWS && !views.some(({ lens }) => lens.projection === 'equirectangular'))
     warnings.push(`It has ${counted(views.length, 'photograph', 'photographs')} only, so most sides are seen once or never.`);
   const mesh = await readMesh(folder);
-  const blind = views.filter(({ view, lens }) => !seesMesh(mesh, lens, view.worldFromCamera));
+  const blind = views.filter(({ view, lens }) => mesh && !seesMesh(mesh, lens, view.worldFromCamera));
   if (blind.length > 0) {
     const count = counted(blind.length, 'photograph shows', 'photographs show');
     warnings.push(`${count} nothing of the mesh, such as ${blind[0]?.view.name}. Mesh and cameras may have different units or axes.`);
@@ -99,8 +100,33 @@ async function readCameras(folder: string): Promise<SourceCapture> {
   }
   const transforms = await readIfThere(join(folder, 'transforms.json'));
   if (transforms) return readTransforms(transforms);
+  const alone = await findPanorama(folder);
+  if (alone) return alone;
   throw new CaptureError('it has no cameras: neither cameras.txt and images.txt (or .bin) of COLMAP nor transforms.json');
 }
+
+/** What a single 360° photograph without cameras is called. */
+export const PANORAMA_FORM = 'one 360° photograph';
+
+/** A photograph that is twice as wide as high, if there is exactly one photograph and no other description. */
+async function findPanorama(folder: string): Promise<SourceCapture | null> {
+  const photos: string[] = [];
+  for (const place of PHOTO_FOLDERS) {
+    const names = await readdir(join(folder, place)).catch(() => []);
+    photos.push(...names.filter((name) => PHOTO_ENDING.test(name) && !/depth/i.test(name)));
+  }
+  const [name] = photos;
+  if (name === undefined || photos.length !== 1) return null;
+  const photo = await findPhoto(folder, name);
+  const size = photo && imageSize(photo.bytes);
+  if (!size || size.widthPx !== 2 * size.heightPx) return null;
+  const lens = (widthPx: number, heightPx: number) => equirectangularLens(widthPx, heightPx, name);
+  const still = { worldFromCamera: IDENTITY, depthName: null, sizePx: null, observations: new Float64Array(0) };
+  return { form: PANORAMA_FORM, pointCount: 0, views: [{ name, lens, ...still }] };
+}
+
+const PHOTO_ENDING = /\.(jpe?g|png)$/i;
+const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 function checkNames(views: readonly SourceView[]): void {
   if (views.length === 0) throw new CaptureError('it has no cameras');
@@ -148,7 +174,7 @@ function lensFor(view: SourceView, bytes: Uint8Array): Lens {
 async function photosWithoutCamera(folder: string, views: readonly SourceView[]): Promise<readonly string[]> {
   const known = new Set(views.map(({ name }) => name));
   const names = await readdir(join(folder, 'images')).catch(() => []);
-  return names.filter((name) => /\.(jpe?g|png)$/i.test(name) && !known.has(name) && !known.has(`images/${name}`)).sort();
+  return names.filter((name) => PHOTO_ENDING.test(name) && !known.has(name) && !known.has(`images/${name}`)).sort();
 }
 
 /** Names of meshes that reconstructions write, the best first; then any other. */
@@ -157,15 +183,13 @@ const MESH_ENDING = /\.(ply|obj|glb|gltf)$/i;
 /** Files of points, which are no meshes. */
 const POINTS_FILE = /^(fused|points3D|sparse_pc)\.ply$/i;
 
-async function readMesh(folder: string): Promise<CaptureMesh> {
+async function readMesh(folder: string): Promise<CaptureMesh | null> {
   for (const place of MESH_FOLDERS) {
     const names = (await readdir(join(folder, place)).catch(() => [])).filter((name) => MESH_ENDING.test(name) && !POINTS_FILE.test(name));
     const name = MESH_NAMES.find((known) => names.includes(known)) ?? names.sort()[0];
     if (name !== undefined) return readMeshFile(join(folder, place), name);
   }
-  throw new CaptureError(
-    'it has no mesh (.ply, .obj, .glb or .gltf). Make one, as with COLMAP’s poisson_mesher, and put it into the folder',
-  );
+  return null;
 }
 
 async function readMeshFile(folder: string, name: string): Promise<CaptureMesh> {

@@ -1,7 +1,9 @@
-import { resolve } from 'node:path';
+import { readFile } from 'node:fs/promises';
+import { basename, dirname, resolve } from 'node:path';
 import { build, type Metafile, type Plugin } from 'esbuild';
 import { leaveOut } from './optional-parts.ts';
-import { type PageUse, pageEntry, SESSIONS_MODULE, sessionsEntry } from './page-entry.ts';
+import { type PageUse, pageEntry, SESSIONS_MODULE, SHARED, sessionsEntry, sharedModule } from './page-entry.ts';
+import { shrink } from './shrink/shrink-plugin.ts';
 
 export interface Script {
   readonly bytes: Uint8Array;
@@ -19,22 +21,30 @@ export interface Scripts {
 /** JavaScript version of the script: that of browsers with WebXR, and of other browsers since 2022. There are no polyfills. */
 const TARGET = 'es2022';
 
+export interface BundleOptions {
+  /** Bundles three.js as it is published, for comparison. Default: false. */
+  readonly wholeThree?: boolean;
+}
+
 /**
  * Bundles the scripts of a page: player, page and the runtimes of the used nodes; and, as an own script, the sessions that a visitor enters.
- * The first is a classic script, because browsers load no modules from `file:` URLs. The second is a module that is complete in itself:
- * the few functions that both use are in both. esbuild returns the same bytes for the same sources.
+ * The first is a classic script, because browsers load no modules from `file:` URLs. The second is a module, which gets the functions that
+ * both use from the first. esbuild returns the same bytes for the same sources.
  */
-export async function bundleScripts(root: string, use: PageUse): Promise<Scripts> {
+export async function bundleScripts(root: string, use: PageUse, { wholeThree = false }: BundleOptions = {}): Promise<Scripts> {
+  const plugins = [sessionsModule(root, use), leaveOut(root, use), ...(wholeThree ? [] : [shrink(root, use)])];
   const [page, sessions] = await Promise.all([
-    bundle(root, use, { contents: pageEntry(use), sourcefile: 'page.ts' }, 'iife'),
-    use.singleFile ? null : bundle(root, use, { contents: sessionsEntry(use), sourcefile: 'sessions.ts' }, 'esm'),
+    bundle(root, plugins, { contents: pageEntry(use), sourcefile: 'page.ts' }, 'iife'),
+    use.singleFile
+      ? null
+      : bundle(root, [sharedModules(root), ...plugins], { contents: sessionsEntry(use), sourcefile: 'sessions.ts' }, 'esm'),
   ]);
   return { page, sessions };
 }
 
 async function bundle(
   root: string,
-  use: PageUse,
+  plugins: Plugin[],
   entry: { readonly contents: string; readonly sourcefile: string },
   format: 'iife' | 'esm',
 ): Promise<Script> {
@@ -53,7 +63,7 @@ async function bundle(
     loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
     // three.js decoders refer to files by `import.meta.url`, which classic scripts do not have. The URLs are not used.
     define: { 'process.env.NODE_ENV': '"production"', 'import.meta.url': 'document.baseURI' },
-    plugins: [sessionsModule(root, use), leaveOut(root, use)],
+    plugins,
     logLevel: 'silent',
   });
   const [file] = outputFiles;
@@ -69,6 +79,32 @@ function sessionsModule(root: string, use: PageUse): Plugin {
     setup: ({ onResolve, onLoad }) => {
       onResolve({ filter: new RegExp(`^${SESSIONS_MODULE}$`) }, ({ path }) => ({ path, namespace, sideEffects: false }));
       onLoad({ filter: /./, namespace }, () => ({ contents: sessionsEntry(use), resolveDir: root, loader: 'ts' }));
+    },
+  };
+}
+
+/** Gives the sessions the functions that the script of the page has. */
+function sharedModules(root: string): Plugin {
+  const files = new Map(Object.keys(SHARED).map((file) => [resolve(root, file), file]));
+  const names = [...files.values()].map((file) => basename(file, '.ts'));
+  const own = 'own';
+  return {
+    name: 'shared',
+    setup: ({ onResolve, onLoad }) => {
+      onResolve({ filter: new RegExp(`^${own}:`) }, ({ path }) => ({
+        path: path.slice(own.length + 1),
+        namespace: own,
+        sideEffects: false,
+      }));
+      onLoad({ filter: /./, namespace: own }, async ({ path }) => ({
+        contents: await readFile(path),
+        resolveDir: dirname(path),
+        loader: 'ts',
+      }));
+      onLoad({ filter: new RegExp(`(${names.join('|')})\\.ts$`), namespace: 'file' }, ({ path }) => {
+        const file = files.get(path);
+        return file === undefined ? null : { contents: sharedModule(file, `${own}:${path}`), loader: 'ts' };
+      });
     },
   };
 }

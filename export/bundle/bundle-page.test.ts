@@ -166,6 +166,9 @@ describe('a bundled page', () => {
     expect(text(/^sessions-.*\.js$/)).toMatch(/requestSession.*XRWebGLLayer|XRWebGLLayer.*requestSession/s);
     expect(text(/^index\.html$/)).toContain(`"sessions":"${path}"`);
     expect(text(/^offline\.js$/)).toContain(`"${path}"`);
+    const online = await exported(IMAGE_ONLY, { offline: false });
+    expect([...online.files.keys()].sort()).toEqual([...files.keys()].filter((name) => name !== 'offline.js').sort());
+    expect(online.text(/^index\.html$/)).toContain('"offline":null');
     const alone = await exported(IMAGE_ONLY, { singleFile: true });
     expect(alone.text(/^index\.html$/)).toContain('"sessions":null');
     expect(alone.text(/^index\.html$/)).toMatch(/requestSession/);
@@ -217,6 +220,20 @@ describe('a bundled page', () => {
       .filter((a) => !a.startsWith('data:'));
     expect(addresses.length).toBeGreaterThanOrEqual(3);
     for (const address of addresses) expect([address, files.has(address)]).toEqual([address, true]);
+  });
+
+  test('loads small models and images beside its script, and large ones after it', async () => {
+    const preloads = async (readAsset: BundleInput['readAsset']) => {
+      const { files } = await exported(WITH_OBJECTS, { readAsset, compress: false });
+      const html = new TextDecoder().decode(files.get('index.html'));
+      return [...html.matchAll(/<link rel="preload" href="([^"]+)-\w+\.(\w+)" as="fetch" crossorigin>/g)].map(
+        ([, name, type]) => `${name}.${type}`,
+      );
+    };
+    const small = async (path: string) => (path.endsWith('.glb') ? MODEL : PICTURE);
+    expect((await preloads(small)).sort()).toEqual(['assets/my-picture.png', 'assets/unused.glb', 'program.json']);
+    const large = async (path: string) => (path.endsWith('.glb') ? MODEL : Uint8Array.from({ length: 600_000 }, (_, i) => PICTURE[i] ?? 0));
+    expect(await preloads(large)).toEqual(['program.json']);
   });
 
   test('is the same to the byte when it is made twice', async () => {

@@ -1,6 +1,6 @@
 import type { Diagnostic, Result } from '../../nodes/kit/diagnostics.ts';
 import { asksOf } from '../page/needs-text.ts';
-import type { Program } from '../program/program.ts';
+import type { Program, ProgramAsset } from '../program/program.ts';
 import { webXrFeatures } from '../program/webxr-features.ts';
 import type { AssetCache } from './assets/model-cache.ts';
 import { type PreparedAsset, type PreparedAssets, prepareAssets } from './assets/prepare-assets.ts';
@@ -39,6 +39,8 @@ export interface BundleInput {
   readonly poster?: PosterImage | null;
   /** Whether `index.html` contains everything, so that it opens without a server. */
   readonly singleFile?: boolean;
+  /** Whether the page stores its files, so that it opens offline after a visit. A single file never does. Default: true. */
+  readonly offline?: boolean;
   /** Address of the published page, ending in `/`, because link previews require absolute URLs. */
   readonly address?: string | null;
 }
@@ -58,13 +60,13 @@ export async function bundlePage(input: BundleInput): Promise<Result<ExportRepor
   const used = input.program.assets.filter(({ id }) => usedIds.has(id));
   const prepared = await prepareAssets(used, { root, readAsset, compress, cache, say });
   if (prepared.output === null) return { output: null, diagnostics: prepared.diagnostics };
-  const tooLarge = input.singleFile ? prepared.output.assets.flatMap(largeCapture) : [];
+  const tooLarge = input.singleFile ? prepared.output.assets.flatMap(largePlace) : [];
   if (tooLarge.length > 0) return { output: null, diagnostics: tooLarge };
   const { program, assets } = await storeLamps(input.program, prepared.output.assets, { root, say });
   const use = programUse(program);
   const works = pageCredits(input.program.credits ?? [], prepared.output.assets);
-  const { decoders, glass: modelGlass } = prepared.output;
-  const pageUse: PageUse = { ...use, decoders, modelGlass, credits: works.length > 0, singleFile: input.singleFile ?? false };
+  const { decoders, models } = prepared.output;
+  const pageUse: PageUse = { ...use, decoders, models, credits: works.length > 0, singleFile: input.singleFile ?? false };
   let code: Code;
   try {
     code = { scripts: await bundleScripts(input.root, pageUse), style: await bundleStyle(input.root) };
@@ -91,14 +93,20 @@ export async function bundlePage(input: BundleInput): Promise<Result<ExportRepor
   return { output: report, diagnostics: [...prepared.diagnostics, ...licenceWarnings(works)] };
 }
 
-/** The largest capture of a page of one file, bytes: browsers keep such a page in memory several times. */
-const MAX_EMBEDDED_CAPTURE_BYTES = 20 * 2 ** 20;
+/** The largest capture, or splats, of a page of one file, bytes: browsers keep such a page in memory several times. */
+const MAX_EMBEDDED_BYTES = 20 * 2 ** 20;
+const SMALLER: Readonly<Partial<Record<ProgramAsset['kind'], string>>> = {
+  capture: 'import the capture with a smaller --size',
+  splats: 'save the splats as SOG',
+};
 
-function largeCapture({ asset, report }: PreparedAsset): Diagnostic[] {
+function largePlace({ asset, report }: PreparedAsset): Diagnostic[] {
   const bytes = report.fileBytes.after;
-  if (asset.kind !== 'capture' || bytes <= MAX_EMBEDDED_CAPTURE_BYTES) return [];
-  const message = `${asset.path} has ${Math.round(bytes / 2 ** 20)} MB; a page of one file may contain captures of ${MAX_EMBEDDED_CAPTURE_BYTES / 2 ** 20} MB.`;
-  const fix = 'Export a page of several files, or import the capture with a smaller --size.';
+  const smaller = SMALLER[asset.kind];
+  if (smaller === undefined || bytes <= MAX_EMBEDDED_BYTES) return [];
+  const most = `a page of one file may contain ${asset.kind === 'capture' ? 'captures' : 'splats'} of ${MAX_EMBEDDED_BYTES / 2 ** 20} MB`;
+  const message = `${asset.path} has ${Math.round(bytes / 2 ** 20)} MB; ${most}.`;
+  const fix = `Export a page of several files, or ${smaller}.`;
   return [{ code: 'SCR034', severity: 'error', message, file: asset.path, fix }];
 }
 
@@ -113,7 +121,7 @@ function layOut(
   { assets, decoders, decoderFiles }: PreparedAssets,
   credits: readonly PageCredit[],
 ): PageFile[] {
-  const { program, page, poster, singleFile = false, address = null } = input;
+  const { program, page, poster, singleFile = false, offline = true, address = null } = input;
   const bytes = toBytes(JSON.stringify(exportedProgram(program, assets)));
   const programFile: PageFile = { path: hashedName('program.json', bytes), kind: 'program', bytes };
   const assetFiles = assets.flatMap(({ asset, path, bytes, others }): PageFile[] =>
@@ -124,11 +132,12 @@ function layOut(
   const content = [...new Map([programFile, ...assetFiles, ...decoderContent].map((file) => [file.path, file])).values()];
   const layOutPage = singleFile ? layOutSingleFile : layOutFiles;
   const licences: PageFile = { path: LICENCES_FILE, kind: 'licences', bytes: toBytes(licencesText(program.title, credits)) };
-  const { workers, panoramas } = programUse(program);
+  const { workers, panoramas, scenes } = programUse(program);
   const files = layOutPage({
     title: program.title,
     ...page,
     address,
+    offline,
     script: scripts.page.bytes,
     sessions: scripts.sessions?.bytes ?? null,
     style,
@@ -138,6 +147,7 @@ function layOut(
       asks: asksOf(program.needs),
       program: programFile.path,
       tiers: program.tiers,
+      isFilter: !scenes && program.needs.some(({ capability, required }) => capability === 'camera-image' && required),
       controls: program.controls ?? [],
       credits,
       decoders: Object.fromEntries(decoderFiles.map(({ file, path }) => [file, path])),

@@ -1,7 +1,10 @@
 import { readdir, readFile } from 'node:fs/promises';
 import { join, resolve } from 'node:path';
 import { expect, test } from '@jest/globals';
-import { CAMERA_MEAN_READERS, OPTIONAL_PARTS } from './optional-parts.ts';
+import { STILL_TYPES } from '../program/may-rest.ts';
+import { CAMERA_MEAN_READERS, OPTIONAL_PARTS, PANORAMA_MAKERS, SHADOW_CATCHERS } from './optional-parts.ts';
+import { DIRECTIONS, RADIAL } from './program-use.ts';
+import { LOCAL_LIGHTS } from './shrink/three-parts.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
 
@@ -18,13 +21,44 @@ test.each(OPTIONAL_PARTS)('what stands for $file exports the same names', async 
   expect(exportedNames(otherwise)).toEqual(exportedNames(text));
 });
 
-test('the node types that read the mean color of the camera are known', async () => {
+/** Node types with a source file that contains a text. */
+async function typesWith(text: string): Promise<readonly string[]> {
   const files = (await readdir(join(ROOT, 'nodes'), { recursive: true })).filter((file) => /^[^.]+\.ts$/.test(file));
-  const readers = new Set<string>();
+  const found = new Set<string>();
   for (const file of files) {
     const [category, name, ...rest] = file.split(/[/\\]/);
     if (rest.length === 0 || category === 'kit' || category === 'generated') continue;
-    if ((await readFile(join(ROOT, 'nodes', file), 'utf8')).includes('.cameraMean')) readers.add(`${category}/${name}`);
+    if ((await readFile(join(ROOT, 'nodes', file), 'utf8')).includes(text)) found.add(`${category}/${name}`);
   }
-  expect([...readers].sort()).toEqual(CAMERA_MEAN_READERS);
+  return [...found].sort();
+}
+
+test.each([
+  ['.cameraMean', CAMERA_MEAN_READERS],
+  ['.createEnvironment(', PANORAMA_MAKERS],
+  ["kind: 'shadow-catcher'", SHADOW_CATCHERS],
+  ['kit/local-lights.ts', LOCAL_LIGHTS],
+  ["kind: 'mask'", ['layer/object-mask']],
+  ["kind: 'probe'", ['world/light-estimate']],
+])('the node types with “%s” are known', async (text, types) => {
+  expect(await typesWith(text)).toEqual(types);
+});
+
+test('the texts of techniques that read the direction field or the curvature are known', async () => {
+  const radial = await readFile(join(ROOT, 'export/runtime/scenes/materials/curvature/radial-parts.ts'), 'utf8');
+  expect(radial).toContain(`includes('${RADIAL}')`);
+  const text = await readFile(join(ROOT, 'export/runtime/scenes/materials/curvature/direction-parts.ts'), 'utf8');
+  for (const field of DIRECTIONS) expect(text).toContain(`includes('${field}')`);
+});
+
+test('the node types that say when they change are known', async () => {
+  const files = (await readdir(join(ROOT, 'nodes'), { recursive: true })).filter((file) =>
+    /^\w[\w-]*[/\\][\w-]+[/\\]runtime\.ts$/.test(file),
+  );
+  const found: string[] = [];
+  for (const file of files) {
+    const text = await readFile(join(ROOT, 'nodes', file), 'utf8');
+    if (/^ {4}(?:get version\(\)|version: 0,)/m.test(text)) found.push(file.split(/[/\\]/).slice(0, 2).join('/'));
+  }
+  expect(found.sort()).toEqual(STILL_TYPES);
 });

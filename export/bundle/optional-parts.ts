@@ -12,15 +12,34 @@ interface OptionalPart {
   readonly otherwise: string;
 }
 
+const ABSENT = `const absent = () => { throw new Error('The page was made without this.'); };`;
+
 function absent(...names: readonly string[]): string {
   const text = names.map((name) => `absent as ${name}`).join(', ');
-  return `const absent = () => { throw new Error('The page was made without this.'); };\nexport { ${text} };`;
+  return `${ABSENT}\nexport { ${text} };`;
 }
 
 const needs = (capability: string) => (use: PageUse) => use.capabilities.has(capability as never);
 
 /** Node types that read `SessionService.cameraMean`. A test compares them with the runtimes. */
 export const CAMERA_MEAN_READERS: readonly string[] = ['layer/negative-shadow', 'world/light-estimate'];
+
+const plays =
+  (type: string, config: Readonly<Record<string, string>> = {}) =>
+  ({ nodes }: PageUse): boolean =>
+    nodes.some((node) => node.type === type && Object.entries(config).every(([param, value]) => node.config[param] === value));
+
+/** Whether the room depth of a program follows the edges of the camera image. */
+const followsEdges = (use: PageUse): boolean =>
+  plays('world/depth', { filter: 'by-sensor' })(use) || plays('world/depth', { filter: 'edge-aware' })(use);
+
+/** Node types that create panoramas from pixels. A test compares them with the runtimes. */
+export const PANORAMA_MAKERS: readonly string[] = ['source/panorama-capture', 'source/panorama-exposures'];
+
+const hasPanoramas = ({ panoramas, nodeTypes }: PageUse): boolean => panoramas || PANORAMA_MAKERS.some((type) => nodeTypes.includes(type));
+
+/** Node types that draw shadows. A test compares them with the runtimes. */
+export const SHADOW_CATCHERS: readonly string[] = ['layer/negative-shadow', 'layer/shadow'];
 
 /**
  * The parts of the runtime and the page that the compiler's output decides about (ADR 44). The player imports them like any other file; the
@@ -46,6 +65,27 @@ export const OPTIONAL_PARTS: readonly OptionalPart[] = [
     file: 'export/runtime/assets/capture/load-capture.ts',
     isNeeded: ({ assetKinds }) => assetKinds.has('capture'),
     otherwise: absent('loadCapture'),
+  },
+  {
+    file: 'export/runtime/assets/capture/load-depth-meshes.ts',
+    isNeeded: ({ depthMeshes }) => depthMeshes,
+    otherwise: absent('loadDepthMeshes'),
+  },
+  {
+    file: 'nodes/kit/capture-drawing/depth-meshes/depth-mesh-drawing.ts',
+    isNeeded: ({ depthMeshes }) => depthMeshes,
+    otherwise: absent('createDepthMeshDrawing'),
+  },
+  {
+    file: 'export/runtime/assets/splats/load-splats.ts',
+    isNeeded: ({ assetKinds }) => assetKinds.has('splats'),
+    otherwise: absent('loadSplats'),
+  },
+  {
+    // The export packs PLY files.
+    file: 'nodes/kit/splats/splat-ply.ts',
+    isNeeded: () => false,
+    otherwise: `export const MAX_PLY_HEADER_BYTES = 0;\n${absent('readSplatPly', 'readSplatPlyHeader')}`,
   },
   {
     file: 'export/runtime/assets/load-image.ts',
@@ -84,13 +124,18 @@ export const OPTIONAL_PARTS: readonly OptionalPart[] = [
   },
   {
     file: 'export/runtime/resources/live-technique.ts',
-    isNeeded: ({ scenes }) => scenes,
+    isNeeded: ({ scenes, resourceKinds, operationKinds }) => scenes && (resourceKinds.has('technique') || operationKinds.has('draw')),
     otherwise: absent('createLiveTechnique', 'layerView'),
   },
   {
     file: 'export/runtime/resources/live-curve.ts',
-    isNeeded: ({ resourceKinds }) => resourceKinds.has('curve'),
+    isNeeded: ({ tableTypes }) => tableTypes.has('curve'),
     otherwise: absent('createLiveCurve'),
+  },
+  {
+    file: 'export/runtime/resources/live-gradient.ts',
+    isNeeded: ({ tableTypes }) => tableTypes.has('gradient'),
+    otherwise: absent('createLiveGradient'),
   },
   {
     file: 'export/runtime/program-instance/draw-step.ts',
@@ -111,6 +156,17 @@ export const OPTIONAL_PARTS: readonly OptionalPart[] = [
     file: 'export/runtime/passes/change-watch.ts',
     isNeeded: ({ passesOnce, mayRest }) => passesOnce || mayRest,
     otherwise: 'export const createChangeWatch = () => null;',
+  },
+  {
+    file: 'export/runtime/program-instance/rest-watch.ts',
+    isNeeded: ({ objectsMayRest }) => objectsMayRest,
+    otherwise: 'export const createRestWatch = () => null;',
+  },
+  {
+    // The page has the watch above only if its program may rest.
+    file: 'export/program/may-rest.ts',
+    isNeeded: () => false,
+    otherwise: 'export const STILL_TYPES = [];\nexport const mayRest = () => true;',
   },
   {
     file: 'export/runtime/passes/direct-draw.ts',
@@ -186,6 +242,125 @@ export const OPTIONAL_PARTS: readonly OptionalPart[] = [
     file: 'export/runtime/sessions/webxr/reproject-depth.ts',
     isNeeded: needs('depth'),
     otherwise: absent('createDepthReprojector', 'isSameMatrix', 'isSameLens'),
+  },
+  {
+    // The models of a page were checked when it was exported.
+    file: 'export/gltf/whole-model.ts',
+    isNeeded: () => false,
+    otherwise: `export { readPreparedModel as readWholeModel } from './prepared-model.ts';`,
+  },
+  {
+    file: 'export/runtime/scenes/materials/technique-plans.ts',
+    isNeeded: ({ resourceKinds }) => resourceKinds.has('technique'),
+    otherwise: `const nothing = () => {};
+export const createTechniquePlans = () => ({ plan: () => null, isUsed: () => false, sweep: nothing, update: nothing, light: nothing, bind: nothing });`,
+  },
+  {
+    file: 'export/runtime/scenes/materials/curvature/mesh-directions.ts',
+    isNeeded: ({ techniqueDirections }) => techniqueDirections,
+    otherwise: absent('ensureDirections'),
+  },
+  {
+    file: 'export/runtime/scenes/materials/curvature/direction-parts.ts',
+    isNeeded: ({ techniqueDirections }) => techniqueDirections,
+    otherwise: `export const readsDirections = () => false;
+export const DIRECTION_FRAGMENT = '';
+export const DIRECTION_VARYINGS = '';
+export const DIRECTION_VERTEX = { declarations: '', main: '' };`,
+  },
+  {
+    file: 'export/runtime/scenes/materials/curvature/mesh-curvature.ts',
+    isNeeded: ({ techniqueRadial }) => techniqueRadial,
+    otherwise: absent('ensureCurvature'),
+  },
+  {
+    file: 'export/runtime/scenes/materials/curvature/radial-parts.ts',
+    isNeeded: ({ techniqueRadial }) => techniqueRadial,
+    otherwise: `export const readsRadial = () => false;
+export const RADIAL_FRAGMENT = '';
+export const RADIAL_VARYING = '';
+export const RADIAL_VERTEX = { declarations: '', main: '' };`,
+  },
+  {
+    file: 'export/runtime/scenes/materials/edges/edge-geometry.ts',
+    isNeeded: ({ techniqueEdges }) => techniqueEdges,
+    otherwise: 'export const edgeGeometryOf = () => null;',
+  },
+  {
+    file: 'export/runtime/scenes/materials/edges/edge-wrapper.ts',
+    isNeeded: ({ techniqueEdges }) => techniqueEdges,
+    otherwise: absent('techniqueEdges'),
+  },
+  {
+    file: 'export/runtime/scenes/shadow-layer.ts',
+    isNeeded: ({ nodeTypes }) => SHADOW_CATCHERS.some((type) => nodeTypes.includes(type)),
+    otherwise: absent('createShadowLayer'),
+  },
+  {
+    file: 'export/runtime/scenes/materials/shadow-strokes.ts',
+    isNeeded: plays('layer/shadow', { drawing: 'strokes' }),
+    otherwise: absent('createStrokeUniforms', 'strokeParts'),
+  },
+  {
+    file: 'nodes/layer/shadow/strokes.ts',
+    isNeeded: plays('layer/shadow', { drawing: 'strokes' }),
+    otherwise: absent('createCasterStrokes'),
+  },
+  {
+    file: 'export/runtime/scenes/volumes/volume-catcher.ts',
+    isNeeded: plays('layer/shadow', { method: 'volume' }),
+    otherwise: absent('createVolumeCatcher'),
+  },
+  {
+    file: 'export/runtime/scenes/materials/room-surface.ts',
+    isNeeded: ({ nodes }) => nodes.some(({ type, inputs }) => SHADOW_CATCHERS.includes(type) && (inputs.depth?.length ?? 0) > 0),
+    otherwise: `export const ROOM_SURFACE = { declarations: '', find: '' };\n${absent('createRoomSurface', 'createRoomMaterial')}`,
+  },
+  {
+    file: 'export/runtime/scenes/lights/shadow-maps.ts',
+    isNeeded: ({ operationKinds }) => operationKinds.has('shadow-maps'),
+    otherwise: absent('createShadowMaps'),
+  },
+  {
+    file: 'export/runtime/scenes/mask-scene.ts',
+    isNeeded: plays('layer/object-mask'),
+    otherwise: absent('createMaskScene'),
+  },
+  {
+    file: 'export/runtime/scenes/environments/panorama-store.ts',
+    isNeeded: hasPanoramas,
+    otherwise: `${ABSENT}
+export const createPanoramaStore = () => ({ load: absent, create: absent, prefiltered: absent, dispose: () => {} });`,
+  },
+  {
+    file: 'export/runtime/scenes/environments/backdrop.ts',
+    isNeeded: hasPanoramas,
+    otherwise: absent('createBackdrop'),
+  },
+  {
+    file: 'export/runtime/scenes/environments/probe-environment.ts',
+    isNeeded: plays('world/light-estimate'),
+    otherwise: absent('createProbeEnvironment'),
+  },
+  {
+    file: 'nodes/world/depth/follow-edges.ts',
+    isNeeded: followsEdges,
+    otherwise: `export const MAX_SIDE_PX = 0;\n${absent('createEdgeFollower')}`,
+  },
+  {
+    file: 'nodes/world/depth/registration-check.ts',
+    isNeeded: followsEdges,
+    otherwise: absent('createRegistrationCheck'),
+  },
+  {
+    file: 'nodes/world/depth/confidence.ts',
+    isNeeded: ({ nodes }) => nodes.some(({ type, outputs }) => type === 'world/depth' && Object.hasOwn(outputs, 'confidence')),
+    otherwise: absent('createConfidenceMeter'),
+  },
+  {
+    file: 'nodes/world/depth/image-depth.ts',
+    isNeeded: plays('world/depth', { source: 'picture' }),
+    otherwise: absent('createImageDepth'),
   },
 ];
 

@@ -19,6 +19,8 @@ export interface LayoutInput {
   readonly language: string;
   /** Address of the published page, ending in `/`, or null. */
   readonly address: string | null;
+  /** Whether the page has a service worker. */
+  readonly offline: boolean;
   readonly script: Uint8Array;
   /** Script with the sessions that a visitor enters; null if `script` contains them. */
   readonly sessions: Uint8Array | null;
@@ -35,7 +37,7 @@ export interface LayoutInput {
  * limit.
  */
 export function layOutFiles(input: LayoutInput): PageFile[] {
-  const { script, sessions, style, poster, content, address } = input;
+  const { script, sessions, style, poster, content, address, offline } = input;
   const page: PageFile = { path: hashedName('page.js', script), kind: 'script', bytes: script };
   const entered = sessions && ({ path: hashedName('sessions.js', sessions), kind: 'script', bytes: sessions } satisfies PageFile);
   const sheet: PageFile = { path: hashedName('page.css', style), kind: 'style', bytes: style };
@@ -43,16 +45,16 @@ export function layOutFiles(input: LayoutInput): PageFile[] {
   const html = pageHtml({
     ...head(input),
     address,
-    parts: { kind: 'files', script: page.path, style: sheet.path },
+    parts: { kind: 'files', script: page.path, style: sheet.path, preloaded: preloaded(content) },
     poster: posterOf(image.path, poster),
-    config: configOf(input, entered?.path ?? null, OFFLINE_FILE),
+    config: configOf(input, entered?.path ?? null, offline ? OFFLINE_FILE : null),
   });
   const index: PageFile = { path: 'index.html', kind: 'page', bytes: toBytes(html) };
   // A neutral poster is used by link previews only.
   const scripts = entered ? [page, entered] : [page];
   const shown = [...scripts, sheet, ...(poster.drawn ? [image] : []), ...content];
   const worker: PageFile = { path: OFFLINE_FILE, kind: 'offline', bytes: toBytes(offlineScript(index, shown)) };
-  return [index, ...scripts, sheet, image, worker, ...content];
+  return [index, ...scripts, sheet, image, ...(offline ? [worker] : []), ...content];
 }
 
 /** The page as one file, which opens without a server. It loads nothing, so it needs no service worker. */
@@ -71,6 +73,18 @@ export function layOutSingleFile(input: LayoutInput): PageFile[] {
     config: configOf(input, null, null),
   });
   return [{ path: 'index.html', kind: 'page', bytes: toBytes(html) }];
+}
+
+/** Kinds of assets that the first image shows. */
+const SHOWN_FIRST: ReadonlySet<FileKind> = new Set(['model', 'image']);
+
+/** Bytes of assets that are loaded beside the script; more would delay it. */
+const MAX_PRELOADED_BYTES = 500_000;
+
+/** The assets that are loaded beside the script, so that they do not wait until it runs. */
+function preloaded(content: readonly PageFile[]): readonly string[] {
+  const shown = content.filter(({ kind }) => SHOWN_FIRST.has(kind));
+  return shown.reduce((sum, { bytes }) => sum + bytes.length, 0) <= MAX_PRELOADED_BYTES ? shown.map(({ path }) => path) : [];
 }
 
 function head({ title, description, language, powers }: LayoutInput): Pick<PageHtml, 'title' | 'description' | 'language' | 'powers'> {

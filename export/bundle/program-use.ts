@@ -1,10 +1,14 @@
 import type { Capability } from '../../nodes/kit/definition.ts';
+import type { TableType } from '../../nodes/kit/wire-types.ts';
+import { mayRest } from '../program/may-rest.ts';
 import type { Tier } from '../program/needs.ts';
-import type { Operation, Program, ProgramAsset, Resource } from '../program/program.ts';
+import type { NodeOperation, Operation, Program, ProgramAsset, Resource } from '../program/program.ts';
 
 /** The parts of Scrim that a program needs. */
 export interface ProgramUse {
-  /** Node types whose runtimes are played, sorted. */
+  /** The nodes that are played. */
+  readonly nodes: readonly Pick<NodeOperation, 'type' | 'config' | 'inputs' | 'outputs'>[];
+  /** Their types, sorted. */
   readonly nodeTypes: readonly string[];
   /** Whether three.js is needed. */
   readonly scenes: boolean;
@@ -16,6 +20,12 @@ export interface ProgramUse {
   readonly panoramas: boolean;
   /** Whether techniques of the program show what is behind their objects. Models may contain glass without this. */
   readonly glass: boolean;
+  /** Whether techniques of the program draw edges as lines. */
+  readonly techniqueEdges: boolean;
+  /** Whether a technique reads the direction field of meshes. */
+  readonly techniqueDirections: boolean;
+  /** Whether a technique reads the radial curvature of meshes. */
+  readonly techniqueRadial: boolean;
   /** Whether it has controls. */
   readonly controls: boolean;
   /** Whether it has labels, which are elements of the page. */
@@ -28,14 +38,20 @@ export interface ProgramUse {
   readonly workerTypes: ReadonlySet<string>;
   readonly operationKinds: ReadonlySet<Operation['kind']>;
   readonly resourceKinds: ReadonlySet<Resource['kind']>;
+  /** Types of the params that its shaders read from textures. */
+  readonly tableTypes: ReadonlySet<TableType>;
   /** Kinds of the assets that operations refer to. */
   readonly assetKinds: ReadonlySet<ProgramAsset['kind']>;
+  /** Whether it draws depth meshes of captures. */
+  readonly depthMeshes: boolean;
   /** Whether its shaders import images. */
   readonly importsImages: boolean;
   /** Whether a pass is drawn once per frame, whatever the number of views. */
   readonly passesOnce: boolean;
   /** Whether frames may repeat the last image: nothing draws objects, and no layer comes from the camera. */
   readonly mayRest: boolean;
+  /** Whether frames with objects, or with images that the CPU computes, may repeat the last image. */
+  readonly objectsMayRest: boolean;
   /** Whether nodes send or receive pulses. */
   readonly pulses: boolean;
   /** Whether nodes receive poses. */
@@ -61,6 +77,7 @@ export function programUse(program: Program): ProgramUse {
   const spatial = capabilities.has('hit-test') || capabilities.has('anchors');
   const controls = (program.controls ?? []).length > 0;
   return {
+    nodes,
     nodeTypes: [...new Set(nodes.map((node) => node.type))].sort(),
     scenes:
       program.operations.some((operation) => operation.kind === 'geometry' || operation.kind === 'shadow-maps' || needsScenes(operation)) ||
@@ -69,6 +86,13 @@ export function programUse(program: Program): ProgramUse {
     input: spatial || controls || program.readsInput === true,
     panoramas: uses('environment'),
     glass: program.operations.some((operation) => 'glass' in operation && operation.glass === true),
+    techniqueEdges: program.resources.some(
+      (resource) => resource.kind === 'technique' && resource.passes.some(({ side }) => side === 'edges'),
+    ),
+    techniqueRadial: program.resources.some((resource) => resource.kind === 'technique' && resource.fragment.includes(RADIAL)),
+    techniqueDirections: program.resources.some(
+      (resource) => resource.kind === 'technique' && DIRECTIONS.some((field) => resource.fragment.includes(field)),
+    ),
     workers: working.length > 0,
     workerTypes: new Set(working.flatMap((operation) => ('type' in operation ? [operation.type] : []))),
     controls,
@@ -76,10 +100,15 @@ export function programUse(program: Program): ProgramUse {
     labels: nodes.some(({ type }) => type === 'objects/label'),
     operationKinds: new Set(program.operations.map(({ kind }) => kind)),
     resourceKinds,
+    tableTypes: new Set(program.resources.flatMap((resource) => (resource.kind === 'table' ? [resource.of] : []))),
     assetKinds: new Set(program.assets.filter(({ id }) => assets.has(id)).map(({ kind }) => kind)),
+    depthMeshes: program.assets.some(({ depthMeshes }) => depthMeshes),
     importsImages: imported.length > 0,
     passesOnce: passes.some(({ view }) => view === 'once'),
     mayRest: !program.operations.some(({ kind }) => RESTLESS.has(kind)) && !program.resources.some(isCamera),
+    objectsMayRest:
+      program.operations.some(({ kind }) => kind === 'draw' || (RESTLESS.has(kind) && !program.resources.some(isCamera))) &&
+      mayRest(program),
     pulses: resourceKinds.has('pulses') || nodes.some(({ pulses }) => pulses !== undefined),
     poses: nodes.some(({ poses }) => poses !== undefined),
     capabilities,
@@ -87,6 +116,12 @@ export function programUse(program: Program): ProgramUse {
     assets,
   };
 }
+
+/** As in `export/runtime/scenes/materials/curvature/direction-parts.ts`. A test compares them. */
+export const DIRECTIONS: readonly string[] = ['.along', '.smoothNormal'];
+
+/** As in `export/runtime/scenes/materials/curvature/radial-parts.ts`. */
+export const RADIAL = '.radial';
 
 const RESTLESS: ReadonlySet<Operation['kind']> = new Set(['draw', 'cpu', 'shadow-maps', 'readback']);
 

@@ -167,6 +167,27 @@ test('turns the up axis of the cameras to y', () => {
   expect(uprightPose(pose, '-z', 2).map((x) => x + 0)).toEqual([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 2, -6, 4, 1]);
 });
 
+test('a rig of two cameras has the poses that COLMAP 4.2.1 writes: 12 cm apart, in frames a quarter turn apart', () => {
+  const half = Math.SQRT1_2;
+  const pose = (turned: boolean, x: number) => `${turned ? `${half} 0 ${half} 0` : '1 0 0 0'} ${x} 0 1`;
+  const images = [false, true].flatMap((turned, frame) =>
+    [0, -0.12].map((x, i) => `${frame * 2 + i + 1} ${pose(turned, x)} ${i + 1} rig1/camera${i + 1}/image000${frame + 1}.jpg\n\n`),
+  );
+  const cameras = '1 PINHOLE 64 48 50 50 32 24\n2 PINHOLE 64 48 50 50 32 24\n';
+  const { views } = readColmapText({ cameras: bytes(cameras), images: bytes(images.join('')), points: null });
+  expect(views.map(({ name }) => name)).toContain('rig1/camera2/image0002.jpg');
+  // `Image.projection_center()` of pycolmap.
+  const centers = [
+    [0, 0, -1],
+    [0.12, 0, -1],
+    [1, 0, 0],
+    [1, 0, 0.12],
+  ];
+  expect(views.map(({ worldFromCamera }) => worldFromCamera.slice(12, 15))).toEqual(
+    centers.map((center) => center.map((x) => expect.closeTo(x, 6))),
+  );
+});
+
 test('names what a file of COLMAP lacks', () => {
   const images = bytes('1 1 0 0 0 0 0 0 7 a b.jpg\n\n');
   expect(() => readColmapText({ cameras: bytes('1 PINHOLE 4 4 1 1 2 2'), images, points: null })).toThrow('a b.jpg has the camera 7');

@@ -171,6 +171,7 @@ function finish(
       name,
       lens: () => lens,
       sizePx: [lens.widthPx, lens.heightPx],
+      depthName: null,
       worldFromCamera: pose,
       observations: Float64Array.from(observations),
     };

@@ -2,10 +2,11 @@ import { CaptureError, type Pinhole } from '../../nodes/kit/capture.ts';
 
 /**
  * A camera as photogrammetry describes it, in OpenCV's terms: pixels, y down, camera axes x right, y down, z forward. `radial` are k1 to k6
- * (perspective: k4 to k6 divide) or k1 to k4 (fisheye); `tangential` are p1 and p2.
+ * (perspective: k4 to k6 divide) or k1 to k4 (fisheye); `tangential` are p1 and p2. An equirectangular lens has pixels per radian in the
+ * place of focal lengths, and its directions are longitude and latitude, downward, in radians.
  */
-export interface Lens extends Pinhole {
-  readonly projection: 'perspective' | 'fisheye';
+export interface Lens extends Omit<Pinhole, 'projection'> {
+  readonly projection: 'perspective' | 'fisheye' | 'equirectangular';
   readonly radial: readonly number[];
   readonly tangential: readonly [number, number];
 }
@@ -52,6 +53,20 @@ const REFUSED: Readonly<Record<number, string>> = {
   10: 'THIN_PRISM_FISHEYE',
   11: 'RAD_TAN_THIN_PRISM_FISHEYE',
 };
+
+/**
+ * The lens of a 360° photograph, whose center is straight ahead.
+ *
+ * @throws CaptureError if it is not twice as wide as high.
+ */
+export function equirectangularLens(widthPx: number, heightPx: number, name: string): Lens {
+  if (widthPx !== 2 * heightPx) {
+    throw new CaptureError(`the photograph ${name} is ${widthPx} × ${heightPx} pixels, but a 360° photograph is twice as wide as high`);
+  }
+  const perRadian = heightPx / Math.PI;
+  const center = { cxPx: widthPx / 2, cyPx: heightPx / 2 };
+  return { ...PLAIN, projection: 'equirectangular', widthPx, heightPx, fxPx: perRadian, fyPx: perRadian, ...center };
+}
 
 /** The name of a camera model of a binary file, and its number of params. */
 export function modelOfId(id: number): { readonly name: string; readonly params: number } {

@@ -26,6 +26,7 @@ const SAMPLES = 20_000;
  * @param worldFromCamera Column-major 4×4; the camera looks along −z.
  */
 export function seesMesh({ positions }: CaptureMesh, lens: Lens, worldFromCamera: readonly number[]): boolean {
+  if (lens.projection === 'equirectangular') return true;
   const at = (i: number): number => worldFromCamera[i] ?? 0;
   const place = new Float64Array(2);
   const step = 3 * Math.max(1, Math.floor(positions.length / 3 / SAMPLES));

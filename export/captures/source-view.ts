@@ -12,6 +12,8 @@ export interface SourceView {
   readonly sizePx: readonly [number, number] | null;
   /** Column-major 4×4; the camera has y up and looks along −z. In the units and axes of the file. */
   readonly worldFromCamera: readonly number[];
+  /** Path of the depth map relative to the folder; null if the file does not name it. */
+  readonly depthName: string | null;
   /** Where points of the reconstruction were seen: column, row, x, y and z of the point, for each. */
   readonly observations: Float64Array;
 }
@@ -58,6 +60,7 @@ export function checkPose(pose: readonly number[], name: string): void {
 
 /** Mean distance in pixels between where points were seen and where the camera projects them. Null without points in front of it. */
 export function reprojectionErrorPx({ worldFromCamera: m, observations }: SourceView, lens: Lens): number | null {
+  if (lens.projection === 'equirectangular') return null;
   const place = new Float64Array(2);
   let sum = 0;
   let count = 0;

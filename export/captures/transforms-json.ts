@@ -1,5 +1,5 @@
 import { CaptureError } from '../../nodes/kit/capture.ts';
-import { checkLens, type Lens } from './lens.ts';
+import { checkLens, equirectangularLens, type Lens } from './lens.ts';
 import { checkPose, type SourceCapture, type SourceView } from './source-view.ts';
 
 type Fields = Readonly<Record<string, unknown>>;
@@ -45,6 +45,7 @@ function readFrame(all: Fields, frame: Fields, index: number): SourceView {
     lens: (widthPx, heightPx) => lensOfFields(field, String(model), name, widthPx, heightPx),
     sizePx: width === null || height === null ? null : [width, height],
     worldFromCamera,
+    depthName: typeof frame.depth_file_path === 'string' ? frame.depth_file_path.replace(/^\.\//, '') : null,
     observations: new Float64Array(0),
   };
 }
@@ -52,6 +53,7 @@ function readFrame(all: Fields, frame: Fields, index: number): SourceView {
 const PERSPECTIVE = new Set(['OPENCV', 'PINHOLE', 'SIMPLE_PINHOLE', 'SIMPLE_RADIAL', 'RADIAL', 'FULL_OPENCV']);
 
 function lensOfFields(field: (key: string) => number | null, model: string, name: string, widthPx: number, heightPx: number): Lens {
+  if (model === 'EQUIRECTANGULAR') return equirectangularLens(widthPx, heightPx, name);
   if (model !== 'OPENCV_FISHEYE' && !PERSPECTIVE.has(model))
     throw new CaptureError(`the camera model ${model} of ${name} is not supported`);
   const angle = field('camera_angle_x');

@@ -23,7 +23,8 @@ export function pinholeFor(lens: Lens, maxSidePx: number): Pinhole {
   if (!isDistorted(lens)) {
     const sx = widthPx / lens.widthPx;
     const sy = heightPx / lens.heightPx;
-    return { widthPx, heightPx, fxPx: lens.fxPx * sx, fyPx: lens.fyPx * sy, cxPx: lens.cxPx * sx, cyPx: lens.cyPx * sy };
+    const focus = { fxPx: lens.fxPx * sx, fyPx: lens.fyPx * sy, cxPx: lens.cxPx * sx, cyPx: lens.cyPx * sy };
+    return { ...(lens.projection === 'equirectangular' ? { projection: lens.projection } : {}), widthPx, heightPx, ...focus };
   }
   const { left, right, top, bottom } = innerRectangle(lens);
   if (!(left < right && top < bottom)) throw new CaptureError('the distortion of a camera cannot be removed');

@@ -1,18 +1,22 @@
 import type { NodeLibrary } from '../../nodes/kit/definition.ts';
 import { type Diagnostic, hasErrors, type Result } from '../../nodes/kit/diagnostics.ts';
 import type { Before } from '../glsl/link/link-above.ts';
-import { type ProjectLibrary, projectLibrary } from '../graph/library/project-library.ts';
+import { isProjectShader, type ProjectLibrary, projectLibrary } from '../graph/library/project-library.ts';
 import type { ProjectLogic } from '../graph/project.ts';
 import { deviceTable, deviceWarnings } from '../program/devices/device-table.ts';
 import type { LinkedShader, Program } from '../program/program.ts';
-import { check } from './check/check-resolved.ts';
+import { type Checked, check } from './check/check-resolved.ts';
 import type { FlatGraph } from './flat-graph.ts';
+import { fold } from './fold/fold.ts';
+import type { FoldedNode } from './fold/folded-node.ts';
+import type { UnchangedLayers } from './fold/unchanged.ts';
 import { link, named } from './link/link.ts';
 import { print } from './print/print-program.ts';
 import { resolve } from './resolve/resolve.ts';
 import type { SeparateWire } from './schedule/fuse/separate-wire.ts';
+import { describeLayers } from './schedule/layers.ts';
 import { type ScheduleResult, schedule } from './schedule/schedule.ts';
-import { createShaderStore } from './shaders/shader-store.ts';
+import { createShaderStore, type ShaderStore } from './shaders/shader-store.ts';
 
 export interface CompileOptions {
   /** Layers to view, as `node.port`; missing ones are left out of `program.taps`. */
@@ -28,6 +32,8 @@ export interface CompileOptions {
   readonly sourceMaps?: boolean;
   /** Draw several passes by one shader where the image stays the same (docs/adr/0043): for exports and plans. */
   readonly fuse?: boolean;
+  /** Compute once what is the same in every frame while only controls of the page set params (docs/adr/0048): for exports and plans. */
+  readonly fold?: boolean;
   /** Report nodes that the output does not depend on (SCR021). */
   readonly reportUnused?: boolean;
 }
@@ -49,6 +55,8 @@ export interface Compiled extends Result<Program> {
   readonly above: readonly ShaderAbove[];
   /** Layers that passes read as textures, and why they are not fused. */
   readonly separate: readonly SeparateWire[];
+  /** Nodes that folding leaves out, and why; absent without folding. */
+  readonly folded?: readonly FoldedNode[];
 }
 
 /** The text above a mistake, completed to a valid shader. It is only compiled, to find mistakes further above, and never drawn. */
@@ -71,7 +79,8 @@ export function createCompiler(): Compiler {
   const shaders = createShaderStore();
   return {
     compile: ({ project, library: base, options = {} }) => {
-      const { taps = [], thumbnails = [], loopBudget = false, sourceMaps = true, reportUnused = false, fuse = false } = options;
+      const { taps = [], thumbnails = [], loopBudget = false, sourceMaps = true, reportUnused = false } = options;
+      const { fuse = false, fold: folds = false } = options;
       const diagnostics: Diagnostic[] = [];
       const library = projectLibrary(base, project.sources, shaders.readDefinition);
 
@@ -81,7 +90,9 @@ export function createCompiler(): Compiler {
       const checked = check(resolved.output, { taps, thumbnails });
       diagnostics.push(...headerDiagnostics(library, resolved.output.project), ...checked.diagnostics);
       if (checked.output === null || hasErrors(diagnostics)) return { output: null, diagnostics, above: [], separate: [] };
-      const scheduled = schedule(checked.output, { library, shaders, loopBudget, fuse });
+      const folding = folds ? fold(checked.output, unchangedLayers(checked.output, library, shaders)) : null;
+      const used = folding?.checked ?? checked.output;
+      const scheduled = schedule(used, { library, shaders, loopBudget, fuse });
       diagnostics.push(...scheduled.diagnostics);
       if (scheduled.output === null) return { output: null, diagnostics, above: shadersAbove(scheduled), separate: [] };
       const linked = link(scheduled.output, { sourceMaps });
@@ -93,6 +104,7 @@ export function createCompiler(): Compiler {
         diagnostics,
         above: [],
         separate: scheduled.output.separate,
+        ...(folding && { folded: folding.folded }),
       };
     },
   };
@@ -109,6 +121,19 @@ export function createCompiler(): Compiler {
  */
 export function compile(input: CompileInput): Compiled {
   return createCompiler().compile(input);
+}
+
+function unchangedLayers({ graph, live }: Checked, library: ProjectLibrary, shaders: ShaderStore): UnchangedLayers {
+  const shaderOf: UnchangedLayers['shaderOf'] = ({ definition: { lowering } }) => {
+    const source = lowering.kind === 'image' ? library.shader(lowering.shader) : undefined;
+    return source === undefined || lowering.kind !== 'image' ? null : shaders.read(lowering.shader, source).output;
+  };
+  return {
+    layers: describeLayers(live),
+    node: (id) => graph.nodes.get(id),
+    shaderOf,
+    isOfProject: ({ definition: { lowering } }) => lowering.kind === 'image' && isProjectShader(lowering.shader),
+  };
 }
 
 /** The shaders above mistakes, without duplicates, because nodes of one file share them. */

@@ -1,6 +1,7 @@
 import { deviceTable } from '../program/devices/device-table.ts';
 import type { CpuOperation, DrawOperation, Operation, PassOperation, Program } from '../program/program.ts';
 import { bindingInWords, deviceInWords, needInWords, tierInWords } from './describe-terms.ts';
+import { FOLD_REASONS, type FoldedNode } from './fold/folded-node.ts';
 import { SEPARATE_REASONS, type SeparateWire } from './schedule/fuse/separate-wire.ts';
 import { behindGlassBytes, REFERENCE_SIZE, type ReferenceSize, type Target, targetBytes, targetSize, targetsOf } from './target-bytes.ts';
 
@@ -89,6 +90,13 @@ function describeOperation(operation: Operation, program: Program): string {
 export function describeSeparate(separate: readonly SeparateWire[]): string {
   const lines = separate.map(({ resource, reader, reason }) => `${resource} → ${reader}: ${SEPARATE_REASONS[reason]} (${reason})`);
   return `${['Layers that are not fused into their readers', ...list(lines)].join('\n')}\n`;
+}
+
+/** Describes, for `scrim plan`, the nodes that folding leaves out, each with the reason; empty if there are none. */
+export function describeFolded(folded: readonly FoldedNode[]): string {
+  if (folded.length === 0) return '';
+  const lines = folded.map(({ node, reason, instead }) => `${node}: ${FOLD_REASONS[reason]} (${instead ?? reason})`);
+  return `${['Nodes that are left out', ...list(lines)].join('\n')}\n`;
 }
 
 function describePass(operation: PassOperation, program: Program): string {

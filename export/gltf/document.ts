@@ -12,6 +12,7 @@ export interface GltfDocument {
   readonly bufferViews?: readonly GltfBufferView[];
   readonly buffers?: readonly GltfBuffer[];
   readonly images?: readonly GltfImage[];
+  readonly materials?: readonly { readonly extensions?: Readonly<Record<string, unknown>> }[];
 }
 
 export interface GltfNode {

@@ -37,6 +37,8 @@ export interface PageController {
   /** Resolves when the first frame can be drawn. */
   readonly ready: Promise<void>;
   readonly isReady: boolean;
+  /** Resolves when all files of the page are loaded or failed. */
+  readonly complete: Promise<void>;
   /**
    * Sets the sessions that can be entered, and offers them.
    *
@@ -169,6 +171,7 @@ export function createPageController({ page, root, program, modes, createPanoram
       isReady = true;
       if (shaderErrors.length > 0) notices.show('shaders', { text: SHADERS_BROKEN, tone: 'problem' });
     }),
+    complete: mounted.player.complete,
     get isReady() {
       return isReady;
     },

@@ -20,7 +20,13 @@ export interface PageHtml {
 
 /** Script and style of the page, as files or inline with their hashes for the content security policy. */
 export type PageParts =
-  | { readonly kind: 'files'; readonly script: string; readonly style: string }
+  | {
+      readonly kind: 'files';
+      readonly script: string;
+      readonly style: string;
+      /** Files that the script loads for the first image, apart from the program. */
+      readonly preloaded: readonly string[];
+    }
   | {
       readonly kind: 'single';
       readonly script: InlineText;
@@ -54,6 +60,8 @@ export interface PageConfig {
   /** Features that the AR session requests. */
   readonly asks: readonly Ask[];
   readonly tiers: readonly Tier[];
+  /** Whether the page does no more than change the image of the camera. */
+  readonly isFilter: boolean;
   /** Controls from top to bottom. */
   readonly controls: readonly Control[];
   /** Authors of the page's effects and assets. */
@@ -130,9 +138,11 @@ function imageTags({ source, widthPx, heightPx }: Poster, title: string, address
 
 function headParts(parts: PageParts, config: PageConfig): string {
   if (parts.kind === 'single') return `<style>${parts.style.text}</style>\n`;
+  // Addressed as `createFetchAssetSource` does, else browsers load the file again.
+  const address = (path: string): string => path.split('/').map(encodeURIComponent).join('/');
+  const preload = (path: string): string => `<link rel="preload" href="${escapeHtml(address(path))}" as="fetch" crossorigin>\n`;
   return `<link rel="stylesheet" href="${escapeHtml(parts.style)}">
-<link rel="preload" href="${escapeHtml(config.program)}" as="fetch" crossorigin>
-<script src="${escapeHtml(parts.script)}" defer></script>
+${[config.program, ...parts.preloaded].map(preload).join('')}<script src="${escapeHtml(parts.script)}" defer></script>
 `;
 }
 

@@ -3,7 +3,7 @@ import type { ControlValues } from './control-values.ts';
 import { element } from './dom.ts';
 import { createNotices, type Notices } from './notices.ts';
 import type { SessionMode } from './session-modes.ts';
-import { createStartCard, type StartCard, type StartCardOptions } from './start-card.ts';
+import { createStartCard, type StartCard, type StartCardOptions, TOUCH } from './start-card.ts';
 
 /** The elements of the page. */
 export interface PageRoot {
@@ -14,9 +14,15 @@ export interface PageRoot {
   readonly notices: Notices;
   /** Sets the session mode that is shown; null selects the orbit view. */
   setMode(mode: SessionMode | null): void;
-  /** Hides the poster and shows the controls. Call it when the first frame is drawn. */
-  showCanvas(): void;
+  /** Shows the controls, and what becomes of the poster. Call it when the first frame is drawn. */
+  showCanvas(backdrop: Backdrop): void;
 }
+
+/**
+ * The poster behind the orbit view: hidden, sharp in place of an image that only the camera gives, or soft behind objects, which it shows,
+ * too.
+ */
+export type Backdrop = 'gone' | 'behind' | 'behind soft';
 
 export interface PageRootOptions extends StartCardOptions {
   readonly values: ControlValues;
@@ -28,8 +34,9 @@ const LEAVE: Readonly<Record<SessionMode, string>> = { ar: 'Leave AR', camera: '
 /** Replaces the static content of `index.html`. Keeps the poster. */
 export function createPageRoot(options: PageRootOptions): PageRoot {
   const { document, title, onLeave } = options;
+  const byTouch = document.defaultView?.matchMedia(TOUCH).matches ?? false;
   const canvas = element(document, 'canvas', {
-    attributes: { tabindex: '0', role: 'img', 'aria-label': `${title}: drag or use the arrow keys to look around` },
+    attributes: { tabindex: '0', role: 'img', 'aria-label': `${title}: drag ${byTouch ? '' : 'or use the arrow keys '}to look around` },
   });
   const panel = createStartCard(options);
   const notices = createNotices(document);
@@ -64,8 +71,10 @@ export function createPageRoot(options: PageRootOptions): PageRoot {
       if (mode === null) panel.focus();
       else leave.focus();
     },
-    showCanvas: () => {
-      poster?.classList.add('gone');
+    showCanvas: (backdrop) => {
+      poster?.classList.add(...backdrop.split(' '));
+      // The canvas is the image now.
+      poster?.setAttribute('alt', '');
       controls?.setShown(true);
     },
   };

@@ -29,6 +29,8 @@ export interface StartCardOptions {
   readonly credits: readonly Credit[];
   /** What the camera, VR and orbit sessions lack compared with AR, as sentences for visitors. */
   readonly lacks: Readonly<Record<'camera' | 'vr' | 'orbit', readonly string[]>>;
+  /** Whether the page does no more than change the image of the camera, which needs no AR. */
+  readonly isFilter: boolean;
   /** Bytes to load before the first frame. */
   readonly totalBytes: number;
   readonly onEnter: (mode: SessionMode) => void;
@@ -41,6 +43,11 @@ export interface StartCard {
   focus(): void;
 }
 
+/** Where the card would cover the image: it begins with its title, two lines and its buttons. */
+const PHONE = '(width < 480px), (height < 480px) and (pointer: coarse)';
+export const TOUCH = '(pointer: coarse)';
+const BY_KEYS = 'Scroll or pinch to zoom. Arrow keys work too.';
+
 const LABELS: Readonly<Record<SessionMode, { readonly enter: string; readonly entering: string }>> = {
   ar: { enter: 'Enter AR', entering: 'Entering AR…' },
   camera: { enter: 'Use the camera', entering: 'Starting the camera…' },
@@ -49,7 +56,7 @@ const LABELS: Readonly<Record<SessionMode, { readonly enter: string; readonly en
 
 /** Creates the card with the title, the description, and the session modes with what each requests and lacks. */
 export function createStartCard(options: StartCardOptions): StartCard {
-  const { document, title, description, totalBytes, lacks } = options;
+  const { document, title, description, totalBytes, lacks, isFilter } = options;
   const bar = element(document, 'progress', { attributes: { max: '1', 'aria-label': 'Loading' } });
   const size = element(document, 'p', { className: 'size' });
   const loading = element(document, 'div', { className: 'loading' }, bar, size);
@@ -57,25 +64,21 @@ export function createStartCard(options: StartCardOptions): StartCard {
   const ar = createModeElement(options, 'ar', arTexts(options));
   const camera = createModeElement(options, 'camera', [
     ...cameraTexts(document),
-    ...lacksElement(document, [STANDS_STILL, ...lacks.camera]),
+    ...lacksElement(document, [...(isFilter ? [] : [STANDS_STILL]), ...lacks.camera]),
   ]);
   const vr = createModeElement(options, 'vr', [...vrTexts(options), ...lacksElement(document, lacks.vr)]);
-  const around = element(
-    document,
-    'div',
-    {},
-    element(document, 'p', { className: 'hint' }, 'Drag to look around. Scroll or pinch to zoom. Arrow keys work too.'),
-  );
+  const matches = (query: string) => document.defaultView?.matchMedia(query).matches ?? false;
+  const around = element(document, 'p', { className: 'hint' }, `Drag to look around. ${matches(TOUCH) ? 'Pinch to zoom.' : BY_KEYS}`);
   const aroundLacks = element(document, 'div', {}, ...lacksElement(document, lacks.orbit));
   const body = element(
     document,
     'div',
     { id: 'panel-body' },
     loading,
-    reason,
     ar.element,
     camera.element,
     vr.element,
+    reason,
     around,
     aroundLacks,
     ...createCredits(document, options.credits),
@@ -83,17 +86,21 @@ export function createStartCard(options: StartCardOptions): StartCard {
   if (description !== '') body.prepend(element(document, 'p', { className: 'description' }, description));
   const fold = element(document, 'button', {
     className: 'fold',
-    attributes: { type: 'button', 'aria-expanded': 'true', 'aria-controls': 'panel-body', 'aria-label': 'About this page' },
-    onClick: () => {
-      body.hidden = !body.hidden;
-      fold.setAttribute('aria-expanded', String(!body.hidden));
-    },
+    attributes: { type: 'button', 'aria-controls': 'panel-body', 'aria-label': 'About this page' },
+    onClick: () => setFolded(!card.classList.contains('folded')),
   });
+  const setFolded = (folded: boolean) => {
+    card.classList.toggle('folded', folded);
+    fold.setAttribute('aria-expanded', String(!folded));
+  };
   const header = element(document, 'header', {}, element(document, 'h1', {}, title), fold);
   const modes: Readonly<Record<SessionMode, ModeElement>> = { ar, camera, vr };
   const all = Object.values(modes);
+  const card = element(document, 'section', { className: 'panel', attributes: { 'aria-label': title } }, header, body);
+  setFolded(matches(PHONE));
+  document.defaultView?.matchMedia(PHONE).addEventListener('change', ({ matches: isPhone }) => setFolded(isPhone));
   return {
-    element: element(document, 'section', { className: 'panel', attributes: { 'aria-label': title } }, header, body),
+    element: card,
     show: (state) => {
       loading.hidden = state.kind !== 'loading';
       if (state.kind === 'loading') {
@@ -102,14 +109,17 @@ export function createStartCard(options: StartCardOptions): StartCard {
         else bar.value = Math.min(1, state.loadedBytes / totalBytes);
         size.textContent = state.loadedBytes === 0 ? '' : progressText(state.loadedBytes, totalBytes);
       }
-      const text = state.kind === 'ready' || state.kind === 'failed' ? state.reason : null;
+      const offers: readonly SessionMode[] = state.kind === 'ready' ? state.offers : [];
+      const isWhole = isFilter && offers[0] === 'camera';
+      const text = state.kind === 'failed' || (state.kind === 'ready' && !isWhole) ? state.reason : null;
       reason.hidden = text === null;
       reason.textContent = text ?? '';
+      // Below a button it explains; alone it says why there is none.
+      reason.classList.toggle('rest', offers.length > 0);
       if (state.kind === 'entering') {
         for (const mode of all) mode.setBusy(mode === modes[state.mode] ? 'entering' : 'waiting');
         return;
       }
-      const offers: readonly SessionMode[] = state.kind === 'ready' ? state.offers : [];
       for (const mode of MODES) modes[mode].setOffered(offers.indexOf(mode));
       around.hidden = state.kind !== 'ready';
       aroundLacks.hidden = state.kind !== 'ready' || offers.length > 0;

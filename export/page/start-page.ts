@@ -75,14 +75,17 @@ export async function startPage(page: Window, parts: PageParts): Promise<void> {
       overlay: parts.createLabelLayer?.(root) ?? null,
     });
     await controller.ready;
-    root.showCanvas();
+    root.showCanvas(createScenes ? 'behind soft' : config.isFilter ? 'behind' : 'gone');
     // After the first image, which needs none of them. A device with no session to enter does not load them.
     if (modes.fallbacks.length > 0) sessions = await parts.loadSessions(config.sessions ?? '').catch(() => null);
     controller.offer(sessions, sessions === null && modes.fallbacks.length > 0 ? NOT_LOADED : modes.noAr);
   } catch (error) {
     panel.show({ kind: 'failed', reason: error instanceof Error ? error.message : String(error) });
   }
-  if (config.offline !== null) await keepForOffline(page, config.offline);
+  if (config.offline === null) return;
+  // The worker loads all files, and would take the connection from those that the page still waits for.
+  await controller?.complete;
+  await keepForOffline(page, config.offline);
 }
 
 function readConfig(document: Document): PageConfig {

@@ -1,7 +1,7 @@
 import type { ArithmeticOperation } from '../../nodes/kit/arithmetic.ts';
 import type { AssetKind, LayerEncoding, ParamValue } from '../../nodes/kit/definition.ts';
 import type { FoundLamps } from '../../nodes/kit/panorama/found-lamps.ts';
-import type { ValueType } from '../../nodes/kit/wire-types.ts';
+import type { TableType, ValueType } from '../../nodes/kit/wire-types.ts';
 import type { ProgramNeed, Tier } from './needs.ts';
 import type { ProgramCredit } from './program-credit.ts';
 import type { Presentation } from './program-presentation.ts';
@@ -67,7 +67,7 @@ export interface SlotTable {
   readonly params: Readonly<Record<string, number>>;
 }
 
-export type SlotType = ValueType | 'curve';
+export type SlotType = ValueType | TableType;
 
 export interface Slot {
   readonly type: SlotType;
@@ -112,8 +112,8 @@ export type Resource =
   | { readonly id: ResourceId; readonly kind: 'pose' }
   /** Physics bodies. */
   | { readonly id: ResourceId; readonly kind: 'bodies' }
-  /** A curve as a table of heights (`texture-sizes.ts`), from the slot. No operation writes it. */
-  | { readonly id: ResourceId; readonly kind: 'curve'; readonly slot: number }
+  /** A curve as a table of heights, or a gradient as a table of colors (`texture-sizes.ts`), from the slot. No operation writes it. */
+  | { readonly id: ResourceId; readonly kind: 'table'; readonly of: TableType; readonly slot: number }
   /** A technique. No operation writes it. */
   | TechniqueResource
   /** Pixels of a reduced image on the CPU, of an earlier frame. Nodes read them before the image of the frame is drawn. */
@@ -142,8 +142,10 @@ export interface TechniqueResource {
 }
 
 export interface TechniquePass {
-  /** Visible sides of triangles; `object` uses the side of the object's material. */
-  readonly side: 'object' | 'front' | 'back' | 'both';
+  /** Visible sides of triangles; `object` uses the side of the object's material. `edges` draws edges as lines instead of triangles. */
+  readonly side: 'object' | 'front' | 'back' | 'both' | 'edges';
+  /** Whether the pass stands for passes of edges, and is drawn only where a mesh has too many edges. */
+  readonly dense?: true;
 }
 
 export interface TechniqueUniform {
@@ -221,6 +223,8 @@ export interface NodeOperation extends OperationBase {
   readonly config: Readonly<Record<string, ParamValue>>;
   /** Asset params → asset id, or null if none is chosen. */
   readonly assets: Readonly<Record<string, string | null>>;
+  /** Whether it draws the depth meshes of its captures. */
+  readonly depthMeshes?: true;
 }
 
 export type InputRef =
@@ -243,6 +247,8 @@ export interface DrawOperation extends NodeOperation {
   /** Whether techniques of its objects read what is behind them. Models may contain glass without it. */
   readonly glass?: true;
   readonly ownDrawing?: true;
+  /** It needs no depth buffer on the screen, and one sample per pixel. */
+  readonly onlyBlends?: true;
 }
 export type DrawUnder = { readonly resource: ResourceId; readonly fit: PassSampler['fit']; readonly encoding: LayerEncoding };
 
@@ -290,15 +296,14 @@ export interface PassOperation extends OperationBase {
   readonly access?: 'pointwise' | 'displaced' | 'neighborhood' | 'persistent' | 'resize';
   /** Present if it only copies the image of its sampler. */
   readonly copies?: true;
+  /** Present if views of equal size need it once: for the second one, its target still has the image. */
+  readonly sameForViews?: true;
   /** The nodes whose passes are fused in it, in drawing order; absent if it is a pass of `node` alone. */
   readonly nodes?: readonly string[];
 }
 
 export interface PassSampler {
-  /**
-   * Uniform name in the linked shader. If declared, `NAME_uvFromViewUv` (mat3) and `NAME_size` (vec2, pixels) are set too, and
-   * `NAME_interpolate` (bool) with room depth, for `export/program/room-depth.ts`.
-   */
+  /** Uniform name. If declared, `NAME_uvFromViewUv`, `NAME_size` (pixels) and, with room depth, `NAME_interpolate` (bool) are set too. */
   readonly name: string;
   readonly source:
     | { readonly kind: 'color'; readonly resource: ResourceId }
@@ -307,16 +312,18 @@ export interface PassSampler {
     | { readonly kind: 'room-depth'; readonly resource: ResourceId }
     /** The most recent sound, `count` samples or bins wide, with one row per channel; see `export/runtime/sound`. */
     | { readonly kind: 'sound'; readonly resource: ResourceId; readonly analysis: 'waveform' | 'spectrum'; readonly count: number }
-    | { readonly kind: 'curve'; readonly resource: ResourceId }
+    | { readonly kind: 'table'; readonly resource: ResourceId }
     /** Image assets: one, or the six faces of a cube in the order +x, -x, +y, -y, +z, -z. */
     | { readonly kind: 'import'; readonly assets: readonly string[]; readonly cube: boolean };
   /** How an image-domain layer is fitted to a view; `none` if the domains are equal. */
   readonly fit: 'none' | 'cover' | 'contain' | 'stretch';
+  /** Present if pixels are read at their centers only: filtering would mix in neighbors, because positions are rounded. */
+  readonly unfiltered?: true;
 }
 
 export interface PassUniform {
   readonly name: string;
-  readonly type: 'float' | 'int' | 'bool' | 'vec2' | 'vec3' | 'vec4';
+  readonly type: 'float' | 'int' | 'bool' | 'vec2' | 'vec3' | 'vec4' | 'mat4';
   readonly source:
     | { readonly slot: number }
     | { readonly builtin: BuiltinUniform }
@@ -325,7 +332,10 @@ export interface PassUniform {
 }
 
 /** ISF's automatic uniforms (docs.isf.video, “Automatically Created Uniforms”). */
-export type BuiltinUniform = 'TIME' | 'TIMEDELTA' | 'FRAMEINDEX' | 'DATE' | 'RENDERSIZE' | 'PASSINDEX';
+type IsfUniform = 'TIME' | 'TIMEDELTA' | 'FRAMEINDEX' | 'DATE' | 'RENDERSIZE' | 'PASSINDEX';
+
+/** The projection of the view and its pose in world space are column-major 4×4; of the first view in passes that run once per frame. */
+export type BuiltinUniform = IsfUniform | 'SCRIM_CLIP_FROM_VIEW' | 'SCRIM_WORLD_FROM_VIEW';
 
 export type Operation = NodeOperation | DrawOperation | CpuOperation | ShadowMapOperation | ReadbackOperation | PassOperation;
 
@@ -364,6 +374,8 @@ export interface ProgramAsset {
   readonly path: string;
   /** For a panorama in an export: the lamps that its nodes look for, by `lampKey`, so that the page does not search it. */
   readonly lamps?: Readonly<Record<string, FoundLamps>>;
+  /** For a capture: whether its depth meshes are drawn. */
+  readonly depthMeshes?: true;
 }
 
 /**

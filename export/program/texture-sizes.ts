@@ -1,8 +1,9 @@
 /**
- * Width of a curve (`nodes/kit/curve.ts`) as a texture: one row of heights in the red channel, the first at 0 and the last at 1. It has as
- * many texels as a layer has levels, so that each unblended color has its own height.
+ * Width of a curve or a gradient (`nodes/kit/curve.ts`, `gradient.ts`) as a texture: one row of heights in the red channel, or of
+ * premultiplied colors, the first at 0 and the last at 1. It has as many texels as a layer has levels, so that each unblended color has its
+ * own height.
  */
-export const CURVE_WIDTH_PX = 256;
+export const TABLE_WIDTH_PX = 256;
 
 /** Maximum number of sound samples that are kept, which is also the maximum width of a waveform. A power of two. */
 export const SOUND_WINDOW = 4096;

@@ -7,6 +7,8 @@ export interface LoadedProgram {
   readonly program: Program;
   readonly glPrograms: readonly GlProgram[];
   readonly errors: readonly ShaderError[];
+  /** Resolves when each asset has its final form or failed; never rejects. */
+  readonly complete: Promise<void>;
   release(): void;
 }
 
@@ -31,9 +33,9 @@ export function loadProgram(engine: Engine, program: Program): Loading {
     images.release();
   };
   return {
-    done: wait(engine, glPrograms, [assets.settled, images.settled], () => cancelled).then((ready) => {
+    done: wait(engine, glPrograms, [assets.usable, images.settled], () => cancelled).then((ready) => {
       if (!ready) return null;
-      return { program, glPrograms: [...glPrograms], errors: glPrograms.flatMap((p) => p.errors), release };
+      return { program, glPrograms: [...glPrograms], errors: glPrograms.flatMap((p) => p.errors), complete: assets.settled, release };
     }),
     cancel: () => {
       if (cancelled) return;

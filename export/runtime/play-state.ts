@@ -19,6 +19,10 @@ export interface PlayState {
   /** Size of the view, pixels. */
   widthPx: number;
   heightPx: number;
+  /** Whether the view before this one, in the same frame, has the same size. */
+  sizeIsKnown: boolean;
+  /** Whether the view's part of the screen is transparent, because nothing is drawn to it yet. */
+  screenIsEmpty: boolean;
 }
 
 export const EMPTY_FRAME: SessionFrame = {
@@ -46,13 +50,18 @@ export function createPlayState(): PlayState {
     view: null,
     widthPx: 0,
     heightPx: 0,
+    sizeIsKnown: false,
+    screenIsEmpty: false,
   };
 }
 
 export function enterView(state: PlayState, viewIndex: number): void {
   const view = state.frame.views[viewIndex] ?? null;
+  const { widthPx = 0, heightPx = 0 } = view?.viewport ?? {};
+  state.sizeIsKnown = viewIndex > 0 && widthPx === state.widthPx && heightPx === state.heightPx;
   state.viewIndex = viewIndex;
   state.view = view;
-  state.widthPx = view?.viewport.widthPx ?? 0;
-  state.heightPx = view?.viewport.heightPx ?? 0;
+  state.widthPx = widthPx;
+  state.heightPx = heightPx;
+  state.screenIsEmpty = false;
 }

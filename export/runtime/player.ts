@@ -76,8 +76,10 @@ export interface PlayResult {
  * player.draw(frame);
  */
 export interface Player {
-  /** Resolves when the first program is set up: assets loaded or failed, materials compiled. Nothing is drawn before. */
+  /** Resolves when the first program is set up: assets can be drawn or failed, materials compiled. Nothing is drawn before. */
   readonly ready: Promise<PlayResult>;
+  /** Resolves when the assets of the first program have their final form or failed. Pages draw captures before they are complete. */
+  readonly complete: Promise<void>;
   /** Sets the session that the next frames are drawn for; null without a session. */
   setSession(session: SessionTraits | null): void;
   /** Sets the panorama that the visitor has taken, from the next frame on; null for none. Its pixels are kept. */
@@ -136,6 +138,8 @@ export interface Player {
   dispose(): void;
 }
 
+const SUPERSEDED: PlayResult = { outcome: 'superseded', shaderErrors: [] };
+
 /**
  * Creates a player and loads its first program.
  *
@@ -170,6 +174,10 @@ export function createPlayer(options: PlayerOptions): Player {
   /** Values set since the newest program was passed, which may have been compiled before they were set. */
   const values = new Map<string, ParamValue>();
 
+  let isComplete = (): void => {};
+  const complete = new Promise<void>((resolve) => {
+    isComplete = resolve;
+  });
   const setValue = (target: ProgramInstance, name: string, value: ParamValue): boolean => {
     const slot = target.slots.find(name);
     return slot !== undefined && target.slots.set(slot, value);
@@ -179,7 +187,7 @@ export function createPlayer(options: PlayerOptions): Player {
     const current = loadProgram(engine, program);
     loading = current;
     const loaded = await current.done;
-    if (!loaded || loading !== current) return { outcome: 'superseded', shaderErrors: [] };
+    if (!loaded || loading !== current) return SUPERSEDED;
     loading = null;
     const good = loaded.errors.length === 0;
     if (!good && instance && instanceIsGood) {
@@ -191,6 +199,7 @@ export function createPlayer(options: PlayerOptions): Player {
     const isFirst = before === null && retained === null;
     const next = createProgramInstance(engine, loaded, before ?? retained, loopGuard);
     instance = next;
+    void loaded.complete.then(isComplete);
     retained = null;
     instanceIsGood = good;
     before?.release(next);
@@ -200,7 +209,7 @@ export function createPlayer(options: PlayerOptions): Player {
       await next.prepare().finally(() => {
         preparing = false;
       });
-      if (instance !== next) return { outcome: 'superseded', shaderErrors: [] };
+      if (instance !== next) return SUPERSEDED;
     }
     return { outcome: 'playing', shaderErrors: loaded.errors };
   };
@@ -229,6 +238,7 @@ export function createPlayer(options: PlayerOptions): Player {
   };
   return {
     ready: play(restorable),
+    complete,
     setSession: (next) => {
       if (next !== session) spatial?.leaveSession();
       if (next !== null && next !== session) state.sessions++;
@@ -260,7 +270,7 @@ export function createPlayer(options: PlayerOptions): Player {
     replaceProgram: (program) => {
       restorable = program;
       values.clear();
-      return live ? play(program) : Promise.resolve({ outcome: 'superseded', shaderErrors: [] });
+      return live ? play(program) : Promise.resolve(SUPERSEDED);
     },
     reset: (cause = 'restart') => {
       forget();

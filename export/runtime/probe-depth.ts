@@ -17,12 +17,21 @@ export interface ProbedDepth {
 /**
  * Returns the depth at a point of a view: that of a layer or that of the room, whichever is nearer. `u` and `v` are fractions of the view's
  * size from the bottom left. Null if neither depth is known. Room depth is treated as aligned with the view.
+ *
+ * @param withRoom Whether the room counts. Default: true.
  */
-export function probeDepth({ engine, resources, layer }: Inspected, viewIndex: number, u: number, v: number): ProbedDepth | null {
+export function probeDepth(
+  { engine, resources, layer }: Inspected,
+  viewIndex: number,
+  u: number,
+  v: number,
+  withRoom = true,
+): ProbedDepth | null {
   const view = engine.state.frame.views[viewIndex];
   if (!view || !engine.objects.limits.floatTargets) return null;
   const ofLayer = layer ? layerMeters(engine, resources, layer, viewIndex, u, v) : 0;
-  const ofRoom = view.depth ? metersAt(engine, view.depth.texture, 'meters', viewIndex, pointIn(view.depth.uvFromViewUv, u, v)) : 0;
+  const ofRoom =
+    withRoom && view.depth ? metersAt(engine, view.depth.texture, 'meters', viewIndex, pointIn(view.depth.uvFromViewUv, u, v)) : 0;
   const isLayer = ofLayer > 0 && (ofRoom <= 0 || ofLayer <= ofRoom);
   const meters = isLayer ? ofLayer : ofRoom;
   if (meters <= 0) return null;

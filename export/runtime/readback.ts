@@ -34,7 +34,7 @@ export interface LayerDepth {
 export const DEPTH_SHADER: LinkedShader = {
   id: 'scrim:read-depth',
   vertex: COPY_SHADER.vertex,
-  fragment: `#version 300 es
+  fragment: /* glsl */ `#version 300 es
 precision highp float;
 uniform highp sampler2D depth;
 uniform vec4 depth_decode;

@@ -1,10 +1,10 @@
 import type { DerivedEnvironment, EnvironmentAsset, ModelAsset } from '../../nodes/kit/assets.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import type { OcclusionView } from '../../nodes/kit/early-occlusion.ts';
 import type { PanoramaPixels } from '../../nodes/kit/panorama/pixels.ts';
 import type { SceneService, UnderLayer } from '../../nodes/kit/runtime.ts';
-import type { LightList, ObjectList, RoomDepthOutput } from '../../nodes/kit/scene-lists.ts';
+import type { LightList, ObjectList } from '../../nodes/kit/scene-lists.ts';
 import type { ViewFrame } from '../../nodes/kit/session.ts';
-import type { NumberView } from '../../nodes/kit/value-views.ts';
 import type { DrawOperation, Program } from '../program/program.ts';
 import type { FrameClock } from './clock.ts';
 import type { LiveResources } from './resources/resources.ts';
@@ -14,7 +14,8 @@ import type { CreateNearestDepth } from './targets/nearest-depth.ts';
  * Interface of the player to three.js. It has types only, so that pages without objects do not bundle three.js; `scenes/create-scenes.ts`
  * implements it, and pages with objects pass it to the player.
  *
- * GL state: passes set all state that they depend on; the backend resets the state cache of three.js before its first draw after a pass.
+ * GL state: passes set all state that they depend on; the backend restores the state that three.js remembers before it draws
+ * (`scenes/gl-state.ts`).
  * The player owns the framebuffers; three.js draws to them as XR targets (ADR 7).
  */
 export type CreateSceneBackend = (host: SceneHost) => SceneBackend;
@@ -53,8 +54,6 @@ export interface SceneBackend {
   readonly createUnder: CreateUnder | null;
   /** Runs draws that only compile their shaders. Resolves when the driver has finished, without blocking. */
   prepare(draws: () => void): Promise<void>;
-  /** Resets the state cache of three.js, after passes have drawn. */
-  invalidateState(): void;
   /** Number of GPU objects, for leak tests. */
   counts(): { readonly geometries: number; readonly textures: number; readonly programs: number };
   dispose(): void;
@@ -82,7 +81,7 @@ export interface LoadedEnvironment extends DerivedEnvironment {
 /** What the scenes of one drawing operation need from the player. It is set before the first draw and read in every draw. */
 export interface DrawBinding {
   readonly shadowMaps: ShadowMaps | null;
-  readonly occlusion: OcclusionBinding | null;
+  readonly occlusion: OcclusionView | null;
   /** Reports warnings about exceeded limits. */
   readonly report?: (diagnostic: Omit<Diagnostic, 'nodeId'>) => void;
 }
@@ -91,10 +90,4 @@ export interface ShadowMaps {
   /** Draws the shadow maps of all lights for this frame. */
   update(): void;
   dispose(): void;
-}
-
-/** Room depth and the current params of a `layer/depth-occlusion`, for materials that are occluded while drawing. */
-export interface OcclusionBinding {
-  readonly roomDepth: RoomDepthOutput;
-  readonly params: Readonly<Record<string, NumberView>>;
 }

@@ -13,6 +13,7 @@ export const ASSET_WORDS: Readonly<Record<AssetKind, string>> = {
   audio: 'sound',
   environment: 'panorama',
   capture: 'capture',
+  splats: 'file of splats',
 };
 
 /**

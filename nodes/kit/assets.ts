@@ -5,6 +5,7 @@ import type { FoundLamps } from './panorama/found-lamps.ts';
 import type { LampOptions } from './panorama/lamp-options.ts';
 import type { PanoramaPixels } from './panorama/pixels.ts';
 import type { AudioAsset } from './sound.ts';
+import type { SplatAsset } from './splat-asset.ts';
 
 /**
  * Loads the project's assets. Each asset is loaded once and shared by all its handles; it is disposed when the last handle is released.
@@ -21,6 +22,7 @@ export interface AssetService {
   video(id: string): AssetHandle<VideoAsset>;
   audio(id: string): AssetHandle<AudioAsset>;
   capture(id: string): AssetHandle<CaptureAsset>;
+  splats(id: string): AssetHandle<SplatAsset>;
   /**
    * Creates a panorama that is not a file, filtered for lighting.
    *

@@ -4,9 +4,12 @@
  */
 export interface CaptureDocument {
   readonly format: 'scrim-capture';
-  readonly version: 1;
+  /** Version 2 has depth maps or depth meshes. */
+  readonly version: 1 | 2;
   readonly mesh: CaptureMeshFile;
   readonly views: readonly CaptureView[];
+  /** A coarse form of the mesh, which pages draw until the other files are there. Exports make it; projects do not contain it. */
+  readonly coarseMesh?: CaptureMeshFile;
 }
 
 /** The file of the mesh: positions as 32-bit floats in meters, then the corners of triangles as 32-bit indices, little-endian. */
@@ -17,8 +20,21 @@ export interface CaptureMeshFile {
   readonly triangleCount: number;
 }
 
-/** A pinhole camera. A pixel is a square; (0, 0) is the outer corner of the top left one, y down. */
+/**
+ * The mesh of what one photograph shows: 8 bytes per vertex, then the corners of triangles as 32-bit indices, little-endian. A vertex is its
+ * column and row in half pixels of a map of `widthPx` by `heightPx` as 16-bit whole numbers, then its depth in meters as a 32-bit float.
+ */
+export interface CaptureDepthMeshFile extends CaptureMeshFile {
+  readonly widthPx: number;
+  readonly heightPx: number;
+}
+
+/**
+ * A pinhole camera. A pixel is a square; (0, 0) is the outer corner of the top left one, y down. With `projection`, it is a 360° camera: the
+ * picture is twice as wide as high, its center is straight ahead, and it has pixels per radian in the place of focal lengths.
+ */
 export interface Pinhole {
+  readonly projection?: 'equirectangular';
   readonly widthPx: number;
   readonly heightPx: number;
   readonly fxPx: number;
@@ -33,6 +49,23 @@ export interface CaptureView extends Pinhole {
   readonly file: string;
   /** Column-major 4×4, rigid; the camera has y up and looks along −z. Meters. */
   readonly worldFromCamera: readonly number[];
+  /** The path of a reduced form of the photograph, which pages draw until `file` is there. Exports make it. */
+  readonly reducedFile?: string;
+  readonly depth?: CaptureDepthFile;
+  readonly depthMesh?: CaptureDepthMeshFile;
+}
+
+/**
+ * The depth that the camera of a view sees: a PNG file of 16 bits in gray, of the view's shape. A level of 0 is unknown. Pages do not contain
+ * it.
+ */
+export interface CaptureDepthFile {
+  /** Path relative to the folder of the document. */
+  readonly file: string;
+  readonly widthPx: number;
+  readonly heightPx: number;
+  /** Depth along the axis of the camera that one level stands for, meters. */
+  readonly metersPerLevel: number;
 }
 
 /** The mesh of a capture. */
@@ -45,6 +78,9 @@ export interface CaptureMesh {
 
 /** The largest capture that is imported and shown. */
 export const CAPTURE_LIMITS = { views: 1000, triangles: 4_000_000, vertices: 8_000_000, sidePx: 8192 } as const;
+
+/** The most triangles of the depth meshes of a capture together. */
+export const MOST_DEPTH_TRIANGLES = 8_000_000;
 
 /** The name of the document in the folder of a capture. */
 export const CAPTURE_FILE = 'capture.json';
@@ -70,18 +106,30 @@ export function readCapture(text: string): CaptureDocument {
   } catch {
     throw new CaptureError('it is not valid JSON');
   }
-  const { format, version, mesh, views } = record(json, 'the document');
+  const { format, version, mesh, views, coarseMesh } = record(json, 'the document');
   if (format !== 'scrim-capture') throw new CaptureError('it is not a capture: its "format" is not "scrim-capture"');
-  if (version !== 1) throw new CaptureError(`it has version ${String(version)}, but only version 1 can be read`);
+  if (version !== 1 && version !== 2) {
+    throw new CaptureError(`it has version ${String(version)}, but only versions 1 and 2 can be read`);
+  }
   if (!Array.isArray(views) || views.length === 0) throw new CaptureError('it has no views');
   if (views.length > CAPTURE_LIMITS.views) throw new CaptureError(`it has ${views.length} views, more than ${CAPTURE_LIMITS.views}`);
   const checked = views.map((view, i) => readView(view, `view ${i + 1}`));
   const names = new Set<string>();
-  for (const { file } of checked) {
+  for (const file of checked.flatMap((view) => [view.file, ...[view.depth, view.depthMesh].flatMap((more) => more?.file ?? [])])) {
     if (names.has(file)) throw new CaptureError(`two views have the file "${file}"`);
     names.add(file);
   }
-  return { format, version, mesh: readMeshFile(mesh), views: checked };
+  const depthTriangles = checked.reduce((sum, { depthMesh }) => sum + (depthMesh?.triangleCount ?? 0), 0);
+  if (depthTriangles > MOST_DEPTH_TRIANGLES) {
+    throw new CaptureError(`its depth meshes have ${depthTriangles} triangles, more than ${MOST_DEPTH_TRIANGLES}`);
+  }
+  return {
+    format,
+    version,
+    mesh: readMeshFile(mesh, 'the mesh'),
+    views: checked,
+    ...(coarseMesh === undefined ? {} : { coarseMesh: readMeshFile(coarseMesh, 'the coarse mesh') }),
+  };
 }
 
 /**
@@ -101,6 +149,29 @@ export function readCaptureMesh({ vertexCount, triangleCount }: CaptureMeshFile,
   const indices = new Uint32Array(bytes, positionBytes, 3 * triangleCount);
   checkMesh({ positions, indices });
   return { positions, indices };
+}
+
+/**
+ * Writes a mesh as the file that `readCaptureMesh` reads.
+ *
+ * @example
+ * const bytes = captureMeshFile(mesh);
+ */
+export function captureMeshFile({ positions, indices }: CaptureMesh): Uint8Array<ArrayBuffer> {
+  const bytes = new Uint8Array(positions.byteLength + indices.byteLength);
+  bytes.set(new Uint8Array(positions.buffer, positions.byteOffset, positions.byteLength));
+  bytes.set(new Uint8Array(indices.buffer, indices.byteOffset, indices.byteLength), positions.byteLength);
+  return bytes;
+}
+
+/**
+ * The counts of a mesh that the document of a capture contains.
+ *
+ * @example
+ * const document = { ...rest, mesh: { file: 'mesh.bin', ...meshCounts(mesh) } };
+ */
+export function meshCounts({ positions, indices }: CaptureMesh): Omit<CaptureMeshFile, 'file'> {
+  return { vertexCount: positions.length / 3, triangleCount: indices.length / 3 };
 }
 
 /**
@@ -198,8 +269,12 @@ function readView(value: unknown, where: string): CaptureView {
   if (!Array.isArray(pose) || !pose.every((x) => typeof x === 'number')) throw new CaptureError(`${where} has no pose of 16 numbers`);
   const fault = poseFault(pose);
   if (fault !== null) throw new CaptureError(`the pose of ${where} is ${fault}`);
+  if (view.projection !== undefined && view.projection !== 'equirectangular') {
+    throw new CaptureError(`the projection of ${where} is not known`);
+  }
   return {
     file: path(view.file, where),
+    ...(view.projection === undefined ? {} : { projection: view.projection }),
     widthPx: size(view.widthPx, `the width of ${where}`),
     heightPx: size(view.heightPx, `the height of ${where}`),
     fxPx: number(view.fxPx, `the focal length of ${where}`, true),
@@ -207,13 +282,35 @@ function readView(value: unknown, where: string): CaptureView {
     cxPx: number(view.cxPx, `the center of ${where}`),
     cyPx: number(view.cyPx, `the center of ${where}`),
     worldFromCamera: pose,
+    ...(view.reducedFile === undefined ? {} : { reducedFile: path(view.reducedFile, where) }),
+    ...(view.depth === undefined ? {} : { depth: readDepthFile(view.depth, `the depth of ${where}`) }),
+    ...(view.depthMesh === undefined ? {} : { depthMesh: readDepthMeshFile(view.depthMesh, `the depth mesh of ${where}`) }),
   };
 }
 
-function readMeshFile(value: unknown): CaptureMeshFile {
-  const mesh = record(value, 'the mesh');
+function readDepthFile(value: unknown, where: string): CaptureDepthFile {
+  const depth = record(value, where);
   return {
-    file: path(mesh.file, 'the mesh'),
+    file: path(depth.file, where),
+    widthPx: size(depth.widthPx, `the width of ${where}`),
+    heightPx: size(depth.heightPx, `the height of ${where}`),
+    metersPerLevel: number(depth.metersPerLevel, `the unit of ${where}`, true),
+  };
+}
+
+function readDepthMeshFile(value: unknown, where: string): CaptureDepthMeshFile {
+  const mesh = record(value, where);
+  return {
+    ...readMeshFile(value, where),
+    widthPx: size(mesh.widthPx, `the width of ${where}`),
+    heightPx: size(mesh.heightPx, `the height of ${where}`),
+  };
+}
+
+function readMeshFile(value: unknown, where: string): CaptureMeshFile {
+  const mesh = record(value, where);
+  return {
+    file: path(mesh.file, where),
     vertexCount: count(mesh.vertexCount, 'vertices', CAPTURE_LIMITS.vertices),
     triangleCount: count(mesh.triangleCount, 'triangles', CAPTURE_LIMITS.triangles),
   };

@@ -4,6 +4,16 @@
 export type Triple = { [index: number]: number } & ArrayLike<number>;
 
 /**
+ * Clamps a channel to [0, 1].
+ *
+ * @example
+ * clamp01(1.5); // 1
+ */
+export function clamp01(x: number): number {
+  return Math.min(Math.max(x, 0), 1);
+}
+
+/**
  * Converts RGB to HSV by the hexcone model (Smith 1978).
  *
  * @param out Receives hue in turns, [0, 1), saturation and value in [0, 1]. Grays have the hue 0.
@@ -148,4 +158,72 @@ function writeHue(out: Triple, hue: number, chroma: number, base: number): void 
     const away = Math.abs((turn - Math.floor(turn)) * 6 - 3);
     out[i] = base + chroma * Math.min(Math.max(away - 1, 0), 1);
   }
+}
+
+/**
+ * Writes the color of a hue, saturation, brightness and alpha. All but the hue are clamped to [0, 1].
+ *
+ * @param out Receives four components.
+ * @param hueRad The angle on the color wheel, in radians.
+ *
+ * @example
+ * writeHsvColor(out, 0, 1, 1, 1); // out = [1, 0, 0, 1]
+ */
+export function writeHsvColor(out: Triple, hueRad: number, saturation: number, brightness: number, alpha: number): void {
+  rgbFromHsv(out, hueRad / (2 * Math.PI), clamp01(saturation), clamp01(brightness));
+  out[3] = clamp01(alpha);
+}
+
+/**
+ * Writes a color whose hue is rotated, whose saturation is multiplied, and whose lightness (HSL) is increased. Alpha is kept.
+ *
+ * @param out Receives four components.
+ * @param hueRad The rotation, in radians.
+ *
+ * @example
+ * writeAdjustedColor(out, [1, 0, 0, 1], Math.PI, 1, 0); // out = [0, 1, 1, 1]
+ */
+export function writeAdjustedColor(out: Triple, base: ArrayLike<number>, hueRad: number, saturation: number, lightness: number): void {
+  hslFromRgb(out, base[0] ?? 0, base[1] ?? 0, base[2] ?? 0);
+  const hue = (out[0] ?? 0) + hueRad / (2 * Math.PI);
+  rgbFromHsl(out, hue, clamp01((out[1] ?? 0) * saturation), clamp01((out[2] ?? 0) + lightness));
+  out[3] = base[3] ?? 1;
+}
+
+/** The color space in which colors are mixed: Oklab, linear sRGB or sRGB. */
+export type MixSpace = 'perceived' | 'light' | 'screen';
+
+const FROM = new Float64Array(3);
+const TO = new Float64Array(3);
+
+/**
+ * Mixes premultiplied colors, as CSS Color 4 §12.3, so that a transparent color does not contribute.
+ *
+ * @param out Receives four components; not `a` or `b`.
+ * @param amount 0 gives `a`, 1 gives `b`; clamped to [0, 1].
+ *
+ * @example
+ * writeMixedColor(out, [0, 0, 0, 1], [1, 1, 1, 1], 0.5, 'screen'); // out = [0.5, 0.5, 0.5, 1]
+ */
+export function writeMixedColor(out: Triple, a: ArrayLike<number>, b: ArrayLike<number>, amount: number, space: MixSpace): void {
+  enterSpace(FROM, a, space);
+  enterSpace(TO, b, space);
+  const part = clamp01(amount);
+  const alphaA = (a[3] ?? 1) * (1 - part);
+  const alphaB = (b[3] ?? 1) * part;
+  const alpha = alphaA + alphaB;
+  // Between two fully transparent colors, mix the channels: a later node may make them opaque.
+  const weightB = alpha === 0 ? part : alphaB / alpha;
+  for (let i = 0; i < 3; i++) out[i] = (FROM[i] ?? 0) * (1 - weightB) + (TO[i] ?? 0) * weightB;
+  if (space === 'perceived') linearFromOklab(out, out[0] ?? 0, out[1] ?? 0, out[2] ?? 0);
+  for (let i = 0; i < 3; i++) {
+    const channel = clamp01(out[i] ?? 0);
+    out[i] = space === 'screen' ? channel : srgbFromLinear(channel);
+  }
+  out[3] = alpha;
+}
+
+function enterSpace(out: Float64Array, color: ArrayLike<number>, space: MixSpace): void {
+  for (let i = 0; i < 3; i++) out[i] = space === 'screen' ? (color[i] ?? 0) : linearFromSrgb(color[i] ?? 0);
+  if (space === 'perceived') oklabFromLinear(out, out[0] ?? 0, out[1] ?? 0, out[2] ?? 0);
 }

@@ -49,8 +49,22 @@ export function curveMisfit(value: unknown): string | null {
  * paddedCurve(DIAGONAL).length; // CURVE_NUMBERS
  */
 export function paddedCurve(curve: Curve): Curve {
-  const padded = [...curve];
-  while (padded.length > 1 && padded.length < CURVE_NUMBERS) padded.push(...curve.slice(-2));
+  return paddedPoints(curve, 2, CURVE_NUMBERS);
+}
+
+/**
+ * Pads a list of points to a length by repeating its last point.
+ *
+ * @param points Any list, such as a curve or a gradient.
+ * @param pointNumbers How many numbers a point takes.
+ * @returns A new array, which is longer than `length` if `points` is.
+ *
+ * @example
+ * paddedPoints([1, 2, 3, 4], 2, 6); // [1, 2, 3, 4, 3, 4]
+ */
+export function paddedPoints(points: readonly number[], pointNumbers: number, length: number): readonly number[] {
+  const padded = [...points];
+  while (padded.length >= pointNumbers && padded.length < length) padded.push(...points.slice(-pointNumbers));
   return padded;
 }
 

@@ -1,11 +1,13 @@
 import type { Curve } from './curve.ts';
-import type { ValueType, WireType } from './wire-types.ts';
+import type { OwnDrawing, ShadowMapUse } from './drawing-options.ts';
+import type { ComputedOutputs } from './expression.ts';
+import type { Gradient } from './gradient.ts';
+import type { TableType, ValueType, WireType } from './wire-types.ts';
 
 /**
  * A node type as data: ports, params, lowering and needs.
  *
- * The editor (canvas, inspector), the compiler (checks, lowering) and the docs share definitions; the behavior is in `runtime.ts`
- * beside it, which only the runtime loads.
+ * The editor, the compiler and the docs share definitions; the behavior is in `runtime.ts` beside it, which only the runtime loads.
  *
  * @example
  * export const definition = defineNode({
@@ -55,6 +57,8 @@ export interface NodeDefinition {
   /** Uniform params that become controls on the visitor's screen if the structure toggle that `by` names is on. */
   readonly visitorParams?: { readonly by: string; readonly params: readonly VisitorParam[] };
   readonly needs?: readonly Need[];
+  /** Only for nodes whose outputs depend on their params alone: how, so that the compiler can compute constants. */
+  readonly computes?: ComputedOutputs;
   /**
    * The name of an input port whose source nodes this node changes, as a physics world moves bodies. The node is then played if such a
    * source is, even if the output does not depend on this node.
@@ -72,10 +76,7 @@ export interface NodeDefinition {
   readonly readsInput?: true;
   /** Element `i` migrates saved params from version `i + 1` to `i + 2`. */
   readonly migrations?: readonly Migration[];
-  /**
-   * Migrations of shader files, which contain no code (`SCRIM_RENAMED` in a header): element `i` renames params from version `i + 1` to `i
-   * + 2`.
-   */
+  /** The same for shader files, which contain no code (`SCRIM_RENAMED` in a header): element `i` renames params. */
   readonly renamed?: readonly Readonly<Record<string, Renamed>>[];
   /** The author, shown in the docs and in the credits of exported pages. */
   readonly credit?: string;
@@ -224,14 +225,11 @@ export interface ChoiceParam extends ParamBase {
   readonly options: readonly { readonly value: string | number; readonly label: string }[];
 }
 
-/**
- * A param whose value is a curve over the unit square (`curve.ts`). A change takes effect at once, but a curve cannot be bound to a wire, a
- * track or an expression.
- */
-export interface CurveParam extends ParamBase {
-  readonly type: 'curve';
+/** A curve over the unit square (`curve.ts`) or a gradient (`gradient.ts`). No wire, track or expression carries one. */
+export interface TableParam extends ParamBase {
+  readonly type: TableType;
   readonly stage: 'uniform';
-  readonly default: Curve;
+  readonly default: Curve | Gradient;
 }
 
 /** A param whose value is the id of an entry of the project's asset table; empty means none. */
@@ -240,22 +238,23 @@ export interface AssetParam extends ParamBase {
   readonly stage: 'asset';
   readonly default: '';
   readonly accept: AssetKind;
-  /** The asset is used only if a structure param has this value. */
+  /** The asset is used only if a structure param has this value; the depth meshes of a capture likewise. */
   readonly where?: { readonly param: string; readonly is: string | number | boolean };
+  readonly depthMeshes?: { readonly param: string; readonly is: string };
 }
 
 /** The kinds of files in the asset table. */
-export const ASSET_KINDS = ['image', 'model', 'video', 'audio', 'environment', 'capture'] as const;
+export const ASSET_KINDS = ['image', 'model', 'video', 'audio', 'environment', 'capture', 'splats'] as const;
 
 /** The kind of a file in the asset table. */
 export type AssetKind = (typeof ASSET_KINDS)[number];
 
 /** A param of any type. */
-export type ParamDefinition = NumberParam | VectorParam | ColorParam | ToggleParam | TextParam | ChoiceParam | CurveParam | AssetParam;
+export type ParamDefinition = NumberParam | VectorParam | ColorParam | ToggleParam | TextParam | ChoiceParam | TableParam | AssetParam;
 
 /**
- * The value of a param while it is bound to nothing else. Numbers in stored units; a vector, a color or a curve is a list of numbers; a
- * choice is the value of its option, an asset its id.
+ * The value of a param while it is bound to nothing else. Numbers in stored units; a vector, a color, a curve or a gradient is a list of
+ * numbers; a choice is the value of its option, an asset its id.
  */
 export type ParamValue = number | boolean | string | readonly number[];
 
@@ -281,7 +280,7 @@ export type Lowering =
   /** Pixels of one layer, changed on the CPU in a worker (`worker.ts` of the node); the output is one frame late (ADR 21). */
   | { readonly kind: 'cpu' }
   /** Creates, arranges or draws objects and lights. It draws if it has a layer output: by three.js, or (`ownDrawing`) by its own program. */
-  | { readonly kind: 'geometry'; readonly shadowMap?: ShadowMapUse; readonly ownDrawing?: true }
+  | { readonly kind: 'geometry'; readonly shadowMap?: ShadowMapUse; readonly ownDrawing?: OwnDrawing }
   /** A custom material from a technique file. `shader` is its name in the library or the project. */
   | { readonly kind: 'technique'; readonly shader: string }
   /** A function of values, evaluated on the CPU once per frame. */
@@ -292,16 +291,6 @@ export type Lowering =
   | { readonly kind: 'behavior' }
   /** The Output node; one per graph. */
   | { readonly kind: 'present' };
-
-/** What determines the shadow maps of a node: its ports of `casters` and `lights`. Nodes with equal wires at these ports share the maps. */
-export interface ShadowMapUse {
-  readonly casters: readonly string[];
-  readonly lights: string;
-  /** A structure toggle that turns the maps off. */
-  readonly enabledBy?: string;
-  /** A structure choice, and the value with which the node uses shadow maps. */
-  readonly chosenBy?: { readonly param: string; readonly value: string };
-}
 
 /** A feature of a session. */
 export type Capability =
@@ -339,10 +328,13 @@ export interface Need {
   readonly without: string;
 }
 
-/** The new name of a param, and the factor on its numbers if its unit has changed. */
+/** The new name of a param, which may be the old one, and what else has changed. */
 export interface Renamed {
   readonly to: string;
+  /** The factor on its numbers if its unit has changed, else 1. */
   readonly times: number;
+  /** The default in the earlier version if it has changed: projects, which store no defaults, keep it. */
+  readonly was?: number | string | boolean | readonly number[];
 }
 
 /** Params as a project file stores them. */
@@ -389,12 +381,12 @@ export function defineNode<const D extends NodeDefinition>(definition: D): D {
 /**
  * The type of the port of a param.
  *
- * @returns Undefined if no wire can be connected: curves, assets and params that recompile.
+ * @returns Undefined if no wire can be connected: curves, gradients, assets and params that recompile.
  *
  * @example
  * paramWireType({ type: 'choice', stage: 'uniform', … }); // 'number'
  */
 export function paramWireType(param: ParamDefinition): ValueType | undefined {
-  if (param.stage !== 'uniform' || param.type === 'curve') return undefined;
+  if (param.stage !== 'uniform' || param.type === 'curve' || param.type === 'gradient') return undefined;
   return param.type === 'choice' ? 'number' : param.type;
 }

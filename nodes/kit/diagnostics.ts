@@ -103,6 +103,7 @@ export const DIAGNOSTICS = {
   SCR073: 'The request was refused',
   SCR074: 'An internal error occurred',
   SCR075: 'The link of the session was opened a second time',
+  SCR077: 'A score of the project misses its limit',
 } as const;
 
 /** The code of a diagnostic. */

@@ -56,3 +56,21 @@ export type ExpressionWord =
   | '!'
   /** The conditional: the second of three numbers if the first is not 0, otherwise the third. */
   | '?:';
+
+/**
+ * How a node computes its outputs from its params, by port. A formula is an expression over the number and toggle params and the components
+ * of vectors and colors (`position.x`, `tint.r`), or a list of expressions for a vector. The name of a param alone is its value, of any
+ * type; for a param that is itself an expression, the value of that. With `by`, the structure choice of this name selects the formula. A
+ * number that is not finite becomes 0. Conversions of colors are functions of `color-math.ts`, called with the values of params.
+ */
+export type ComputedOutputs = Readonly<
+  Record<
+    string,
+    | string
+    | { readonly by: string; readonly of: Readonly<Record<string, string>> }
+    | { readonly call: ColorFunction; readonly params: readonly string[] }
+  >
+>;
+
+/** A function of `color-math.ts` that the compiler can call. */
+export type ColorFunction = 'writeHsvColor' | 'writeAdjustedColor' | 'writeMixedColor';

@@ -8,6 +8,7 @@ import {
   paramWireType,
   type Unit,
 } from './definition.ts';
+import { type Gradient, STOP_NUMBERS } from './gradient.ts';
 import { WIRE_TYPES } from './wire-types.ts';
 
 /**
@@ -71,6 +72,8 @@ export function paramFacts(param: ParamDefinition): readonly string[] {
       ];
     case 'curve':
       return ['curve', param.default.join() === DIAGONAL.join() ? 'default a diagonal line' : `default through ${points(param.default)}`];
+    case 'gradient':
+      return ['gradient', `default ${stops(param.default)}`];
     case 'asset':
       return [`${param.accept} file`];
   }
@@ -128,6 +131,13 @@ function quantity(value: number, unit: Unit | undefined, scaledBy: Unit | undefi
 
 function points(curve: Curve): string {
   return Array.from({ length: curve.length / 2 }, (_, i) => `(${curve[2 * i]}, ${curve[2 * i + 1]})`).join(' ');
+}
+
+function stops(gradient: Gradient): string {
+  return Array.from({ length: gradient.length / STOP_NUMBERS }, (_, i) => {
+    const at = STOP_NUMBERS * i;
+    return `${hex(gradient.slice(at + 1, at + 5))} at ${gradient[at]}`;
+  }).join(', ');
 }
 
 function hex(color: readonly number[]): string {

@@ -2,6 +2,7 @@ import type { AnchorService } from './anchors.ts';
 import type { AssetService } from './assets.ts';
 import type { InputPort, LayerEncoding, NodeDefinition, OutputPort, ParamDefinition } from './definition.ts';
 import type { Diagnostic } from './diagnostics.ts';
+import type { OcclusionView } from './early-occlusion.ts';
 import type { HitRecord, HitSource, HitTest, HitTestOptions, MeasuredRoom } from './hit-test.ts';
 import type { KeptFiles } from './kept-files.ts';
 import type { PixelsView } from './layer-pixels.ts';
@@ -57,6 +58,8 @@ export interface NodeRuntime {
   draw?(view: DrawView): void;
   /** Returns to the initial state. Called when playback was reset or poses are no longer valid. */
   reset?(): void;
+  /** Changes when objects, lights or images of the node may change while params, inputs and view stay (ADR 51). Absent: in every frame. */
+  readonly version?: number;
   /** True if the node keeps its state while a recording repeats, because the visitor has created that state in the room. */
   readonly staysOnRepeat?: true;
   /** Releases all that `create` and later calls have acquired. */
@@ -94,6 +97,8 @@ export interface NodeContext<D extends NodeDefinition> {
   readonly scenes: SceneService;
   readonly session: SessionService;
   readonly workers: WorkerService;
+  /** The occlusion that a node with `ownDrawing.hidesBehindRoom` applies while it draws; null if there is none. */
+  readonly occlusion: OcclusionView | null;
   /** Shows a problem at the node. Use it for mistakes of users; the frame continues. */
   report(diagnostic: Omit<Diagnostic, 'nodeId'>): void;
 }
@@ -359,6 +364,8 @@ export interface UnderLayer {
 /** The view and the target of a `draw` call. */
 export interface DrawView {
   readonly view: ViewFrame;
+  /** False if nothing reads the depth of the layer, which the node then need not write. */
+  readonly readsDepth?: boolean;
   readonly viewIndex: number;
   readonly framebuffer: WebGLFramebuffer | null;
   /** The image behind the layer. Absent or null: there is none. */

@@ -29,6 +29,8 @@ export interface ShadowCatcherLook {
   readonly volumesOf?: readonly ObjectList[];
   /** While `glow.on` is true, light is drawn around objects instead of shadows; shadows interrupt this light. Only with shadow maps. */
   readonly glow?: ShadowGlow;
+  /** Draws shadows as strokes; absent: evenly. Only with shadow maps. */
+  readonly strokes?: ShadowStrokes;
   /**
    * Room depth, and how far behind it a receiver may be and still receive shadows. Real surfaces receive shadows of shadow maps where
    * there is no receiver; receivers behind them receive none.
@@ -59,4 +61,25 @@ export interface ShadowGlow {
    * meters.
    */
   readonly sizes: Float32Array;
+}
+
+/** The most objects toward which the strokes of a shadow get denser. */
+export const MAX_STROKE_CASTERS = 16;
+
+/** Strokes of a shadow, which lie on the surface that receives it. The node that owns them changes them every frame. */
+export interface ShadowStrokes {
+  /** Distance between strokes on screen, pixels. */
+  readonly spacingPx: NumberView;
+  /** Angle of the strokes of the first light on a surface, radians. Each further light has another direction. */
+  readonly turn: NumberView;
+  /** Strength of the line around the shadow, from 0 to 1. */
+  readonly contour: NumberView;
+  /** Distance from an object over which strokes get sparser, meters. */
+  readonly contactM: NumberView;
+  /** The number of objects. */
+  count: number;
+  /** For each object, an upright cylinder around it: center of the base and radius; world space, meters. */
+  readonly places: Float32Array;
+  /** The height of each cylinder, meters. */
+  readonly heights: Float32Array;
 }

@@ -19,9 +19,9 @@ export interface TechniqueView {
   readonly fragment: string;
   /**
    * The passes in which each object is drawn, in order, with the sides of its surface that a pass shows. `object`: those that its own
-   * material shows.
+   * material shows. `edges` draws edges as lines; a `dense` pass is drawn instead where a mesh has too many edges.
    */
-  readonly passes: readonly { readonly side: 'object' | 'front' | 'back' | 'both' }[];
+  readonly passes: readonly { readonly side: 'object' | 'front' | 'back' | 'both' | 'edges'; readonly dense?: true }[];
   /** The uniforms with their live values: read them every frame. Colors are display-referred sRGB, as in params. */
   readonly uniforms: readonly TechniqueUniformView[];
   /** The layers and images that the technique reads, by the name of their uniform. */

@@ -65,6 +65,9 @@ export const WIRE_TYPES = {
 /** The type of a wire and of a port. */
 export type WireType = keyof typeof WIRE_TYPES;
 
+/** The types of params that shaders read from a texture. */
+export type TableType = 'curve' | 'gradient';
+
 /** Wire types that carry plain values; they are stored in value slots and can be bound to params. */
 export type ValueType = 'number' | 'vector2' | 'vector3' | 'vector4' | 'color' | 'toggle' | 'text';
 

@@ -57,6 +57,7 @@ const ON_SUBGRAPH = ['graph.enter', 'graph.save', 'graph.independent', 'graph.un
 const ON_WIRE_OR_ITEM = { wire: ['graph.reroute', 'graph.add', 'line', 'edit.delete'], item: ['edit.delete'] } as const;
 const ON_PANE = [
   'graph.add',
+  'graph.new-filter',
   'graph.import-shadertoy',
   'graph.frame',
   'graph.note',

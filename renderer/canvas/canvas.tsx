@@ -41,6 +41,8 @@ const NODE_TYPES = { scrim: NodeView, frame: FrameView, note: NoteView, reroute:
 const WIRE_VIEWS = { scrim: WireView };
 const NO_WIRES: CanvasWire[] = [];
 const SNAP: [number, number] = [8, 8];
+/** A smaller graph is seen whole, and the minimap would cover part of it. */
+const FEWEST_ON_MINIMAP = 12;
 const ARIA_LABELS = {
   'node.a11yDescription.default': 'Enter selects the node, arrow keys move it, Delete removes it. Its wires are in the inspector.',
   'edge.a11yDescription.default': 'Enter selects the wire, R adds a reroute to it, Delete removes it.',
@@ -127,15 +129,17 @@ function CanvasInside() {
             aria-label="Graph"
           >
             <Background variant={BackgroundVariant.Dots} gap={24} size={1.2} color="var(--canvas-dot)" />
-            <MiniMap<AnyNode>
-              position="bottom-right"
-              pannable
-              zoomable
-              ariaLabel="Minimap"
-              nodeColor={minimapColor}
-              nodeBorderRadius={6}
-              maskColor="var(--minimap-mask)"
-            />
+            {nodes.length >= FEWEST_ON_MINIMAP && (
+              <MiniMap<AnyNode>
+                position="bottom-right"
+                pannable
+                zoomable
+                ariaLabel="Minimap"
+                nodeColor={minimapColor}
+                nodeBorderRadius={6}
+                maskColor="var(--minimap-mask)"
+              />
+            )}
             <CanvasControls />
             <ConnectionHint />
             <Breadcrumb />

@@ -2,9 +2,14 @@ import { type DragEvent, useMemo, useState } from 'react';
 import type { Place } from '../state/editor/canvas-state.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 import { addFiles } from '../state/files/add-files.ts';
+import { addAssetToGraph } from '../state/files/edit-assets.ts';
+import { ASSET_DRAG } from '../state/graph/place-asset.ts';
 import { addFromLibrary, NODE_TYPE_DRAG } from '../state/graph/subgraph-library.ts';
 
-/** Drop target of the canvas: models, images, shaders and nodes of the library become nodes where they are dropped. */
+/** Drags that begin in the editor. */
+const OWN_DRAGS = [NODE_TYPE_DRAG, ASSET_DRAG];
+
+/** Drop target of the canvas: models, images, shaders, assets of the project and nodes of the library become nodes where they are dropped. */
 export function useFileDrop(toCanvas: (client: Place) => Place) {
   const editor = useEditor();
   const [over, setOver] = useState(false);
@@ -12,7 +17,7 @@ export function useFileDrop(toCanvas: (client: Place) => Place) {
     () => ({
       onDragOver: (event: DragEvent) => {
         const files = event.dataTransfer.types.includes('Files');
-        if (!files && !event.dataTransfer.types.includes(NODE_TYPE_DRAG)) return;
+        if (!files && !OWN_DRAGS.some((type) => event.dataTransfer.types.includes(type))) return;
         event.preventDefault();
         event.dataTransfer.dropEffect = 'copy';
         setOver(files);
@@ -22,11 +27,13 @@ export function useFileDrop(toCanvas: (client: Place) => Place) {
       },
       onDrop: (event: DragEvent) => {
         const type = event.dataTransfer.getData(NODE_TYPE_DRAG);
-        if (type === '' && !event.dataTransfer.types.includes('Files')) return;
+        const asset = event.dataTransfer.getData(ASSET_DRAG);
+        if (type === '' && asset === '' && !event.dataTransfer.types.includes('Files')) return;
         event.preventDefault();
         setOver(false);
         const place = toCanvas({ x: event.clientX, y: event.clientY });
-        if (type === '') void addFiles(editor, [...event.dataTransfer.files], place);
+        if (asset !== '') addAssetToGraph(editor, asset, place);
+        else if (type === '') void addFiles(editor, [...event.dataTransfer.files], place);
         else addFromLibrary(editor, type, place);
       },
     }),

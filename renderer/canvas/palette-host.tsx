@@ -1,16 +1,20 @@
-import { type RefObject, useMemo } from 'react';
+import { type RefObject, useCallback, useEffect, useMemo } from 'react';
 import { useStore } from 'zustand';
 import { usesGraph } from '../../export/graph/commands/node-commands.ts';
 import { subgraphName } from '../../export/graph/document-names.ts';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
+import { endCandidate } from '../state/editor/candidate-state.ts';
 import type { Place } from '../state/editor/canvas-state.ts';
 import { nodeOf } from '../state/editor/document.ts';
 import type { Editor } from '../state/editor/editor.ts';
 import { useEditor, useNodeTypes } from '../state/editor/editor-context.ts';
 import type { PaletteRequest } from '../state/editor/ui.ts';
+import { continuationOf } from '../state/graph/continue-after.ts';
 import { addNodeFromPalette, swapType } from '../state/graph/edit-graph.ts';
 import { portsThrough, wireTypes } from '../state/graph/insert-on-wire.ts';
 import { NODE_WIDTH } from '../state/graph/node-shape.ts';
+import { candidateOf } from '../state/graph/palette-candidates.ts';
+import type { PaletteEntry } from '../state/graph/palette-search.ts';
 import { recipesOf } from '../state/graph/recipes.ts';
 import { Palette } from './palette.tsx';
 
@@ -30,8 +34,17 @@ export function PaletteHost({ toCanvas, canvas }: PaletteHostProps) {
     const all = [...library.types()].flatMap((type) => library.definition(type) ?? []);
     return request === null ? all : offered(editor, request, all);
   }, [editor, library, request]);
+  const showCandidate = useCallback(
+    (entry: PaletteEntry | null) => {
+      const project = entry && request && candidateOf(editor, entry, request);
+      if (project !== editor.candidate.getState().project) editor.candidate.setState({ project });
+    },
+    [editor, request],
+  );
+  useEffect(() => () => endCandidate(editor), [editor]);
   if (request === null) return null;
   const close = (added: string | null) => {
+    endCandidate(editor);
     editor.ui.setState({ palette: null });
     // The focus moves to the new node or to the canvas, unless another element has taken it by then.
     editor.clock.nextFrame(() => {
@@ -46,12 +59,19 @@ export function PaletteHost({ toCanvas, canvas }: PaletteHostProps) {
       end={request.end}
       at={request.at}
       purpose={purposeOf(request)}
+      onPoint={showCandidate}
       onClose={() => close(null)}
       onChoose={(entry) => {
         const { end, wire, swap } = request;
         if (swap !== undefined) {
           swapType(editor, swap, entry.definition.type);
           close(swap);
+          return;
+        }
+        const next = request.after === undefined ? null : continuationOf(editor, request.after, entry.definition);
+        if (next) {
+          const [chosen, dragged, through] = 'wire' in next ? [entry, null, next.wire] : [{ ...entry, port: next.port }, next.end, null];
+          close(addNodeFromPalette(editor, chosen, next.place, dragged, through));
           return;
         }
         const place = request.place ?? toCanvas(middleOf(canvas.current));

@@ -6,6 +6,7 @@ import { DocText } from '../ui/doc-text.tsx';
 import { Icon } from '../ui/icon.tsx';
 import './palette.css';
 import type { OpenEnd } from '../state/editor/canvas-state.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
 import { mainType } from '../state/graph/node-shape.ts';
 import { categoryOf, type PaletteEntry, searchPalette } from '../state/graph/palette-search.ts';
 import { PortMark } from './port-mark.tsx';
@@ -18,18 +19,26 @@ interface PaletteProps {
   readonly at: { readonly x: number; readonly y: number };
   /** Placeholder of the search field; null when the choice adds a plain new node. */
   readonly purpose?: string | null;
+  /** Called when the pointer or a key rests on an entry, so that the preview shows it. Null: on none. */
+  readonly onPoint: (entry: PaletteEntry | null) => void;
   readonly onChoose: (entry: PaletteEntry) => void;
   readonly onClose: () => void;
 }
+
+/** Pause at an entry before the preview shows it. */
+const REST_MS = 150;
 
 const WIDTH_PX = 560;
 const HEIGHT_PX = 372;
 const EDGE_PX = 12;
 
 /** Searches node types by name, and shows docs and ports of the selected one. Arrow keys select, Enter chooses. */
-export function Palette({ definitions, end, at, purpose = null, onChoose, onClose }: PaletteProps) {
+export function Palette({ definitions, end, at, purpose = null, onPoint, onChoose, onClose }: PaletteProps) {
   const [query, setQuery] = useState('');
   const [chosen, setChosen] = useState(0);
+  /** Whether the person has pointed at an entry; the palette opens with the first one chosen. */
+  const [pointed, setPointed] = useState(false);
+  const { clock } = useEditor();
   const root = useRef<HTMLDivElement>(null);
   const listId = useId();
   const entries = useMemo(() => searchPalette(definitions, query, end), [definitions, query, end]);
@@ -52,10 +61,17 @@ export function Palette({ definitions, end, at, purpose = null, onChoose, onClos
     root.current?.querySelector(`[data-index="${chosen}"]`)?.scrollIntoView({ block: 'nearest' });
   }, [chosen]);
 
+  const resting = pointed ? (current ?? null) : null;
+  useEffect(() => clock.after(REST_MS, () => onPoint(resting)), [clock, onPoint, resting]);
+
+  const choose = (index: number) => {
+    setChosen(index);
+    setPointed(true);
+  };
   const onKeyDown = (event: KeyboardEvent) => {
     const last = entries.length - 1;
-    if (event.key === 'ArrowDown') setChosen(chosen >= last ? 0 : chosen + 1);
-    else if (event.key === 'ArrowUp') setChosen(chosen <= 0 ? last : chosen - 1);
+    if (event.key === 'ArrowDown') choose(chosen >= last ? 0 : chosen + 1);
+    else if (event.key === 'ArrowUp') choose(chosen <= 0 ? last : chosen - 1);
     else if (event.key === 'Enter' && current) onChoose(current);
     else if (event.key === 'Escape' || event.key === 'Tab') onClose();
     else return;
@@ -81,7 +97,7 @@ export function Palette({ definitions, end, at, purpose = null, onChoose, onClos
           value={query}
           onChange={(event) => {
             setQuery(event.target.value);
-            setChosen(0);
+            choose(0);
           }}
           onKeyDown={onKeyDown}
         />
@@ -98,7 +114,7 @@ export function Palette({ definitions, end, at, purpose = null, onChoose, onClos
               selected={entry === current}
               heading={query === '' && categoryOf(entry.definition) !== categoryOf(entries[index - 1]?.definition ?? entry.definition)}
               first={query === '' && index === 0}
-              onPoint={() => setChosen(index)}
+              onPoint={() => choose(index)}
               onChoose={() => onChoose(entry)}
             />
           ))}

@@ -68,6 +68,10 @@ describe('the canvas as data', () => {
     const [node] = createCanvasProjection()({ ...input, assets }).nodes;
     expect(node?.data.title).toBe('fox.glb');
     expect(node?.ariaLabel).toBe('Model, fox.glb');
+    const captures = { 'place-aaaa': { type: 'source/capture', version: 1, params: { file: { value: 'kitchen' } } } };
+    const more = { kitchen: { path: 'assets/kitchen.capture/capture.json', kind: 'capture' as const } };
+    const [place] = createCanvasProjection()({ ...input, graph: { ...GRAPH, nodes: captures, wires: [] }, assets: more }).nodes;
+    expect(place?.data.title).toBe('kitchen');
   });
 
   test('thumbnails take the free space below their nodes', () => {

@@ -2,6 +2,7 @@ import type { Node, NodeHandle } from '@xyflow/react';
 import { subgraphName } from '../../export/graph/document-names.ts';
 import type { GraphNode, NodeLayout, Project, Wire } from '../../export/graph/project.ts';
 import { getOwn } from '../../export/graph/record.ts';
+import { CAPTURE_FILE } from '../../nodes/kit/capture.ts';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 import type { WireType } from '../../nodes/kit/wire-types.ts';
 import { mainType, type NodeShape, nodeShape, PORT_SIZE, portCenter, unknownShape } from '../state/graph/node-shape.ts';
@@ -177,7 +178,10 @@ function fileOf({ type, params }: GraphNode, definition: NodeDefinition | undefi
   const [name, ...others] = Object.keys(definition.params).filter((param) => definition.params[param]?.type === 'asset');
   const binding = name === undefined || others.length > 0 ? undefined : params[name];
   const path = binding && 'value' in binding ? getOwn(assets, String(binding.value))?.path : undefined;
-  return path?.slice(path.lastIndexOf('/') + 1) ?? null;
+  if (path === undefined) return null;
+  const [folder, file = folder] = path.split('/').slice(-2);
+  // All captures have a document of the same name.
+  return (file === CAPTURE_FILE ? folder?.replace(/\.capture$/, '') : file) ?? null;
 }
 
 function ariaLabel({ title, typeTitle, subgraph, muted, problem }: NodeData): string {

@@ -11,7 +11,20 @@ import { HeaderField } from './header-field.tsx';
 import { numbersOf, textOfField, wordsOf } from './header-text.ts';
 
 /** Input types of ISF files and of techniques, in the order of the menu. */
-export const INPUT_TYPES = ['float', 'color', 'bool', 'long', 'point2D', 'image', 'event', 'audio', 'audioFFT', 'depth', 'curve'] as const;
+export const INPUT_TYPES = [
+  'float',
+  'color',
+  'bool',
+  'long',
+  'point2D',
+  'image',
+  'event',
+  'audio',
+  'audioFFT',
+  'depth',
+  'curve',
+  'gradient',
+] as const;
 export const TECHNIQUE_TYPES = ['float', 'color', 'bool', 'long', 'point2D', 'image'] as const;
 
 interface HeaderInputProps {

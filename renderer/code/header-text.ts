@@ -68,6 +68,8 @@ export function newInput(type: string, taken: readonly string[]): HeaderFields {
       return { NAME: freeInputName('place', taken), TYPE: type, LABEL: 'Place', MIN: [0, 0], MAX: [1, 1], DEFAULT: [0.5, 0.5] };
     case 'curve':
       return { NAME: freeInputName('curve', taken), TYPE: type, LABEL: 'Curve' };
+    case 'gradient':
+      return { NAME: freeInputName('gradient', taken), TYPE: type, LABEL: 'Gradient' };
     default:
       return { NAME: freeInputName(type === 'image' ? 'inputImage' : type, taken), TYPE: type };
   }

@@ -3,7 +3,9 @@ import { oneAsset } from '../../nodes/kit/asset-words.ts';
 import type { AssetKind } from '../../nodes/kit/definition.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { acceptedNames, type FileKind, importAsset } from '../state/files/add-files.ts';
+import { nameOf } from '../state/files/edit-assets.ts';
 import { IconButton } from '../ui/button.tsx';
+import { SelectField } from '../ui/select-field.tsx';
 
 interface AssetPickerProps {
   readonly id: string;
@@ -12,24 +14,23 @@ interface AssetPickerProps {
   /** Id of an asset; empty if there is none. */
   readonly value: string;
   readonly onChoose: (asset: string) => void;
+  /** Called with the asset that the pointer or a key rests on; null for the chosen one, and when the list closes. */
+  readonly onPoint: (asset: string | null) => void;
 }
 
 /** Chooses an asset of one kind, or imports one. */
-export function AssetPicker({ id, label, kind, value, onChoose }: AssetPickerProps) {
+export function AssetPicker({ id, label, kind, value, onChoose, onPoint }: AssetPickerProps) {
   const assets = useDocument((state) => state.project.assets);
   const choices = Object.entries(assets).filter(([, asset]) => asset.kind === kind);
   const missing = value !== '' && !choices.some(([asset]) => asset === value);
+  const options = [
+    { value: '', label: 'None' },
+    ...(missing ? [{ value, label: `${value} (missing)` }] : []),
+    ...choices.map(([asset, { path }]) => ({ value: asset, label: nameOf(path) })),
+  ];
   return (
     <div className="asset-picker">
-      <select id={id} className="select" aria-label={label} value={value} onChange={(event) => onChoose(event.target.value)}>
-        <option value="">None</option>
-        {missing && <option value={value}>{value} (missing)</option>}
-        {choices.map(([asset, { path }]) => (
-          <option key={asset} value={asset}>
-            {path.replace(/^assets\//, '')}
-          </option>
-        ))}
-      </select>
+      <SelectField {...{ id, label, value, options, onChoose, onPoint }} />
       {kind !== 'capture' && <FileButton kind={kind} label={label} onChoose={onChoose} />}
     </div>
   );
@@ -51,8 +52,8 @@ function FileButton({ kind, label, onChoose }: FileButtonProps) {
         type="file"
         hidden
         accept={acceptedNames(kind)}
-        // A glTF model may consist of several files.
-        multiple={kind === 'model'}
+        // A glTF model and splats may consist of several files.
+        multiple={kind === 'model' || kind === 'splats'}
         aria-label={`Import for ${label}`}
         onChange={async (event) => {
           const files = [...(event.target.files ?? [])];

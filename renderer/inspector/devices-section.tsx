@@ -6,14 +6,7 @@ import { goToNode, placeOnPath } from '../state/graph/graph-path.ts';
 import { playDevice } from '../state/preview/play-device.ts';
 import { IconButton } from '../ui/button.tsx';
 import './devices-section.css';
-
-const TIERS: Readonly<Record<DeviceRow['tier'], string>> = {
-  'ar-camera': 'AR with camera access',
-  ar: 'AR',
-  camera: 'Camera, no AR',
-  'authored-vr': 'VR',
-  orbit: 'Orbit view',
-};
+import { tierWords } from './tier-words.ts';
 
 /** What the page shows on each kind of device, and which nodes lose something there. */
 export function DevicesSection() {
@@ -55,7 +48,7 @@ function Row({ row }: { readonly row: DeviceRow }) {
         />
       </div>
       <p className={worthless ? 'device-tier device-worthless' : 'device-tier'}>
-        {TIERS[tier]}
+        {tierWords(tier)}
         {display === 'additive' && ', additive display'}
         {worthless ? ': a required feature is missing.' : lost.length === 0 && unseen.length === 0 && ': everything works.'}
       </p>

@@ -51,5 +51,7 @@ export function TrackField({ id, node, name, param, track }: TrackFieldProps) {
   const editor = useEditor();
   const timeS = useStore(editor.preview, timeOf);
   const gesture = useUndoGroup((value) => void editAt(editor, node, name, timeOf(editor.preview.getState()), value));
-  return <ParamControl id={id} param={param} value={valueAt(param, track, timeS)} {...gesture} onExpression={() => false} />;
+  return (
+    <ParamControl id={id} param={param} value={valueAt(param, track, timeS)} {...gesture} onExpression={() => false} onPoint={() => {}} />
+  );
 }

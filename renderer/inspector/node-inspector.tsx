@@ -22,7 +22,12 @@ import { ExposedSection } from './exposed-section.tsx';
 import { InputsSection } from './inputs-section.tsx';
 import { LampsSection } from './lamps-section.tsx';
 import { ParamRow } from './param-row.tsx';
+import { PassesSection } from './passes-section.tsx';
 import { SubgraphSection } from './subgraph-section.tsx';
+import { TrueSizeSection } from './true-size-section.tsx';
+
+/** Nodes that show a place of the real world, whose file may not have its true size. */
+const HAS_TRUE_SIZE = new Set(['source/capture', 'source/splats']);
 
 export function NodeInspector({ id }: { readonly id: string }) {
   const node = useDocument((state) => nodeOf(state, id));
@@ -48,7 +53,9 @@ export function NodeInspector({ id }: { readonly id: string }) {
       <InputsSection node={id} definition={definition} wires={wires} />
       {node.type === LAMPS_TYPE && <LampsSection id={id} />}
       <Params id={id} definition={definition} params={node.params} sourceOf={(name) => wires.find(({ to }) => to.port === name)?.from} />
+      {HAS_TRUE_SIZE.has(node.type) && <TrueSizeSection id={id} />}
       <ExposedSection node={id} definition={definition} />
+      {definition.lowering.kind === 'image' && <PassesSection id={id} />}
       {node.unfused === true && <Unfused />}
       <Facts definition={definition} />
     </>

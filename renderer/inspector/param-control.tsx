@@ -3,20 +3,24 @@ import type {
   AssetParam,
   ChoiceParam,
   ColorParam,
-  CurveParam,
   NumberParam,
   ParamDefinition,
   ParamValue,
+  TableParam,
   TextParam,
   ToggleParam,
   VectorParam,
 } from '../../nodes/kit/definition.ts';
+import { type Gradient, gradientMisfit } from '../../nodes/kit/gradient.ts';
 import { ColorField } from '../ui/color-field.tsx';
 import type { Rgba } from '../ui/color-text.ts';
 import { CurveField } from '../ui/curve-field.tsx';
+import { GradientField } from '../ui/gradient-field.tsx';
 import { type EditHandlers, NumberField } from '../ui/number-field.tsx';
+import { SelectField } from '../ui/select-field.tsx';
 import { Slider } from '../ui/slider.tsx';
 import { AssetPicker } from './asset-picker.tsx';
+import { ColorSwatches } from './color-swatches.tsx';
 import './inspector.css';
 import { EyedropperButton } from '../preview-panel/eyedropper-button.tsx';
 import { clampTo, formatNumber, rangeOf, shownUnit } from '../state/params/units.ts';
@@ -29,6 +33,14 @@ interface ControlProps<P extends ParamDefinition> extends Required<EditHandlers<
   readonly id: string;
   /** Called with an expression typed in place of a number, without its `=`. Returns false if it is invalid. */
   readonly onExpression: (text: string) => boolean;
+  /** Called with a choice that the pointer or a key rests on; null: with none. */
+  readonly onPoint: (value: ParamValue | null) => void;
+}
+
+/** Classes of the row of a param: controls that need it have the whole width. */
+export function rowClass({ type }: ParamDefinition): string {
+  if (type === 'curve') return 'param-row param-row-curve';
+  return type.startsWith('vector') || type === 'color' || type === 'gradient' ? 'param-row param-row-wide' : 'param-row';
 }
 
 /** The control for the type of a param. Independent of node types. */
@@ -50,12 +62,14 @@ export function ParamControl({ param, ...rest }: ControlProps<ParamDefinition>) 
       return <ChoiceControl param={param} {...rest} />;
     case 'curve':
       return <CurveControl param={param} {...rest} />;
+    case 'gradient':
+      return <GradientControl param={param} {...rest} />;
     case 'asset':
       return <AssetControl param={param} {...rest} />;
   }
 }
 
-function NumberControl({ param, value, id, onExpression, ...gesture }: ControlProps<NumberParam>) {
+function NumberControl({ param, value, id, onExpression, onPoint: _, ...gesture }: ControlProps<NumberParam>) {
   const { suffix, shownPerStored } = shownUnit(param.unit);
   const range = rangeOf(param);
   const stored = Number(value);
@@ -129,7 +143,7 @@ function asList(text: string, parts: readonly number[], index: number): string {
   return text.startsWith('[') ? text : `[${parts.map((part, i) => (i === index ? text : String(part))).join(', ')}]`;
 }
 
-function ColorControl({ param, value, onEdit, onEnd, onCancel }: ControlProps<ColorParam>) {
+function ColorControl({ param, value, onEdit, onEnd, onCancel, onPoint }: ControlProps<ColorParam>) {
   const [r = 0, g = 0, b = 0, a = 1] = Array.isArray(value) ? (value as readonly number[]) : param.default;
   const color: Rgba = [r, g, b, a];
   const eyedropper = (
@@ -141,7 +155,20 @@ function ColorControl({ param, value, onEdit, onEnd, onCancel }: ControlProps<Co
       }}
     />
   );
-  return <ColorField label={param.label} value={color} eyedropper={eyedropper} onEdit={onEdit} onEnd={onEnd} onCancel={onCancel} />;
+  return (
+    <div className="color-control">
+      <ColorField label={param.label} value={color} eyedropper={eyedropper} onEdit={onEdit} onEnd={onEnd} onCancel={onCancel} />
+      <ColorSwatches
+        label={param.label}
+        value={color}
+        onPoint={onPoint}
+        onChoose={(chosen) => {
+          onEdit([...chosen]);
+          onEnd();
+        }}
+      />
+    </div>
+  );
 }
 
 function ToggleControl({ param, value, id, onEdit, onEnd }: ControlProps<ToggleParam>) {
@@ -175,40 +202,41 @@ function TextControl({ param, value, id, onEdit, onEnd }: ControlProps<TextParam
   );
 }
 
-function ChoiceControl({ param, value, id, onEdit, onEnd }: ControlProps<ChoiceParam>) {
+function ChoiceControl({ param, value, id, onEdit, onEnd, onPoint }: ControlProps<ChoiceParam>) {
   return (
-    <select
+    <SelectField
       id={id}
-      className="select"
-      aria-label={param.label}
-      value={String(value)}
-      onChange={(event) => {
-        const option = param.options.find((candidate) => String(candidate.value) === event.target.value);
-        if (option) onEdit(option.value);
+      label={param.label}
+      value={value as string | number}
+      options={param.options}
+      onPoint={onPoint}
+      onChoose={(option) => {
+        onEdit(option);
         onEnd();
       }}
-    >
-      {param.options.map((option) => (
-        <option key={option.value} value={String(option.value)}>
-          {option.label}
-        </option>
-      ))}
-    </select>
+    />
   );
 }
 
-function CurveControl({ param, value, id, onExpression: _, ...gesture }: ControlProps<CurveParam>) {
+function CurveControl({ param, value, id, onExpression: _, onPoint: _point, ...gesture }: ControlProps<TableParam>) {
   const curve = curveMisfit(value) === null ? (value as Curve) : param.default;
   return <CurveField id={id} label={param.label} value={curve} {...gesture} />;
 }
 
-function AssetControl({ param, value, id, onEdit, onEnd }: ControlProps<AssetParam>) {
+function GradientControl({ param, value, id: _id, onExpression: _, onPoint: _point, ...gesture }: ControlProps<TableParam>) {
+  const gradient = gradientMisfit(value) === null ? (value as Gradient) : param.default;
+  const eyedropper = (take: (rgb: readonly [number, number, number]) => void) => <EyedropperButton label={param.label} onTake={take} />;
+  return <GradientField label={param.label} value={gradient} eyedropper={eyedropper} {...gesture} />;
+}
+
+function AssetControl({ param, value, id, onEdit, onEnd, onPoint }: ControlProps<AssetParam>) {
   return (
     <AssetPicker
       id={id}
       label={param.label}
       kind={param.accept}
       value={String(value)}
+      onPoint={onPoint}
       onChoose={(asset) => {
         onEdit(asset);
         onEnd();

@@ -7,12 +7,13 @@ import { useEditor } from '../state/editor/editor-context.ts';
 import { bindExpression } from '../state/params/bind-params.ts';
 import { editParam, resetParam } from '../state/params/edit-params.ts';
 import { isAnimatable } from '../state/params/keyframes.ts';
+import { showParamCandidate } from '../state/params/param-candidates.ts';
 import { shownUnit } from '../state/params/units.ts';
 import { boundValue } from '../state/params/value-text.ts';
 import { IconButton } from '../ui/button.tsx';
 import { ExpressionField } from './expression-field.tsx';
 import { KeyButton, TrackField } from './key-button.tsx';
-import { ParamControl } from './param-control.tsx';
+import { ParamControl, rowClass } from './param-control.tsx';
 import { ParamMenu } from './param-menu.tsx';
 import { SourceLink } from './source-link.tsx';
 
@@ -58,7 +59,7 @@ export const ParamRow = memo(function ParamRow({ node, name, param, binding, sou
   return (
     <fieldset
       ref={row}
-      className={`param-row${isVector || param.type === 'color' ? ' param-row-wide' : param.type === 'curve' ? ' param-row-curve' : ''}`}
+      className={rowClass(param)}
       aria-label={param.label}
       data-param={name}
       data-changed={changed ? '' : undefined}
@@ -92,6 +93,7 @@ export const ParamRow = memo(function ParamRow({ node, name, param, binding, sou
             value={boundValue(param, binding)}
             {...gesture}
             onExpression={(text) => bindExpression(editor, node, name, text)}
+            onPoint={(choice) => showParamCandidate(editor, [node], name, choice)}
           />
         )}
       </div>

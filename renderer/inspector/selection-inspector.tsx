@@ -6,9 +6,10 @@ import { useUndoGroup } from '../state/document/use-undo-group.ts';
 import { graphOf, titleOf } from '../state/editor/document.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { selectOnly } from '../state/editor/selection.ts';
+import { showParamCandidate } from '../state/params/param-candidates.ts';
 import { editShared, type SharedParam, sharedParams } from '../state/params/shared-params.ts';
 import { Button } from '../ui/button.tsx';
-import { ParamControl } from './param-control.tsx';
+import { ParamControl, rowClass } from './param-control.tsx';
 
 /** Inspector of several selected nodes: their types, the params that they share, and actions on all of them. */
 export function SelectionInspector() {
@@ -67,18 +68,20 @@ function SharedRow({ nodes, shared }: { readonly nodes: readonly string[]; reado
   const id = useId();
   const { param, value, mixed } = shared;
   const gesture = useUndoGroup((next) => void editShared(editor, nodes, shared, next));
-  const isWide = param.type.startsWith('vector') || param.type === 'color';
   return (
-    <fieldset
-      className={`param-row${isWide ? ' param-row-wide' : param.type === 'curve' ? ' param-row-curve' : ''}`}
-      aria-label={param.label}
-      data-param={shared.name}
-    >
+    <fieldset className={rowClass(param)} aria-label={param.label} data-param={shared.name}>
       <label htmlFor={id} className="param-label" data-tip={param.doc}>
         <span>{param.label}</span>
       </label>
       <div className="param-control">
-        <ParamControl id={id} param={param} value={value} {...gesture} onExpression={() => false} />
+        <ParamControl
+          id={id}
+          param={param}
+          value={value}
+          {...gesture}
+          onExpression={() => false}
+          onPoint={(choice) => showParamCandidate(editor, nodes, shared.name, choice)}
+        />
       </div>
       <span className="param-actions">
         {mixed && (

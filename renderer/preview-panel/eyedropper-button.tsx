@@ -1,20 +1,21 @@
 import { useEffect, useRef } from 'react';
 import { useStore } from 'zustand';
 import { useEditor } from '../state/editor/editor-context.ts';
-import type { ColorRequest } from '../state/editor/viewer.ts';
+import type { PickRequest } from '../state/editor/viewer.ts';
 import { Icon } from '../ui/icon.tsx';
 
 interface EyedropperButtonProps {
   /** Label of the param that gets the color. */
   readonly label: string;
-  readonly onTake: ColorRequest['take'];
+  /** Called with display-referred sRGB, each component in [0, 1]. */
+  readonly onTake: (color: readonly [number, number, number]) => void;
 }
 
 /** Toggles the eyedropper, which picks a color from the preview. */
 export function EyedropperButton({ label, onTake }: EyedropperButtonProps) {
   const { viewer } = useEditor();
   const button = useRef<HTMLButtonElement>(null);
-  const mine = useRef<ColorRequest | null>(null);
+  const mine = useRef<PickRequest | null>(null);
   const picking = useStore(viewer, (state) => state.picking !== null && state.picking === mine.current);
   const take = useRef(onTake);
   take.current = onTake;
@@ -25,7 +26,8 @@ export function EyedropperButton({ label, onTake }: EyedropperButtonProps) {
     [viewer],
   );
   const press = () => {
-    mine.current = picking ? null : { label, take: (color) => take.current(color), onEnd: () => button.current?.focus() };
+    const takeColor: PickRequest['take'] = ({ color: [r, g, b] }) => take.current([r / 255, g / 255, b / 255]);
+    mine.current = picking ? null : { label, what: 'color', layer: null, take: takeColor, onEnd: () => button.current?.focus() };
     viewer.setState({ picking: mine.current, probed: null });
   };
   const words = `${label}: pick from the preview`;

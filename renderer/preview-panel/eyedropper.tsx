@@ -2,7 +2,7 @@ import { type KeyboardEvent, type MouseEvent, useEffect, useLayoutEffect, useRef
 import { useStore } from 'zustand';
 import type { PreviewProbe } from '../preview-protocol.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
-import type { ColorRequest } from '../state/editor/viewer.ts';
+import type { PickRequest } from '../state/editor/viewer.ts';
 import { usePreviewSync } from '../state/preview-sync/preview-sync-context.ts';
 import './eyedropper.css';
 
@@ -26,27 +26,30 @@ const STEPS: Readonly<Record<string, readonly [x: number, y: number]>> = {
 };
 
 /**
- * Overlay that picks a color from the preview, with a magnifier. A click or Enter picks, arrow keys move by pixels, Escape cancels. No input
+ * Overlay that picks a color or a point from the preview, with a magnifier. A click or Enter picks, arrow keys move by pixels, Escape cancels. No input
  * reaches the preview.
  */
-export function Eyedropper({ request }: { readonly request: ColorRequest }) {
+export function Eyedropper({ request }: { readonly request: PickRequest }) {
   const { viewer, preview } = useEditor();
   const previewSync = usePreviewSync();
-  const layer = useRef<HTMLDivElement>(null);
+  const overlay = useRef<HTMLDivElement>(null);
+  const { layer } = request;
   const [at, setAt] = useState<Point>({ x: 0.5, y: 0.5 });
   const [taking, setTaking] = useState<Point | null>(null);
   const probed = useStore(viewer, (state) => state.probed);
 
   useEffect(() => {
-    layer.current?.focus({ preventScroll: true });
+    overlay.current?.focus({ preventScroll: true });
   }, []);
-  useEffect(() => previewSync.send({ kind: 'probe', ...at, layer: null, aroundPx: AROUND_PX }), [previewSync, at]);
+  useEffect(
+    () => previewSync.send({ kind: 'probe', ...at, layer, ofLayer: layer !== null, aroundPx: AROUND_PX }),
+    [previewSync, at, layer],
+  );
   useEffect(() => {
     // Picks the color that the magnifier shows, also while the preview plays.
     if (taking === null || probed === null || probed.x !== taking.x || probed.y !== taking.y) return;
-    const [r, g, b] = probed.color;
     viewer.setState({ picking: null, probed: null });
-    request.take([r / 255, g / 255, b / 255]);
+    request.take(probed);
     request.onEnd();
   }, [taking, probed, viewer, request]);
 
@@ -73,11 +76,11 @@ export function Eyedropper({ request }: { readonly request: ColorRequest }) {
   };
   return (
     <div
-      ref={layer}
+      ref={overlay}
       className="eyedropper"
       role="application"
       tabIndex={-1}
-      aria-label={`${request.label}: pick a color from the preview. Arrow keys move, Enter picks, Escape cancels.`}
+      aria-label={`${request.label}: pick a ${request.what} from the preview. Arrow keys move, Enter picks, Escape cancels.`}
       onPointerMove={(event) => setAt(pointOf(event))}
       // Not on `pointerdown`: the overlay would disappear, and the preview would receive the rest of the click.
       onClick={(event) => {
@@ -92,7 +95,7 @@ export function Eyedropper({ request }: { readonly request: ColorRequest }) {
       onKeyDown={onKeyDown}
       onBlur={leave}
     >
-      {probed && <Loupe probed={probed} at={at} />}
+      {probed && <Loupe probed={probed} at={at} what={request.what} />}
     </div>
   );
 }
@@ -103,7 +106,7 @@ function stepped(part: number, by: number, sizePx: number): number {
 }
 
 /** Magnifier: the pixels around the pointer, and the value of the pixel under it. */
-function Loupe({ probed, at }: { readonly probed: PreviewProbe; readonly at: Point }) {
+function Loupe({ probed, at, what }: { readonly probed: PreviewProbe; readonly at: Point; readonly what: PickRequest['what'] }) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const { around } = probed;
   // Draws before the paint that shows the new text.
@@ -112,7 +115,7 @@ function Loupe({ probed, at }: { readonly probed: PreviewProbe; readonly at: Poi
     if (context && around) context.putImageData(new ImageData(around, SIDE_PX, SIDE_PX), 0, 0);
   }, [around]);
   const [r, g, b] = probed.color;
-  const { css } = probeWords(probed);
+  const { css, lines } = probeWords(probed);
   return (
     <div
       className="loupe"
@@ -123,10 +126,16 @@ function Loupe({ probed, at }: { readonly probed: PreviewProbe; readonly at: Poi
       <span className="loupe-pixels">
         <canvas ref={canvas} width={SIDE_PX} height={SIDE_PX} />
       </span>
-      <output className="loupe-words" aria-label="Color to pick">
-        <span className="look-swatch" style={{ background: css }} />
-        {css}
-        <span>{`${r} ${g} ${b}`}</span>
+      <output className="loupe-words" aria-label={what === 'point' ? 'Point to pick' : 'Color to pick'}>
+        {what === 'point' ? (
+          lines[1]
+        ) : (
+          <>
+            <span className="look-swatch" style={{ background: css }} />
+            {css}
+            <span>{`${r} ${g} ${b}`}</span>
+          </>
+        )}
       </output>
     </div>
   );

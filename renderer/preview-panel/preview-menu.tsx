@@ -1,22 +1,23 @@
 import { useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import type { PreviewTier } from '../preview-protocol.ts';
+import type { PreviewTier, RenderSize } from '../preview-protocol.ts';
 import { runCommand } from '../state/commands/app-commands.ts';
 import { useKeys } from '../state/commands/command-item.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
-import { chosenSource, type DeviceFrame, type PreviewState } from '../state/editor/preview-state.ts';
+import { RENDER_SIZES } from '../state/editor/preferences.ts';
+import { chosenSource, type PreviewState } from '../state/editor/preview-state.ts';
 import { usePreviewSync } from '../state/preview-sync/preview-sync-context.ts';
 import { IconButton } from '../ui/button.tsx';
 import { ContextMenu } from '../ui/context-menu.tsx';
 import type { MenuItem } from '../ui/menu.tsx';
 
-const FRAMES: readonly (readonly [DeviceFrame, string])[] = [
-  ['fill', 'Fit to panel'],
-  ['phone', 'Phone, portrait'],
-  ['phone-wide', 'Phone, landscape'],
-  ['headset', 'Headset'],
-  ['glasses', 'Glasses (additive display)'],
-];
+const SIZES: Readonly<Record<RenderSize, string>> = {
+  auto: 'Render size: automatic (1080p)',
+  panel: 'Render size: as the panel',
+  720: 'Render size: 720p',
+  1080: 'Render size: 1080p',
+  1440: 'Render size: 1440p',
+};
 
 const TIERS: readonly (readonly [PreviewTier, string])[] = [
   ['ar-camera', 'AR with camera access'],
@@ -24,12 +25,13 @@ const TIERS: readonly (readonly [PreviewTier, string])[] = [
   ['vr', 'VR'],
 ];
 
-/** Preview menu: screenshot, recording, pixel probe, device frame and tier. */
+/** Preview menu: screenshot, recording, pixel probe, safe areas, render size and tier. */
 export function PreviewMenu() {
   const editor = useEditor();
   const previewSync = usePreviewSync();
   const { preview } = editor;
-  const frame = useStore(preview, (state) => state.frame);
+  const safeAreas = useStore(preview, (state) => state.safeAreas);
+  const renderSize = useStore(editor.preferences, (state) => state.renderSize);
   const tier = useStore(preview, (state) => state.tier);
   const recording = useStore(preview, (state) => state.recording);
   const sessionRecording = useStore(preview, (state) => state.sessionRecording);
@@ -47,12 +49,14 @@ export function PreviewMenu() {
     { kind: 'action', label: recording ? 'Stop recording' : 'Record video', run: () => record(!recording) },
     sessionItem(sessionRecording, () => runCommand(editor, 'play.record')),
     { kind: 'line' },
-    ...FRAMES.map(
-      ([name, label]): MenuItem => ({
+    { kind: 'action', label: 'Safe areas of phones', checked: safeAreas, run: () => preview.setState({ safeAreas: !safeAreas }) },
+    { kind: 'line' },
+    ...RENDER_SIZES.map(
+      (size): MenuItem => ({
         kind: 'action',
-        label,
-        checked: frame === name,
-        run: () => preview.setState({ frame: name, views: name === 'headset' ? 2 : 1, deviceKind: null }),
+        label: SIZES[size],
+        checked: renderSize === size,
+        run: () => editor.preferences.setState({ renderSize: size }),
       }),
     ),
     ...(isRoom ? tierItems(tier, (next) => preview.setState({ tier: next, deviceKind: null })) : []),

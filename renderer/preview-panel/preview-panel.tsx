@@ -1,45 +1,67 @@
 import { type ReactNode, useEffect, useRef } from 'react';
 import { useStore } from 'zustand';
 import { hasErrors } from '../../nodes/kit/diagnostics.ts';
+import { runCommand } from '../state/commands/app-commands.ts';
 import { togglePreviewExtent } from '../state/commands/command-actions.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 import type { StopReason } from '../state/editor/preview-state.ts';
-import { chosenSource, frameOf, isLoading, LOCAL_SOURCES, timeOf } from '../state/editor/preview-state.ts';
+import { chosenSource, frameOf, isLoading, LOCAL_SOURCES, shownFrame, timeOf } from '../state/editor/preview-state.ts';
 import { goToStart, isHeld, stepFrames, togglePlay } from '../state/preview/playback.ts';
+import { popOutPreview } from '../state/preview/pop-out.ts';
 import { startPreview } from '../state/preview/stopped-preview.ts';
 import { usePreviewSync } from '../state/preview-sync/preview-sync-context.ts';
 import { Button, IconButton } from '../ui/button.tsx';
 import { Icon } from '../ui/icon.tsx';
-import { GizmoBar } from './gizmo-bar.tsx';
 import { PhysicsMenu } from './physics-menu.tsx';
+import { PopOut } from './pop-out.tsx';
 import { connectPreview } from './preview-link.ts';
+import { PreviewRail } from './preview-rail.tsx';
 import { RoomLight } from './room-light.tsx';
+import { SafeAreas } from './safe-areas.tsx';
 import { ViewerOverlay } from './viewer-overlay.tsx';
 import './preview-panel.css';
 import { PreviewMenu } from './preview-menu.tsx';
 
 /** The preview page in an iframe, its overlays, and the transport with the preview source. */
 export function PreviewPanel({ previewUrl }: { readonly previewUrl: string }) {
-  const { preview, compile } = useEditor();
+  const editor = useEditor();
+  const { preview, compile } = editor;
   const loading = useStore(preview, isLoading);
   const newest = useStore(compile, (state) => state.programRevision);
   const answered = useStore(preview, ({ playing, refused, asked }) => (playing === newest || refused === newest) && asked === null);
   const stopped = useStore(preview, (state) => state.stopped);
+  const poppedOut = useStore(preview, (state) => state.poppedOut);
+  const picture = (
+    <Device>
+      {stopped === null ? (
+        <>
+          <PreviewFrame url={previewUrl} />
+          <SafeAreas />
+          <Notice />
+          <ViewerOverlay />
+        </>
+      ) : (
+        <StoppedNotice reason={stopped} />
+      )}
+    </Device>
+  );
   return (
     <section className="stage" aria-label="Preview" aria-busy={stopped === null && (loading || !answered)}>
       <div className="stage-image">
-        <Device>
-          {stopped === null ? (
+        <PreviewRail />
+        <div className="stage-room">
+          {stopped === null && poppedOut ? (
             <>
-              <PreviewFrame url={previewUrl} />
-              <Notice />
-              <ViewerOverlay />
-              <GizmoBar />
+              <PopOut>{picture}</PopOut>
+              <div className="stage-notice stage-stopped">
+                <p>The preview is in its own window.</p>
+                <Button onPress={() => popOutPreview(editor, false)}>Show it here</Button>
+              </div>
             </>
           ) : (
-            <StoppedNotice reason={stopped} />
+            picture
           )}
-        </Device>
+        </div>
       </div>
       <Transport />
     </section>
@@ -49,7 +71,7 @@ export function PreviewPanel({ previewUrl }: { readonly previewUrl: string }) {
 /** Fits the preview to the panel, or gives it the shape of a device. */
 function Device({ children }: { readonly children: ReactNode }) {
   const { preview } = useEditor();
-  const frame = useStore(preview, (state) => state.frame);
+  const frame = useStore(preview, shownFrame);
   return (
     <div className="stage-device" data-frame={frame}>
       {children}
@@ -138,6 +160,7 @@ function Transport() {
       <PreviewMenu />
       <RoomLight />
       <ViewsToggle />
+      <PopOutButton />
       <FullScreenToggle />
       <SourcePicker />
     </div>
@@ -206,6 +229,13 @@ function SourcePicker() {
       </select>
     </>
   );
+}
+
+function PopOutButton() {
+  const editor = useEditor();
+  const poppedOut = useStore(editor.preview, (state) => state.poppedOut);
+  const label = poppedOut ? 'Show the preview here' : 'Pop out preview';
+  return <IconButton icon="pop-out" label={label} pressed={poppedOut} onPress={() => runCommand(editor, 'view.pop-out')} />;
 }
 
 function FullScreenToggle() {

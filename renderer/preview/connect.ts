@@ -7,14 +7,15 @@ export interface EditorPort {
 }
 
 /**
- * Waits for the parent page to transfer a MessagePort. Accepts only the first port, and only from the parent, so that only the editor
- * controls the preview. In Chromium, `ancestorOrigins` verifies the origin of the parent.
+ * Waits for the editor to transfer a MessagePort. Accepts only the first port, and only from the parent page or, in a window of its own,
+ * from the page that opened the parent, so that only the editor controls the preview. In Chromium, `ancestorOrigins` verifies the origin,
+ * which that window shares with the editor.
  */
 export function waitForEditor(page: Window): Promise<EditorPort> {
   return new Promise((resolve) => {
     const onMessage = (event: MessageEvent) => {
       const [port] = event.ports;
-      if (event.source !== page.parent || event.source === page || event.data !== CONNECT_MESSAGE || !port) return;
+      if (!isEditor(event.source, page) || event.data !== CONNECT_MESSAGE || !port) return;
       const [parentOrigin] = page.location.ancestorOrigins;
       if (parentOrigin !== undefined && event.origin !== parentOrigin) return;
       page.removeEventListener('message', onMessage);
@@ -27,4 +28,8 @@ export function waitForEditor(page: Window): Promise<EditorPort> {
     };
     page.addEventListener('message', onMessage);
   });
+}
+
+function isEditor(source: MessageEventSource | null, page: Window): boolean {
+  return page.parent !== page && source !== null && (source === page.parent || source === page.parent.opener);
 }

@@ -7,6 +7,7 @@ import { createCameraSession } from '../../export/runtime/sessions/camera/camera
 import { createLens } from '../../export/runtime/sessions/camera/lens.ts';
 import { listenForOrientation } from '../../export/runtime/sessions/camera/orientation-sensor.ts';
 import { requestCameraSession } from '../../export/runtime/sessions/camera/request-camera.ts';
+import type { CanvasFitter } from '../../export/runtime/sessions/fit-canvas.ts';
 import { SESSION_INPUTS } from '../../export/runtime/sessions/input/session-inputs.ts';
 import { createOrbitSession } from '../../export/runtime/sessions/orbit/orbit-session.ts';
 import { createRecordedSession } from '../../export/runtime/sessions/recorded/recorded-session.ts';
@@ -16,6 +17,7 @@ import type { FrameTimes } from '../../nodes/kit/frame-times.ts';
 import type { Session } from '../../nodes/kit/session.ts';
 import type { PreviewRange, PreviewSource } from '../preview-protocol.ts';
 import { pageFetch } from './network.ts';
+import type { SizePx } from './render-resolution.ts';
 import { createRoomHands } from './room-hands.ts';
 import { createRoomTouches } from './room-touches.ts';
 import { createRoomTracking } from './room-tracking.ts';
@@ -30,7 +32,7 @@ export interface OpenSession {
   /** Controls the time of a recording; null if the session is not a recording. */
   readonly recording: RecordingTransport | null;
   rewind(): void;
-  /** Resizes the screen of an emulated device from the next frame on; null restores the size. No effect on other sessions. */
+  /** Resizes the screen of an emulated device from the next frame on; null: to that of the preview. No effect on other sessions. */
   resize(sizePx: readonly [width: number, height: number] | null): void;
   /** Applies the `room-light` message to an emulated room. No effect on other sessions. */
   moveLight(directionWorld: readonly [number, number, number] | null): void;
@@ -64,13 +66,16 @@ export interface SessionPlace {
   readonly screen: HTMLElement;
   /** The canvas of `gl`. */
   readonly canvas: HTMLCanvasElement;
+  /** The size in which the preview renders. */
+  readonly sizePx: () => SizePx;
   /** Called at the end of a play range without loop. */
   readonly onEnd: () => void;
   /** Called when a late frame of a recording has been decoded. */
   readonly onArrival: () => void;
 }
 
-const MAX_PIXEL_RATIO = 2;
+/** The controller sizes the canvas. */
+const SIZED: CanvasFitter = { update: () => {}, dispose: () => {} };
 
 /** Opens a session for a preview source. Never rejects; failures are diagnostics. */
 export function openSession(source: PreviewSource, place: SessionPlace): Promise<OpenSession> {
@@ -84,13 +89,13 @@ export function openSession(source: PreviewSource, place: SessionPlace): Promise
     case 'still':
       return openStill(source.picture, place);
     case 'orbit':
-      return Promise.resolve(opened({ output: createOrbitSession({ ...place, inputs: SESSION_INPUTS }), diagnostics: [] }));
+      return Promise.resolve(opened({ output: createOrbitSession({ ...place, inputs: SESSION_INPUTS, fitter: SIZED }), diagnostics: [] }));
   }
 }
 
 async function openCamera({ gl, clock, canvas }: SessionPlace): Promise<OpenSession> {
   const media = navigator.mediaDevices;
-  const result = await requestCameraSession({ window, media, gl, canvas, clock, inputs: SESSION_INPUTS, createLens });
+  const result = await requestCameraSession({ window, media, gl, canvas, clock, inputs: SESSION_INPUTS, createLens, fitter: SIZED });
   return { ...opened(result), video: result.output?.video ?? null };
 }
 
@@ -103,8 +108,34 @@ async function openStill(image: Blob, { gl, clock, canvas }: SessionPlace): Prom
     const message = 'The image for the preview could not be read.';
     return opened({ output: null, diagnostics: [{ code: 'SCR032', severity: 'error', message, fix: 'Choose a PNG, JPEG or WebP file.' }] });
   }
-  const output = createCameraSession({ gl, canvas, clock, stream, sensor: listenForOrientation(window), inputs: SESSION_INPUTS });
+  const output = createCameraSession({
+    gl,
+    canvas,
+    clock,
+    stream,
+    sensor: listenForOrientation(window),
+    inputs: SESSION_INPUTS,
+    fitter: SIZED,
+  });
   return { ...opened({ output, diagnostics: [] }), video: output.video };
+}
+
+/** Two sources with the same key share a session. A recording depends only on its URL. */
+export function sessionKey(source: PreviewSource, program: Program): string {
+  switch (source.kind) {
+    case 'recorded':
+      return `recorded ${source.url}`;
+    case 'room': {
+      const { captureUrl, views, device, tier, refuse } = source;
+      const { needs, presentation, readsInput } = program;
+      return JSON.stringify([captureUrl, views, device, tier, refuse, needs, presentation.antialias, readsInput ?? false]);
+    }
+    case 'still':
+      return `still ${source.key}`;
+    case 'camera':
+    case 'orbit':
+      return source.kind;
+  }
 }
 
 /** Wraps a session without controls. */
@@ -156,10 +187,8 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
     const broken: Diagnostic = { code: 'SCR054', severity: 'error', message, fix: 'Install Scrim again, or choose another source.' };
     return opened({ output: null, diagnostics: [broken] });
   }
-  const ratio = Math.min(window.devicePixelRatio, MAX_PIXEL_RATIO);
-  const sizePx = [Math.max(1, Math.round(window.innerWidth * ratio)), Math.max(1, Math.round(window.innerHeight * ratio))] as const;
   const { device, views, tier, refuse } = source;
-  const emulator = installEmulator({ device, views, refuse, room, frameClock: clock, container: screen, sizePx });
+  const emulator = installEmulator({ device, views, refuse, room, frameClock: clock, container: screen, sizePx: place.sizePx() });
   const [hint, trackingHint] = ['hint', 'tracking-hint'].map((id) => screen.ownerDocument.getElementById(id));
   const walk = createWalk(emulator, screen, clock, device === 'phone' && program.readsInput === true);
   // Phones have neither controllers nor hands; pages that read no input have no use for them.
@@ -177,7 +206,7 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
   return {
     ...opened({ output, diagnostics }),
     rewind: walk.rewind,
-    resize: (asked) => emulator.setSize(asked ?? sizePx),
+    resize: (asked) => emulator.setSize(asked ?? place.sizePx()),
     moveLight: emulator.moveLight,
     setHead: (worldFromHead) => (worldFromHead ? emulator.setPose({ matrix: worldFromHead }) : walk.restore()),
     roomFromView: emulator.viewPose,

@@ -10,7 +10,6 @@ import { createScenesWith } from '../../export/runtime/scenes/create-scenes.ts';
 import { readRadianceInWorker } from '../../export/runtime/scenes/environments/read-radiance-in-worker.ts';
 import { createGlass } from '../../export/runtime/scenes/glass/glass-scene.ts';
 import { ALL_DECODERS } from '../../export/runtime/scenes/models/decoders/all-decoders.ts';
-import { type CanvasFitter, createCanvasFitter } from '../../export/runtime/sessions/fit-canvas.ts';
 import { createSpatial } from '../../export/runtime/spatial/create-spatial.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import { text as decodeRadiance } from '../../nodes/generated/workers/decode-radiance.gen.ts';
@@ -26,7 +25,6 @@ export interface PlayerHost {
   readonly canvas: HTMLCanvasElement;
   readonly gl: WebGL2RenderingContext;
   readonly player: Player;
-  readonly fitter: CanvasFitter;
   readonly meter: CostMeter;
   /**
    * Whether the program can be played without a new context: antialiasing is fixed per context, and assets are loaded from one base
@@ -69,8 +67,6 @@ export function createPlayerHost(options: PlayerHostOptions): PlayerHost {
   const { antialias } = program.presentation;
   const gl = canvas.getContext('webgl2', { alpha: true, antialias, depth: true, stencil: false, powerPreference: 'high-performance' });
   if (!gl) throw new Error('This browser has no WebGL 2.');
-  const fitter = createCanvasFitter(canvas);
-  fitter.update();
   const assets = createFetchAssetSource(assetBaseUrl, pageFetch);
   const createScenes = createScenesWith({
     decoders: ALL_DECODERS,
@@ -107,7 +103,6 @@ export function createPlayerHost(options: PlayerHostOptions): PlayerHost {
     canvas,
     gl,
     player,
-    fitter,
     meter,
     canPlay: (next, base) => next.presentation.antialias === antialias && base === assetBaseUrl,
     dispose: () => {
@@ -115,7 +110,6 @@ export function createPlayerHost(options: PlayerHostOptions): PlayerHost {
       canvas.removeEventListener('webglcontextrestored', restored);
       meter.dispose();
       player.dispose();
-      fitter.dispose();
       // Browsers limit the number of contexts and drop the oldest. Garbage collection would release this one too late.
       gl.getExtension('WEBGL_lose_context')?.loseContext();
       canvas.remove();

@@ -5,23 +5,26 @@ import type { PlayResult } from '../../export/runtime/player.ts';
 import { showLayer } from '../../export/runtime/present/show-layer.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
+import { watchDrags } from '../drag-watch.ts';
 import type { FromPreview, PreviewRange, PreviewSource, ToPreview } from '../preview-protocol.ts';
 import { createCaptures } from './captures.ts';
 import { coalesce } from './coalesce.ts';
 import { createGizmo } from './gizmo/gizmo.ts';
 import { createKeys } from './keys.ts';
 import { createLayerGate } from './layer-gate.ts';
-import { type OpenSession, openSession, standsInRoom } from './open-session.ts';
+import { type OpenSession, openSession, sessionKey, standsInRoom } from './open-session.ts';
 import { createPhysicsView, roomOf } from './physics/physics-view.ts';
 import { createPlayerHost, type PlayerHost } from './player-host.ts';
 import { type CaptureSource, createPosters, type PosterRequest, sourceOnCanvas } from './posters.ts';
 import { createProbes } from './probes.ts';
 import { createSessionRecorder } from './recording/session-recorder.ts';
+import { createRenderResolution, drawsInSoftware, setCanvasSize } from './render-resolution.ts';
 import { isHandKey } from './room-hands.ts';
 import { createRoomPanorama } from './room-panorama.ts';
 import { isTrackingKey } from './room-tracking.ts';
 import { createSimulatedSensors } from './simulated-sensors.ts';
 import { createStatus } from './status.ts';
+import { createSteps } from './steps.ts';
 import { createThumbnails } from './thumbnails.ts';
 import { createTransportClock } from './transport-clock.ts';
 import { createTrialCompiler } from './trial-compiler.ts';
@@ -45,13 +48,12 @@ export interface PreviewController {
   resized(): void;
 }
 
+type Viewer = Extract<ToPreview, { kind: 'viewer' }>;
+
 interface Wanted {
   readonly revision: number;
   readonly program: Program;
 }
-
-/** Pause after the last resize of the window before an emulated device is recreated, because its screen has a fixed size. */
-const RESIZE_PAUSE_S = 0.25;
 
 /** Duration of one step for sessions other than recordings. */
 const DISPLAY_FRAME_S = 1 / 60;
@@ -62,7 +64,6 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
   let source: PreviewSource | null = null;
   /** Counter of the message that set `source`. */
   let request = 0;
-  let resizes = 0;
   let metering = false;
 
   let host: PlayerHost | null = null;
@@ -87,17 +88,27 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
   const isRoomKey = (event: KeyboardEvent, device: string): boolean =>
     isStep(event) || (device !== 'phone' && isHandKey(event)) || (wanted !== null && standsInRoom(wanted.program) && isTrackingKey(event));
   const keys = createKeys(window, send, (event) => sensors.isKey(event) || (source?.kind === 'room' && isRoomKey(event, source.device)));
-  let viewer: Extract<ToPreview, { kind: 'viewer' }> = { kind: 'viewer', left: null, right: null, split: 1, probed: null };
+  let viewer: Viewer = { kind: 'viewer', left: null, right: null, split: 1, probed: null };
   const clock = createTransportClock(base, () => {
     posters.beforeFrame();
     probes.beforeFrame(captureSource());
     captures.beforeFrame(captureSource());
-    if (!posters.busy) host?.fitter.update();
+    if (!posters.busy) applySize();
   });
+  const resolution = createRenderResolution(window, base, () => clock.wake());
+  watchDrags(window, resolution.rest, (on) => resolution.setDragging('preview', on));
+  const applySize = () => {
+    if (source?.kind === 'room') open?.resize(null);
+    else if (host) setCanvasSize(host.canvas, resolution.sizePx());
+  };
   const status = createStatus(base, send);
   const thumbnails = createThumbnails(base, send);
   const gate = createLayerGate();
   const trialCompiler = createTrialCompiler(base, send);
+  const steps = createSteps(() => {
+    clock.step(open?.recording?.step() ?? DISPLAY_FRAME_S);
+    clock.wake();
+  });
 
   /** The current problems of the player. Omits open edges of models that are not phantoms in the current program. */
   const playerProblemsNow = (): readonly Diagnostic[] => {
@@ -171,6 +182,8 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
       },
     });
     host = made;
+    resolution.setSoftware(drawsInSoftware(made.gl));
+    setCanvasSize(made.canvas, resolution.sizePx());
     made.meter.setOn(metering);
     void made.player.ready.then((result) => {
       if (host === made) report(revision, result);
@@ -181,7 +194,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     updateState();
     const { gl, canvas } = playerHost;
     const onEnd = () => pause();
-    const opened = await openSession(from, { gl, canvas, clock, program, screen, onEnd, onArrival: clock.wake });
+    const opened = await openSession(from, { gl, canvas, clock, program, screen, sizePx: resolution.sizePx, onEnd, onArrival: clock.wake });
     open = opened;
     // The editor answers with the play range.
     send({ kind: 'frames', frames: opened.recording?.frames ?? null });
@@ -193,6 +206,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     playerHost.player.reset();
     playerHost.player.setSession(opened.session);
     status.rewind(opened.recording?.frames ?? null);
+    steps.restart();
     opened.session?.start(draw, (event) => {
       if (event.kind === 'reset') playerHost.player.reset(event.cause);
       if (event.kind !== 'problem') return;
@@ -204,6 +218,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
   const draw = (frame: SessionFrame) => {
     if (!host || lost) return;
     status.begin();
+    resolution.begin();
     panorama.beforeDraw(frame);
     sensors.beforeFrame(frame);
     gate.show(viewer, thumbnails.beforeFrame());
@@ -221,12 +236,14 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     }
     const restS = thumbnails.afterFrame(host.player);
     if (restS !== null) wakeIn(restS);
+    steps.afterFrame(open?.recording?.isLate ?? false);
+    resolution.end();
   };
   const settle = coalesce(async () => {
     if (!wanted || !source) return;
     const asked = request;
     if (!host?.canPlay(wanted.program, source.assetBaseUrl)) await build(wanted, source);
-    const key = sessionKey(source, wanted.program, resizes);
+    const key = sessionKey(source, wanted.program);
     if (host && key !== openKey) await begin(host, wanted, source, key);
     status.setRequest(asked);
   }, fail);
@@ -234,6 +251,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
   const setProgram = (next: Wanted) => {
     wanted = next;
     gate.follow(next.program);
+    resolution.follow(next.program);
     sensors.follow(next.program);
     if (source && host?.canPlay(next.program, source.assetBaseUrl)) {
       void host.player.replaceProgram(next.program).then((result) => report(next.revision, result));
@@ -245,13 +263,14 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     updateState();
   };
   const transport = (action: Extract<ToPreview, { kind: 'transport' }>['action']) => {
+    if (action !== 'step') steps.restart();
     if (action === 'reset') {
       open?.rewind();
       host?.player.reset();
       status.rewind(open?.recording?.frames ?? null);
-    } else clock.setPlaying(action === 'play');
+    } else if (action === 'step') steps.ask();
+    else clock.setPlaying(action === 'play');
     if (action === 'play') open?.recording?.enterRange();
-    if (action === 'step') clock.step(open?.recording?.step() ?? DISPLAY_FRAME_S);
     updateState();
   };
   const setRange = (next: PreviewRange | null) => {
@@ -318,7 +337,14 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
         case 'screenshot':
           captures.screenshot(captureSource());
           return;
+        case 'render-size':
+          resolution.setSize(message.size);
+          return;
+        case 'dragging':
+          resolution.setDragging('editor', message.on);
+          return;
         case 'record':
+          resolution.setFixed(message.on);
           captures.record(message.on, captureSource());
           return;
         case 'record-session':
@@ -340,6 +366,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
           keys.receive(message);
           return;
         case 'seek':
+          steps.restart();
           open?.recording?.seek(message.timeS);
           clock.wake();
           return;
@@ -349,52 +376,24 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
         case 'transport':
           transport(message.action);
           return;
-        // Frames are rendered by pages of their own.
+        // Frames and pictures of models are rendered by pages of their own.
         case 'render-begin':
         case 'render-frame':
         case 'render-end':
+        case 'draw-model':
           return;
         default:
           message satisfies never;
       }
     },
-    resized: () => {
-      clock.wake();
-      if (source?.kind !== 'room') return;
-      const mine = ++resizes;
-      void base.delay(RESIZE_PAUSE_S).then(() => {
-        if (mine === resizes) settle();
-      });
-    },
+    resized: clock.wake,
   };
 }
 
-function showViewer(
-  player: PlayerHost['player'],
-  frame: SessionFrame,
-  { left, right, split }: Extract<ToPreview, { kind: 'viewer' }>,
-): void {
+function showViewer(player: PlayerHost['player'], frame: SessionFrame, { left, right, split }: Viewer): void {
   const [leftLayer, rightLayer] = [left === null ? null : player.inspect(left), right === null ? null : player.inspect(right)];
   for (let view = 0; view < frame.viewCount; view++) {
     if (leftLayer) showLayer(leftLayer, view, 0, split);
     if (rightLayer) showLayer(rightLayer, view, split, 1);
-  }
-}
-
-/** Two sources with the same key share a session. A recording depends only on its URL. */
-function sessionKey(source: PreviewSource, program: Program, resizes: number): string {
-  switch (source.kind) {
-    case 'recorded':
-      return `recorded ${source.url}`;
-    case 'room': {
-      const { captureUrl, views, device, tier, refuse } = source;
-      const { needs, presentation, readsInput } = program;
-      return JSON.stringify([captureUrl, views, device, tier, refuse, needs, presentation.antialias, readsInput ?? false, resizes]);
-    }
-    case 'still':
-      return `still ${source.key}`;
-    case 'camera':
-    case 'orbit':
-      return source.kind;
   }
 }

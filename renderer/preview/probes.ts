@@ -38,9 +38,11 @@ export function createProbes(send: (message: FromPreview) => void, wake: () => v
     },
     afterFrame: (player, frame, place) => {
       if (!question || !place) return;
-      const { x, y, layer, aroundPx = 0 } = question;
+      const { x, y, layer, ofLayer = false, aroundPx = 0 } = question;
+      // A program that keeps the layer is on its way.
+      if (ofLayer && !player.inspect(layer)?.layer) return;
       question = null;
-      const probe = { x, y, depth: depthAt(player, frame, layer, x, y), aroundPx };
+      const probe = { x, y, depth: depthAt(player, frame, layer, !ofLayer, x, y), aroundPx };
       if (place.shows === 'in the frame') answer(place, probe);
       else {
         waiting = probe;
@@ -50,7 +52,14 @@ export function createProbes(send: (message: FromPreview) => void, wake: () => v
   };
 }
 
-function depthAt(player: Pick<Player, 'inspect'>, frame: SessionFrame, layer: string | null, x: number, y: number) {
+function depthAt(
+  player: Pick<Player, 'inspect'>,
+  frame: SessionFrame,
+  layer: string | null,
+  withRoom: boolean,
+  x: number,
+  y: number,
+): PreviewProbe['depth'] {
   const { framebufferWidthPx: width, framebufferHeightPx: height } = frame;
   for (let index = 0; index < frame.viewCount; index++) {
     const viewport = frame.views[index]?.viewport;
@@ -59,7 +68,7 @@ function depthAt(player: Pick<Player, 'inspect'>, frame: SessionFrame, layer: st
     const v = ((1 - y) * height - viewport.y) / viewport.heightPx;
     if (u < 0 || u >= 1 || v < 0 || v >= 1) continue;
     const inspected = player.inspect(layer);
-    return inspected && probeDepth(inspected, index, u, v);
+    return inspected && probeDepth(inspected, index, u, v, withRoom);
   }
   return null;
 }

@@ -5,17 +5,19 @@ import { TimelinePanel } from '../timeline/timeline-panel.tsx';
 import { IconButton } from '../ui/button.tsx';
 import './bottom-panel.css';
 import { useEditor } from '../state/editor/editor-context.ts';
+import { AssetsPanel } from './assets-panel.tsx';
 import { HistoryPanel } from './history-panel.tsx';
 import { ProblemsPanel } from './problems-panel.tsx';
 
 const TABS: readonly { readonly id: BottomTab; readonly label: string }[] = [
   { id: 'code', label: 'Shader' },
   { id: 'timeline', label: 'Timeline' },
+  { id: 'assets', label: 'Assets' },
   { id: 'history', label: 'History' },
   { id: 'problems', label: 'Problems' },
 ];
 
-/** Tabs below the graph: shader source, timeline, history and problems. */
+/** Tabs below the graph: shader source, timeline, assets, history and problems. */
 export function BottomPanel({ tab }: { readonly tab: BottomTab }) {
   const { ui } = useEditor();
   return (
@@ -42,6 +44,8 @@ function Body({ tab }: { readonly tab: BottomTab }) {
       return <CodePanel />;
     case 'timeline':
       return <TimelinePanel />;
+    case 'assets':
+      return <AssetsPanel />;
     case 'history':
       return <HistoryPanel />;
     case 'problems':

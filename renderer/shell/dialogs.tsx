@@ -4,12 +4,14 @@ import type { DialogRequest } from '../state/editor/ui.ts';
 import { breakLockAndSave, reload, save, showProject } from '../state/files/files.ts';
 import { ChoiceDialog } from '../ui/choice-dialog.tsx';
 import { CommandsDialog } from './commands-dialog.tsx';
+import { ExportDialog } from './export-dialog.tsx';
+import { ExportedDialog } from './exported-dialog.tsx';
 import { FindDialog } from './find-dialog.tsx';
-import { FolderDialog } from './folder-dialog.tsx';
 import { LibraryNameDialog, LibraryRemoveDialog } from './library-dialogs.tsx';
 import { NewDialog } from './new-dialog.tsx';
 import { OpenDialog } from './open-dialog.tsx';
 import { RenderDialog } from './render-dialog.tsx';
+import { SaveAsDialog } from './save-as-dialog.tsx';
 import { ShadertoyDialog } from './shadertoy-dialog.tsx';
 import { ShortcutsDialog } from './shortcuts-dialog.tsx';
 
@@ -25,8 +27,11 @@ export function Dialogs() {
     case 'new':
       return <NewDialog {...(dialog.template === undefined ? {} : { chosen: dialog.template })} onClose={close} />;
     case 'save-as':
+      return <SaveAsDialog onClose={close} />;
     case 'export':
-      return <FolderDialog key={dialog.kind} purpose={dialog.kind} onClose={close} />;
+      return <ExportDialog onClose={close} />;
+    case 'exported':
+      return <ExportedDialog onClose={close} />;
     case 'render':
       return <RenderDialog onClose={close} />;
     case 'unsaved':

@@ -5,7 +5,7 @@ import { commandItem } from '../state/commands/command-item.ts';
 import { MENUS } from '../state/commands/menus.ts';
 import { isDirty } from '../state/editor/document.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
-import { cancelExport } from '../state/files/export-page.ts';
+import { cancelExport, isExportDialog } from '../state/files/export-page.ts';
 import { Button, IconButton } from '../ui/button.tsx';
 import { MenuButton, type MenuItem } from '../ui/menu.tsx';
 import { Logo } from './logo.tsx';
@@ -56,7 +56,8 @@ function Tools() {
   const canUndo = useDocument((state) => state.history.past.length > 0);
   const canRedo = useDocument((state) => state.history.future.length > 0);
   const open = useDocument((state) => state.open !== null);
-  const exporting = useStore(editor.ui, (state) => state.exporting);
+  // The dialogs of an export show its progress themselves.
+  const exporting = useStore(editor.ui, ({ exporting, dialog }) => (isExportDialog(dialog) ? null : exporting));
   const undoKeys = useKeys('edit.undo');
   const redoKeys = useKeys('edit.redo');
   return (

@@ -15,8 +15,8 @@ const AUTOSAVE_AT_MOST_MS = 4000;
 /** Requests information about the host. Returns the URL of the preview, and whether the window has native menus. */
 export async function start(editor: Editor): Promise<{ readonly previewUrl: string; readonly hasMenu: boolean }> {
   const info = await editor.host.call('app.info', {});
-  const { canPickFolders, projectsDir, examples, templates } = info;
-  editor.document.setState({ canPickFolders, projectsDir, examples, templates });
+  const { canPickFolders, canReveal, projectsDir, examples, templates } = info;
+  editor.document.setState({ canPickFolders, canReveal, projectsDir, examples, templates });
   return { previewUrl: info.previewUrl, hasMenu: info.shell === 'electron' };
 }
 

@@ -10,7 +10,7 @@
   "INPUTS": [
     { "NAME": "top", "TYPE": "image", "LABEL": "Top", "DOC": "The layer in front." },
     { "NAME": "bottom", "TYPE": "image", "LABEL": "Bottom", "DOC": "The layer behind." },
-    { "NAME": "opacity", "TYPE": "float", "LABEL": "Opacity", "DOC": "Opacity of the top layer: 0 hides it, 1 shows it fully.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "UNIT": "ratio" }
+    { "NAME": "opacity", "TYPE": "float", "LABEL": "Opacity", "DOC": "Opacity of the top layer: 0 hides it, 1 shows it fully.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" }
   ]
 }*/
 

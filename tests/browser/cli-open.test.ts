@@ -105,6 +105,7 @@ describe('scrim open', () => {
     return /frame-src ([^;]+)/.exec(policy)?.[1];
   }
 
+  /** Two ports in a row below the ones that Linux gives to outgoing connections (32,768 and up), so no other program takes them meanwhile. */
   async function twoFreePorts(): Promise<number> {
     for (let port = 21_000; ; port += 2) if ((await isFree(port)) && (await isFree(port + 1))) return port;
   }
@@ -118,9 +119,8 @@ describe('scrim open', () => {
 
   test('takes the port it is given, and says when that is taken', async () => {
     const blocker = createServer();
-    const port = await new Promise<number>((done) =>
-      blocker.listen(0, '127.0.0.1', () => done((blocker.address() as { port: number }).port)),
-    );
+    const port = await twoFreePorts();
+    await new Promise<void>((done) => blocker.listen(port, '127.0.0.1', done));
     const refused = scrim('open', project, '--browser', '--port', String(port));
     expect(await new Promise((done) => refused.child.once('exit', done))).toBe(2);
     expect(refused.errors.join('')).toContain(`Port ${port} is taken`);

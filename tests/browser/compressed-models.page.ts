@@ -60,7 +60,6 @@ async function show(place: Stand, url: string, clip: string | null, timeS: numbe
   const scene = backend.serviceFor({ shadowMaps: null, occlusion: null }).createScene({ kind: 'shaded', ambient: { value: 0.5 } });
   scene.update([objects(item(root, { at }))], [lights(sun([0.5, 1, 1]))]);
   layer.clear();
-  backend.invalidateState();
   const view = viewOf(lookingAt([0.8, 0.6, 2.4], [0, 0, 0], 1), { x: 0, y: 0, widthPx: SIZE, heightPx: SIZE });
   scene.draw(drawView(view, layer.framebuffer));
   const pixels = layer.pixels();

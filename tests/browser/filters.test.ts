@@ -100,6 +100,7 @@ const IDENTITIES: Readonly<Record<string, Params>> = {
   tile: { columns: 1, rows: 1 },
   'radial-blur': { amount: 0 },
   'spin-blur': { angle: 0 },
+  'clean-mask': { holesPx: 0, specksPx: 0 },
   kuwahara: { radius: 0 },
   bilateral: { radius: 0 },
   bloom: { strength: 0 },
@@ -194,6 +195,41 @@ describe('depth of field', () => {
     expect(pixelAt(behind, 30, 32)[0]).toBe(255);
     const before = await applyWithDepth('depth-of-field', edge, (x) => (x < 32 ? 0.8 : 1.5), LENS);
     expect(pixelAt(before, 35, 32)[0]).toBeGreaterThan(30);
+  });
+});
+
+describe('clean mask', () => {
+  /** A square of 24 pixels with a hole, a gap to its neighbor, and specks beside it. */
+  const mask = (x: number, y: number) => {
+    const square = x >= 16 && x < 40 && y >= 16 && y < 40;
+    const hole = x >= 24 && x < 28 && y >= 24 && y < 28;
+    const largeHole = x >= 31 && x < 38 && y >= 31 && y < 38;
+    const speck = (x === 5 && y === 5) || (x >= 50 && x < 53 && y >= 8 && y < 11);
+    return (square && !hole && !largeHole) || speck ? 255 : 0;
+  };
+  const picture = paint(64, 64, (x, y) => [mask(x, y), mask(x, y), mask(x, y), 255]);
+  const whiteIn = ({ data }: RgbaImage) => Array.from({ length: 64 * 64 }, (_, i) => data[4 * i] === 255);
+
+  test('fills holes and removes specks up to their size, and keeps larger ones and the outline', async () => {
+    const cleaned = whiteIn(await apply('clean-mask', picture, { holesPx: 2, specksPx: 2 }));
+    const expected = Array.from({ length: 64 * 64 }, (_, i) => {
+      const [x, y] = [i % 64, Math.floor(i / 64)];
+      const largeHole = x >= 31 && x < 38 && y >= 31 && y < 38;
+      // Of the large hole's frame, 2 pixels wide, an opening by 2 leaves nothing.
+      const frame = x >= 31 && y >= 31;
+      return x >= 16 && x < 40 && y >= 16 && y < 40 && !largeHole && !frame;
+    });
+    expect(cleaned).toEqual(expected);
+  });
+
+  test('grows and shrinks by whole pixels', async () => {
+    const square = paint(64, 64, (x, y) => (x >= 20 && x < 40 && y >= 20 && y < 40 ? [255, 255, 255, 255] : [0, 0, 0, 255]));
+    for (const growPx of [5, -5]) {
+      const grown = whiteIn(await apply('clean-mask', square, { holesPx: 0, specksPx: 0, growPx }));
+      expect(grown.filter(Boolean).length).toBe((20 + 2 * growPx) ** 2);
+      expect(grown[30 * 64 + 20 - growPx]).toBe(true);
+      expect(grown[30 * 64 + 19 - growPx]).toBe(false);
+    }
   });
 });
 

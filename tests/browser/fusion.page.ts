@@ -1,8 +1,10 @@
 import type { Program } from '../../export/program/program.ts';
+import { readColor } from '../../export/runtime/readback.ts';
 import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
+import type { ViewFrame } from '../../nodes/kit/session.ts';
 import type { Twins } from '../support/fusion-kit.ts';
-import { createGl, frame, HEIGHT, stand, WIDTH } from './runtime-kit.ts';
+import { createGl, frame, HEIGHT, stand, view, WIDTH } from './runtime-kit.ts';
 
 export interface Difference {
   /** Channels of pixels that differ, and by how many of 255 steps at most. */
@@ -16,11 +18,63 @@ export interface Difference {
 /** Frames that a program with content that is kept between frames plays. */
 const FRAMES = 3;
 
-/** Draws each pair of programs and compares the last frame. */
-export async function compare(pairs: readonly Pick<Twins, 'separate' | 'fused'>[]): Promise<Difference[]> {
+/** Draws each pair of programs and compares the last frame. The view may be smaller than the canvas. */
+export async function compare(
+  pairs: readonly Pick<Twins, 'separate' | 'fused'>[],
+  widthPx: number = WIDTH,
+  heightPx: number = HEIGHT,
+): Promise<Difference[]> {
   const differences: Difference[] = [];
-  for (const { separate, fused } of pairs) differences.push(difference(await draw(separate), await draw(fused)));
+  const views = [view(0, 0, widthPx, heightPx)];
+  for (const { separate, fused } of pairs) differences.push(difference(await draw(separate, views), await draw(fused, views)));
   return differences;
+}
+
+/** Draws two programs with many viewed layers, and compares each layer. */
+export async function compareViewed({ separate, fused }: Pick<Twins, 'separate' | 'fused'>): Promise<Difference[]> {
+  const before = await drawViewed(separate);
+  const after = await drawViewed(fused);
+  return before.map((pixels, i) => difference(pixels, after[i] ?? new Uint8Array(pixels.length)));
+}
+
+export interface StereoFrame {
+  /** Draw calls of the second frame. */
+  readonly draws: number;
+  readonly left: Uint8Array;
+  readonly right: Uint8Array;
+}
+
+/** Draws a program for two views side by side, of equal width unless another is given. */
+export async function drawStereo(program: Program, rightWidthPx = WIDTH / 2): Promise<StereoFrame> {
+  await draw(program);
+  const eyes = [view(0, 0, WIDTH / 2, HEIGHT, { eye: 'left' }), view(WIDTH / 2, 0, rightWidthPx, HEIGHT, { eye: 'right' })];
+  stage?.player.draw(frame(1, eyes));
+  let draws = 0;
+  const { drawArrays } = gl;
+  gl.drawArrays = (...args) => {
+    draws += 1;
+    drawArrays.apply(gl, args);
+  };
+  stage?.player.draw(frame(2, eyes));
+  gl.drawArrays = drawArrays;
+  const pixelsFrom = (x: number) => {
+    const pixels = new Uint8Array((WIDTH / 2) * HEIGHT * 4);
+    gl.readPixels(x, 0, WIDTH / 2, HEIGHT, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    return pixels;
+  };
+  gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  return { draws, left: pixelsFrom(0), right: pixelsFrom(WIDTH / 2) };
+}
+
+async function drawViewed(program: Program): Promise<Uint8Array[]> {
+  await draw(program);
+  return Object.keys(program.taps)
+    .sort()
+    .map((tap) => {
+      const pixels = readColor(stage?.player.inspect(tap) ?? null, 0)?.pixels;
+      if (pixels === undefined) throw new Error(`${tap} was not drawn.`);
+      return pixels;
+    });
 }
 
 function frameCount({ resources }: Program): number {
@@ -30,14 +84,14 @@ function frameCount({ resources }: Program): number {
 const gl = createGl();
 let stage: Awaited<ReturnType<typeof stand>> | null = null;
 
-async function draw(program: Program): Promise<Uint8Array> {
+async function draw(program: Program, views?: readonly ViewFrame[]): Promise<Uint8Array> {
   stage?.player.dispose();
   stage = await stand(program, { gl, modules: RUNTIMES, seed: 1, createScenes });
   stage.player.setSession({ world: 'none', blend: 'opaque' });
   gl.clearColor(0, 0, 0, 0);
   gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   gl.clear(gl.COLOR_BUFFER_BIT);
-  for (let i = 0; i < frameCount(program); i++) stage.player.draw(frame(i));
+  for (let i = 0; i < frameCount(program); i++) stage.player.draw(frame(i, views));
   const errors = stage.diagnostics().filter(({ severity }) => severity === 'error');
   if (errors.length > 0) throw new Error(JSON.stringify(errors));
   gl.bindFramebuffer(gl.FRAMEBUFFER, null);

@@ -1,9 +1,9 @@
 import { describe, expect, test } from '@jest/globals';
-import type { Program } from '../../export/program/program.ts';
 import { useModule } from '../support/browser.ts';
-import { chain, EFFECTS, passes, type Twins, twins } from '../support/fusion-kit.ts';
+import { chain, pairsOfChangedEffects, pairsOfEffects, passes, QUICK_PAIR_PARTS, type Twins, twins } from '../support/fusion-kit.ts';
 import { LIBRARY } from '../support/library.ts';
-import { compareTwins, expectSameImages } from './fusion-compare.ts';
+import type { StereoFrame } from './fusion.page.ts';
+import { compareTwins, expectSameGraphs, expectSameImages } from './fusion-compare.ts';
 
 const page = useModule('tests/browser/fusion.page.ts');
 
@@ -16,21 +16,32 @@ async function expectOnePass(pair: Twins, passCount = 1): Promise<void> {
   expect(difference?.tones).toBeGreaterThan(0.1);
 }
 
-function count(programs: readonly Program[]): number {
-  return programs.reduce((sum, program) => sum + passes(program).length, 0);
-}
-
 describe('a fused pass draws what the passes drew', () => {
-  test('of a third of the effects, each before another one', async () => {
+  test.each(QUICK_PAIR_PARTS)('of a tenth of all pairs of effects: part %d of 20', async (part) => {
     // `tests/slow/fusion-pairs.test.ts` draws the others.
-    const pairs = EFFECTS.flatMap((type, i) => (i % 3 === 0 ? [chain([type, EFFECTS[(i * 2 + 5) % EFFECTS.length] ?? type])] : []));
-    await expectSameImages(page, pairs);
-    // Each pair can save one pass; the drawing and painting filters have up to five that stay.
-    expect(count(pairs.map(({ fused }) => fused))).toBeLessThan(count(pairs.map(({ separate }) => separate)) * 0.85);
+    const { separate, fused } = await expectSameGraphs(page, pairsOfEffects(part));
+    // The drawing and painting filters have up to five passes that stay.
+    expect(passes(fused).length).toBeLessThan(passes(separate).length * 0.85);
   });
 
-  test('of eight pointwise effects and their source', async () => {
-    const types = ['sepia', 'posterize', 'vignette', 'threshold', 'film-grain', 'curves', 'white-balance', 'luminance-variation'];
+  test('of all pairs with an effect that the last commit or the working tree changes', async () => {
+    const pairs = pairsOfChangedEffects();
+    const { separate } = await expectSameGraphs(page, pairs);
+    expect(passes(separate).length).toBeGreaterThanOrEqual(pairs.length);
+  });
+
+  test('of nine pointwise effects and their source', async () => {
+    const types = [
+      'sepia',
+      'posterize',
+      'vignette',
+      'threshold',
+      'film-grain',
+      'gradient-map',
+      'curves',
+      'white-balance',
+      'luminance-variation',
+    ];
     await expectOnePass(chain(types.map((type) => `filter/${type}`)));
   });
 
@@ -89,6 +100,21 @@ describe('a fused pass draws what the passes drew', () => {
     expect(difference?.tones).toBeGreaterThan(0.05);
   });
 
+  test('of colors with little alpha, at a size whose pixels have no exact normalized positions', async () => {
+    // Filtering would mix in a little of the next pixel, which the division by alpha makes visible.
+    const fade = own('vec4 c = IMG_THIS_PIXEL(inputImage); gl_FragColor = vec4(1.0 - c.rgb, c.a * fract(gl_FragCoord.y / 20.0 + 0.3));');
+    const nodes = { 'fade-a': { type: 'filter/fade', version: 1 }, 'again-a': { type: 'filter/fade', version: 1 } };
+    const pair = twins(nodes, through('fade', 'again'), { 'fade.fs': fade });
+    for (const size of [
+      [63, 31],
+      [60, 30],
+    ]) {
+      const [difference] = await compareTwins(page, [pair], ...size);
+      expect(difference).toMatchObject({ differing: 0 });
+      expect(difference?.tones).toBeGreaterThan(0.1);
+    }
+  });
+
   test('of scene layers, which are rounded to half floats', async () => {
     await expectOnePass(chain(['filter/to-scene', 'filter/hdr-exposure', 'filter/hdr-exposure', 'filter/tone-map']));
   });
@@ -127,6 +153,86 @@ void main() {
     await expectOnePass(twins(nodes, wires, sources));
   });
 
+  const own = (body: string, more = '') =>
+    `/*{ "ISFVSN": "2", "INPUTS": [{ "NAME": "inputImage", "TYPE": "image" }]${more} }*/\nvoid main() { ${body} }`;
+  const through = (...names: readonly string[]) => [
+    ...names.map((name, i) => `${i === 0 ? 'pattern' : names[i - 1]}-a.layer -> ${name}-a.inputImage`),
+    `${names.at(-1)}-a.layer -> screen-a.layer`,
+  ];
+
+  test('of a filter before one that keeps its own image between frames', async () => {
+    const body = 'gl_FragColor = mix(IMG_THIS_PIXEL(inputImage), IMG_THIS_PIXEL(kept), TIME > 0.0 ? 0.7 : 0.0);';
+    const sources = { 'trail.fs': own(body, ', "PASSES": [{ "TARGET": "kept", "PERSISTENT": true }]') };
+    const nodes = {
+      'gray-a': { type: 'filter/grey', version: 1 },
+      'trail-a': { type: 'filter/trail', version: 1 },
+      'again-a': { type: 'filter/trail', version: 1 },
+      'sepia-a': { type: 'filter/sepia', version: 1 },
+    };
+    const pair = twins(nodes, through('gray', 'trail', 'sepia', 'again'), sources);
+    expect(passes(pair.fused).length).toBeLessThan(passes(pair.separate).length);
+    await expectSameImages(page, [pair]);
+  });
+
+  test('but not of a read at the pixels of another image of another size', async () => {
+    const half = ', "PASSES": [{ "TARGET": "half", "WIDTH": "$WIDTH / 2" }, {}]';
+    const read = 'IMG_PIXEL(inputImage, IMG_SIZE(half) * isf_FragNormCoord)';
+    const body = `gl_FragColor = PASSINDEX == 0 ? IMG_THIS_PIXEL(inputImage) : ${read};`;
+    const nodes = { 'gray-a': { type: 'filter/grey', version: 1 }, 'half-a': { type: 'filter/half', version: 1 } };
+    await expectSameImages(page, [twins(nodes, through('gray', 'half'), { 'half.fs': own(body, half) })]);
+  });
+
+  test('and an effect at its identity stays after colors that exceed their alpha, which it clamps', async () => {
+    const glow = own('gl_FragColor = vec4(IMG_THIS_PIXEL(inputImage).rgb, 0.1);', ', "SCRIM_ALPHA": "premultiplied"');
+    const nodes = {
+      'glow-a': { type: 'filter/glow', version: 1 },
+      'grey-a': { type: 'filter/grey', version: 1, params: { amount: 0 } },
+      'over-a': { type: 'operator/over', version: LIBRARY.definition('operator/over')?.version },
+    };
+    const wires = [
+      'pattern-a.layer -> glow-a.inputImage',
+      'glow-a.layer -> grey-a.inputImage',
+      'grey-a.layer -> over-a.top',
+      'other-a.layer -> over-a.bottom',
+      'over-a.layer -> screen-a.layer',
+    ];
+    const { separate } = twins(nodes, wires, { 'glow.fs': glow });
+    const { fused } = twins(nodes, wires, { 'glow.fs': glow }, { fold: true });
+    await expectSameImages(page, [{ separate, fused, wires: [] }]);
+  });
+
+  test('and of a graph whose constants, equal effects and invisible layers are folded', async () => {
+    const version = (type: string) => ({ type, version: LIBRARY.definition(type)?.version });
+    const nodes = {
+      'third-a': { ...version('value/math'), params: { operation: 'divide', a: 1, b: 3 } },
+      'grey-a': version('filter/grey'),
+      'pale-a': { ...version('filter/grey'), params: { amount: { expression: '1 / 3' } } },
+      'blend-a': { ...version('operator/blend'), params: { mode: 2 } },
+      'scene-a': version('layer/scene'),
+      'box-a': version('objects/primitive'),
+      'over-a': { ...version('operator/over'), params: { opacity: 0 } },
+      'post-a': version('filter/posterize'),
+    };
+    const wires = [
+      'third-a.result -> grey-a.amount',
+      'pattern-a.layer -> grey-a.inputImage',
+      'pattern-a.layer -> pale-a.inputImage',
+      'grey-a.layer -> blend-a.top',
+      'pale-a.layer -> blend-a.bottom',
+      'box-a.objects -> scene-a.objects',
+      'scene-a.layer -> over-a.top',
+      'blend-a.layer -> over-a.bottom',
+      'over-a.layer -> post-a.inputImage',
+      'post-a.layer -> screen-a.layer',
+    ];
+    const { separate } = twins(nodes, wires);
+    const { fused } = twins(nodes, wires, {}, { fold: true });
+    expect(separate.operations.map(({ kind }) => kind)).toEqual(expect.arrayContaining(['value', 'draw']));
+    expect(fused.operations.map(({ kind, id }) => `${kind} ${id}`)).toEqual(['pass post-a.pass0']);
+    expect(passes(fused)[0]?.nodes).toEqual(['pattern-a', 'pale-a', 'blend-a', 'post-a']);
+    await expectSameImages(page, [{ separate, fused, wires: [] }]);
+  });
+
   test('and a driver’s message about it names the node and the line of its file', async () => {
     const { fused } = chain(['filter/sepia', 'filter/posterize']);
     const [pass] = passes(fused);
@@ -137,5 +243,33 @@ void main() {
     const place = map?.lines[lines.findIndex((line) => line.includes('b2_a_levels') && !line.startsWith('uniform'))];
     expect(map?.sources[place?.[0] ?? 0]).toBe('filters/posterize.fs');
     expect(LIBRARY.shader('filters/posterize.fs')?.split('\n')[(place?.[1] ?? 0) - 1]).toContain('levels');
+  });
+});
+
+describe('two views', () => {
+  /** A scene over a blurred pattern: pattern and blur, three passes, do not depend on the view. */
+  const { separate } = twins(
+    {
+      'blur-a': { type: 'filter/gaussian-blur', version: 1, params: { radius: 3 } },
+      'box-a': { type: 'objects/primitive', version: 1 },
+      'scene-a': { type: 'layer/scene', version: 1 },
+      'blend-a': { type: 'operator/blend', version: 1 },
+    },
+    [
+      'pattern-a.layer -> blur-a.inputImage',
+      'box-a.objects -> scene-a.objects',
+      'scene-a.layer -> blend-a.top',
+      'blur-a.layer -> blend-a.bottom',
+      'blend-a.layer -> screen-a.layer',
+    ],
+  );
+
+  test('share the passes that do not depend on the view', async () => {
+    const { draws, left, right } = await page.call<StereoFrame>('drawStereo', separate);
+    const different = await page.call<StereoFrame>('drawStereo', separate, 20);
+    // Views of different sizes need all passes twice.
+    expect(draws).toBe(different.draws - 3);
+    expect([...left]).toEqual([...right]);
+    expect(new Set(left).size).toBeGreaterThan(30);
   });
 });

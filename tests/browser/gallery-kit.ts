@@ -6,7 +6,7 @@ import type { Project } from '../../export/graph/project.ts';
 import type { Program } from '../../export/program/program.ts';
 import { LIBRARY } from '../support/library.ts';
 
-const FOLDER = resolve(import.meta.dirname, '../../examples/gallery');
+const FOLDER = resolve(import.meta.dirname, '../../examples/boards/gallery');
 
 /** Its files, as `gallery/`. */
 export const GALLERY_MOUNTS = { '/gallery/': FOLDER };

@@ -127,8 +127,8 @@ function expectHeights(looks: Readonly<Record<string, CellLook>>, expected: Read
 
 test('the gallery is what the script makes of it', () => {
   const { project: logic, layout } = saveProject(makeGallery(LIBRARY));
-  expect(readFileSync('examples/gallery/project.scrim.json', 'utf8')).toBe(logic);
-  expect(readFileSync('examples/gallery/project.layout.json', 'utf8')).toBe(layout);
+  expect(readFileSync('examples/boards/gallery/project.scrim.json', 'utf8')).toBe(logic);
+  expect(readFileSync('examples/boards/gallery/project.layout.json', 'utf8')).toBe(layout);
 });
 
 /** What every graph needs, besides values, pulses and controls. */

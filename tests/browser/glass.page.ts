@@ -66,7 +66,6 @@ export function shoot(
     gl.clearColor(...clear);
     gl.clear(gl.COLOR_BUFFER_BIT);
   }
-  backend.invalidateState();
   const view: DrawView = { ...drawView(viewOf(FRONT), layer.framebuffer), ...(under ? { under } : {}) };
   scene.draw(view);
   const pixels = layer.pixels();

@@ -9,9 +9,11 @@ import {
   readProbe,
 } from '../../export/program/loop-budget.ts';
 import type { LinkedShader } from '../../export/program/program.ts';
-import { CURVE_WIDTH_PX } from '../../export/program/texture-sizes.ts';
+import { TABLE_WIDTH_PX } from '../../export/program/texture-sizes.ts';
 import { sampleCurve } from '../../nodes/kit/curve.ts';
+import { sampleGradient } from '../../nodes/kit/gradient.ts';
 import { playSize, SIZE_STACK_BOTTOM } from '../../nodes/kit/play-size.ts';
+import type { TableType } from '../../nodes/kit/wire-types.ts';
 
 /**
  * Plays linked passes as `export/program/program.ts` says, in a few lines of plain WebGL 2 and without the runtime: what the
@@ -45,6 +47,9 @@ export interface DrawJob {
   readonly cubes?: Readonly<Record<string, readonly (readonly number[])[]>>;
   /** Events too: 1 where they happen. */
   readonly params?: Readonly<Record<string, number | readonly number[]>>;
+  /** Matrices of the view, column-major 4×4; identities where they are left out. */
+  readonly clipFromView?: readonly number[];
+  readonly worldFromView?: readonly number[];
   /** How often to draw; buffers that persist keep their picture in between. */
   readonly frames?: number;
 }
@@ -59,6 +64,7 @@ export interface Drawing {
 }
 
 const IDENTITY = [1, 0, 0, 0, 1, 0, 0, 0, 1];
+const IDENTITY_4 = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 const FRAME_S = 1 / 60;
 
 const gl = createContext();
@@ -264,12 +270,14 @@ function uploadDepth(depth: DepthImage): WebGLTexture {
   return texture;
 }
 
-function uploadCurve(curve: number | readonly number[] | undefined): WebGLTexture {
-  if (typeof curve !== 'object') throw new Error('The test gives no curve.');
-  const heights = new Float32Array(CURVE_WIDTH_PX);
-  sampleCurve(curve, heights);
-  const texture = createTexture(gl.R16F, CURVE_WIDTH_PX, 1);
-  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, CURVE_WIDTH_PX, 1, gl.RED, gl.FLOAT, heights);
+function uploadTable(of: TableType, value: number | readonly number[] | undefined): WebGLTexture {
+  if (typeof value !== 'object') throw new Error(`The test gives no ${of}.`);
+  const isCurve = of === 'curve';
+  const row = new Float32Array(TABLE_WIDTH_PX * (isCurve ? 1 : 4));
+  if (isCurve) sampleCurve(value, row);
+  else sampleGradient(value, row);
+  const texture = createTexture(isCurve ? gl.R16F : gl.RGBA16F, TABLE_WIDTH_PX, 1);
+  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, TABLE_WIDTH_PX, 1, isCurve ? gl.RED : gl.RGBA, gl.FLOAT, row);
   return texture;
 }
 
@@ -290,6 +298,8 @@ function setUniforms(
       DATE: [2026, 3, 4, 5],
       RENDERSIZE: [target.width, target.height],
       PASSINDEX: pass.passIndex,
+      SCRIM_CLIP_FROM_VIEW: job.clipFromView ?? IDENTITY_4,
+      SCRIM_WORLD_FROM_VIEW: job.worldFromView ?? IDENTITY_4,
     };
     const given = 'event' in source ? (job.params?.[source.event] ?? 0) : undefined;
     const value = given ?? ('builtin' in source ? builtins[source.builtin] : 'param' in source ? job.params?.[source.param] : undefined);
@@ -299,6 +309,7 @@ function setUniforms(
     else if (type === 'float') gl.uniform1fv(location, numbers);
     else if (type === 'vec2') gl.uniform2fv(location, numbers);
     else if (type === 'vec3') gl.uniform3fv(location, numbers);
+    else if (type === 'mat4') gl.uniformMatrix4fv(location, false, numbers);
     else gl.uniform4fv(location, numbers);
   }
 }
@@ -320,7 +331,7 @@ function setSamplers(
     const texture = buffer === undefined ? textures.get(isDepth ? `${image}:depth` : image) : buffer.textures[buffer.front];
     gl.activeTexture(gl.TEXTURE0 + unit);
     if (cube) gl.bindTexture(gl.TEXTURE_CUBE_MAP, uploadCube(cube));
-    else if (source.kind === 'curve') gl.bindTexture(gl.TEXTURE_2D, uploadCurve(job.params?.[source.param]));
+    else if (source.kind === 'table') gl.bindTexture(gl.TEXTURE_2D, uploadTable(source.of, job.params?.[source.param]));
     else gl.bindTexture(gl.TEXTURE_2D, texture ?? null);
     gl.uniform1i(gl.getUniformLocation(program, name), unit);
     gl.uniformMatrix3fv(gl.getUniformLocation(program, `${name}_uvFromViewUv`), false, picture?.uvFromViewUv ?? IDENTITY);

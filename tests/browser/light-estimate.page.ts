@@ -65,7 +65,6 @@ function shoot(stand: Stand, things: readonly ObjectItem[], lamps: readonly Ligh
   const scene = backend.serviceFor({ shadowMaps: null, occlusion: null }).createScene({ kind: 'shaded', ambient: { value: 1 } });
   scene.update([objects(...things)], [lights(...lamps)]);
   layer.clear();
-  backend.invalidateState();
   scene.draw(drawView(viewOf(camera), layer.framebuffer));
   const pixels = layer.pixels();
   scene.dispose();
@@ -162,7 +161,6 @@ export function mirrors() {
     const [x, y, z] = towards;
     scene.update([objects(item(plane))], [lights(light)]);
     layer.clear();
-    backend.invalidateState();
     scene.draw(drawView(viewOf(lookingAt([x, y, z || 1e-4], [0, 0, 0])), layer.framebuffer));
     return pixel(layer.pixels(), WIDTH / 2, HEIGHT / 2).slice(0, 3);
   };
@@ -203,7 +201,6 @@ export function redrawn() {
     Object.assign(tally, { draws: 0, buffers: 0 });
     scene.update([things], [lights(light)]);
     layer.clear();
-    backend.invalidateState();
     scene.draw(drawView(viewOf(lookingAt([0, 2, 1e-4], [0, 0, 0])), layer.framebuffer));
     const pixels = layer.pixels();
     const at = (x: number): number[] => pixel(pixels, WIDTH / 2 + x, HEIGHT / 2).slice(0, 3);
@@ -244,10 +241,8 @@ export function shadowSides(towards: readonly Triple[]) {
     const look = { kind: 'shadow-catcher', strength: { value: 1 }, color: { value: Float64Array.of(0, 0, 0, 1) } } as const;
     const scene = backend.serviceFor({ shadowMaps: maps, occlusion: null }).createScene(look);
     scene.update([objects(floor)], [ctx.outputs.lights]);
-    backend.invalidateState();
     maps.update();
     layer.clear();
-    backend.invalidateState();
     scene.draw(drawView(viewOf(camera), layer.framebuffer));
     const pixels = layer.pixels();
     scene.dispose();

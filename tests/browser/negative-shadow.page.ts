@@ -98,7 +98,6 @@ function draw(surface: Surface, lamps: readonly Lamp[], strength: number, places
     .serviceFor({ shadowMaps: maps, occlusion: null })
     .createScene({ kind: 'shadow-catcher', strength: { value: strength }, color: { value: Float64Array.of(0, 0, 0, 1) }, glow, ...depth });
   scene.update([objects(...receivers(surface))], [lightList]);
-  stand.backend.invalidateState();
   maps.update();
   gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
   gl.disable(gl.SCISSOR_TEST);
@@ -106,7 +105,6 @@ function draw(surface: Surface, lamps: readonly Lamp[], strength: number, places
   gl.depthMask(true);
   gl.clearColor(0, 0, 0, 0);
   gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-  stand.backend.invalidateState();
   scene.draw(drawView(viewOf(CAMERA, { x: 0, y: 0, widthPx: SIDE, heightPx: SIDE }), framebuffer));
   const rgba = new Float32Array(SIDE * SIDE * 4);
   gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);

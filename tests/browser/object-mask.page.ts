@@ -29,7 +29,6 @@ function shoot(items: readonly ObjectItem[], look: SceneLook, occlusion: DrawBin
   const scene = backend.serviceFor({ shadowMaps: null, occlusion }).createScene(look);
   scene.update([objects(...items)], [lights(sun([0, 0, 1]))]);
   layer.clear();
-  backend.invalidateState();
   scene.draw(drawView(viewOf(FRONT), layer.framebuffer));
   const pixels = layer.pixels();
   scene.dispose();

@@ -22,7 +22,8 @@ async function open(width = 1280, height = 720) {
   opened.push(page);
   const errors = collectErrors(page);
   await page.goto(served.url);
-  await page.getByText('look around').waitFor();
+  // On phones it is behind the button “About this page”.
+  await page.locator('.hint:not([hidden])').waitFor({ state: 'attached' });
   return { page, errors };
 }
 

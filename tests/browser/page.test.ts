@@ -82,7 +82,7 @@ describe('an exported page where there is no AR', () => {
     ['a small phone held across', 640, 320],
   ])('fits %s, and every control can be hit', async (_name, width, height) => {
     const { page } = await open({ viewport: { width, height } });
-    await page.getByText('look around').waitFor();
+    await page.locator('.hint:not([hidden])').waitFor({ state: 'attached' });
     expect(await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.scrollHeight])).toEqual([
       width,
       height,

@@ -61,7 +61,6 @@ function shoot(
   const scene = backend.serviceFor(NO_SHADOWS).createScene({ kind: 'shaded', ambient: options.ambient ?? { value: 0 } });
   scene.update(lists, options.lights ?? []);
   layer.clear();
-  backend.invalidateState();
   scene.draw(drawView(viewOf(options.camera ?? FRONT), layer.framebuffer));
   const pixels = layer.pixels();
   scene.dispose();
@@ -180,7 +179,6 @@ export function views() {
   const drawAll = (...eyes: ViewFrame[]): Uint8Array => {
     layer.clear();
     eyes.forEach((view, i) => {
-      backend.invalidateState();
       scene.draw(drawView(view, layer.framebuffer, i));
     });
     return layer.pixels();
@@ -213,7 +211,6 @@ export function live() {
   const draw = (): number[] => {
     scene.update([list], [lights(sun([0, 0, 1]))]);
     layer.clear();
-    backend.invalidateState();
     scene.draw(drawView(viewOf(FRONT), layer.framebuffer));
     return pixel(layer.pixels(), ...CENTER);
   };
@@ -248,7 +245,6 @@ export function state() {
   const begin = () => backend.serviceFor(NO_SHADOWS).createScene({ kind: 'shaded' });
   const draw = (scene: DrawnScene): Uint8Array => {
     layer.clear();
-    backend.invalidateState();
     scene.draw(drawView(viewOf(FRONT), layer.framebuffer));
     return layer.pixels();
   };
@@ -267,7 +263,6 @@ export function state() {
   const before = draw(scene);
   layer.clear();
   upset(gl);
-  backend.invalidateState();
   scene.draw(drawView(viewOf(FRONT), layer.framebuffer));
   const bound = gl.getParameter(gl.FRAMEBUFFER_BINDING) === layer.framebuffer;
   const scissor = gl.isEnabled(gl.SCISSOR_TEST);
@@ -295,7 +290,6 @@ export function canvas() {
   gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   gl.clearColor(0, 0, 0, 0);
   gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-  backend.invalidateState();
   scene.draw(drawView(viewOf(FRONT, { x: 0, y: 0, widthPx: 80, heightPx: 120 }), null));
   gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   const pixels = readPixels(gl, WIDTH, HEIGHT);
@@ -314,7 +308,6 @@ export function surroundings() {
     const scene = backend.serviceFor(NO_SHADOWS).createScene({ kind: 'shaded', ambient: { value: 0.5 } });
     scene.update([list], []);
     layer.clear();
-    backend.invalidateState();
     scene.draw(drawView(viewOf(camera, { x: 0, y: 0, widthPx: 48, heightPx: 48 }), layer.framebuffer));
     const pixels = layer.pixels();
     scene.dispose();

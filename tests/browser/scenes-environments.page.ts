@@ -72,7 +72,6 @@ function shoot(
   const scene = backend.serviceFor({ shadowMaps: null, occlusion: null }).createScene(SHADE);
   scene.update([objects(...receivers)], [lights(...lamps)]);
   layer.clear();
-  backend.invalidateState();
   scene.draw(drawView(viewOf(camera), layer.framebuffer));
   const pixels = layer.pixels();
   scene.dispose();

@@ -75,10 +75,8 @@ function shoot({ backend, layer }: Stand, { lamps, receivers, casters = [], look
   const report = ({ message }: { message: string }): unknown => reports.push(message);
   const scene = backend.serviceFor({ shadowMaps: maps, occlusion: null, report: report as () => void }).createScene(look);
   scene.update([objects(...receivers)], [lightList]);
-  backend.invalidateState();
   maps.update();
   layer.clear();
-  backend.invalidateState();
   scene.draw(drawView(viewOf(CAMERA), layer.framebuffer));
   const pixels = layer.pixels();
   scene.dispose();
@@ -203,10 +201,8 @@ export function allSides() {
     const maps = stand.backend.createShadowMaps([objects(box, wall)], [list]);
     const scene = stand.backend.serviceFor({ shadowMaps: maps, occlusion: null }).createScene(SHADE);
     scene.update([objects(wall)], [list]);
-    stand.backend.invalidateState();
     maps.update();
     stand.layer.clear();
-    stand.backend.invalidateState();
     scene.draw(drawView(viewOf(camera), stand.layer.framebuffer));
     const pixels = stand.layer.pixels();
     // The shadow is 0.25 m to each side (the box's near face at 0.4 m): at 0 it is dark, at 0.42 m not.

@@ -39,7 +39,6 @@ function draw({ backend, layer }: Stand, root: Object3D): Uint8Array {
   const scene = backend.serviceFor({ shadowMaps: null, occlusion: null }).createScene({ kind: 'shaded', ambient: { value: 0.5 } });
   scene.update([objects(item(root, { at: normalizing(root) }))], [lights(sun([0.5, 1, 1]))]);
   layer.clear();
-  backend.invalidateState();
   scene.draw(drawView(viewOf(lookingAt([0.8, 0.6, 2.4], [0, 0, 0])), layer.framebuffer));
   const pixels = layer.pixels();
   scene.dispose();
@@ -187,10 +186,8 @@ export async function leaks(urls: readonly string[]) {
     const shadow = service.createScene({ kind: 'shadow-catcher', strength: { value: 1 }, color: { value: new Float64Array(4) } });
     for (const scene of [shaded, shadow]) {
       scene.update([list, floor], [sunlight]);
-      backend.invalidateState();
       maps.update();
       layer.clear();
-      backend.invalidateState();
       scene.draw(drawView(viewOf(lookingAt([0, 0, 4], [0, 0, 0])), layer.framebuffer));
     }
     // A list that changes rebuilds its scenes.
@@ -210,7 +207,6 @@ export async function leaks(urls: readonly string[]) {
     const list = objects(item(mesh(new MeshStandardMaterial())));
     const scene = next.serviceFor({ shadowMaps: null, occlusion: null }).createScene({ kind: 'shaded' });
     scene.update([list], [lights(sun([0, 1, 0]))]);
-    next.invalidateState();
     scene.draw(drawView(viewOf(lookingAt([0, 0, 4], [0, 0, 0])), layer.framebuffer));
     scene.dispose();
     disposeMesh(list.items[0]?.root as Mesh);

@@ -57,7 +57,6 @@ function shoot(stand: Stand, list: ObjectList, depth: RoomDepth | null, params: 
     .createScene({ kind: 'shaded', ambient: { value: 0 } });
   scene.update([list], [lights(sun([0.2, 0.3, 1]))]);
   layer.clear();
-  backend.invalidateState();
   scene.draw(drawView(viewOf(FRONT), layer.framebuffer));
   const pixels = layer.pixels();
   scene.dispose();
@@ -144,7 +143,6 @@ export function everyMaterial() {
     const before = compiled;
     scene.update([list], [lights(sun([0, 0, 1]))]);
     stand.layer.clear();
-    backend.invalidateState();
     scene.draw(drawView(viewOf(FRONT), stand.layer.framebuffer));
     perFrame.push(compiled - before);
     programs.push(covered(stand.layer.pixels()));
@@ -163,7 +161,6 @@ export function viewsAndShadows() {
   layer.clear();
   for (const viewIndex of [0, 1]) {
     const view = viewOf(FRONT, { x: viewIndex * 80, y: 0, widthPx: 80, heightPx: HEIGHT });
-    backend.invalidateState();
     scene.draw(drawView(view, layer.framebuffer, viewIndex));
   }
   const eyes = [40, 120].map((x) => pixel(layer.pixels(), x, 60)[3]);
@@ -175,10 +172,8 @@ export function viewsAndShadows() {
   const look = { kind: 'shadow-catcher', strength: { value: 1 }, color: { value: Float64Array.of(0, 0, 0, 1) } } as const;
   const shadow = backend.serviceFor({ shadowMaps: maps, occlusion: { roomDepth: halfRoom, params: {} } }).createScene(look);
   shadow.update([objects(item(new Mesh(new PlaneGeometry(9, 9), new MeshBasicMaterial()), { role: 'phantom' }))], [light]);
-  backend.invalidateState();
   maps.update();
   layer.clear();
-  backend.invalidateState();
   shadow.draw(drawView(viewOf(FRONT), layer.framebuffer));
   const shadows = [40, 120].map((x) => pixel(layer.pixels(), x, 60)[3]);
   return { eyes, shadows, error: gl.getError() };

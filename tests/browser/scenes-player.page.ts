@@ -46,7 +46,7 @@ function createBuilder() {
   const slots: Slot[] = [];
   const params: Record<string, number> = {};
   const slot = (node: string, name: string, { type }: ParamDefinition, value: ParamValue): number => {
-    const kind = type === 'choice' || type === 'asset' || type === 'curve' ? 'number' : type;
+    const kind = type === 'choice' || type === 'asset' || type === 'curve' || type === 'gradient' ? 'number' : type;
     if (kind === 'text') {
       slots.push({ type: 'text', offset: texts.push(String(value)) - 1 });
     } else {

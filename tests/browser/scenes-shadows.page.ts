@@ -72,10 +72,8 @@ function shoot({ backend, layer }: Stand, shot: Shot): Uint8Array {
   const maps = shot.withoutMaps ? null : backend.createShadowMaps([casters], [lightList]);
   const scene = backend.serviceFor({ shadowMaps: maps, occlusion: null }).createScene(shot.look ?? CATCH);
   scene.update([objects(...shot.receivers)], [lightList]);
-  backend.invalidateState();
   maps?.update();
   layer.clear();
-  backend.invalidateState();
   scene.draw(drawView(viewOf(shot.camera ?? CAMERA), layer.framebuffer));
   const pixels = layer.pixels();
   scene.dispose();
@@ -221,11 +219,9 @@ export function switching() {
   const draw = (): number[] => {
     catcher.update([objects(phantomFloor())], [lightList]);
     shaded.update([floor], [lightList]);
-    backend.invalidateState();
     maps.update();
     return [catcher, shaded].map((scene) => {
       layer.clear();
-      backend.invalidateState();
       scene.draw(drawView(viewOf(CAMERA), layer.framebuffer));
       const [red = 0, , , alpha = 0] = pixel(layer.pixels(), ...project(CAMERA, [0.5, 0, 0]));
       return scene === catcher ? alpha : red;

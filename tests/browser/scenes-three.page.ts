@@ -168,7 +168,6 @@ export function sameAsPlain() {
   scene.update([objects(item(zoo()))], [lights(sun([1, 2, 3]))]);
   const draw = (): Uint8Array => {
     layer.clear();
-    backend.invalidateState();
     scene.draw(drawView(viewOf(camera), layer.framebuffer));
     return layer.pixels();
   };

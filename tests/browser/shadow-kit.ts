@@ -15,7 +15,7 @@ import {
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { LightShadow, LocalLightShadow } from '../../nodes/kit/light-shadow.ts';
 import type { LightItem, ObjectItem } from '../../nodes/kit/scene-lists.ts';
-import type { ShadowCatcherLook } from '../../nodes/kit/scene-look.ts';
+import type { ShadowCatcherLook, ShadowStrokes } from '../../nodes/kit/scene-look.ts';
 import {
   bulb,
   createStand,
@@ -68,6 +68,7 @@ export interface Shot {
   /** Depth of the real room, with the tolerance. */
   readonly room?: SceneRoom;
   readonly strength?: number;
+  readonly strokes?: ShadowStrokes;
   /** Two halves of the target, each with a camera of its own. */
   readonly second?: PerspectiveCamera;
 }
@@ -86,12 +87,11 @@ export function shoot({ backend, layer }: Stand, shot: Shot): Uint8Array {
     on: shot.on ?? 'phantoms',
     ...(volumes ? { volumesOf: [casters] } : {}),
     ...(shot.room ? { room: shot.room } : {}),
+    ...(shot.strokes ? { strokes: shot.strokes } : {}),
   });
   scene.update([objects(...shot.receivers)], [lightList]);
-  backend.invalidateState();
   maps?.update();
   layer.clear();
-  backend.invalidateState();
   const camera = shot.camera ?? CAMERA;
   if (shot.second) {
     const half = { y: 0, widthPx: SIDES.widthPx / 2, heightPx: SIDES.heightPx };

@@ -105,7 +105,6 @@ export function running() {
   const draw = (): number => {
     scene.update([floor], [lightList]);
     layer.clear();
-    backend.invalidateState();
     scene.draw(drawView(viewOf(ABOVE, { x: 0, y: 0, ...SIDES }), layer.framebuffer));
     return onFloor(layer.pixels(), ABOVE, { at: [0.5, 0] }).at ?? -1;
   };

@@ -109,7 +109,6 @@ export function shoot({ items, suns = [sun(TOWARDS_SUN)], occlusion = null, came
   scene.update([list], [lit]);
   shadowMaps?.update();
   layer.clear();
-  backend.invalidateState();
   scene.draw(drawView(viewOf(camera), layer.framebuffer));
   const pixels = layer.pixels();
   scene.dispose();

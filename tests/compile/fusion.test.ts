@@ -1,4 +1,5 @@
 import { describe, expect, test } from '@jest/globals';
+import { describeSeparate } from '../../export/compiler/describe.ts';
 import { SEPARATE_REASONS } from '../../export/compiler/schedule/fuse/separate-wire.ts';
 import { totalBytes } from '../../export/compiler/target-bytes.ts';
 import { chain, passes, type Twins, twins } from '../support/fusion-kit.ts';
@@ -78,23 +79,56 @@ describe('a layer stays a texture', () => {
       'over-a.layer -> screen-a.layer',
     ];
     expectReason(twins(nodes, wires), 'grey-a.pass0 → over-a.pass0', 'readers');
-    const two = {
-      'grey-a': nodes['grey-a'],
+  });
+
+  test('where several passes could compute it, but it costs more than a texture', () => {
+    const two = (effects: readonly string[]) => ({
+      ...Object.fromEntries(effects.map((type, i) => [`e-${i}`, { type, version: 1 }])),
       'one-a': { type: 'filter/sepia', version: 1 },
       'two-a': { type: 'filter/sepia', version: 1 },
-      'blur-a': nodes['blur-a'],
-      'over-a': nodes['over-a'],
-    };
-    const apart = [
-      'pattern-a.layer -> grey-a.inputImage',
-      'grey-a.layer -> one-a.inputImage',
-      'grey-a.layer -> two-a.inputImage',
+      'blur-a': { type: 'filter/gaussian-blur', version: 1 },
+      'over-a': { type: 'operator/blend', version: 1 },
+    });
+    const apart = (effects: readonly string[]) => [
+      ...effects.map((_, i) => `${i === 0 ? 'pattern-a' : `e-${i - 1}`}.layer -> e-${i}.inputImage`),
+      `e-${effects.length - 1}.layer -> one-a.inputImage`,
+      `e-${effects.length - 1}.layer -> two-a.inputImage`,
       'one-a.layer -> blur-a.inputImage',
       'blur-a.layer -> over-a.top',
       'two-a.layer -> over-a.bottom',
       'over-a.layer -> screen-a.layer',
     ];
-    expectReason(twins(two, apart), 'grey-a.pass0 → one-a.pass0', 'readers');
+    const cheap = ['filter/grey'];
+    const dear = ['filter/grey', 'filter/white-balance', 'filter/vignette'];
+    const computed = passes(twins(two(cheap), apart(cheap)).fused);
+    expect(computed.map(({ nodes }) => nodes)).toEqual([
+      ['pattern-a', 'e-0', 'one-a'],
+      undefined,
+      ['pattern-a', 'e-0', 'blur-a', 'two-a', 'over-a'],
+    ]);
+    const stored = twins(two(dear), apart(dear));
+    expectReason(stored, 'e-2.pass0 → one-a.pass0', 'cost');
+    expectReason(stored, 'e-2.pass0 → two-a.pass0', 'cost');
+  });
+
+  test('where one pass would compute it for several pixels that it reads, and that costs more than a texture', () => {
+    const at = (x: number) => `IMG_PIXEL(inputImage, gl_FragCoord.xy + vec2(${x}.0, 0.0))`;
+    const mean = (count: number) =>
+      `void main() { gl_FragColor = (${Array.from({ length: count }, (_, i) => at(i)).join(' + ')}) / ${count}.0; }`;
+    const INVERT = `/*{ "ISFVSN": "2", ${INPUTS} }*/\nvoid main() { vec4 c = IMG_THIS_PIXEL(inputImage); gl_FragColor = vec4(1.0 - c.rgb, c.a); }`;
+    const pair = (count: number) =>
+      twins(
+        {
+          // Its layer is a texture.
+          'pattern-a': { type: 'generator/pattern', version: 1, unfused: true },
+          'invert-a': { type: 'filter/invert', version: 1 },
+          'mean-a': { type: 'filter/mean', version: 1 },
+        },
+        ['pattern-a.layer -> invert-a.inputImage', 'invert-a.layer -> mean-a.inputImage', 'mean-a.layer -> screen-a.layer'],
+        { 'invert.fs': INVERT, 'mean.fs': `/*{ "ISFVSN": "2", ${INPUTS} }*/\n${mean(count)}` },
+      );
+    expect(passes(pair(3).fused).map(({ nodes }) => nodes)).toEqual([undefined, ['invert-a', 'mean-a']]);
+    expectReason(pair(9), 'invert-a.pass0 → mean-a.pass0', 'cost');
   });
 
   test('where the sizes differ', () => {
@@ -121,6 +155,24 @@ describe('a layer stays a texture', () => {
       'over-a.layer -> screen-a.layer',
     ];
     expectReason(twins(nodes, wires), 'grey-a.pass0 → over-a.pass0', 'fitted');
+  });
+
+  test('where its reader reads another pixel, and its own colors depend on the rasterizer or on filtered images', () => {
+    const shift = {
+      'shift.fs': `/*{ "ISFVSN": "2", ${INPUTS} }*/\nvoid main() { gl_FragColor = IMG_PIXEL(inputImage, gl_FragCoord.xy + 2.0); }`,
+    };
+    const nodes = { 'shift-a': { type: 'filter/shift', version: 1 }, 'grey-a': { type: 'filter/grey', version: 1 } };
+    // The pattern computes with its normalized position.
+    const wires = ['pattern-a.layer -> grey-a.inputImage', 'grey-a.layer -> shift-a.inputImage', 'shift-a.layer -> screen-a.layer'];
+    const pair = twins(nodes, wires, shift);
+    expectReason(pair, 'pattern-a.pass0 → grey-a.pass0', 'moved');
+    expect(passes(pair.fused).map(({ nodes }) => nodes)).toEqual([undefined, ['grey-a', 'shift-a']]);
+    const filmed = ['video-a.layer -> grey-a.inputImage', 'grey-a.layer -> shift-a.inputImage', 'shift-a.layer -> screen-a.layer'];
+    expectReason(
+      twins({ ...nodes, 'video-a': { type: 'source/camera-video', version: 1 } }, filmed, shift),
+      'grey-a.pass0 → shift-a.pass0',
+      'moved',
+    );
   });
 
   test('where neighboring pixels would be read in two steps', () => {
@@ -228,4 +280,9 @@ describe('a layer stays a texture', () => {
   test('for no other reason', () => {
     expect([...found].sort()).toEqual(Object.keys(SEPARATE_REASONS).sort());
   });
+});
+
+test('`scrim plan --why` says in words which layer stays a texture, and why', () => {
+  const { wires } = chain(['filter/sepia', 'filter/gaussian-blur']);
+  expect(describeSeparate(wires)).toContain('e-0.layer → e-1.pass0: the reader reads other pixels than the current one (elsewhere)');
 });

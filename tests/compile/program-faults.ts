@@ -15,8 +15,8 @@ export function programFaults(program: Program): string[] {
   fault(known.size < resources.length, 'two resources have the same id');
   fault(new Set(operations.map(({ id }) => id)).size < operations.length, 'two operations have the same id');
 
-  // Techniques are texts and values, curves are values; no operation writes them.
-  const written = new Set<ResourceId>(resources.filter(({ kind }) => kind === 'technique' || kind === 'curve').map(({ id }) => id));
+  // Techniques are texts and values, curves and gradients are values; no operation writes them.
+  const written = new Set<ResourceId>(resources.filter(({ kind }) => kind === 'technique' || kind === 'table').map(({ id }) => id));
   let last = 'once';
   let onScreen = false;
   let left = false;
@@ -45,7 +45,8 @@ export function programFaults(program: Program): string[] {
   }
   for (const resource of resources) {
     fault(!written.has(resource.id), `${resource.id} is never written`);
-    if (resource.kind === 'curve') fault(slots.slots[resource.slot]?.type !== 'curve', `${resource.id} is the curve of no slot`);
+    if (resource.kind === 'table')
+      fault(slots.slots[resource.slot]?.type !== resource.of, `${resource.id} is the ${resource.of} of no slot`);
     if (resource.kind === 'target') fault(resource.size.base !== 'view' && !known.has(resource.size.base), `${resource.id} has no size`);
   }
   for (const { color, depth } of Object.values(taps)) {

@@ -1,6 +1,7 @@
 import { describeProgram } from '../../export/compiler/describe.ts';
 import type { Program } from '../../export/program/program.ts';
 import { CURVE_NUMBERS } from '../../nodes/kit/curve.ts';
+import { GRADIENT_NUMBERS } from '../../nodes/kit/gradient.ts';
 
 /**
  * A program as a golden: its plan in words, then every slot, resource and operation on a line of its own. Of shaders only the
@@ -33,5 +34,6 @@ export function programText(program: Program): string {
 function numbersIn(type: string): number {
   if (type === 'color') return 4;
   if (type === 'curve') return CURVE_NUMBERS;
+  if (type === 'gradient') return GRADIENT_NUMBERS;
   return type.startsWith('vector') ? Number(type.slice(-1)) : 1;
 }

@@ -29,7 +29,9 @@ async function exampleFolders(): Promise<string[]> {
   const found = await readdir(join(ROOT, 'nodes'), { recursive: true });
   const ofNodes = found.filter((path) => path.endsWith('example/project.scrim.json')).map((path) => `nodes/${path}`);
   const shipped = (await readdir(join(ROOT, 'examples'))).map((name) => `examples/${name}/project.scrim.json`);
-  return [...ofNodes, ...shipped].map((path) => path.slice(0, -'/project.scrim.json'.length)).sort();
+  return [...ofNodes, ...shipped, 'examples/boards/gallery/project.scrim.json']
+    .map((path) => path.slice(0, -'/project.scrim.json'.length))
+    .sort();
 }
 
 async function readProject(folder: string): Promise<Project | null> {

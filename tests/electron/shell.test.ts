@@ -127,6 +127,24 @@ describeElectron('the Electron shell', await findElectron(), (launch) => {
     });
     expect(await page.evaluate(() => window.location.href)).toBe('scrim://editor/');
     expect(await app.evaluate(({ BrowserWindow }) => BrowserWindow.getAllWindows().length)).toBe(1);
+    // The preview has a window of its own, which cannot call the host either.
+    const opening = app.waitForEvent('window');
+    await page.evaluate(() => {
+      const made = window.open('about:blank', '', 'popup');
+      const frame = made?.document.createElement('iframe');
+      if (!made || !frame) return;
+      frame.src = 'scrim://preview/index.html';
+      made.document.body.append(frame);
+    });
+    const popup = await opening;
+    expect(await popup.evaluate(() => 'scrimHost' in window)).toBe(false);
+    const preview = await eventually(async () => {
+      const found = popup.frames().find((frame) => frame.url() === 'scrim://preview/index.html');
+      if (!found) throw new Error('The window has no preview.');
+      return found;
+    });
+    await preview.waitForFunction(() => document.title === 'Preview');
+    await popup.close();
     for (const url of ['https://example.com/', 'file:///etc/passwd', 'scrim://preview/index.html', 'http://127.0.0.1:1/']) {
       const result = await page.evaluate(
         (u) =>

@@ -5,6 +5,7 @@ import { type LoadedCapture, loadCapture } from '../../export/runtime/assets/cap
 import { createGlObjects } from '../../export/runtime/gl/gl-objects.ts';
 import type { AssetService } from '../../nodes/kit/assets.ts';
 import type { CaptureDocument, CaptureView } from '../../nodes/kit/capture.ts';
+import { linkProgram } from '../../nodes/kit/link-program.ts';
 import { setPassState } from '../../nodes/kit/pass-state.ts';
 import type { ViewFrame } from '../../nodes/kit/session.ts';
 import { definition } from '../../nodes/source/capture/definition.ts';
@@ -12,7 +13,7 @@ import { create } from '../../nodes/source/capture/runtime.ts';
 import { createGl, createLayer, drawView } from '../browser/scenes-kit.ts';
 import { fakeContext } from '../support/node-context.ts';
 
-export type Method = 'plain' | 'nearest' | 'lumigraph' | 'nearest without occlusion';
+export type Method = 'plain' | 'nearest' | 'lumigraph' | 'depth-meshes' | 'nearest without occlusion';
 
 export interface Rephotograph {
   /** PSNR of each method in dB over the pixels that the mesh covers. */
@@ -22,6 +23,8 @@ export interface Rephotograph {
   readonly error: number;
   readonly loadMs: number;
   readonly drawMs: Readonly<Record<string, number>>;
+  /** The part of the pixels at which the depth of the layer differs from that of the mesh by more than 2 %. */
+  readonly depthDiffers: Readonly<Record<string, number>>;
   /** A PNG of each method as a data URL, if asked. */
   readonly images: Readonly<Record<string, string>>;
 }
@@ -43,17 +46,22 @@ export async function rephotograph(
   const objects = createGlObjects(gl);
   const before = objects.counts();
   const start = performance.now();
-  const capture = await loadCapture(objects, new TextEncoder().encode(JSON.stringify(others)).buffer, 'capture.json', source.load);
+  const capture = await loadCapture(objects, new TextEncoder().encode(JSON.stringify(others)).buffer, 'capture.json', source.load, true);
   gl.finish();
   const loadMs = performance.now() - start;
   const truth = await photoPixels(await source.load(target.file), widthPx, heightPx);
   const psnr: Record<string, number> = {};
   const drawMs: Record<string, number> = {};
   const images: Record<string, string> = {};
+  const depthDiffers: Record<string, number> = {};
+  let plainM: Float32Array | null = null;
   let covered = 0;
   for (const method of methods) {
     const from = performance.now();
-    const drawn = draw(gl, capture, method, target);
+    const { pixels: drawn, depthM } = draw(gl, capture, method, target);
+    plainM ??= depthM;
+    const meshM = plainM;
+    depthDiffers[method] = depthM.filter((depth, i) => !(Math.abs(depth / (meshM[i] ?? 0) - 1) <= 0.02)).length / depthM.length;
     drawMs[method] = performance.now() - from;
     ({ psnrDb: psnr[method], covered } = compareImages({ shown: drawn, truth, widthPx, heightPx }));
     if (keepsImages) images[method] = pictureUrl(drawn, widthPx, heightPx);
@@ -61,12 +69,13 @@ export async function rephotograph(
   if (keepsImages) images.photograph = pictureUrl(truth, widthPx, heightPx);
   capture.dispose();
   if (JSON.stringify(objects.counts()) !== JSON.stringify(before)) throw new Error('The capture left GL objects.');
-  const result = { psnr, covered, error: gl.getError(), loadMs, drawMs, images };
+  const result = { psnr, covered, error: gl.getError(), loadMs, drawMs, depthDiffers, images };
   gl.getExtension('WEBGL_lose_context')?.loseContext();
   return result;
 }
 
-function draw(gl: WebGL2RenderingContext, capture: LoadedCapture, method: Method, target: CaptureView): Uint8Array {
+/** Draws a capture by one method from the camera of a view, at its size. */
+export function draw(gl: WebGL2RenderingContext, capture: LoadedCapture, method: Method, target: CaptureView) {
   const { shaderSource } = gl;
   if (method === 'nearest without occlusion') {
     gl.shaderSource = (shader, text) => shaderSource.call(gl, shader, text.replace('DEPTH_TOLERANCE = 0.02', 'DEPTH_TOLERANCE = 1e9'));
@@ -81,9 +90,44 @@ function draw(gl: WebGL2RenderingContext, capture: LoadedCapture, method: Method
   node.draw?.(drawView(viewOfCamera(target), layer.framebuffer));
   gl.shaderSource = shaderSource;
   const pixels = layer.pixels();
+  const depthM = layerDepth(gl, layer.depth, target.widthPx, target.heightPx);
   layer.dispose();
   node.dispose();
-  return pixels;
+  return { pixels, depthM };
+}
+
+/** The depth of a layer in meters. */
+function layerDepth(gl: WebGL2RenderingContext, depth: WebGLTexture, widthPx: number, heightPx: number): Float32Array {
+  const program = linkProgram(
+    gl,
+    `#version 300 es
+    void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); }`,
+    `#version 300 es
+    precision highp float;
+    uniform highp sampler2D depth;
+    out vec4 window;
+    void main() { window = vec4(texelFetch(depth, ivec2(gl_FragCoord.xy), 0).r); }`,
+  );
+  const copy = gl.createTexture();
+  const framebuffer = gl.createFramebuffer();
+  gl.activeTexture(gl.TEXTURE0);
+  gl.bindTexture(gl.TEXTURE_2D, copy);
+  gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, widthPx, heightPx);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, copy, 0);
+  gl.bindTexture(gl.TEXTURE_2D, depth);
+  setPassState(gl, framebuffer, null, 0, 0, widthPx, heightPx);
+  gl.useProgram(program);
+  gl.drawArrays(gl.TRIANGLES, 0, 3);
+  const window = new Float32Array(4 * widthPx * heightPx);
+  gl.readPixels(0, 0, widthPx, heightPx, gl.RGBA, gl.FLOAT, window);
+  gl.deleteProgram(program);
+  gl.deleteFramebuffer(framebuffer);
+  gl.deleteTexture(copy);
+  return Float32Array.from(
+    { length: widthPx * heightPx },
+    (_, i) => (2 * NEAR_M * FAR_M) / (FAR_M + NEAR_M - (2 * (window[4 * i] ?? 0) - 1) * (FAR_M - NEAR_M)),
+  );
 }
 
 const NEAR_M = 0.01;

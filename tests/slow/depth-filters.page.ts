@@ -1,6 +1,6 @@
 import { decode } from 'fast-png';
 import { addDepthNoise, type DepthNoise } from '../../export/emulator/depth/depth-noise.ts';
-import { ROOM_DEPTH_TEXT } from '../../export/program/room-depth.ts';
+import { ROOM_DEPTH_TEXT } from '../../nodes/kit/room-depth-glsl.ts';
 import type { CameraImage, RoomDepth } from '../../nodes/kit/session.ts';
 import { definition } from '../../nodes/world/depth/definition.ts';
 import { createDepthDrawing } from '../../nodes/world/depth/drawing.ts';

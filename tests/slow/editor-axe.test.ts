@@ -116,6 +116,21 @@ test('the dialog that asks for frames, of pictures and of a video', async () => 
   await dialog.waitFor({ state: 'detached' });
 });
 
+test('the dialog of an export, and what it says about a folder that is in use', async () => {
+  const { page, editor, project } = open;
+  await editor.press('Export');
+  const dialog = page.getByRole('dialog', { name: 'Export the page' });
+  await dialog.waitFor();
+  await expectNothingFound();
+  // The folder of the project itself.
+  await dialog.getByRole('textbox', { name: 'Folder' }).fill(project);
+  await dialog.getByRole('button', { name: 'Export', exact: true }).click();
+  await dialog.getByRole('alert').getByRole('listitem').first().waitFor();
+  await expectNothingFound();
+  await page.keyboard.press('Escape');
+  await dialog.waitFor({ state: 'detached' });
+});
+
 test('the light of an emulated room', async () => {
   const { page, editor } = open;
   await page.getByRole('combobox', { name: 'Preview source' }).selectOption('room/studio');

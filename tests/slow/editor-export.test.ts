@@ -1,8 +1,12 @@
-import { mkdtemp, readdir, rm } from 'node:fs/promises';
+import { mkdtemp, readdir, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import type { Locator } from 'playwright-core';
+import { decodeQR } from 'qr/decode.js';
+import { axeFindings } from '../support/axe.ts';
 import { expectPoster } from '../support/exported-page.ts';
+import { decodeImage } from '../support/image.ts';
 import { useOneEditor } from '../support/open-editor.ts';
 
 const open = useOneEditor(
@@ -24,14 +28,27 @@ async function askFor(out: string): Promise<void> {
   await page.getByRole('button', { name: 'Export', exact: true }).first().click();
   const dialog = page.getByRole('dialog', { name: 'Export the page' });
   await dialog.getByRole('textbox').fill(out);
-  await dialog.getByRole('button', { name: 'Export' }).click();
+  await dialog.getByRole('button', { name: 'Export', exact: true }).click();
 }
 
 async function exportTo(name: string): Promise<string> {
   const out = join(base, name);
   await askFor(out);
-  await open.page.getByText(`Exported to ${out}`).waitFor();
+  await result().getByText(`Exported to ${out}`).waitFor();
+  await open.page.keyboard.press('Escape');
+  await result().waitFor({ state: 'detached' });
   return out;
+}
+
+function result(): Locator {
+  return open.page.getByRole('dialog', { name: 'Test', exact: true });
+}
+
+/** Opens the last exported page again. */
+async function openResult(): Promise<void> {
+  await open.page.getByRole('button', { name: 'File' }).click();
+  await open.page.getByRole('menuitem', { name: 'Exported page…' }).click();
+  await result().waitFor();
 }
 
 // The tests go on from one another, as a designer does.
@@ -54,6 +71,56 @@ test('a page has the picture of its room, one eye’s of two', async () => {
   await editor.imageSameAs(before, 'exported');
 });
 
+test('the result shows the page: its picture, sizes, devices and a code that a phone reads', async () => {
+  const { page } = open;
+  await openResult();
+  expect(
+    await result()
+      .getByRole('img', { name: 'Poster of Test' })
+      .evaluate((image: HTMLImageElement) => image.naturalWidth),
+  ).toBe(1200);
+  const sizes = result().getByRole('region', { name: 'Size' });
+  expect(await sizes.getByRole('listitem').first().textContent()).toMatch(/^(Scripts|Poster)\d+ kB$/);
+  expect(await result().getByRole('region', { name: 'Devices' }).textContent()).toMatch(/Android phone \(Chrome\)ARMeta Quest/);
+
+  await result().getByRole('textbox', { name: 'Address of the page' }).fill('example.org/my effect/');
+  const code = result().getByRole('img', { name: 'QR code of https://example.org/my%20effect/' });
+  expect(decodeQR(decodeImage(await code.screenshot()))).toBe('https://example.org/my%20effect/');
+  for (const colorScheme of ['dark', 'light'] as const) {
+    await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
+    expect([colorScheme, await axeFindings(page)]).toEqual([colorScheme, []]);
+  }
+});
+
+test('its switches export the page again: as one file, which opens in the browser', async () => {
+  const { page } = open;
+  const out = join(base, 'room');
+  expect(await readdir(out)).toContain('offline.js');
+  await result().getByRole('switch', { name: 'Works offline' }).click();
+  await result().getByRole('switch', { name: 'Works offline', checked: false, disabled: false }).waitFor();
+  expect(await readdir(out)).not.toContain('offline.js');
+  expect(await readFile(join(out, 'index.html'), 'utf8')).toContain('https://example.org/my%20effect/poster-');
+  await result().getByRole('switch', { name: 'Single file' }).click();
+  await result().getByRole('switch', { name: 'Single file', checked: true, disabled: false }).waitFor();
+  expect((await readdir(out)).sort()).toEqual(['index.html', 'report.json']);
+
+  const tab = page.waitForEvent('popup');
+  await result().getByRole('button', { name: 'Open in browser' }).click();
+  const visited = await tab;
+  expect(await visited.title()).toBe('Test');
+  await visited.close();
+  await page.keyboard.press('Escape');
+});
+
+test('an error stands in the dialog, at its folder', async () => {
+  const { page } = open;
+  await askFor(open.project);
+  const dialog = page.getByRole('dialog', { name: 'Export the page' });
+  expect(await dialog.getByRole('alert').textContent()).toContain(open.project);
+  await page.keyboard.press('Escape');
+  await dialog.waitFor({ state: 'detached' });
+});
+
 test('an export that takes long can be cancelled', async () => {
   const { page } = open;
   const out = join(base, 'cancelled');
@@ -64,7 +131,7 @@ test('an export that takes long can be cancelled', async () => {
   // The host that is at work, until it is told to leave it.
   await page.route('**/api/call/export.run', async (route) => {
     await held;
-    await route.fulfill({ json: { output: { ok: false, out, diagnostics: [], bytes: 0 } } });
+    await route.fulfill({ json: { output: { ok: false, out, diagnostics: [], report: null } } });
   });
   // Once the host is at it: a cancel while the picture is still being taken ends the export without it, and at once.
   const run = page.waitForRequest('**/api/call/export.run');
@@ -72,6 +139,9 @@ test('an export that takes long can be cancelled', async () => {
   try {
     await askFor(out);
     await run;
+    const dialog = page.getByRole('dialog', { name: 'Export the page' });
+    await dialog.getByRole('button', { name: 'Hide' }).click();
+    await dialog.waitFor({ state: 'detached' });
     await page.getByRole('button', { name: 'Cancel' }).click();
     await page.getByRole('status').getByText('Canceling…').waitFor();
     await cancel;
@@ -91,8 +161,9 @@ test('a page is exported without a picture where the graphics are lost, and the 
     document.querySelector<HTMLCanvasElement>('#picture')?.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
   });
   await page.getByText('The graphics device was lost').waitFor();
-  const out = await exportTo('neutral');
-  expect((await readdir(out)).filter((name) => name.startsWith('poster-'))).toEqual([expect.stringMatching(/\.png$/)]);
+  await askFor(join(base, 'neutral'));
+  await result().getByText('The page has a neutral poster.').waitFor();
+  await page.keyboard.press('Escape');
   await page.locator('.status-problems').click();
   await page.getByRole('list', { name: 'Problems' }).getByText('The poster of the page could not be rendered').waitFor();
 });

@@ -286,10 +286,7 @@ test('a connected param disables the tool, and its tooltip says why', async () =
 
 test('in an emulated room of two views it stands in the left one, while all plays', async () => {
   const { page, editor } = open;
-  await page.getByRole('button', { name: 'Preview options' }).click();
-  await page.getByRole('menuitemradio', { name: 'Headset' }).click();
-  // The preview has its new shape: a resized room is created again a little later.
-  await editor.preview.locator('body').evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await editor.press('Headset');
   await page.getByRole('combobox', { name: 'Preview source' }).selectOption('room/studio');
   await page.getByRole('button', { name: 'Play', exact: true }).click();
   await editor.settled();

@@ -25,6 +25,9 @@ async function previewBox() {
   return box;
 }
 
+/** Width of the rail with frames and tools, left of the image. */
+const RAIL_PX = 33;
+
 const canvasBox = async () => {
   const box = await open.page.locator('.canvas').boundingBox();
   if (!box) throw new Error('The canvas has no box.');
@@ -59,7 +62,7 @@ describe('the layout of the window', () => {
     const frame = open.page.frames().find((candidate) => candidate.parentFrame() !== null);
     await frame?.evaluate(() => Object.assign(window, { mark: true }));
     await run('Dock preview left');
-    await eventually(async () => expect((await previewBox()).x).toBe(0));
+    await eventually(async () => expect((await previewBox()).x).toBe(RAIL_PX));
     expect((await canvasBox()).x).toBeGreaterThan(500);
     await run('Dock preview below');
     await eventually(async () => expect((await previewBox()).y).toBeGreaterThan(300));
@@ -77,12 +80,12 @@ describe('the layout of the window', () => {
   test('fills the window with the preview, with the graph over it, until Escape', async () => {
     await open.page.locator('.canvas').hover();
     await open.page.keyboard.press('v');
-    await eventually(async () => expect((await previewBox()).width).toBe(1440));
+    await eventually(async () => expect((await previewBox()).width).toBe(1440 - RAIL_PX));
     await open.page.keyboard.press('Escape');
     await eventually(async () => expect((await previewBox()).width).toBeLessThan(700));
     await open.page.keyboard.press('Shift+v');
     await eventually(async () => expect((await canvasBox()).width).toBe(1440));
-    expect((await previewBox()).width).toBe(1440);
+    expect((await previewBox()).width).toBe(1440 - RAIL_PX);
     // The graph is above the preview.
     await open.editor.node('sepia').click();
     await open.editor.inspector.getByText('Sepia').first().waitFor();

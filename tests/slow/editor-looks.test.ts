@@ -176,7 +176,7 @@ test('axe-core finds nothing wrong with any of it, in both themes', async () => 
   for (const key of ['t', 'k', 'Shift+P']) await page.keyboard.press(key);
   await page.getByRole('slider', { name: 'Wipe between the two layers' }).waitFor();
   await page.getByRole('button', { name: 'Preview options' }).click();
-  await page.getByRole('menuitemradio', { name: 'Headset' }).waitFor();
+  await page.getByRole('menuitemradio', { name: 'Render size: 720p' }).waitFor();
   for (const colorScheme of ['dark', 'light'] as const) {
     await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
     expect(await axeFindings(page)).toEqual([]);

@@ -1,6 +1,7 @@
 import { access, rm } from 'node:fs/promises';
 import { join } from 'node:path';
 import { beforeAll, expect, test } from '@jest/globals';
+import { axeFindings } from '../support/axe.ts';
 import { useBrowser } from '../support/browser.ts';
 import type { RgbaImage } from '../support/image.ts';
 import { looseModel } from '../support/loose-model.ts';
@@ -106,11 +107,29 @@ test('a model is chosen with all its files, and refused without them', async () 
     await page.getByText('tile.gltf is incomplete. It refers to “tile.bin” and “paint on wood.png”, which are missing.').waitFor();
     await chosen(Object.keys(files));
     await eventually(async () =>
-      expect(await editor.inspector.locator('.asset-picker select option').allTextContents()).toContain('tile.glb'),
+      expect(await editor.inspector.locator('.asset-picker').getByRole('combobox').textContent()).toBe('tile.glb'),
     );
     await access(join(open.project, 'assets', 'tile.glb'));
     await editor.settled();
     await page.locator('.status-bar').getByText('No problems').waitFor();
+
+    // The panel of assets lists it, goes to its node, and a drag of its row adds another.
+    await page.keyboard.press('Escape');
+    await page.keyboard.press('Shift+R');
+    const row = page.getByRole('table', { name: 'Assets' }).getByRole('row', { name: /tile\.glb/ });
+    await row.getByText(/^\d+(\.\d)? k?B$/).waitFor();
+    for (const colorScheme of ['dark', 'light'] as const) {
+      await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
+      expect([colorScheme, await axeFindings(page)]).toEqual([colorScheme, []]);
+    }
+    await row.getByRole('button', { name: 'Go to 1 node with tile.glb' }).click();
+    await editor.inspector.getByLabel('Import for Model').waitFor({ state: 'attached' });
+    const { x, y } = await editor.emptyPlace();
+    const canvas = await page.locator('.canvas').boundingBox();
+    await row
+      .locator('.asset-file')
+      .dragTo(page.locator('.canvas'), { targetPosition: { x: x - (canvas?.x ?? 0), y: y - (canvas?.y ?? 0) } });
+    await row.getByRole('button', { name: 'Go to 2 nodes with tile.glb' }).waitFor();
   } finally {
     await open.close();
   }

@@ -4,6 +4,7 @@ import type { Download } from 'playwright-core';
 import { decodeImage } from '../support/image.ts';
 import { type GraphText, useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
+import { countColors } from '../support/pixels.ts';
 
 /** What the camera sees, on the screen. */
 const GRAPH: GraphText = {
@@ -59,6 +60,20 @@ test('a screenshot is the preview’s picture, pixel for pixel', async () => {
   expect(different).toBe(0);
 });
 
+test('an entry of the palette is shown while the person points at it, and nothing stays of it', async () => {
+  const { page, editor } = open;
+  const before = await editor.rewind();
+  await page.getByRole('button', { name: 'Add node' }).click();
+  const search = page.getByRole('dialog', { name: 'Add a node' }).getByRole('combobox');
+  await search.fill('sobel');
+  await editor.imageOtherThan(before);
+  await page.keyboard.press('Escape');
+  await editor.imageSameAs(before, 'candidate-left');
+  await page.locator('.saved').waitFor();
+  expect(await page.getByRole('button', { name: 'Undo' }).isDisabled()).toBe(true);
+  await page.locator('.status-bar').getByText('No problems').waitFor();
+});
+
 test('a video of what plays is recorded until it is stopped', async () => {
   const { page, editor } = open;
   await editor.press('Play');
@@ -79,24 +94,41 @@ test('a video of what plays is recorded until it is stopped', async () => {
 });
 
 test('the preview has the shape of the chosen device', async () => {
-  const { page } = open;
+  const { page, editor } = open;
   const shapeOf = async () => {
     const box = await page.locator('iframe[title="Preview"]').boundingBox();
     return box ? box.width / box.height : 0;
   };
-  await choose('Phone, portrait');
+  await editor.press('Phone, portrait');
   expect(await shapeOf()).toBeCloseTo(9 / 19.5, 1);
-  await choose('Phone, landscape');
+  await editor.press('Phone, landscape');
   expect(await shapeOf()).toBeCloseTo(19.5 / 9, 1);
   await source().selectOption('room/studio');
-  await choose('Headset');
+  await editor.press('Headset');
   await open.editor.settled();
   expect(await shapeOf()).toBeCloseTo(3360 / 1760, 1);
-  await choose('Glasses (additive display)');
-  await open.editor.settled();
-  await page.getByRole('button', { name: 'Preview options' }).click();
-  await page.keyboard.press('Escape');
-  await choose('Fit to panel');
+  await editor.press('Glasses (additive display)');
+  await editor.settled();
+  // Not the size of the panel.
+  await choose('Render size: 720p');
+  await page.locator('.status-bar').getByText(/× 720/).waitFor();
+  await choose('Render size: automatic');
+  await editor.press('Fit to panel');
+});
+
+test('the preview moves to a window of its own, where it shows the same, and returns when that is closed', async () => {
+  const { page, editor } = open;
+  const opening = page.waitForEvent('popup');
+  await editor.press('Pop out preview');
+  const popup = await opening;
+  const inPopup = popup.frameLocator('iframe[title="Preview"]').locator('#picture');
+  await inPopup.waitFor();
+  await page.locator('iframe[title="Preview"]').waitFor({ state: 'detached' });
+  await page.waitForFunction(() => document.querySelector('.stage')?.getAttribute('aria-busy') === 'false');
+  expect(countColors(decodeImage(await popup.screenshot()))).toBeGreaterThan(100);
+  await popup.close();
+  await page.locator('iframe[title="Preview"]').waitFor();
+  await editor.settled();
 });
 
 test('the light of an emulated room is moved by pointer and keys, and goes back', async () => {

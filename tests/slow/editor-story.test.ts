@@ -39,7 +39,7 @@ test('a designer’s afternoon, in the browser', async () => {
     answerFolder: async (path) => {
       const dialog = page.getByRole('dialog', { name: 'Export the page' });
       await dialog.getByRole('textbox').fill(path);
-      await dialog.getByRole('button', { name: 'Export' }).click();
+      await dialog.getByRole('button', { name: 'Export', exact: true }).click();
     },
   });
   expect(errors).toEqual([]);

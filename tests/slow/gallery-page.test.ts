@@ -10,7 +10,7 @@ const chromium = useBrowser();
 let served: ServedExport;
 
 beforeAll(async () => {
-  served = await serveProject('examples/gallery');
+  served = await serveProject('examples/boards/gallery');
 });
 afterAll(() => served.close());
 
@@ -73,7 +73,7 @@ describe('the whole wall is in view, and large', () => {
     const page = await chromium.browser.newPage({ viewport: { width, height } });
     const errors = collectErrors(page);
     await page.goto(served.url);
-    await page.getByText('Drag to look around').waitFor();
+    await page.locator('.hint:not([hidden])').waitFor({ state: 'attached' });
     await page.evaluate(showCanvasAlone);
     const picture = decodeImage(await page.screenshot());
     await keep(`page-${width}`, picture);

@@ -7,8 +7,7 @@ import type { Held } from './held-frames.page.ts';
 
 const EXAMPLES = resolve(import.meta.dirname, '../../examples');
 const SESSION = 'examples/sessions/studio/';
-/** The gallery of all nodes ends in a few flat colors, which are still in any case. */
-const PROJECTS = readdirSync(EXAMPLES).filter((name) => name !== 'gallery' && existsSync(join(EXAMPLES, name, 'project.scrim.json')));
+const PROJECTS = readdirSync(EXAMPLES).filter((name) => existsSync(join(EXAMPLES, name, 'project.scrim.json')));
 const page = useModule('tests/slow/held-frames.page.ts', { mounts: { '/examples/': EXAMPLES } });
 
 /** Nothing of the picture moves, in no pixel and by no level. */

@@ -74,6 +74,16 @@ describe('Ctrl-C', () => {
     }
     await rm(site, { recursive: true });
   });
+
+  test('ends an acquisition: status 130, no photographs, and no folder that it made', async () => {
+    const running = scrim('capture', EXAMPLE, '--out', join(base, 'deep/photos'), '--count', '500', '--size', '64x64');
+    await until(join(base, 'deep'), 'photos.new-', running);
+    const fresh = join(base, 'deep', (await readdir(join(base, 'deep')))[0] ?? '');
+    await until(join(fresh, 'images'), '0001', running);
+    running.child.kill('SIGINT');
+    expect((await ended(running)).status).toBe(130);
+    expect(await readdir(base)).toEqual([]);
+  });
 });
 
 /** Command lines of all processes below one, by id; Linux alone has them as files. */

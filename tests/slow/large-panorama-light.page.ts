@@ -94,7 +94,6 @@ function shoot({ backend, layer }: Stand, environment: LoadedEnvironment | Deriv
   const sky = { key: 'sky', kind: 'environment', environment, intensity: 0.6, rotationRad: 0.4, visible: true } as const;
   scene.update([objects(...balls)], [lights(sky)]);
   layer.clear();
-  backend.invalidateState();
   scene.draw(drawView(viewOf(lookingAt([0, 0, 1.2], [0, 0, 0])), layer.framebuffer));
   const pixels = layer.pixels();
   scene.dispose();

@@ -26,7 +26,7 @@ const VALUES = {
   hatching: {},
   charcoal: {},
   gooch: { highlight: 0 },
-  'loose-lines': { TIME: 0 },
+  'loose-lines': { TIME: 0, suggestive: 0 },
   custom: { tint: [0, 0, 0, 0] },
   brick: { brickM: [2, 1], variation: 0, bump: 0, mortarM: 0, brickColor: [1, 1, 1, 1] },
 } as const;
@@ -122,7 +122,6 @@ function createStage(lamps: Lamps): Stage {
         scene.update([list], [lit]);
         if (scene === shadowed) maps?.update();
         layer.clear();
-        backend.invalidateState();
         scene.draw(drawView(viewOf(camera, VIEWPORT), layer.framebuffer));
         return layer.pixels();
       });

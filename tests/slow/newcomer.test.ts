@@ -35,7 +35,9 @@ test('a newcomer makes a page with an occluded, shadowed cartoon in few interact
     const done = await playNewcomer({ page, model: MODEL, project, exportTo });
     expect(done.length).toBeLessThanOrEqual(MOST_INTERACTIONS);
 
-    // Each part is in the image: without it, the image is another one.
+    // Each part is in the image: without it, the image is another one. The dialog of the export shows the page.
+    await page.keyboard.press('Escape');
+    await page.getByRole('dialog').waitFor({ state: 'detached' });
     const editor = new EditorDriver(page);
     await editor.settled();
     await editor.hold();

@@ -8,24 +8,31 @@ import { type ServedExport, serveProjectText } from '../support/project-page.ts'
 
 const chromium = useBrowser();
 
-/** A image by curves. */
-function project(all: readonly number[]): ProjectText {
+/** An image by one filter. */
+function project(type: string, params: Readonly<Record<string, unknown>>): ProjectText {
   return {
     title: 'Curves',
     nodes: {
       'picture-a1': ['source/image-file', { file: 'photo' }],
-      'curves-b2': ['filter/curves', { all }],
+      'filter-b2': [type, params],
       'screen-c3': 'output/screen',
     },
-    wires: ['picture-a1.layer -> curves-b2.inputImage', 'curves-b2.layer -> screen-c3.layer'],
+    wires: ['picture-a1.layer -> filter-b2.inputImage', 'filter-b2.layer -> screen-c3.layer'],
     assets: { photo: { path: 'assets/photo.png', kind: 'image' } },
   };
 }
 
+const WHITE_TO_GREEN = [0, 1, 1, 1, 1, 0, 1, 0, 1, 0, 1, 0];
+
 let pages: readonly ServedExport[] = [];
 beforeAll(async () => {
   const files = { 'assets/photo.png': await readFile('tests/browser/expected/photograph.png') };
-  pages = [await serveProjectText(project([0, 0, 1, 1]), files), await serveProjectText(project([0, 1, 1, 0]), files)];
+  const served = (type: string, params: Readonly<Record<string, unknown>>) => serveProjectText(project(type, params), files);
+  pages = [
+    await served('filter/curves', { all: [0, 0, 1, 1] }),
+    await served('filter/curves', { all: [0, 1, 1, 0] }),
+    await served('filter/gradient-map', { gradient: WHITE_TO_GREEN }),
+  ];
 });
 afterAll(async () => {
   for (const page of pages) await page.close();
@@ -49,4 +56,15 @@ test('an exported page draws tones by the curves of its project', async () => {
   await expectSamePixels('page-negative', negative, expected, { tolerance: 2 });
   // Not all of one gray, which would be its own negative.
   expect(new Set(plain.data).size).toBeGreaterThan(50);
+});
+
+test('an exported page maps brightness to the gradient of its project', async () => {
+  const [plain, mapped] = [await visit(pages[0] as ServedExport), await visit(pages[2] as ServedExport)];
+  const expected = { ...plain, data: plain.data.slice() };
+  for (let i = 0; i < expected.data.length; i += 4) {
+    const [r = 0, g = 0, b = 0] = plain.data.subarray(i, i + 3);
+    const left = Math.round(255 - (0.2126 * r + 0.7152 * g + 0.0722 * b));
+    expected.data.set([left, 255, left], i);
+  }
+  await expectSamePixels('page-gradient', mapped, expected, { tolerance: 2 });
 });

@@ -101,7 +101,8 @@ describe('the poster of a page', () => {
     await page.getByText(/^0\.\d of \d\.\d MB$|^\d+ of \d+ kB$/).waitFor();
     letThrough();
     await page.getByText('look around').waitFor();
-    await poster.waitFor({ state: 'hidden' });
+    // Soft, behind the objects.
+    await page.locator('.poster.soft').waitFor();
     expect(errors).toEqual([]);
     await page.close();
   });

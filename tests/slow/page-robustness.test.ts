@@ -260,7 +260,7 @@ describe('a page that is looked at without AR', () => {
       [1600, 900],
     ] as const) {
       await page.setViewportSize({ width, height });
-      // Above the panel on a phone held upright, else behind it.
+      // The folded card lies below the middle of a phone held upright.
       const sizeOf = () =>
         page.evaluate(() => {
           const { width = 0, height = 0, clientWidth, clientHeight } = document.querySelector('canvas') ?? {};

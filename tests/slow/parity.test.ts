@@ -54,6 +54,7 @@ async function previewOf(
   const editor = new EditorDriver(page);
   await editor.settled();
   await page.getByRole('combobox', { name: 'Preview source' }).selectOption('room/studio');
+  await editor.press('Fit to panel');
   if (views === 2) await editor.press('Two views, as in a headset');
   await editor.settled();
   await editor.rewind();

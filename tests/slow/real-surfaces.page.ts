@@ -107,10 +107,8 @@ function shadowBefore(plane: DetectedPlane, receivers: Parameters<typeof objects
     const look = { kind: 'shadow-catcher', strength: { value: 1 }, color: { value: Float64Array.of(0, 0, 0, 1) } } as const;
     const scene = backend.serviceFor({ shadowMaps: maps, occlusion: null }).createScene(look);
     scene.update([objects(...receivers)], [lamps]);
-    backend.invalidateState();
     maps.update();
     layer.clear();
-    backend.invalidateState();
     scene.draw(drawView(viewOf(camera), layer.framebuffer));
     const pixels = layer.pixels();
     scene.dispose();

@@ -33,7 +33,7 @@ test('each photograph is rendered from the others, and the report shows how far 
   const out = join(base, 'report');
   const { status, out: said, err } = await scrim('rephotograph', join(base, 'ball.capture'), '--out', out);
   expect([status, err]).toEqual([0, '']);
-  expect(said).toMatch(/Rendered 4 photographs.*\n {2}plain {6}\d+\.\d\d dB/);
+  expect(said).toMatch(/Rendered 4 photographs.*\n {2}plain {9}\d+\.\d\d dB/);
   const report = JSON.parse(await readFile(join(out, 'report.json'), 'utf8')) as { views: { photo: string; shots: Shot[] }[] };
   expect(report.views).toHaveLength(VIEWS);
   for (const { photo, shots } of report.views) {

@@ -74,7 +74,6 @@ export function strayNumbers(): { readonly notFinite: number; readonly largest: 
   });
   const scene = backend.serviceFor({ shadowMaps: null, occlusion: null }).createScene({ kind: 'shaded', encoding: 'scene' });
   scene.update([objects(...sheets)], []);
-  backend.invalidateState();
   const view = viewOf(lookingAt([0, 0, 2], [0, 0, 0], 1), { x: 0, y: 0, widthPx: SIDE, heightPx: SIDE });
   scene.draw(drawView(view, framebuffer));
   const pixels = new Float32Array(SIDE * SIDE * 4);

@@ -198,7 +198,6 @@ function drawCatcher(model: Model, light: DirectLightItem): Uint8Array {
     scene,
     () => {
       scene.update([list], [lit]);
-      backend.invalidateState();
       shadowMaps.update();
     },
     () => shadowMaps.dispose(),
@@ -214,7 +213,6 @@ function finish(
 ): Uint8Array {
   update();
   layer.clear();
-  stand.backend.invalidateState();
   scene.draw(drawView(viewOf(CAMERA, { x: 0, y: 0, widthPx: WIDTH, heightPx: HEIGHT }), layer.framebuffer));
   const pixels = layer.pixels();
   scene.dispose();

@@ -302,10 +302,8 @@ export function veiledThings(kind: 'sun' | 'spot' | 'bulb') {
   const camera = lookingAt([0, 1.6, 1.6], [0, 0, 0]);
   const draw = (): number => {
     scene.update([shown], [lamps]);
-    backend.invalidateState();
     maps.update();
     layer.clear();
-    backend.invalidateState();
     scene.draw(drawView(viewOf(camera, { x: 0, y: 0, ...SIDES }), layer.framebuffer));
     const byte = pixel(layer.pixels(), SIDES.widthPx / 2, SIDES.heightPx / 2, SIDES.widthPx)[0] ?? 0;
     return new Color().setRGB(byte / 255, 0, 0, 'srgb').r;
@@ -342,7 +340,6 @@ export function contacts() {
   const scene = backend.serviceFor({ shadowMaps: null, occlusion: null }).createScene({ kind: 'shaded', ambient: { value: 0 } });
   scene.update([objects(thing(new PlaneGeometry(2, 2).rotateX(-Math.PI / 2)))], [lights(...contact)]);
   layer.clear();
-  backend.invalidateState();
   scene.draw(drawView(viewOf(ABOVE, { x: 0, y: 0, ...SIDES }), layer.framebuffer));
   const lit = pixel(layer.pixels(), SIDES.widthPx / 2, SIDES.heightPx / 2, SIDES.widthPx);
   scene.dispose();

@@ -124,10 +124,8 @@ export function manyLights(shown: 'phantoms' | 'things', filter: ShadowFilter, c
     );
   const floor = shown === 'things' ? thing(new PlaneGeometry(3, 3).rotateX(-Math.PI / 2), { castsShadow: false }) : desk();
   scene.update([objects(floor)], [lamplight]);
-  backend.invalidateState();
   maps.update();
   layer.clear();
-  backend.invalidateState();
   for (let frame = 0; frame < 2; frame++) scene.draw(drawView(viewOf(ABOVE, { x: 0, y: 0, ...SIDES }), layer.framebuffer));
   scene.dispose();
   maps.dispose();

@@ -1,5 +1,9 @@
+import { spawnSync } from 'node:child_process';
+import { basename } from 'node:path';
 import { type CompileOptions, createCompiler } from '../../export/compiler/compile.ts';
+import type { FoldedNode } from '../../export/compiler/fold/folded-node.ts';
 import type { SeparateWire } from '../../export/compiler/schedule/fuse/separate-wire.ts';
+import { readIsf } from '../../export/glsl/isf/read-isf.ts';
 import { loadProject } from '../../export/graph/load.ts';
 import type { PassOperation, Program } from '../../export/program/program.ts';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
@@ -10,6 +14,18 @@ const PATTERNS = {
   'pattern.fs': pattern('0.0'),
   'other.fs': pattern('0.37'),
 };
+
+const own = (body: string) => `/*{ "ISFVSN": "2", "INPUTS": [{ "NAME": "inputImage", "TYPE": "image" }] }*/\nvoid main() { ${body} }`;
+const at = (x: number, y: number) => `IMG_PIXEL(inputImage, gl_FragCoord.xy + vec2(${x}.0, ${y}.0))`;
+
+/** Effects of a project that read pixels exactly: one, one, and three. */
+export const EXACT_EFFECTS: Readonly<Record<string, string>> = {
+  'filter/shift': own(`gl_FragColor = ${at(3, -2)};`),
+  'filter/flip': own('gl_FragColor = IMG_NORM_PIXEL(inputImage, vec2(1.0 - isf_FragNormCoord.x, isf_FragNormCoord.y));'),
+  'filter/slope': own(`vec4 c = ${at(0, 0)}; gl_FragColor = vec4(abs(${at(1, 0)}.rgb - ${at(-1, 0)}.rgb), c.a);`),
+};
+
+const EXACT_SOURCES = Object.fromEntries(Object.entries(EXACT_EFFECTS).map(([type, text]) => [`${type.slice(7)}.fs`, text]));
 
 function pattern(offset: string): string {
   return `/*{ "ISFVSN": "2" }*/
@@ -32,6 +48,11 @@ export interface Twins {
   readonly wires: readonly SeparateWire[];
 }
 
+/** Twins of a compilation, with the nodes that folding leaves out. */
+export interface CompiledTwins extends Twins {
+  readonly folded: readonly FoldedNode[];
+}
+
 /** Compiles nodes and wires with and without fusion. */
 export function twins(
   nodes: Readonly<Record<string, object>>,
@@ -39,7 +60,7 @@ export function twins(
   sources: Readonly<Record<string, string>> = {},
   options: CompileOptions = {},
   subgraphs: Readonly<Record<string, object>> = {},
-): Twins {
+): CompiledTwins {
   const graph = {
     nodes: {
       'pattern-a': { type: 'generator/pattern', version: 1 },
@@ -57,11 +78,11 @@ export function twins(
     if (output === null) throw new Error(JSON.stringify(diagnostics));
     return output;
   };
-  return { separate: program(plain), fused: program(fused), wires: fused.separate };
+  return { separate: program(plain), fused: program(fused), wires: fused.separate, folded: fused.folded ?? [] };
 }
 
 /** pattern → the effects in order → screen. Other layer inputs of an effect get the other pattern. */
-export function chain(types: readonly string[], params: readonly object[] = []): Twins {
+export function chain(types: readonly string[], params: readonly object[] = [], options: CompileOptions = {}): CompiledTwins {
   const nodes = Object.fromEntries(
     types.map((type, i) => [`e-${i}`, { type, version: definitionOf(type).version, params: params[i] ?? {} }]),
   );
@@ -70,11 +91,93 @@ export function chain(types: readonly string[], params: readonly object[] = []):
     const before = i === 0 ? 'pattern-a' : `e-${i - 1}`;
     return [`${before}.layer -> e-${i}.${first}`, ...others.map((port) => `other-a.layer -> e-${i}.${port}`)];
   });
-  return twins(nodes, [...wires, `e-${types.length - 1}.layer -> screen-a.layer`]);
+  return twins(nodes, [...wires, `e-${types.length - 1}.layer -> screen-a.layer`], {}, options);
+}
+
+/** Effects in order; each reads at its inputs some of the four latest layers, of which the first two are patterns. */
+export type GraphPlan = readonly (readonly [type: string, inputs: readonly number[]])[];
+
+/**
+ * Many graphs in one project, each with patterns of its own and a viewed layer at its end, so that they share a page, a player and all
+ * shaders of single effects. The names of the viewed layers sort like the plans.
+ */
+export function manyGraphs(plans: readonly GraphPlan[]): Twins {
+  const nodes: Record<string, object> = {};
+  const wires: string[] = [];
+  const taps = plans.map((plan, i) => {
+    const graph = `g${String(i).padStart(3, '0')}`;
+    const layers = [`${graph}-pattern`, `${graph}-other`];
+    nodes[`${graph}-pattern`] = { type: 'generator/pattern', version: 1 };
+    nodes[`${graph}-other`] = { type: 'generator/other', version: 1 };
+    for (const [type, inputs] of plan) {
+      const id = `${graph}-e${layers.length}`;
+      nodes[id] = { type, version: versionOf(type) };
+      const latest = layers.slice(-4);
+      wires.push(...portsOf(type).map((port, k) => `${latest[(inputs[k] ?? 0) % latest.length]}.layer -> ${id}.${port}`));
+      layers.push(id);
+    }
+    return `${layers.at(-1)}.layer`;
+  });
+  return twins(nodes, [...wires, 'pattern-a.layer -> screen-a.layer'], EXACT_SOURCES, { taps });
+}
+
+function versionOf(type: string): number {
+  return type in EXACT_EFFECTS ? 1 : definitionOf(type).version;
+}
+
+function portsOf(type: string): readonly string[] {
+  return type in EXACT_EFFECTS ? ['inputImage'] : layerPorts(type);
+}
+
+/** Parts of all ordered pairs of effects. In each part, each effect is before and after others. */
+export const PAIR_PARTS = 20;
+
+/** The parts that `npm test` draws; the slow suite draws the others. */
+export const QUICK_PAIR_PARTS = [0, 10];
+
+/** One part of all ordered pairs of effects, as graphs. */
+export function pairsOfEffects(part: number): GraphPlan[] {
+  return pairsWhere((i, k) => (i * 7 + k * 3) % PAIR_PARTS === part);
+}
+
+/** All ordered pairs with an effect whose shader the last commit or the working tree changes; none outside of a repository. */
+export function pairsOfChangedEffects(): GraphPlan[] {
+  const { stdout } = spawnSync('git', ['diff', '--name-only', 'HEAD~1', '--', ':/shader-library'], {
+    cwd: import.meta.dirname,
+    encoding: 'utf8',
+  });
+  const changed = new Set((stdout ?? '').split('\n').map((path) => basename(path, '.fs')));
+  const isChanged = (i: number) => changed.has(basename(EFFECTS[i] ?? ''));
+  return pairsWhere((i, k) => isChanged(i) || isChanged(k));
+}
+
+function pairsWhere(isWanted: (first: number, second: number) => boolean): GraphPlan[] {
+  return EFFECTS.flatMap((first, i) =>
+    EFFECTS.flatMap((second, k): GraphPlan[] =>
+      isWanted(i, k)
+        ? [
+            [
+              [first, [0, 1]],
+              [second, [2, 1]],
+            ],
+          ]
+        : [],
+    ),
+  );
 }
 
 export function definitionOf(type: string): NodeDefinition {
   return needed(LIBRARY.definition(type));
+}
+
+/** The params with which an effect of the library changes nothing, as its header says; null if it does not. */
+export function identityOf(type: string): Readonly<Record<string, number | readonly number[]>> | null {
+  const { lowering } = definitionOf(type);
+  const source = lowering.kind === 'image' ? LIBRARY.shader(lowering.shader) : undefined;
+  const inputs = source === undefined ? [] : (readIsf(source, type).output?.inputs ?? []);
+  const identities = inputs.flatMap(({ name, identity }) => (identity === null ? [] : [[name, identity] as const]));
+  if (identities.length === 0) return null;
+  return Object.fromEntries(identities.map(([name, identity]) => [name, identity.length === 1 ? (identity[0] ?? 0) : identity]));
 }
 
 export function layerPorts(type: string): string[] {

@@ -10,7 +10,7 @@ const PRELUDE = `
   import { installationAt } from './app/services/installation.ts';
   const args = process.argv.slice(2);
   const origins = { editor: 'http://127.0.0.1:1', preview: 'http://127.0.0.1:2' };
-  const shell = { kind: 'server', origins, pickFolder: null, closeWindow: () => {}, showMenus: null };
+  const shell = { kind: 'server', origins, pickFolder: null, closeWindow: () => {}, revealFile: null, openInBrowser: null, showMenus: null };
   const host = createHost({ shell, installation: installationAt('/nowhere', '0'), startPath: null, log: console.error });
   /** The output, or the code of the refusal, which is thrown unless it is \`expected\`. */
   const call = async (method, input, expected) => {

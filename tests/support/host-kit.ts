@@ -12,7 +12,15 @@ const hosts: HostService[] = [];
 /** Starts a host as in another process: it shares only the folder. */
 export function startHost(files: FileLayer = NODE_FILES): HostService {
   const origins = { editor: 'http://127.0.0.1:1', preview: 'http://127.0.0.1:2' };
-  const shell = { kind: 'server', origins, pickFolder: null, closeWindow: () => {}, showMenus: null } as const;
+  const shell = {
+    kind: 'server',
+    origins,
+    pickFolder: null,
+    closeWindow: () => {},
+    revealFile: null,
+    openInBrowser: null,
+    showMenus: null,
+  } as const;
   const log = (text: string) => process.stderr.write(`${text}\n`);
   const host = createHost({ shell, installation: installationAt(ROOT, '0'), startPath: null, files, log });
   hosts.push(host);

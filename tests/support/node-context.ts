@@ -11,7 +11,7 @@ export interface FakeContextOptions<D extends NodeDefinition> {
   /** Values of inputs. Others are not connected. */
   readonly inputs?: Partial<NodeContext<D>['inputs']>;
   /** Services that the node uses (`gl`, `scenes`, `assets`, `session`, `workers`). Access to others throws. */
-  readonly services?: Partial<Pick<NodeContext<D>, 'gl' | 'scenes' | 'assets' | 'session' | 'random' | 'workers'>>;
+  readonly services?: Partial<Pick<NodeContext<D>, 'gl' | 'scenes' | 'assets' | 'session' | 'random' | 'workers' | 'occlusion'>>;
 }
 
 export interface FakeContext<D extends NodeDefinition> {
@@ -54,6 +54,7 @@ export function fakeContext<const D extends NodeDefinition>(definition: D, optio
     assetIds: ofStage('asset', (value) => (value === '' ? null : value)),
     clock,
     random: () => 0.5,
+    occlusion: options.services?.occlusion ?? null,
     report: (diagnostic: Omit<Diagnostic, 'nodeId'>) => reports.push(diagnostic),
     ...services(options.services ?? {}),
   };

@@ -37,13 +37,25 @@ export interface EditorPageOptions {
   readonly hasTouch?: boolean;
   /** Runs before all scripts of the page and of the preview. */
   readonly before?: () => void;
-  /** `small`: a wide graph beside a small preview, which tests of both draw in the same time on all machines. Default: `small`. */
+  /**
+   * `small`: a wide graph beside a small preview that fills its panel, which tests of both draw in the same time on all machines.
+   * Default: `small`.
+   */
   readonly panels?: 'small' | 'usual';
+  /** Opens the project as one that was left playing. False: as for the first time, so recordings stand at their first frame. Default: true. */
+  readonly playing?: boolean;
 }
 
 /** Opens the built editor on loopback with a project of one graph in its own folder. */
 export async function openEditor(browser: Browser, graph: GraphText, options: EditorPageOptions = {}): Promise<OpenEditor> {
-  const { size = { width: 1440, height: 900 }, colorScheme = 'light', hasTouch = false, before, panels = 'small' } = options;
+  const {
+    size = { width: 1440, height: 900 },
+    colorScheme = 'light',
+    hasTouch = false,
+    before,
+    panels = 'small',
+    playing = true,
+  } = options;
   const project = await mkdtemp(join(tmpdir(), 'scrim-editor-'));
   for (const [path, text] of Object.entries(filesOf(graph))) {
     await mkdir(dirname(join(project, path)), { recursive: true });
@@ -54,6 +66,7 @@ export async function openEditor(browser: Browser, graph: GraphText, options: Ed
   // Animations would only slow down tests.
   const page = await browser.newPage({ viewport: size, colorScheme, hasTouch, reducedMotion: 'reduce' });
   if (before) await page.addInitScript(before);
+  if (playing) await page.addInitScript(storeLeftPlaying, project);
   if (panels === 'small') await page.addInitScript(storePanels, size.width < 1200 ? SMALLEST_PANELS : SMALL_PANELS);
   const errors = collectErrors(page);
   await page.goto(server.invite());
@@ -71,12 +84,18 @@ export async function openEditor(browser: Browser, graph: GraphText, options: Ed
   };
 }
 
-const SMALL_PANELS = { sideWidthPx: 380, previewHeightPx: 330, bottomHeightPx: 280, helpWidthPx: 300 };
-const SMALLEST_PANELS = { sideWidthPx: 330, previewHeightPx: 270, bottomHeightPx: 250, helpWidthPx: 240 };
+const SMALL_PANELS = { sideWidthPx: 413, previewHeightPx: 330, bottomHeightPx: 280, helpWidthPx: 300, frame: 'fill' };
+const SMALLEST_PANELS = { sideWidthPx: 363, previewHeightPx: 270, bottomHeightPx: 250, helpWidthPx: 240, frame: 'fill' };
 
 /** Runs in the page. Sizes that a test has changed stay when it reloads the page. */
-function storePanels(sizes: Readonly<Record<string, number>>): void {
+function storePanels(sizes: Readonly<Record<string, number | string>>): void {
   if (window.top === window && localStorage.getItem('scrim-panels') === null) localStorage.setItem('scrim-panels', JSON.stringify(sizes));
+}
+
+/** Runs in the page. */
+function storeLeftPlaying(project: string): void {
+  if (window.top !== window || localStorage.getItem('scrim-views') !== null) return;
+  localStorage.setItem('scrim-views', JSON.stringify([[project, { graph: 'main', place: null, nodes: [], held: null }]]));
 }
 
 /** Opens editors, one per test. Each is closed after its test; console errors fail the test. */

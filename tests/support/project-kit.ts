@@ -9,7 +9,7 @@ export interface ProjectText {
   readonly nodes: Readonly<Record<string, string | readonly [type: string, params: Params]>>;
   readonly wires: readonly string[];
   readonly assets?: Readonly<
-    Record<string, { readonly path: string; readonly kind: 'image' | 'model' | 'video' | 'audio' | 'environment' | 'capture' }>
+    Record<string, { readonly path: string; readonly kind: 'image' | 'model' | 'video' | 'audio' | 'environment' | 'capture' | 'splats' }>
   >;
 }
 

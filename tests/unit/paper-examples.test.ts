@@ -4,7 +4,6 @@ import { decode } from 'fast-png';
 import { compile } from '../../export/compiler/compile.ts';
 import { makeProject } from '../../tools/examples/paper/recipe.ts';
 import { RECIPES } from '../../tools/examples/paper/recipes.ts';
-import { makeStrokes } from '../../tools/examples/paper/strokes.ts';
 import { expectMadeByScript } from '../support/example-files.ts';
 import { LIBRARY } from '../support/library.ts';
 
@@ -38,10 +37,6 @@ test('no two examples have one name or one title', () => {
     expect([key, all.filter((one, i) => all.indexOf(one) !== i)]).toEqual([key, []]);
   }
   expect(readdirSync('examples')).toEqual(expect.arrayContaining(RECIPES.map(({ folder }) => folder)));
-});
-
-test('the sheet of pencil strokes comes out the same every time', () => {
-  expect(Buffer.compare(readFileSync('examples/sketchy-shadow/assets/strokes.png'), makeStrokes())).toBe(0);
 });
 
 describe('the picture of hands', () => {

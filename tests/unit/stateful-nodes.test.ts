@@ -3,7 +3,7 @@ import { AnimationClip, BoxGeometry, Group, Matrix4, Mesh, MeshStandardMaterial,
 import { createRandom } from '../../export/runtime/random.ts';
 import type { PulseQueue } from '../../export/runtime/values/pulses.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
-import type { NodeDefinition, ParamDefinition, ParamValue } from '../../nodes/kit/definition.ts';
+import { type NodeDefinition, type ParamDefinition, type ParamValue, paramWireType } from '../../nodes/kit/definition.ts';
 import { HAND_JOINTS, jointIndex } from '../../nodes/kit/hand-joints.ts';
 import { createHit, type Hit, type HitRecord } from '../../nodes/kit/hit-test.ts';
 import { createPose, type PoseView, writePose } from '../../nodes/kit/pose.ts';
@@ -59,6 +59,7 @@ function valueAt(param: ParamDefinition, frame: number, salt: number): ParamValu
     case 'choice':
       return param.options[Math.floor(chance(frame, salt) * param.options.length)]?.value ?? param.default;
     case 'curve':
+    case 'gradient':
     case 'asset':
       return param.default as ParamValue;
   }
@@ -256,6 +257,7 @@ function giveAt(
     model: handle(model()),
     environment: handle('panorama'),
     capture: handle(null),
+    splats: handle(null),
   };
   const scene = { update: (...what: unknown[]) => asked.push(what), draw: () => {}, dispose: () => {} };
   const scenes = { createScene: () => scene };
@@ -295,7 +297,7 @@ function giveAt(
     session.light = lightAt(frame);
     session.cameraMean = frame > 12 ? Float32Array.of(0.2, 0.3, chance(frame, 9)) : null;
     Object.entries(definition.params).forEach(([name, param], salt) => {
-      if (param.stage !== 'uniform' || param.type === 'curve' || steady.includes(name) || FIXED[type]?.[name] !== undefined) return;
+      if (paramWireType(param) === undefined || steady.includes(name) || FIXED[type]?.[name] !== undefined) return;
       fake.set(name, name === 'presses' ? frame : valueAt(param, frame, salt));
     });
     Object.entries(definition.inputs).forEach(([name, port], salt) => {

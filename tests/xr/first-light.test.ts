@@ -5,7 +5,7 @@ import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { useBrowser } from '../support/browser.ts';
 import type { RgbaImage } from '../support/image.ts';
-import { serveProject } from '../support/project-page.ts';
+import { type ServedExport, serveProject } from '../support/project-page.ts';
 import { openXrPage } from './xr-page.ts';
 
 const EXAMPLE = resolve(import.meta.dirname, '../../examples/first-light');
@@ -25,11 +25,23 @@ type Variant = 'whole' | 'no shadow' | 'nothing hidden' | 'no filter';
 
 let base = '';
 let saved = '';
+/** Each variant is exported once, for all devices. */
+const served = new Map<Variant, Promise<ServedExport>>();
+
+function serveVariant(variant: Variant): Promise<ServedExport> {
+  const known = served.get(variant) ?? makeVariant(variant).then((folder) => serveProject(folder));
+  served.set(variant, known);
+  return known;
+}
+
 beforeAll(async () => {
   base = await mkdtemp(join(tmpdir(), 'scrim-first-light-'));
   saved = await readFile(join(EXAMPLE, 'project.scrim.json'), 'utf8');
 });
-afterAll(() => rm(base, { recursive: true, force: true }));
+afterAll(async () => {
+  for (const variant of served.values()) await (await variant).close();
+  await rm(base, { recursive: true, force: true });
+});
 
 async function makeVariant(variant: Variant): Promise<string> {
   const folder = join(base, variant);
@@ -54,8 +66,8 @@ async function makeVariant(variant: Variant): Promise<string> {
 
 /** What a visitor in the studio sees, and the room without the page. */
 async function see(variant: Variant, options: EmulatorOptions): Promise<{ readonly seen: RgbaImage; readonly room: RgbaImage }> {
-  const served = await serveProject(await makeVariant(variant));
-  const xr = await openXrPage(chromium.browser, served.url, { room: 'studio', ...options }, { width: 320, height: 240 });
+  const { url } = await serveVariant(variant);
+  const xr = await openXrPage(chromium.browser, url, { room: 'studio', ...options }, { width: 320, height: 240 });
   await xr.enter();
   // Down to the table: a turn of -0.34 rad about x.
   await xr.setPose({ position: [0.2, 1.5, 1.6], quaternion: [-0.17, 0, 0, 0.985] });
@@ -63,7 +75,6 @@ async function see(variant: Variant, options: EmulatorOptions): Promise<{ readon
   const pictures = { seen: await xr.readComposite(), room: await xr.readRoom() };
   expect(xr.errors).toEqual([]);
   await xr.close();
-  await served.close();
   return pictures;
 }
 

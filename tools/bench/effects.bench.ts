@@ -1,16 +1,15 @@
 import { mkdtemp, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { encode } from 'fast-png';
-import type { Browser, Page } from 'playwright-core';
-import { compileProject } from '../../app/services/compile-project.ts';
+import type { Page } from 'playwright-core';
 import type { Program } from '../../export/program/program.ts';
 import type { ToolContext } from '../lib/tool.ts';
 import { type Bench, quantile } from './bench.ts';
+import { compiledProgram } from './compiled-program.ts';
+import { frameCpuMs, openProgram, SIZE_PX, testImage } from './drawn-program.ts';
 import { call, openPage, startBenchBrowser } from './open-page.ts';
 import type { Contender } from './pages/effects.page.ts';
 
-const SIZE_PX = [1280, 720] as const;
 const SAMPLES = 9;
 
 /** Eight small effects of straight colors. */
@@ -24,7 +23,7 @@ const EFFECTS = [
   'vec3 effect6(vec3 c) { return mix(c, vec3(1.0, 0.9, 0.7) * c, 0.5); }',
   'vec3 effect7(vec3 c) { return 1.0 - (1.0 - c) * (1.0 - c * 0.1); }',
 ];
-const CONTENDERS: readonly Contender[] = ['by hand', 'postprocessing', 'EffectComposer'];
+const CONTENDERS: readonly Contender[] = ['by hand', 'by hand, any alpha', 'postprocessing', 'EffectComposer'];
 const NAMES = ['fused', 'one pass per effect', ...CONTENDERS] as const;
 type Name = (typeof NAMES)[number];
 
@@ -36,14 +35,15 @@ const MOST_STEPS: Readonly<Record<Name, number>> = {
   fused: 0,
   'one pass per effect': 1,
   'by hand': 1,
+  'by hand, any alpha': 0,
   postprocessing: 24,
   EffectComposer: 24,
 };
 
 /**
  * Milliseconds per frame of eight effects over an image of 1280 × 720 pixels: as Scrim exports them, with one pass per effect, in one shader
- * written by hand, in one pass of pmndrs/postprocessing, and in three.js' EffectComposer. All are measured in turn, so that other load of
- * the machine affects them equally.
+ * written by hand for opaque images and for all images, in one pass of pmndrs/postprocessing, and in three.js' EffectComposer. All are
+ * measured in turn; with `/proc`, by CPU time (ADR 25).
  */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   let opened: Promise<Stage> | undefined;
@@ -56,7 +56,7 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
   const race = async (): Promise<void> => {
     opened ??= openStage(root);
     const { pages } = await opened;
-    for (const [name, page] of pages) timesMs.get(name)?.push(await call<number>(page, 'frameMs', 3));
+    for (const [name, page] of pages) timesMs.get(name)?.push(await frameCpuMs(page));
   };
   const rival = (name: Name): Bench => ({
     name: `8 effects over 720p, fused against ${name}`,
@@ -99,7 +99,7 @@ async function openStage(root: string): Promise<Stage> {
   const browser = await startBenchBrowser();
   const pages = new Map<Name, Page>();
   const programs = { fused: await compiled(folder, true), 'one pass per effect': await compiled(folder, false) };
-  for (const [name, program] of Object.entries(programs)) pages.set(name as Name, await openOurs(browser, root, folder, program));
+  for (const [name, program] of Object.entries(programs)) pages.set(name as Name, await openProgram(browser, root, folder, program));
   for (const name of CONTENDERS) {
     const page = await openPage(browser, root, 'tools/bench/pages/effects.page.ts', folder);
     await call(page, 'open', name, 'photo.png', ...SIZE_PX, EFFECTS);
@@ -109,7 +109,7 @@ async function openStage(root: string): Promise<Stage> {
   const passes = Object.entries(programs).map(([name, { operations }]) => `${passCount(operations)} passes ${name}`);
   return {
     pages,
-    passes: [...passes, '1 pass by hand and with postprocessing', `${EFFECTS.length + 1} passes with EffectComposer`],
+    passes: [...passes, '1 pass each by hand and with postprocessing', `${EFFECTS.length + 1} passes with EffectComposer`],
     close: async () => {
       await browser.close();
       await rm(folder, { recursive: true, force: true });
@@ -118,12 +118,6 @@ async function openStage(root: string): Promise<Stage> {
 }
 
 const passCount = (operations: Program['operations']): number => operations.filter(({ kind }) => kind === 'pass').length;
-
-async function openOurs(browser: Browser, root: string, folder: string, program: Program): Promise<Page> {
-  const page = await openPage(browser, root, 'tools/bench/pages/scrim.page.ts', folder);
-  await call(page, 'open', program, '', ...SIZE_PX);
-  return page;
-}
 
 async function compiled(folder: string, fuse: boolean): Promise<Program> {
   const ids = EFFECTS.map((_, i) => `effect${i}-0000`);
@@ -146,12 +140,7 @@ async function compiled(folder: string, fuse: boolean): Promise<Program> {
     assets: { photo: { path: 'photo.png', kind: 'image' } },
   };
   const sources = Object.fromEntries(EFFECTS.map((text, i) => [`effect-${i}.fs`, filterOf(text, i)]));
-  const { program, diagnostics } = await compileProject(folder, { project: JSON.stringify(project), layout: null, sources }, () => ({
-    sourceMaps: false,
-    fuse,
-  }));
-  if (program === null) throw new Error(`What is to be measured does not compile: ${JSON.stringify(diagnostics)}`);
-  return program;
+  return compiledProgram(folder, { project: JSON.stringify(project), layout: null, sources }, { fuse });
 }
 
 function filterOf(effect: string, index: number): string {
@@ -168,18 +157,6 @@ void main() {
   gl_FragColor = vec4(effect${index}(color.rgb), color.a);
 }
 `;
-}
-
-/** An opaque image with many colors. */
-function testImage(): Uint8Array {
-  const [width, height] = SIZE_PX;
-  const data = new Uint8Array(width * height * 4);
-  for (let i = 0; i < width * height; i++) {
-    const x = i % width;
-    const y = Math.floor(i / width);
-    data.set([(x * 255) / width, (y * 255) / height, ((x ^ y) * 7) % 256, 255], i * 4);
-  }
-  return encode({ width, height, data, channels: 4 });
 }
 
 /** Throws if a contender does not draw the image that the others draw. */

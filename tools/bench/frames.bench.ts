@@ -9,7 +9,7 @@ import { cellFootM, cellMiddleM, MIDDLE_M, RAIL_M, WALL_M } from '../examples/ga
 import type { ToolContext } from '../lib/tool.ts';
 import type { Bench } from './bench.ts';
 import { call, openPage, startBenchBrowser } from './open-page.ts';
-import type { Standing } from './pages/three.page.ts';
+import type { Standing } from './pages/robots-on-floor.ts';
 import type { GalleryPlan } from './pages/three-gallery.page.ts';
 
 const SIZE_PX = [640, 480] as const;
@@ -61,11 +61,17 @@ const scenesAlone: Change = ({ graphs: { main } }) => {
  */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   const robots = { page: 'three.page.ts', file: 'assets/robot.glb' };
-  const gallery = { page: 'three-gallery.page.ts', file: 'assets/sky.hdr', example: 'gallery', more: [GALLERY], change: scenesAlone };
+  const gallery = {
+    page: 'three-gallery.page.ts',
+    file: 'assets/sky.hdr',
+    example: 'boards/gallery',
+    more: [GALLERY],
+    change: scenesAlone,
+  };
   const firstLight = { ...robots, example: 'first-light' };
   return [
     time(root, 'first-light'),
-    time(root, 'gallery'),
+    time(root, 'boards/gallery'),
     time(root, 'templates/occlusion'),
     time(root, 'templates/filter'),
     compare(root, 'frame, first-light', { ...firstLight, change: asItIs, more: [ROBOTS_OF_FIRST_LIGHT, true] }),

@@ -2,10 +2,10 @@ import { copyFile, mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
-import { compileProject } from '../../app/services/compile-project.ts';
 import { listFiles } from '../lib/files.ts';
 import type { ToolContext } from '../lib/tool.ts';
 import type { Bench } from './bench.ts';
+import { compiledProgram } from './compiled-program.ts';
 import { call, openPage, startBenchBrowser } from './open-page.ts';
 import type { LitLayer } from './pages/three-light.page.ts';
 
@@ -47,12 +47,8 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
   let shown: object | undefined;
   let left = rows.length;
 
-  const compiled = async (folder: string, project: object) => {
-    const files = { project: JSON.stringify(project), layout: null, sources: {} };
-    const { program, diagnostics } = await compileProject(folder, files, () => ({ sourceMaps: false }));
-    if (program === null) throw new Error(`What is to be measured does not compile: ${JSON.stringify(diagnostics)}`);
-    return program;
-  };
+  const compiled = (folder: string, project: object) =>
+    compiledProgram(folder, { project: JSON.stringify(project), layout: null, sources: {} });
   const open = async (): Promise<Pages> => {
     const folder = await prepareFolder(root);
     const browser = await startBenchBrowser();

@@ -6,7 +6,7 @@ export const MODEL_FILE = 'AntiqueCamera.glb';
  * A project that draws the plan: one model node per model, or one model node and an Array node. The light estimate lights the models, they
  * cast shadows on the real floor, and room depth hides them, as far as the plan says.
  */
-export function roomProject({ count, occlusion, shadow, shadowMapPx, filter, copies }: RoomPlan): object {
+export function roomProject({ count, occlusion, shadow, shadowMapPx, filter, plainDepth, copies }: RoomPlan): object {
   const nodes: Record<string, object> = {
     'every-0000': node('objects/group'),
     'floor-0000': node('objects/primitive', { shape: 'plane', sizeM: [FLOOR_M[0], 0, FLOOR_M[1]] }),
@@ -21,7 +21,7 @@ export function roomProject({ count, occlusion, shadow, shadowMapPx, filter, cop
     'scene-0000': node('layer/scene'),
     'shadow-0000': node('layer/shadow', { strength: 0.55 }),
     'over-0000': node('operator/over'),
-    'depth-0000': node('world/depth'),
+    'depth-0000': { ...node('world/depth', plainDepth ? { filter: 'nearest', fillHoles: false } : {}), version: 2 },
     'hide-0000': node('layer/depth-occlusion'),
     'screen-0000': node('output/screen'),
   };

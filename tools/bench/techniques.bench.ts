@@ -2,6 +2,7 @@ import { join } from 'node:path';
 import { listFiles } from '../lib/files.ts';
 import type { ToolContext } from '../lib/tool.ts';
 import type { Bench } from './bench.ts';
+import { machineLoad } from './machine-load.ts';
 import { createRivals, racedBenches } from './rivals.ts';
 
 /**
@@ -12,7 +13,7 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
   const files = await listFiles(join(root, 'shader-library', 'techniques'));
   const folder = join(root, 'examples', 'first-light');
   const rivals = createRivals({ root, folder, base: ballProject(null), rows: 2 * files.length });
-  return files.flatMap((file) => {
+  const raced = files.flatMap((file) => {
     const name = file.replace('.glsl', '');
     return racedBenches(rivals, {
       project: ballProject(`technique/${name}`),
@@ -20,6 +21,7 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
       frame: `frame, technique ${name}`,
     });
   });
+  return [...raced, machineLoad('techniques')];
 }
 
 function ballProject(technique: string | null): object {

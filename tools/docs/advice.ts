@@ -97,4 +97,6 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
   SCR074: 'Save your work under another name. Report the message and your last steps.',
   SCR075:
     'Start Scrim again; it offers to restore unsaved work. An address of `scrim open` works once. For a new tab of the same browser, open the editor’s address without the part after `#`.',
+  SCR077:
+    'Change the style or the occlusion until the figure is better, or change the limit of `scrim score`. The figures of each frame are in the output of `--json`.',
 };

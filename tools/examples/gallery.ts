@@ -26,7 +26,7 @@ const LAYERS = [
 
 /** A wall of cells, each of which shows a node type. */
 export function makeGallery(library: NodeLibrary): Project {
-  const wall = createGalleryBuilder(library, 'Gallery');
+  const wall = createGalleryBuilder(library, 'Board of all nodes');
   const credit = { credit: 'Scrim', licence: 'MIT' };
   wall.asset('sky', { path: `assets/${GALLERY_FILES.sky}`, kind: 'environment', ...credit });
   wall.asset('film', { path: `assets/${GALLERY_FILES.film}`, kind: 'video', ...credit });

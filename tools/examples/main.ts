@@ -9,20 +9,23 @@ import { DEFINITIONS, SHADERS } from '../../nodes/generated/definitions.gen.ts';
 import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts';
 import type { ToolMain } from '../lib/tool.ts';
 import { makeChime } from './chime.ts';
+import { makeElephant } from './elephant.ts';
 import { GALLERY_FILES, makeGallery } from './gallery.ts';
 import { makeGlossyBall } from './glossy-ball.ts';
 import { LAMP_AND_WINDOW, makeLampAndWindow } from './lamp-and-window.ts';
 import { makeLitRoom, makeLitRoomShot } from './lit-room.ts';
+import { makeNight, makePages, makeValley } from './paper/book.ts';
+import { makeBracket } from './paper/bracket.ts';
 import { makeHands } from './paper/hands.ts';
 import { makeProject } from './paper/recipe.ts';
 import { RECIPES } from './paper/recipes.ts';
-import { makeStrokes } from './paper/strokes.ts';
 import { makePinwheel } from './pinwheel.ts';
 import { makeBall, makeCan, makeCrate } from './play/cans.ts';
 import { MARBLES, makeBase, makeChutes, makeMarble, makeStand } from './play/marble-run.ts';
 import { PLAY } from './play/recipes.ts';
 import { makeRobot } from './robot.ts';
 import { makeSky } from './sky.ts';
+import { makeVase } from './splats/vase.ts';
 
 /** WebCodecs requires a secure origin. No request reaches this address. */
 const ADDRESS = 'https://film.invalid/';
@@ -37,10 +40,12 @@ const ROBOT_PATHS = [
 
 const PINWHEEL_PATHS = ['nodes/source/model/example/assets/pinwheel.glb'];
 
+const VASE_PATHS = ['nodes/source/splats/example/assets/vase.sog'];
+
 const SKY_PATHS = [
   'nodes/source/panorama/example/assets/sky.hdr',
   'nodes/light/environment/example/assets/sky.hdr',
-  `examples/gallery/assets/${GALLERY_FILES.sky}`,
+  `examples/boards/gallery/assets/${GALLERY_FILES.sky}`,
 ];
 const LIT_ROOM_PATHS = ['nodes/light/from-panorama/example/assets/room.hdr', `examples/${LAMP_AND_WINDOW}/assets/room.hdr`];
 /** Photos of the same room and their exposures in stops. */
@@ -48,36 +53,43 @@ const SHOTS = { bright: 0, middle: -3.5, dark: -7 } as const;
 const CAPTURE_FOLDER = 'nodes/source/capture/example/assets/glossy-ball.capture';
 const CHIME_PATHS = ['nodes/source/audio-file/example/assets/chime.wav'];
 const BALL_PATHS = ['nodes/source/video-file/example/assets/film.webm'];
-const STRIPES_PATHS = [`examples/gallery/assets/${GALLERY_FILES.film}`];
+const STRIPES_PATHS = [`examples/boards/gallery/assets/${GALLERY_FILES.film}`];
 
 /** Generates the files of the examples. */
 export const main: ToolMain = async ([only], { root }) => {
-  // `npm run make-examples -- play` makes the examples to play with alone.
+  // `npm run make-examples -- play` makes the examples to play with alone, `-- paper` those after figures, `-- projects` these without their files.
   if (only === 'play') {
     await placePlay(root);
+    return 0;
+  }
+  if (only === 'projects') {
+    for (const recipe of RECIPES) await placeProject(root, recipe.folder, makeProject(library(), recipe));
+    return 0;
+  }
+  if (only === 'book') {
+    await placeBook(root);
+    return 0;
+  }
+  if (only === 'paper') {
+    await placePaper(root);
     return 0;
   }
   if (only === 'capture') {
     await placeCapture(root);
     return 0;
   }
+  if (only === 'splats') {
+    await place(root, VASE_PATHS, await makeVase());
+    return 0;
+  }
   await place(root, ROBOT_PATHS, await makeRobot());
   await placeCapture(root);
-  await placeProject(root, 'gallery', makeGallery(library()));
+  await placeProject(root, 'boards/gallery', makeGallery(library()));
   await placePlay(root);
   await placeProject(root, LAMP_AND_WINDOW, makeLampAndWindow(library()));
-  for (const recipe of RECIPES) await placeProject(root, recipe.folder, makeProject(library(), recipe));
-  await place(
-    root,
-    foldersWith('strokes-pen1').map((folder) => `${folder}/assets/strokes.png`),
-    makeStrokes(),
-  );
-  await place(
-    root,
-    foldersWith('hands-up04').map((folder) => `${folder}/assets/hands.png`),
-    makeHands(),
-  );
+  await placePaper(root);
   await place(root, PINWHEEL_PATHS, await makePinwheel());
+  await place(root, VASE_PATHS, await makeVase());
   await place(root, SKY_PATHS, makeSky());
   await place(root, LIT_ROOM_PATHS, makeLitRoom());
   for (const [name, stops] of Object.entries(SHOTS)) {
@@ -89,12 +101,30 @@ export const main: ToolMain = async ([only], { root }) => {
   return 0;
 };
 
-/** Generates the physics examples and their models. */
+/** Generates the examples after figures of the paper, and their files but the robot. */
+async function placePaper(root: string): Promise<void> {
+  for (const recipe of RECIPES) await placeProject(root, recipe.folder, makeProject(library(), recipe));
+  const inAll = (asset: string, name: string) => foldersWith(asset).map((folder) => `${folder}/assets/${name}`);
+  await place(root, inAll('hands-up04', 'hands.png'), makeHands());
+  await placeBook(root);
+  for (const [name, bytes] of Object.entries(await makeBracket(root))) await place(root, inAll(`shot-${name}`, `${name}.jpg`), bytes);
+  await place(root, inAll('elephant-02', 'elephant.glb'), await makeElephant());
+}
+
+/** Writes the models of the book and of the world in it. */
+async function placeBook(root: string): Promise<void> {
+  const assets = 'examples/the-world-in-the-book/assets';
+  await place(root, [`${assets}/pages.glb`], await makePages());
+  await place(root, [`${assets}/valley.glb`], await makeValley());
+  await place(root, [`${assets}/night.glb`], await makeNight());
+}
+
 /** Writes the capture of the node's example. */
 async function placeCapture(root: string): Promise<void> {
   for (const [path, bytes] of Object.entries(await makeGlossyBall())) await place(root, [`${CAPTURE_FOLDER}/${path}`], bytes);
 }
 
+/** Generates the physics examples and their models. */
 async function placePlay(root: string): Promise<void> {
   for (const recipe of PLAY) await placeProject(root, recipe.folder, makeProject(library(), recipe));
   const run = 'examples/marble-run/assets';

@@ -11,6 +11,9 @@ export interface DrawnExample {
   readonly said: string;
 }
 
+/** Size of a render. Strokes and outlines have widths in pixels, so a smaller render would be another drawing, not a smaller one. */
+const RENDER = { widthPx: 1280, heightPx: 960 } as const;
+
 /** Size of a cell on a sheet. */
 export const CELL = { widthPx: 320, heightPx: 240 } as const;
 
@@ -19,7 +22,15 @@ export async function drawExample(root: string, path: string, session: string | 
   const folder = await mkdtemp(join(tmpdir(), 'scrim-gallery-'));
   try {
     const out = join(folder, 'picture.png');
-    const args = ['render', path, '--out', out, '--size', `${CELL.widthPx}x${CELL.heightPx}`, ...(session ? ['--session', session] : [])];
+    const args = [
+      'render',
+      path,
+      '--out',
+      out,
+      '--size',
+      `${RENDER.widthPx}x${RENDER.heightPx}`,
+      ...(session ? ['--session', session] : []),
+    ];
     const said = await new Promise<string>((resolve) => {
       execFile(process.execPath, [join(root, 'bin', 'scrim.mjs'), ...args], (_, stdout, stderr) => resolve(`${stdout}${stderr}`));
     });

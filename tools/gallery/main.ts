@@ -5,7 +5,7 @@ import { findExamples, pictureOf } from '../../app/services/find-examples.ts';
 import { installationAt } from '../../app/services/installation.ts';
 import { findTemplates } from '../../app/services/templates.ts';
 import type { ToolMain } from '../lib/tool.ts';
-import { drawExample } from './draw-example.ts';
+import { CELL, drawExample } from './draw-example.ts';
 import { makeSheet, type SheetCell } from './make-sheet.ts';
 
 const WIDTH_PX = 240;
@@ -37,7 +37,7 @@ export const main: ToolMain = async ([out, ...sessions], { root }) => {
     };
     for (const { path, title } of examples) {
       const png = await draw(path);
-      if (png) cells.push({ title, png });
+      if (png) cells.push({ title, png: await sharp(png).resize(CELL.widthPx, CELL.heightPx).png().toBuffer() });
       if (png && session === null) await writeThumbnail(examplesDir, basename(path), png);
     }
     if (session === null) {

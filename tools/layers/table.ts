@@ -50,8 +50,8 @@ export const LAYERS: readonly Layer[] = [
   {
     name: 'kit',
     files: [
-      'nodes/kit/panorama/**',
-      'nodes/kit/{arithmetic,asset-words,capture,categories,choice-options,color-math,curve,definition,diagnostics,ease,expression,facts,frame-times,glyphs,hand-joints,light-params,material-params,play-expression,play-size,pointer-params,rotation-param,surface-params,track-time,wire-types}.ts',
+      'nodes/kit/{panorama,splats}/**',
+      'nodes/kit/{arithmetic,asset-words,capture,categories,choice-options,color-math,curve,definition,diagnostics,drawing-options,ease,expression,facts,frame-times,glyphs,gradient,hand-joints,light-params,material-params,play-expression,play-size,pointer-params,room-depth-glsl,pose-params,surface-params,track-time,wire-types}.ts',
     ],
   },
   { name: 'kit with three', files: ['nodes/kit/three/**'], imports: EXPORT_KIT, packages: ['three'] },
@@ -68,6 +68,7 @@ export const LAYERS: readonly Layer[] = [
   { name: 'program', files: ['export/program/**'], types: ['kit'] },
   { name: 'gltf', files: ['export/gltf/**'], imports: ['kit'] },
   { name: 'captures', files: ['export/captures/**'], imports: ['kit', 'gltf'] },
+  { name: 'scores', files: ['export/score/**'] },
   { name: 'graph', files: ['export/graph/**'], imports: ['kit'], packages: ['immer', 'jsonc-parser'] },
   { name: 'glsl', files: ['export/glsl/**'], imports: ['kit', 'program'], packages: ['jsonc-parser'] },
   { name: 'compiler', files: ['export/compiler/**'], imports: ['kit', 'graph', 'glsl', 'program'] },
@@ -130,18 +131,33 @@ export const LAYERS: readonly Layer[] = [
   {
     name: 'command line page',
     files: ['app/cli/**/*.page.ts'],
-    imports: [...EXPORT_KIT, 'program', 'captures', 'runtime', 'scenes', 'emulator', 'recorded session', 'registry of runtimes'],
+    imports: [
+      ...EXPORT_KIT,
+      'program',
+      'captures',
+      'scores',
+      'runtime',
+      'scenes',
+      'emulator',
+      'recorded session',
+      'recorded session format',
+      'registry of runtimes',
+    ],
     packages: ['three'],
   },
   {
     name: 'command line',
     files: ['app/cli/**'],
-    imports: [...HOST, 'services', 'server shell', 'command line page'],
+    imports: [...HOST, 'services', 'server shell', 'scores', 'command line page'],
     packages: ['node:*', 'zod', 'playwright-core', 'fast-png'],
   },
 
   // The preview is a page of its own, without the editor's host: messages are all they share.
-  { name: 'preview protocol', files: ['renderer/preview-protocol.ts', 'renderer/keybinding.ts'], imports: ['kit', 'program'] },
+  {
+    name: 'preview protocol',
+    files: ['renderer/preview-protocol.ts', 'renderer/keybinding.ts', 'renderer/drag-watch.ts'],
+    imports: ['kit', 'program'],
+  },
   {
     name: 'preview',
     files: ['renderer/preview/**'],
@@ -184,7 +200,7 @@ export const LAYERS: readonly Layer[] = [
       'panorama worker',
     ],
     types: ['contract'],
-    packages: ['react', 'react-dom', '@xyflow/react', 'elkjs', 'monaco-editor', 'zustand', 'immer', 'fast-png'],
+    packages: ['react', 'react-dom', '@xyflow/react', 'elkjs', 'monaco-editor', 'zustand', 'immer', 'fast-png', 'qr'],
   },
 
   {
@@ -192,7 +208,18 @@ export const LAYERS: readonly Layer[] = [
     files: ['tools/{examples,sessions}/**'],
     // The studio is filmed in a browser, by the emulator's own means.
     imports: ['kit', 'graph', 'registry of definitions', 'recorded session format', 'tools', 'services', 'emulator'],
-    packages: ['node:*', 'three', '@gltf-transform/core', 'fast-png', 'mediabunny', 'esbuild', 'playwright-core', 'sharp'],
+    packages: [
+      'node:*',
+      'three',
+      '@gltf-transform/core',
+      '@gltf-transform/extensions',
+      '@gltf-transform/functions',
+      'fast-png',
+      'mediabunny',
+      'esbuild',
+      'playwright-core',
+      'sharp',
+    ],
   },
   {
     name: 'measured page',
@@ -212,6 +239,9 @@ export const LAYERS: readonly Layer[] = [
     imports: [...HOST, 'services', 'server shell', 'makers of examples', 'measured page', 'measured physics'],
     packages: [
       'node:*',
+      '@gltf-transform/core',
+      '@gltf-transform/extensions',
+      'meshoptimizer',
       'esbuild',
       'vite',
       'oxc-parser',
@@ -237,6 +267,7 @@ export const ROOMS = [
   'export/gltf',
   'export/compiler',
   'export/runtime',
+  'export/score',
   'export/emulator',
   'export/page',
   'export/bundle',

@@ -40,7 +40,7 @@ export function onWire(from: Point, to: Point, part = 0.5): Point {
   return { x: from.x + part * (to.x - from.x), y: from.y + part * (to.y - from.y) };
 }
 
-/** How both scripts begin: a new project, in which a dropped model is seen. */
+/** How the scripts with a model begin: a new project, in which a dropped model is seen. */
 export async function startWithModel({ page, model, project, onDone }: NewcomerOptions) {
   const hands = new Hands(page, onDone ?? (async () => {}));
   const steps = createEditorSteps(page, hands);
@@ -50,7 +50,7 @@ export async function startWithModel({ page, model, project, onDone }: NewcomerO
   return { hands, at, ...steps };
 }
 
-function createEditorSteps(page: Page, hands: Hands): EditorSteps {
+export function createEditorSteps(page: Page, hands: Hands): EditorSteps {
   const field = (name: string) => page.getByRole('textbox', { name, exact: true });
   const node = (stem: string) => page.locator(`[data-node^="${stem}"]`);
   const port = async (owner: Locator, name: string, side: 'source' | 'target'): Promise<Point> => {

@@ -72,10 +72,20 @@ export class Hands {
     await this.count({ kind: 'type', what, at });
   }
 
+  /** Types where the focus is. */
+  async write(what: string, text: string): Promise<void> {
+    await this.page.keyboard.type(text, { delay: KEY_MS });
+    await this.count({ kind: 'type', what, at: { x: 0, y: 0 } });
+  }
+
   /** Chooses an option of a list. */
   async choose(what: string, list: Locator, option: string): Promise<void> {
     const at = await centerOf(list);
-    await list.selectOption({ label: option });
+    if ((await list.evaluate(({ tagName }) => tagName)) === 'SELECT') await list.selectOption({ label: option });
+    else {
+      await list.click();
+      await this.page.getByRole('option', { name: option, exact: true }).click();
+    }
     await this.count({ kind: 'click', what, at });
   }
 

@@ -39,7 +39,7 @@ describe('recorded durations', () => {
   test('start the longest file first where Jest has not run yet', async () => {
     const config = { rootDir: folder, cacheDirectory: folder, id: 'fresh', cache: true, haste: {} };
     const context = { config, hasteFS: { getSize: () => 1 } };
-    const tests = ['nodes/unrecorded.test.ts', 'tests/xr/first-light.test.ts', 'tests/electron/editor-story.test.ts'];
+    const tests = ['nodes/unrecorded.test.ts', 'tests/xr/first-light.test.ts', 'tests/slow/electron-story.test.ts'];
     const sequencer: string = resolve(import.meta.dirname, '../../tests/support/longest-first.mjs');
     const { default: LongestFirst } = (await import(sequencer)) as { default: SequencerClass };
     const order = new LongestFirst({}).sort(tests.map((path) => ({ path: join(folder, path), context })));

@@ -21,6 +21,7 @@ export const exportCommand: Command = {
       type: 'boolean',
       doc: 'Write one index.html that opens from a disk or a mail attachment. AR and the camera need a page on a web host, over https.',
     },
+    'no-offline': { type: 'boolean', doc: 'Do not store the page for offline use. Each visit then loads it from the web host.' },
     url: {
       type: 'string',
       value: 'ADDRESS',
@@ -60,6 +61,7 @@ export const exportCommand: Command = {
       compress: !call.flag('no-compress'),
       say,
       singleFile: call.flag('single-file'),
+      offline: !call.flag('no-offline'),
       address,
       ...(call.flag('no-poster')
         ? {}
@@ -67,7 +69,7 @@ export const exportCommand: Command = {
             drawPoster: async (program) => {
               say('Drawing the poster…');
               // The poster is compiled with source maps, so that driver errors name file and line.
-              const mapped = await compileProject(root, files, () => ({ sourceMaps: true, fuse: true }));
+              const mapped = await compileProject(root, files, () => ({ sourceMaps: true, fuse: true, fold: true }));
               return drawPoster({ program: mapped.program ?? program, projectRoot: root, installation });
             },
           }),

@@ -1,16 +1,20 @@
+import type { DepthKind } from '../../../export/captures/depth/depth-map.ts';
+import type { DepthUnit } from '../../../export/captures/depth/depth-scale.ts';
 import { AXES, type Axis } from '../../../export/captures/upright.ts';
-import { type ImportedCapture, importCapture } from '../../services/add-capture.ts';
+import { type CaptureJob, type ImportedCapture, importCapture } from '../../services/add-capture.ts';
 import { NODE_FILES } from '../../services/file-layer.ts';
 import { findProject } from '../../services/project-files.ts';
 import { type Call, type Command, UsageError } from '../command.ts';
 
+const DEPTH_WORDS: Readonly<Record<DepthKind, string>> = { z: 'along the axis of the camera', ray: 'along the rays of pixels' };
+const SOURCES = ['files', 'mesh', 'none'] as const;
 const DEFAULT_SIDE_PX = 1600;
 
 export const importCaptureCommand: Command = {
   name: 'import capture',
-  usage: 'FOLDER --project PROJECT [--name NAME] [--size PX] [--up AXIS] [--unit METERS]',
+  usage: 'FOLDER --project PROJECT',
   summary: 'Import photographs of a place',
-  doc: 'Imports the photographs in FOLDER with their cameras and the mesh of what they show, for the node Capture. Cameras are those of COLMAP (text or binary) or of transforms.json; the mesh is a PLY, OBJ or glTF file. Distorted photographs are straightened, and their metadata are removed. Prints what was found, with the reprojection error of each photograph.',
+  doc: 'Imports the photographs in FOLDER with their cameras and the mesh of what they show, for the node Capture. Cameras are those of COLMAP (text or binary) or of transforms.json; the mesh is a PLY, OBJ or glTF file. One 360° photograph with its depth needs neither. Depth files (PNG with 16 bits, EXR, PFM, or those of COLMAP) are found by the names of the photographs. Distorted photographs are straightened, and their metadata are removed. Prints what was found, with the reprojection error of each photograph.',
   project: 'required',
   operand: { word: 'FOLDER', doc: 'the folder with images/, the cameras and the mesh' },
   options: {
@@ -19,7 +23,7 @@ export const importCaptureCommand: Command = {
     size: {
       type: 'string',
       value: 'PX',
-      doc: `Longest side of photographs, in pixels; larger ones are reduced. Default: ${DEFAULT_SIDE_PX}.`,
+      doc: `Longest side of photographs, in pixels; larger ones are reduced; 2.5 times that for 360° photographs. Default: ${DEFAULT_SIDE_PX}.`,
     },
     up: {
       type: 'string',
@@ -27,6 +31,21 @@ export const importCaptureCommand: Command = {
       doc: `Axis of the reconstruction that points up: ${AXES.join(', ')}. Default: the one nearest to up in the photographs.`,
     },
     unit: { type: 'string', value: 'METERS', doc: 'Meters per unit of the reconstruction. Default: 1.' },
+    depth: {
+      type: 'string',
+      value: 'FROM',
+      doc: `What depth meshes are made from: ${SOURCES.join(', ')}. Default: depth files where they are, else the mesh.`,
+    },
+    'depth-unit': {
+      type: 'string',
+      value: 'UNIT',
+      doc: 'Unit of the depth files: m, mm, reconstruction, or a number of meters. Default: the one that fits the mesh.',
+    },
+    'depth-kind': {
+      type: 'string',
+      value: 'KIND',
+      doc: 'What depth is: z (along the axis of the camera) or ray (along the ray of the pixel). Default: what fits the mesh.',
+    },
   },
   examples: [
     { line: 'scrim import capture scans/kitchen --project my-room', says: 'Adds assets/kitchen.capture to the project.' },
@@ -45,6 +64,7 @@ export const importCaptureCommand: Command = {
       maxSidePx: positive(call, 'size', DEFAULT_SIDE_PX),
       metersPerUnit: positive(call, 'unit', 1),
       up: axis(call),
+      depth: { from: depthSource(call), unit: depthUnit(call), kind: depthKind(call) },
       files: NODE_FILES,
       say,
       interrupted,
@@ -68,14 +88,54 @@ function axis(call: Call): Axis | null {
   return found ?? null;
 }
 
-function textOf({ path, form, up, views, pointCount, vertexCount, triangleCount, sizeM, fileBytes }: ImportedCapture): string {
+function depthSource(call: Call): CaptureJob['depth']['from'] {
+  const text = call.text('depth');
+  const found = SOURCES.find((known) => known === text);
+  if (text !== null && !found) throw new UsageError(`--depth needs one of ${SOURCES.join(', ')}, not ${JSON.stringify(text)}.`);
+  return found ?? null;
+}
+
+function depthUnit(call: Call): DepthUnit | null {
+  const text = call.text('depth-unit');
+  if (text === null || text === 'm' || text === 'mm' || text === 'reconstruction') return text;
+  const meters = Number(text);
+  if (meters > 0 && Number.isFinite(meters)) return meters;
+  throw new UsageError(`--depth-unit needs m, mm, reconstruction or a number above 0, not ${JSON.stringify(text)}.`);
+}
+
+function depthKind(call: Call): DepthKind | null {
+  const text = call.text('depth-kind');
+  if (text === null || text === 'z' || text === 'ray') return text;
+  throw new UsageError(`--depth-kind needs z or ray, not ${JSON.stringify(text)}.`);
+}
+
+function textOf({
+  path,
+  form,
+  up,
+  views,
+  pointCount,
+  vertexCount,
+  triangleCount,
+  depth,
+  depthTriangles,
+  sizeM,
+  fileBytes,
+}: ImportedCapture): string {
   const errors = views.flatMap(({ errorPx }) => errorPx ?? []);
   const mean = errors.reduce((sum, error) => sum + error, 0) / errors.length;
   const lines = [
     `Imported ${path} from ${form}, ${(fileBytes / 1e6).toFixed(1)} MB.`,
-    `${views.length} photographs, ${pointCount} points, a mesh of ${vertexCount} vertices and ${triangleCount} triangles.`,
+    `${views.length === 1 ? '1 photograph' : `${views.length} photographs`}, ${pointCount} points, a mesh of ${vertexCount} vertices and ${triangleCount} triangles.`,
     `The mesh is ${sizeM.map((m) => m.toFixed(2)).join(' × ')} m; up is the ${up} axis of the reconstruction.`,
   ];
+  if (depth !== null) {
+    const unit = typeof depth.unit === 'number' ? `${depth.unit} m` : depth.unit;
+    lines.push(
+      `Depth of ${depth.count === 1 ? '1 photograph' : `${depth.count} photographs`}: ${DEPTH_WORDS[depth.kind]}, with the unit ${unit}.`,
+    );
+  }
+  if (depthTriangles > 0) lines.push(`The depth meshes have ${depthTriangles} triangles.`);
   if (errors.length > 0) {
     lines.push(`Mean reprojection error ${mean.toFixed(2)} px:`);
     for (const { photo, errorPx, points } of views) {

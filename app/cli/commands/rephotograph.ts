@@ -10,7 +10,7 @@ import type { Method } from '../rephotograph/rephotograph.page.ts';
 import { rephotographViews } from '../rephotograph/rephotograph-views.ts';
 import { meansOf, type ReportedView, reportPage } from '../rephotograph/report-page.ts';
 
-const METHODS: readonly Method[] = ['plain', 'nearest', 'lumigraph'];
+const METHODS: readonly Method[] = ['plain', 'nearest', 'lumigraph', 'depth-meshes'];
 const DEFAULT_BLENDED = 2;
 const MOST_BLENDED = 4;
 const REPORT: FolderMark = { file: 'report.json', format: 'scrim-rephotograph', words: 'an earlier report' };
@@ -26,7 +26,11 @@ export const rephotographCommand: Command = {
   operand: { word: 'FOLDER', doc: 'the folder of a capture, assets/NAME.capture in a project' },
   options: {
     out: { type: 'string', value: 'DIR', doc: 'Folder for index.html, report.json and the pictures.' },
-    method: { type: 'string', value: 'METHOD', doc: `Only this method: ${METHODS.join(', ')}. Default: all.` },
+    method: {
+      type: 'string',
+      value: 'METHOD',
+      doc: `Only this method: ${METHODS.join(', ')}. Default: all, depth-meshes if the capture has them.`,
+    },
     blended: {
       type: 'string',
       value: 'N',
@@ -40,10 +44,12 @@ export const rephotographCommand: Command = {
   run: async (call, { installation, say, interrupted }) => {
     const out = call.text('out');
     if (!out) throw new UsageError('--out DIR is missing. Name the folder for the report.');
-    const methods = methodsOf(call);
+    const named = methodOf(call);
     const blended = blendedOf(call);
     const folder = await folderOf(call.project);
     const { views: photos } = await documentOf(folder);
+    const hasDepthMeshes = photos.some(({ depthMesh }) => depthMesh);
+    const methods = named === null ? METHODS.filter((method) => method !== 'depth-meshes' || hasDepthMeshes) : [named];
     const title = `${basename(folder).replace(/\.capture$/, '')}, rephotographed`;
     const views: ReportedView[] = [];
     await writePageFolder(
@@ -59,6 +65,8 @@ export const rephotographCommand: Command = {
         await rephotographViews({
           ...{ root: installation.root, folder, methods, blended, keepsPictures: true, say, interrupted },
           onView: async (index, shots) => {
+            // 360° photographs are not rendered, but serve the others.
+            if (shots.length === 0) return;
             const file = photos[index]?.file ?? '';
             const stem = `views/${String(index).padStart(3, '0')}`;
             const photo = await write(`${stem}${extname(file)}`, await readBytes(join(folder, file), MAX_PHOTO_BYTES));
@@ -83,19 +91,18 @@ export const rephotographCommand: Command = {
     const means = meansOf(views);
     const lines = means.map(
       ({ method, psnrDb, ssim, chromaError }) =>
-        `  ${method.padEnd(9)}  ${psnrDb.toFixed(2)} dB, SSIM ${ssim.toFixed(3)}, color error ${chromaError.toFixed(2)}`,
+        `  ${method.padEnd(12)}  ${psnrDb.toFixed(2)} dB, SSIM ${ssim.toFixed(3)}, color error ${chromaError.toFixed(2)}`,
     );
     const text = [`Rendered ${views.length} photographs, each from the others. Means:`, ...lines, `Wrote ${join(out, 'index.html')}`];
     return { status: 0, json: { ok: true, out, means, views }, text: text.join('\n'), diagnostics: [] };
   },
 };
 
-function methodsOf(call: Call): readonly Method[] {
+function methodOf(call: Call): Method | null {
   const named = call.text('method');
-  if (named === null) return METHODS;
   const method = METHODS.find((known) => known === named);
-  if (!method) throw new UsageError(`--method needs one of ${METHODS.join(', ')}, not ${JSON.stringify(named)}.`);
-  return [method];
+  if (named !== null && !method) throw new UsageError(`--method needs one of ${METHODS.join(', ')}, not ${JSON.stringify(named)}.`);
+  return method ?? null;
 }
 
 function blendedOf(call: Call): number {
@@ -115,6 +122,8 @@ async function folderOf(path: string): Promise<string> {
 async function documentOf(folder: string) {
   try {
     const document = readCapture(await readText(join(folder, CAPTURE_FILE), MAX_CAPTURE_BYTES));
+    if (document.views.every(({ projection }) => projection))
+      throw new CaptureError('it has 360° photographs only, which no flat picture shows');
     if (document.views.length < 2) throw new CaptureError('it has one photograph only, and none is left to render it from');
     return document;
   } catch (error) {

@@ -28,6 +28,9 @@ export interface RenderOptions {
 
 type PageApi = Pick<typeof RenderPage, 'open' | 'play' | 'diagnostics'>;
 
+/** URLs of the folders that the page reads. */
+export const PAGE_FOLDERS = { assetBaseUrl: 'project/', decodersBaseUrl: 'decoders/' } as const;
+
 const PAGE_ENTRY = 'app/cli/render/render.page.ts';
 
 /**
@@ -37,18 +40,19 @@ const PAGE_ENTRY = 'app/cli/render/render.page.ts';
 export async function renderFrames(options: RenderOptions): Promise<readonly Diagnostic[]> {
   const found = await findChromium();
   if (found === null) return [NO_BROWSER];
-  const { root, projectRoot, sessionFolders } = options;
-  const folders = { project: projectRoot, decoders: join(root, DECODER_FILES_FOLDER), ...sessionFolders };
-  return withPage<PageApi, readonly Diagnostic[]>(found, { root, entry: PAGE_ENTRY, folders }, (call, server) =>
-    play(call, server, options),
-  );
+  const page = { root: options.root, entry: PAGE_ENTRY, folders: foldersOf(options) };
+  return withPage<PageApi, readonly Diagnostic[]>(found, page, (call, server) => play(call, server, options));
+}
+
+/** Real paths of the folders that a render reads, by the first part of their URL. */
+export function foldersOf({ root, projectRoot, sessionFolders }: Pick<RenderOptions, 'root' | 'projectRoot' | 'sessionFolders'>) {
+  return { project: projectRoot, decoders: join(root, DECODER_FILES_FOLDER), ...sessionFolders };
 }
 
 async function play(call: CallPage<PageApi>, server: RenderServer, options: RenderOptions): Promise<readonly Diagnostic[]> {
-  const opened = await call('open', { ...options.job, assetBaseUrl: 'project/', decodersBaseUrl: 'decoders/' });
-  const early = [...opened.diagnostics, ...shaderDiagnostics(options, opened.shaderErrors), ...(await call('diagnostics'))];
+  const opened = await call('open', { ...options.job, ...PAGE_FOLDERS });
+  const early = [...openingDiagnostics(options, opened), ...(await call('diagnostics'))];
   if (hasErrors(early)) return early;
-  if (opened.frameCount !== null && options.last >= opened.frameCount) return [...early, noSuchFrame(options.last, opened.frameCount)];
   for (let index = firstPlayed(options); index <= options.last; index++) {
     const keep = index >= options.first;
     const head = await call('play', index, keep);
@@ -65,12 +69,21 @@ async function play(call: CallPage<PageApi>, server: RenderServer, options: Rend
 /**
  * The first frame to play. History-dependent programs need all frames; others only the previous one, which determines the time step.
  */
-function firstPlayed({ first, job: { program, session } }: RenderOptions): number {
+export function firstPlayed({ first, job: { program, session } }: Pick<RenderOptions, 'first' | 'job'>): number {
   return session.kind === 'room' || isHistoryDependent(program) ? 0 : Math.max(0, first - 1);
 }
 
+/** What was wrong when the page opened the render: with the session, with shaders, and with the range of frames. */
+export function openingDiagnostics(
+  options: Pick<RenderOptions, 'job' | 'sourceOf' | 'last'>,
+  { diagnostics, shaderErrors, frameCount }: RenderPage.OpenedJob,
+): readonly Diagnostic[] {
+  const early = [...diagnostics, ...shaderDiagnostics(options, shaderErrors)];
+  return frameCount === null || options.last < frameCount || hasErrors(early) ? early : [...early, noSuchFrame(options.last, frameCount)];
+}
+
 function shaderDiagnostics(
-  { job, sourceOf }: RenderOptions,
+  { job, sourceOf }: Pick<RenderOptions, 'job' | 'sourceOf'>,
   errors: Awaited<ReturnType<PageApi['open']>>['shaderErrors'],
 ): readonly Diagnostic[] {
   return errors.flatMap(({ shaderId, stage, log }) => {

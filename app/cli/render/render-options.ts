@@ -1,5 +1,5 @@
 import { MAIN_GRAPH, type Project } from '../../../export/graph/project.ts';
-import type { Program } from '../../../export/program/program.ts';
+import type { LayerRef, Program } from '../../../export/program/program.ts';
 import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
 import { LIBRARY } from '../../services/compile-project.ts';
 import { type Call, UsageError } from '../command.ts';
@@ -60,14 +60,26 @@ export function tapsFor(call: Call, project: Project): readonly string[] {
 export function subjectOf(call: Call, project: Project, program: Program): Result<Subject> {
   const tap = tapOf(call, project);
   if (tap === null) return { output: { kind: 'screen' }, diagnostics: [] };
-  const layer = Object.hasOwn(program.taps, tap) ? program.taps[tap] : undefined;
-  if (!layer) {
-    const some = layersOf(project).join(', ');
-    return wrong(`Layer ${tap} does not exist, or its inputs are not connected.`, `Layers of this project: ${some}.`);
+  if (call.text('depth') === null) {
+    const layer = findLayer(tap, project, program);
+    return layer.output === null ? { ...layer, output: null } : { output: { kind: 'layer', tap }, diagnostics: [] };
   }
-  if (call.text('depth') === null) return { output: { kind: 'layer', tap }, diagnostics: [] };
-  if (layer.depth === null) return wrong(`Layer ${tap} has no depth.`, 'Name the layer of a scene.');
-  return { output: { kind: 'depth', tap }, diagnostics: [] };
+  const layer = findDeepLayer(tap, project, program);
+  return layer.output === null ? { ...layer, output: null } : { output: { kind: 'depth', tap }, diagnostics: [] };
+}
+
+/** Finds a layer that the compiler has kept. SCR012 if it does not exist. */
+function findLayer(tap: string, project: Project, program: Program): Result<LayerRef> {
+  const layer = Object.hasOwn(program.taps, tap) ? program.taps[tap] : undefined;
+  if (layer) return { output: layer, diagnostics: [] };
+  const some = layersOf(project).join(', ');
+  return wrong(`Layer ${tap} does not exist, or its inputs are not connected.`, `Layers of this project: ${some}.`);
+}
+
+/** Finds a layer with depth. SCR012 if it does not exist, or has none. */
+export function findDeepLayer(tap: string, project: Project, program: Program): Result<LayerRef> {
+  const found = findLayer(tap, project, program);
+  return found.output?.depth === null ? wrong(`Layer ${tap} has no depth.`, 'Name the layer of a scene.') : found;
 }
 
 function tapOf(call: Call, project: Project): string | null {
@@ -79,7 +91,7 @@ function tapOf(call: Call, project: Project): string | null {
 }
 
 /** The layer that is connected to the Output. */
-function screenLayer({ graphs }: Project): string | null {
+export function screenLayer({ graphs }: Project): string | null {
   const { nodes = {}, wires = [] } = graphs[MAIN_GRAPH] ?? {};
   const wire = wires.find(({ to }) => LIBRARY.definition(nodes[to.node]?.type ?? '')?.lowering.kind === 'present');
   return wire ? `${wire.from.node}.${wire.from.port}` : null;
@@ -91,7 +103,7 @@ function layersOf({ graphs }: Project): string[] {
   );
 }
 
-function wrong(message: string, fix: string): Result<Subject> {
+function wrong(message: string, fix: string): Result<never> {
   const diagnostic: Diagnostic = { code: 'SCR012', severity: 'error', message, fix };
   return { output: null, diagnostics: [diagnostic] };
 }

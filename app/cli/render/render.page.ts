@@ -1,28 +1,14 @@
-import type { Program } from '../../../export/program/program.ts';
-import { createFetchAssetSource } from '../../../export/runtime/assets/asset-source.ts';
-import { createRenderClock } from '../../../export/runtime/clock.ts';
 import type { ShaderError } from '../../../export/runtime/gl/program-cache.ts';
-import { createPlayer, type Player } from '../../../export/runtime/player.ts';
+import type { Player } from '../../../export/runtime/player.ts';
 import { readColor, readDepth, readScreen } from '../../../export/runtime/readback.ts';
-import { createScenesWith } from '../../../export/runtime/scenes/create-scenes.ts';
-import { readRadiance } from '../../../export/runtime/scenes/environments/read-radiance.ts';
-import { createGlass } from '../../../export/runtime/scenes/glass/glass-scene.ts';
-import { ALL_DECODERS } from '../../../export/runtime/scenes/models/decoders/all-decoders.ts';
-import { createSpatial } from '../../../export/runtime/spatial/create-spatial.ts';
-import { RUNTIMES } from '../../../nodes/generated/runtimes.gen.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
-import { findLampsAtOnce } from '../../../nodes/kit/panorama/find-lamps.ts';
 import type { SessionFrame } from '../../../nodes/kit/session.ts';
 import { type FrameSource, openFrameSource, type RenderSession } from './frame-source.page.ts';
+import { createRenderPlayer, type PlayedProgram } from './render-player.page.ts';
 
 /** A render, as Node passes it to the page. URLs are relative to the page. */
-export interface RenderJob {
-  readonly program: Program;
-  readonly assetBaseUrl: string;
-  readonly decodersBaseUrl: string;
+export interface RenderJob extends PlayedProgram {
   readonly session: RenderSession;
-  readonly widthPx: number;
-  readonly heightPx: number;
   readonly subject: Subject;
 }
 
@@ -48,9 +34,8 @@ export interface ImageHead {
   readonly heightPx: number;
 }
 
-const SEED = 1;
-
-interface OpenRender {
+/** An open render, for what reads the images of a frame. */
+export interface OpenRender {
   readonly gl: WebGL2RenderingContext;
   readonly player: Player;
   readonly source: FrameSource;
@@ -62,8 +47,8 @@ interface Picture extends ImageHead {
 }
 
 let opened: OpenRender | null = null;
-let taken: Picture | null = null;
-let take = false;
+/** Reads the current frame once it is drawn. */
+let whenDrawn: (render: OpenRender) => void = () => {};
 /** Resolves when the current frame is completely drawn. */
 let drawing: Promise<void> = Promise.resolve();
 let problems: readonly Diagnostic[] = [];
@@ -71,34 +56,8 @@ const events: Diagnostic[] = [];
 
 /** Opens a render. Resolves when the assets have loaded or failed. */
 export async function open(job: RenderJob): Promise<OpenedJob> {
-  const canvas = document.createElement('canvas');
-  canvas.width = job.widthPx;
-  canvas.height = job.heightPx;
-  const { antialias } = job.program.presentation;
-  const gl = canvas.getContext('webgl2', { alpha: true, antialias, depth: true, stencil: false });
-  if (!gl) throw new Error('The browser has no WebGL 2.');
-  const fetchFile = fetch.bind(globalThis);
-  const decodersUrl = new URL(job.decodersBaseUrl, document.baseURI).href;
-  const player = createPlayer({
-    gl,
-    canvas,
-    program: job.program,
-    modules: RUNTIMES,
-    createSpatial,
-    createScenes: createScenesWith({
-      decoders: ALL_DECODERS,
-      files: createFetchAssetSource(decodersUrl, fetchFile).load,
-      readRadiance,
-      findLamps: findLampsAtOnce,
-      createGlass,
-    }),
-    assets: createFetchAssetSource(new URL(job.assetBaseUrl, document.baseURI).href, fetchFile),
-    seed: SEED,
-    clock: createRenderClock(),
-    held: true,
-    onDiagnostics: (diagnostics) => {
-      problems = diagnostics;
-    },
+  const { gl, player } = createRenderPlayer(job, (diagnostics) => {
+    problems = diagnostics;
   });
   const { shaderErrors } = await player.ready;
   const { output, diagnostics } = await openFrameSource(job.session, gl, job.program, {
@@ -118,12 +77,12 @@ export async function open(job: RenderJob): Promise<OpenedJob> {
 
 /** Plays one frame. With `keep`, sends its image. Returns null if there is none to send. */
 export async function play(index: number, keep: boolean): Promise<ImageHead | null> {
-  if (!opened) throw new Error('Nothing is open.');
-  take = keep;
-  taken = null;
-  const stepped = await opened.source.step(index);
-  await drawing;
-  if (!keep || !stepped) return null;
+  let taken: Picture | null = null;
+  const read = (render: OpenRender) => {
+    taken = readSubject(render);
+  };
+  const stepped = await playAndRead(index, keep ? read : () => {});
+  if (!keep || !stepped || !opened) return null;
   const seen = opened.subject.kind === 'screen' ? opened.source.seen?.() : undefined;
   const picture: Picture | null = seen ? { widthPx: seen.widthPx, heightPx: seen.heightPx, bytes: Uint8Array.from(seen.rgba) } : taken;
   if (!picture) return null;
@@ -131,10 +90,19 @@ export async function play(index: number, keep: boolean): Promise<ImageHead | nu
   return { widthPx: picture.widthPx, heightPx: picture.heightPx };
 }
 
+/** Plays one frame and calls `read` while its images can be read. Returns whether the session has the frame. */
+export async function playAndRead(index: number, read: (render: OpenRender) => void): Promise<boolean> {
+  if (!opened) throw new Error('Nothing is open.');
+  whenDrawn = read;
+  const stepped = await opened.source.step(index);
+  await drawing;
+  return stepped;
+}
+
 /** Draws a frame of a recording when all of its assets have loaded. A recorded frame stays valid until then. */
 async function drawRecorded(player: Player, frame: SessionFrame): Promise<void> {
   await player.drawSettled(frame);
-  if (take && opened) taken = readSubject(opened);
+  if (opened) whenDrawn(opened);
 }
 
 /**
@@ -143,7 +111,7 @@ async function drawRecorded(player: Player, frame: SessionFrame): Promise<void> 
  */
 function drawRoom(player: Player, frame: SessionFrame): Promise<void> {
   player.draw(frame);
-  if (take && opened) taken = readSubject(opened);
+  if (opened) whenDrawn(opened);
   return player.settle();
 }
 

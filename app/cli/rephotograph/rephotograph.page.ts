@@ -5,12 +5,13 @@ import { type LoadedCapture, loadCapture } from '../../../export/runtime/assets/
 import { createGlObjects } from '../../../export/runtime/gl/gl-objects.ts';
 import { CAPTURE_FILE, type CaptureMesh, type CaptureView, readCapture, readCaptureMesh } from '../../../nodes/kit/capture.ts';
 import { type CaptureDrawing, createCaptureDrawing } from '../../../nodes/kit/capture-drawing/capture-drawing.ts';
-import type { Method } from '../../../nodes/kit/capture-drawing/shaders.ts';
+import { createDepthMeshDrawing } from '../../../nodes/kit/capture-drawing/depth-meshes/depth-mesh-drawing.ts';
+import type { Method as MeshMethod } from '../../../nodes/kit/capture-drawing/shaders.ts';
 import { setPassState } from '../../../nodes/kit/pass-state.ts';
 import { photoPixels, pictureUrl } from './photo-pixels.page.ts';
 
 /** A method of the node Capture. */
-export type { Method };
+export type Method = MeshMethod | 'depth-meshes';
 
 /** One photograph, rendered from all others by one method. */
 export interface Rephotograph extends ImageQuality {
@@ -45,17 +46,20 @@ export async function open(baseUrl: string, methods: readonly Method[], blended:
   const canvas = document.createElement('canvas');
   const gl = canvas.getContext('webgl2', { alpha: true, antialias: false, depth: true });
   if (!gl) throw new Error('The browser has no WebGL 2.');
-  const capture = await loadCapture(createGlObjects(gl), bytes, CAPTURE_FILE, load);
-  const drawings = new Map(methods.map((method) => [method, createCaptureDrawing(gl, capture, method, blended)]));
+  const capture = await loadCapture(createGlObjects(gl), bytes, CAPTURE_FILE, load, methods.includes('depth-meshes'));
+  const drawingOf = (method: Method): CaptureDrawing =>
+    method === 'depth-meshes' ? createDepthMeshDrawing(gl, capture) : createCaptureDrawing(gl, capture, method, blended);
+  const drawings = new Map(methods.map((method) => [method, drawingOf(method)]));
   opened = { gl, load, capture, mesh: readCaptureMesh(mesh, await load(mesh.file)), views, drawings };
   return views.length;
 }
 
-/** Renders the photograph `index` at its own size from all others, which also give the colors of the mesh. */
+/** Renders the photograph `index` at its own size from all others, which also give the colors of the mesh. Nothing for a 360° photograph. */
 export async function rephotograph(index: number, keepsPictures: boolean): Promise<readonly Rephotograph[]> {
   const view = opened?.views[index];
   if (!opened || !view) throw new Error(`There is no view ${index}.`);
   const { gl, capture, mesh, drawings, load } = opened;
+  if (view.projection) return [];
   const { widthPx, heightPx, worldFromCamera: m } = view;
   const truth = await photoPixels(await load(view.file), widthPx, heightPx);
   Object.assign(gl.canvas, { width: widthPx, height: heightPx });
@@ -73,7 +77,7 @@ export async function rephotograph(index: number, keepsPictures: boolean): Promi
     gl.depthMask(true);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    drawing.draw(clipFromCapture(view), eye, forward, index);
+    drawing.draw(clipFromCapture(view), eye, forward, { framebuffer: null, viewport: { x: 0, y: 0, widthPx, heightPx } }, index);
     const shown = new Uint8ClampedArray(4 * widthPx * heightPx);
     gl.readPixels(0, 0, widthPx, heightPx, gl.RGBA, gl.UNSIGNED_BYTE, shown);
     const pair = { shown, truth, widthPx, heightPx };

@@ -80,7 +80,7 @@ function figure(source: string, caption: string): string {
 }
 
 function capital(word: string): string {
-  return word.charAt(0).toUpperCase() + word.slice(1);
+  return word.charAt(0).toUpperCase() + word.slice(1).replace('-', ' ');
 }
 
 function fixed(value: number, digits: number): string {

@@ -106,6 +106,10 @@ function builtinValue(builtin: BuiltinUniform, passIndex: number): readonly numb
       return VIEW_PX;
     case 'PASSINDEX':
       return [passIndex];
+    case 'SCRIM_CLIP_FROM_VIEW':
+      return [1, 0, 0, 0, 0, 16 / 9, 0, 0, 0, 0, -1, -1, 0, 0, -0.1, 0];
+    case 'SCRIM_WORLD_FROM_VIEW':
+      return [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1.6, 0, 1];
   }
 }
 
@@ -120,6 +124,7 @@ function setUniform(
   else if (type === 'vec2') gl.uniform2f(location, x, y);
   else if (type === 'vec3') gl.uniform3f(location, x, y, z);
   else if (type === 'vec4') gl.uniform4f(location, x, y, z, w);
+  else if (type === 'mat4') gl.uniformMatrix4fv(location, false, value);
   else gl.uniform1i(location, x);
 }
 

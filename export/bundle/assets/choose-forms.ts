@@ -1,3 +1,4 @@
+import { gzipSync } from 'node:zlib';
 import { measureModel } from '../../gltf/measure.ts';
 import { readGltf } from '../../gltf/read-gltf.ts';
 import type { CompressedModel } from '../compress/compressed-model.ts';
@@ -39,7 +40,12 @@ function price({ original, compressed }: ModelForms): readonly PricedForm[] {
   const forms: ChosenForm[] = [{ form: 'original', bytes: original }];
   if (compressed.meshopt) forms.push({ form: 'meshopt', bytes: compressed.meshopt });
   if (compressed.ktx2) forms.push({ form: 'ktx2', bytes: compressed.ktx2 });
-  return forms.map((form) => ({ ...form, cost: form.bytes.length + gpuBytesOf(form.bytes) / GPU_BYTES_PER_FILE_BYTE }));
+  return forms.map((form) => ({ ...form, cost: downloadBytes(form.bytes) + gpuBytesOf(form.bytes) / GPU_BYTES_PER_FILE_BYTE }));
+}
+
+/** Mean of the sizes without and with gzip: some hosts compress models, others send them as they are. */
+function downloadBytes(file: Uint8Array): number {
+  return (file.length + gzipSync(file).length) / 2;
 }
 
 const ORDER: readonly Form[] = ['original', 'meshopt', 'ktx2'];

@@ -1,6 +1,8 @@
 import { resolve } from 'node:path';
 import { beforeAll, describe, expect, test } from '@jest/globals';
+import { plyFile, plyOf, splatAt } from '../../../tests/support/splat-files.ts';
 import { texturedModel } from '../../../tests/support/textured-model.ts';
+import { sogOf } from '../../../tools/examples/splats/write-sog.ts';
 import type { ProgramAsset } from '../../program/program.ts';
 import { chooseForms } from './choose-forms.ts';
 import type { AssetCache } from './model-cache.ts';
@@ -112,5 +114,38 @@ describe('which form a page has of its models', () => {
     ]);
     const { gpuBytes } = output.assets[0]?.report ?? { gpuBytes: { before: 0, after: 1 } };
     expect(gpuBytes.after).toBeLessThan(0.4 * gpuBytes.before);
+  });
+});
+
+describe('splats', () => {
+  const splats = Array.from({ length: 500 }, (_, i) =>
+    splatAt(Math.sin(i), Math.cos(3 * i), 0.01 * i, { harmonics: new Array(45).fill(0.01) }),
+  );
+  const prepareFile = (path: string, bytes: Uint8Array) =>
+    prepare({ readAsset: async () => bytes }, [{ id: 'splats', kind: 'splats', path }]);
+
+  test('of a PLY file are packed for the graphics card, and reported in bytes', async () => {
+    const ply = plyOf(splats);
+    const { output, diagnostics } = await prepareFile('assets/garden.ply', ply);
+    expect(diagnostics).toEqual([]);
+    expect(output.assets[0]?.path).toMatch(/^assets\/garden-[0-9a-f]{10}\.splats$/);
+    expect(output.assets[0]?.report).toMatchObject({ kind: 'splats', fileBytes: { before: ply.length }, gpuBytes: { after: 500 * 84 } });
+    expect(output.assets[0]?.report.fileBytes.after).toBeLessThan(ply.length / 8);
+    const again = await prepareFile('assets/garden.ply', ply);
+    expect(again.output.assets[0]?.bytes).toEqual(output.assets[0]?.bytes);
+  });
+
+  test('of a SOG file stay as they are', async () => {
+    const sog = await sogOf(splats);
+    const { output } = await prepareFile('assets/garden.sog', sog);
+    expect(output.assets[0]?.path).toMatch(/^assets\/garden-[0-9a-f]{10}\.sog$/);
+    expect(output.assets[0]?.bytes).toEqual(sog);
+  });
+
+  test('that are none are refused with what to do', async () => {
+    const { output, diagnostics } = await prepareFile('assets/points.ply', plyFile(1, ['x', 'y', 'z'], [0, 0, 0]));
+    expect(output).toBeNull();
+    expect(diagnostics).toMatchObject([{ code: 'SCR032', severity: 'error', file: 'assets/points.ply' }]);
+    expect(diagnostics[0]?.fix).toContain('point_cloud.ply');
   });
 });

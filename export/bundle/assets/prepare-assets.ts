@@ -1,14 +1,22 @@
 import { readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
+import { gzipSync } from 'node:zlib';
 import {
   CAPTURE_LIMITS,
   type CaptureDocument,
   CaptureError,
   type CaptureView,
+  captureMeshFile,
   captureSize,
+  meshCounts,
   readCapture,
+  readCaptureMesh,
 } from '../../../nodes/kit/capture.ts';
 import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
+import { openSog } from '../../../nodes/kit/splats/sog-archive.ts';
+import { SPLAT_FILE_ENDING, writeSplatFile } from '../../../nodes/kit/splats/splat-file.ts';
+import { readSplatPly } from '../../../nodes/kit/splats/splat-ply.ts';
+import { SplatError, splatGpuBytes } from '../../../nodes/kit/splats/splats.ts';
 import { DECODER_FILES, DECODER_FILES_FOLDER, DECODERS, type DecoderFile, type DecoderName, neededDecoders } from '../../gltf/decoders.ts';
 import { ModelError } from '../../gltf/document.ts';
 import { imageSize } from '../../gltf/image-size.ts';
@@ -18,7 +26,9 @@ import type { ProgramAsset } from '../../program/program.ts';
 import type { CompressedModel } from '../compress/compressed-model.ts';
 import { createCompressor } from '../compress/compressor.ts';
 import { hashedName } from '../hashed-name.ts';
+import { type ModelUse, modelUse } from '../model-use.ts';
 import { chooseForms, type Form, gpuBytesOf } from './choose-forms.ts';
+import { coarseMesh, reducedPhoto } from './coarse-capture.ts';
 import { type AssetCache, remembered } from './model-cache.ts';
 
 export interface AssetOptions {
@@ -66,8 +76,7 @@ export interface PreparedAssets {
   readonly assets: readonly PreparedAsset[];
   /** Decoders that the models need. */
   readonly decoders: readonly DecoderName[];
-  /** Whether a model has glass. */
-  readonly glass: boolean;
+  readonly models: ModelUse;
   /** Files of the decoders with their paths in the page. */
   readonly decoderFiles: readonly { readonly file: DecoderFile; readonly path: string; readonly bytes: Uint8Array }[];
 }
@@ -81,6 +90,8 @@ interface ReadAsset {
   readonly others: PreparedAsset['others'];
   /** The document of a capture. */
   readonly capture: CaptureDocument | null;
+  /** Bytes on the GPU and the ending of the file in the page, of splats. */
+  readonly splats?: { readonly gpuBytes: number; readonly ending: string };
 }
 
 /** Smaller models are not compressed, because the decoder would cost more. */
@@ -107,13 +118,17 @@ export async function prepareAssets(assets: readonly ProgramAsset[], options: As
   const documents = models.map(({ bytes }) => readGltf(bytes).document);
   const needed = new Set(documents.flatMap(neededDecoders));
   const decoders = DECODERS.filter((name) => needed.has(name));
-  const glass = documents.some(({ extensionsUsed = [] }) => extensionsUsed.includes('KHR_materials_transmission'));
-  return { output: { assets: prepared, decoders, glass, decoderFiles: await readDecoders(options.root, decoders) }, diagnostics };
+  return {
+    output: { assets: prepared, decoders, models: modelUse(documents), decoderFiles: await readDecoders(options.root, decoders) },
+    diagnostics,
+  };
 }
 
-async function readAsset(asset: ProgramAsset, { readAsset: readFileOf }: AssetOptions): Promise<ReadAsset> {
+async function readAsset(asset: ProgramAsset, options: AssetOptions): Promise<ReadAsset> {
+  const { readAsset: readFileOf } = options;
   const bytes = await readFileOf(asset.path);
-  if (asset.kind === 'capture') return readCaptureFiles(asset, bytes, readFileOf);
+  if (asset.kind === 'capture') return readCaptureFiles(asset, bytes, options);
+  if (asset.kind === 'splats') return readSplats(asset, Uint8Array.from(bytes));
   if (asset.kind !== 'model') return { asset, bytes, fileBytes: bytes.length, others: [], capture: null };
   let fileBytes = bytes.length;
   const model = await readWholeModel(Uint8Array.from(bytes), asset.path, async (path) => {
@@ -124,24 +139,64 @@ async function readAsset(asset: ProgramAsset, { readAsset: readFileOf }: AssetOp
   return { asset, bytes: model.bytes, fileBytes, others: [], capture: null };
 }
 
-/** Reads the files of a capture, and names them in its document by their paths in the page. */
-async function readCaptureFiles(asset: ProgramAsset, bytes: Uint8Array, read: AssetOptions['readAsset']): Promise<ReadAsset> {
+/** A capture whose first image needs fewer bytes is loaded at once. */
+const MIN_STREAMED_BYTES = 500_000;
+
+/**
+ * Reads the files of a capture, and names them in its document by their paths in the page. Adds a coarse mesh and reduced photographs, which
+ * the page draws while the others load.
+ */
+async function readCaptureFiles(asset: ProgramAsset, bytes: Uint8Array, { readAsset: read, cache, say }: AssetOptions): Promise<ReadAsset> {
   const document = readCapture(new TextDecoder().decode(bytes));
   const folder = asset.path.slice(0, asset.path.lastIndexOf('/') + 1);
   const name = captureName(asset.path);
   const others: { path: string; bytes: Uint8Array }[] = [];
-  const add = async (file: string): Promise<string> => {
-    const content = await read(folder + file);
+  let fileBytes = bytes.length;
+  const put = (file: string, content: Uint8Array): string => {
     const path = hashedName(`assets/${name}-${fileName(file)}`, content);
     others.push({ path, bytes: content });
     return fileName(path);
   };
-  const mesh = { ...document.mesh, file: await add(document.mesh.file) };
+  const add = async (file: string): Promise<Uint8Array> => {
+    const content = await read(folder + file);
+    fileBytes += content.length;
+    return content;
+  };
+  const meshBytes = await add(document.mesh.file);
+  const photos: Uint8Array[] = [];
+  for (const { file } of document.views) photos.push(await add(file));
+  const isStreamed = fileBytes >= MIN_STREAMED_BYTES;
   const views: CaptureView[] = [];
-  for (const view of document.views) views.push({ ...view, file: await add(view.file) });
-  const renamed = new TextEncoder().encode(JSON.stringify({ ...document, mesh, views }));
-  const fileBytes = others.reduce((sum, other) => sum + other.bytes.length, bytes.length);
-  return { asset, bytes: renamed, fileBytes, others, capture: document };
+  for (const [i, { depth: _, depthMesh, ...view }] of document.views.entries()) {
+    const photo = photos[i] ?? new Uint8Array();
+    if (isStreamed) say(`Reducing the photographs of ${asset.path} (${i + 1} of ${document.views.length})…`);
+    const reduced = isStreamed ? await reducedPhoto(photo, cache) : null;
+    views.push({
+      ...view,
+      file: put(view.file, photo),
+      ...(reduced ? { reducedFile: put(view.file.replace(/\.\w+$/, '-reduced.jpg'), reduced) } : {}),
+      ...(asset.depthMeshes && depthMesh ? { depthMesh: { ...depthMesh, file: put(depthMesh.file, await add(depthMesh.file)) } } : {}),
+    });
+  }
+  if (asset.depthMeshes && !views.some(({ depthMesh }) => depthMesh)) throw new CaptureError('it has no depth meshes. Import it again');
+  const whole = readCaptureMesh(document.mesh, Uint8Array.from(meshBytes).buffer);
+  const mesh = { ...document.mesh, file: put(document.mesh.file, meshBytes) };
+  const coarse = isStreamed ? await coarseMesh(whole) : null;
+  const first = coarse ? { ...meshCounts(coarse), file: put('coarse-mesh.bin', captureMeshFile(coarse)) } : mesh;
+  const renamed: CaptureDocument = { ...document, mesh, views, ...(isStreamed ? { coarseMesh: first } : {}) };
+  return { asset, bytes: new TextEncoder().encode(JSON.stringify(renamed)), fileBytes, others, capture: document };
+}
+
+/** Packs the splats of a PLY file for the GPU. A SOG file is smaller than that, and stays as it is. */
+async function readSplats(asset: ProgramAsset, bytes: Uint8Array<ArrayBuffer>): Promise<ReadAsset> {
+  const base = { asset, fileBytes: bytes.length, others: [], capture: null };
+  if (asset.path.toLowerCase().endsWith('.sog')) {
+    const { count, harmonics } = (await openSog(bytes)).meta;
+    return { ...base, bytes, splats: { gpuBytes: splatGpuBytes(count, harmonics?.degree ?? 0), ending: '.sog' } };
+  }
+  const splats = readSplatPly(bytes);
+  const packed = gzipSync(writeSplatFile(splats), { level: 9 });
+  return { ...base, bytes: packed, splats: { gpuBytes: splatGpuBytes(splats.count, splats.degree), ending: SPLAT_FILE_ENDING } };
 }
 
 /** `room` for `assets/room.capture/capture.json`. */
@@ -178,12 +233,14 @@ async function formsOf(read: readonly ReadAsset[], { root, compress, cache, say 
 const NOTHING: CompressedModel = { meshopt: null, ktx2: null };
 
 function prepare(
-  { asset, bytes: original, fileBytes, others, capture }: ReadAsset,
+  { asset, bytes: original, fileBytes, others, capture, splats }: ReadAsset,
   { form, bytes }: { readonly form: Form; readonly bytes: Uint8Array },
 ): PreparedAsset {
-  const name = capture ? `${captureName(asset.path)}.json` : fileName(asset.path).replace(/\.gltf$/i, '.glb');
+  const plain = fileName(asset.path).replace(/\.gltf$/i, '.glb');
+  const name = capture ? `${captureName(asset.path)}.json` : splats ? plain.replace(/\.\w+$/, splats.ending) : plain;
   const path = hashedName(`assets/${name}`, bytes);
   const gpu = (content: Uint8Array) => {
+    if (splats) return splats.gpuBytes;
     if (capture) return captureSize(capture, CAPTURE_LIMITS.sidePx).gpuBytes;
     return asset.kind === 'model' ? gpuBytesOf(content) : imagesGpuBytes(content);
   };
@@ -217,6 +274,9 @@ async function readDecoders(root: string, decoders: readonly DecoderName[]): Pro
 
 function unreadable({ path }: ProgramAsset, error: unknown): Diagnostic {
   const reason = error instanceof Error ? error.message : String(error);
+  if (error instanceof SplatError) {
+    return { code: 'SCR032', severity: 'error', message: `${path} cannot be shown: ${reason}.`, file: path, fix: error.fix };
+  }
   if (error instanceof ModelError || error instanceof CaptureError)
     return { code: 'SCR032', severity: 'error', message: `${path} cannot be decoded: ${reason}`, file: path };
   return { code: 'SCR030', severity: 'error', message: `${path} cannot be read: ${reason}`, file: path };

@@ -56,7 +56,13 @@ test('an HDR file of the project: the page has its lamps, equal to those that it
   expect(lamps).toEqual({ [lampKey(OPTIONS)]: expected });
   expect(said).toEqual(['Finding the lamps of assets/room.hdr…']);
   expect([programUse(program).workers, use.workers]).toEqual([true, false]);
-  const { page } = await bundleScripts(ROOT, { ...use, decoders: [], modelGlass: false, credits: false, singleFile: false });
+  const { page } = await bundleScripts(ROOT, {
+    ...use,
+    decoders: [],
+    models: { extensions: new Set(), points: false },
+    credits: false,
+    singleFile: false,
+  });
   const names = Object.keys(page.parts).filter((name) => /from-panorama|kit\/panorama/.test(name));
   expect(names).toContain('nodes/light/from-panorama/runtime.ts');
   expect(names.filter((name) => /method|workers|contours/.test(name))).toEqual([]);

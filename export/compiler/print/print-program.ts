@@ -34,14 +34,17 @@ export function print(project: ProjectLogic, scheduled: Schedule, { operations, 
 
 function usedAssets({ assets }: ProjectLogic, operations: readonly Operation[]): ProgramAsset[] {
   const used = new Set<string>();
+  const withDepthMeshes = new Set<string | null>();
   const imported = importedAssets(operations.filter((operation) => operation.kind === 'pass'));
   for (const operation of operations) {
     if (operation.kind === 'pass' || operation.kind === 'shadow-maps' || operation.kind === 'readback') continue;
     for (const id of Object.values(operation.assets)) if (id !== null) used.add(id);
+    if (operation.depthMeshes) for (const id of Object.values(operation.assets)) withDepthMeshes.add(id);
   }
   const chosen = [...used].sort().flatMap((id): ProgramAsset[] => {
     const asset = Object.hasOwn(assets, id) ? assets[id] : undefined;
-    return asset ? [{ id, kind: asset.kind, path: asset.path }] : [];
+    if (!asset) return [];
+    return [{ id, kind: asset.kind, path: asset.path, ...(withDepthMeshes.has(id) ? { depthMeshes: true as const } : {}) }];
   });
   return [...chosen, ...imported];
 }

@@ -113,6 +113,23 @@ describe('the forward path', () => {
     expect(asked(made)).toEqual(['depth']);
   });
 
+  test('an occlusion followed by pointwise filters stays in its draw; the filters are one pass onto the screen, which other scenes are drawn to', () => {
+    const filtered = arScene()
+      .add('sepia-a', 'filter/sepia')
+      .add('sepia-b', 'filter/sepia')
+      .wire('hide-a.layer -> sepia-a.inputImage', 'sepia-a.layer -> sepia-b.inputImage', 'sepia-b.layer -> over-b.top');
+    const made = program(filtered, { fuse: true });
+    expect(draws(made).map(({ id, target, occlusion }) => [id, target, occlusion?.node ?? null])).toEqual([
+      ['scene-a', 'hide-a.layer', 'hide-a'],
+      ['shadow-a', 'screen', null],
+    ]);
+    expect(passes(made)).toMatchObject([{ target: 'screen', blend: 'over', samplers: [{ source: { resource: 'hide-a.layer' } }] }]);
+    expect(targets(made)).toEqual(['hide-a.layer']);
+    // The camera image is only shown, not read.
+    expect(asked(made)).toEqual(['depth']);
+    expect(passes(program(filtered, { fuse: false }))).toHaveLength(2);
+  });
+
   test('an `over` that does more than blend is a pass; its opacity can then be set, and else not', () => {
     const plain = sceneStudio().wire('video-a.layer -> over-a.bottom');
     expect(Object.keys(program(plain).slots.params)).not.toContain('over-a.opacity');

@@ -53,7 +53,17 @@ export function isDraw(node: FlatNode): boolean {
 
 /** Whether the node draws its layer by its own GL program. */
 export function drawsItself({ definition }: FlatNode): boolean {
-  return definition.lowering.kind === 'geometry' && definition.lowering.ownDrawing === true;
+  return definition.lowering.kind === 'geometry' && definition.lowering.ownDrawing !== undefined;
+}
+
+/** Whether the node draws by blending alone: with smooth edges, and without a depth buffer on the screen. */
+export function onlyBlends({ definition: { lowering } }: FlatNode): boolean {
+  return lowering.kind === 'geometry' && lowering.ownDrawing?.blends === true;
+}
+
+/** Whether the node can apply an occlusion while it draws. */
+function hidesBehindRoom({ definition: { lowering } }: FlatNode): boolean {
+  return lowering.kind === 'geometry' && (lowering.ownDrawing === undefined || lowering.ownDrawing.hidesBehindRoom === true);
 }
 
 export function isWorld({ definition }: FlatNode): boolean {
@@ -70,7 +80,7 @@ export function drawBehind(graph: FlatGraph, occlusion: FlatNode): FlatNode | nu
   if (!isEarlyOcclusion(occlusion)) return null;
   const [source] = layerInputs(occlusion);
   const node = source && graph.nodes.get(source.node);
-  return node && isDraw(node) && !drawsItself(node) ? node : null;
+  return node && isDraw(node) && hidesBehindRoom(node) ? node : null;
 }
 
 /** The domain of an output. It is `view` if the room or a view-aligned layer contributes. */

@@ -16,6 +16,8 @@ import { lowerShown, lowerViewed } from './lower/lower-graph.ts';
 import { lowerMovedParam } from './lower/lower-moved-param.ts';
 import { isLinkable } from './lower/lower-passes.ts';
 import { createLowering, type Lowering, layerAt } from './lower/lowering.ts';
+import { markSharedPasses } from './mark-shared-passes.ts';
+import { markUnfiltered } from './mark-unfiltered.ts';
 import { orderOperations } from './order.ts';
 import { isDrawOperation, isPass, type ScheduledAbove, type ScheduledOperation, type ScheduledTrial } from './scheduled.ts';
 import { readScreen } from './screen-options.ts';
@@ -90,17 +92,18 @@ export function schedule(checked: Checked, options: ScheduleOptions): ScheduleRe
   const viewedLayers = linkable.map(({ name, source }) => [name, layerAt(lowering, source, (layer) => depthAt(lowering, layer))] as const);
   const operations = orderOperations(lowering.steps, shown.onScreen, delayedTargets(order));
   const viewedResources = new Set(viewedLayers.flatMap(([, { color, depth }]) => [color, depth?.resource ?? color]));
-  const plain: Targets = { operations, resources: lowering.resources };
+  const plain: Targets = { operations: markUnfiltered(operations, lowering.resources), resources: lowering.resources };
   const unfused = new Set(order.flatMap((node) => (node.unfused ? [node.id] : [])));
   const slots = lowering.slots.table();
   const taps = Object.fromEntries(viewedLayers);
   const shared = ({ operations, resources }: Targets) => shareTargets(operations, resources, viewedResources);
   const bytesOf = (made: Targets) => totalBytes({ resources: shared(made), slots, taps });
   const fused = options.fuse ? fuseOperations({ ...plain, viewed: viewedResources, unfused }, bytesOf) : { ...plain, separate: [] };
+  const resources = shared(fused);
   return {
     output: {
-      operations: fused.operations,
-      resources: shared(fused),
+      operations: markSharedPasses({ operations: fused.operations, resources, taps }),
+      resources,
       separate: fused.separate,
       trials: lowering.trials,
       slots,
@@ -138,8 +141,9 @@ function presentationOf({ background }: ScreenPlan, { steps, samples }: Lowering
   const composed = steps.some(({ operation }) => isPass(operation)) || draws.some(({ target }) => target !== 'screen');
   // Full-screen passes cover whole pixels, so a multisampled framebuffer would only add the cost of resolving.
   const onScreen = draws.filter(({ target }) => target === 'screen');
-  const antialias = samples > 1 && onScreen.length > 0;
-  const screenDepth = onScreen.length === 0 ? 'none' : onScreen.length === 1 && !composed ? 'whole' : null;
+  const tested = onScreen.filter(({ onlyBlends }) => onlyBlends !== true);
+  const antialias = samples > 1 && tested.length > 0;
+  const screenDepth = tested.length === 0 ? 'none' : onScreen.length === 1 && !composed ? 'whole' : null;
   return { mode: composed ? 'composed' : 'forward', antialias, background, blend: 'alpha', ...(screenDepth && { screenDepth }) };
 }
 

@@ -1,5 +1,6 @@
-import { paddedCurve } from '../../../nodes/kit/curve.ts';
+import { CURVE_NUMBERS, paddedPoints } from '../../../nodes/kit/curve.ts';
 import { type ParamDefinition, type ParamValue, paramWireType } from '../../../nodes/kit/definition.ts';
+import { GRADIENT_NUMBERS, STOP_NUMBERS } from '../../../nodes/kit/gradient.ts';
 import { VALUE_SIZES, type ValueType } from '../../../nodes/kit/wire-types.ts';
 import { boundValue, clampToRange } from '../../graph/library/param-value.ts';
 import type { Binding } from '../../graph/project.ts';
@@ -56,7 +57,7 @@ export function createSlotAllocator(
     const isText = type === 'text';
     slots.push({ type, offset: isText ? texts.length : numbers.length });
     if (isText) texts.push(String(value));
-    else if (typeof value === 'object') numbers.push(...(type === 'curve' ? paddedCurve(value) : value));
+    else if (typeof value === 'object') numbers.push(...padded(type, value));
     else numbers.push(Number(value));
     return slots.length - 1;
   }
@@ -86,7 +87,7 @@ export function createSlotAllocator(
     ofParam: (node, name) => {
       const definition = node.definition.params[name];
       const wireType = definition && paramWireType(definition);
-      const type = definition?.type === 'curve' ? definition.type : wireType;
+      const type = definition?.type === 'curve' || definition?.type === 'gradient' ? definition.type : wireType;
       if (!definition || !type) throw new Error(`${node.id} has no uniform param ${name}.`);
       const [source] = sourcesAt(node, name);
       if (source && wireType) return ofInput(source, wireType);
@@ -102,6 +103,11 @@ export function createSlotAllocator(
     },
     table: () => ({ numbers, texts, slots, params: Object.fromEntries(params) }),
   };
+}
+
+function padded(type: SlotType, value: readonly number[]): readonly number[] {
+  if (type === 'curve') return paddedPoints(value, 2, CURVE_NUMBERS);
+  return type === 'gradient' ? paddedPoints(value, STOP_NUMBERS, GRADIENT_NUMBERS) : value;
 }
 
 /** Initial value of an unconnected param; for a structure param, its value. */

@@ -4,13 +4,13 @@ import type { CheckedShader } from '../check/check-shader.ts';
 import { isImageType } from '../check/glsl-type.ts';
 import { checkIsf } from '../isf/checked-isf.ts';
 import type { IsfShader } from '../isf/isf-shader.ts';
-import { classifyImageCall, type ImageCall } from '../link/image-call.ts';
+import { classifyImageCall, type ImageCall, isTableRead } from '../link/image-call.ts';
 import { varyingsOf } from '../link/link-vertex.ts';
-import { decideBranch, reachableStatements } from '../link/pass-condition.ts';
 import type { CallExpression, Expression, FunctionSymbol, Statement } from '../syntax/ast.ts';
 import { GlslError } from '../syntax/token.ts';
-import { partsOf } from '../syntax/walk-tree.ts';
-import { createPositions, type Position } from './here.ts';
+import { createPositions } from './here.ts';
+import { createTexelReads } from './pixel-grid.ts';
+import { takenParts } from './taken-parts.ts';
 
 /**
  * Finds out from the text how a shader reads its images: `neighborhood` if unknown, because the compiler may then assume nothing. A file
@@ -31,35 +31,39 @@ export function findAccess(shader: IsfShader): Access {
   }
 }
 
-/** Pixels read per image; branches that are not taken count too. */
-interface Reads {
-  here: number;
-  elsewhere: number;
+/**
+ * Pixels that a pass reads of an image: at the current pixel, at the center of another one (`createTexelReads`), and anywhere else. Branches
+ * that are not taken count too; infinite in loops.
+ */
+export interface ImageReads {
+  readonly here: number;
+  readonly texels: number;
+  readonly elsewhere: number;
 }
 
-type ReadsByImage = ReadonlyMap<string, Reads>;
+type ReadsByImage = ReadonlyMap<string, ImageReads>;
 
 /**
- * The images, by the author's names, of which a pass reads at most the current pixel. Empty if that is unclear.
+ * The pixels that a pass reads, by the author's names of images. Null if that is unclear: an image is passed to a function, or a derivative
+ * is computed, which reads neighboring pixels.
  *
  * @example
- * imagesReadHere(checkIsf(shader).checked, 0); // Set { 'inputImage' }
+ * imageReads(checkIsf(shader).checked, 0)?.get('inputImage'); // { here: 1, texels: 0, elsewhere: 0 }
  */
-export function imagesReadHere(shader: CheckedShader, passIndex: number): ReadonlySet<string> {
-  const reads = countReads(shader, passIndex, createPositions(collectCalls(shader, passIndex)));
-  return new Set([...(reads ?? [])].flatMap(([image, { elsewhere }]) => (elsewhere === 0 ? [image] : [])));
+export function imageReads(shader: CheckedShader, passIndex: number): ReadsByImage | null {
+  return countReads(shader, passIndex, createKinds(collectCalls(shader, passIndex)));
 }
 
 /** Derivatives read neighboring pixels. */
 const DERIVATIVES: ReadonlySet<string> = new Set(['dFdx', 'dFdy', 'fwidth']);
 
 function accessOf(shader: CheckedShader, passIndex: number): Access {
-  const reads = countReads(shader, passIndex, createPositions(collectCalls(shader, passIndex)));
+  const reads = imageReads(shader, passIndex);
   if (reads === null) return 'neighborhood';
   let access: Access = 'pointwise';
-  for (const { here, elsewhere } of reads.values()) {
-    if (elsewhere === 0) continue;
-    if (here + elsewhere > 1) return 'neighborhood';
+  for (const { here, texels, elsewhere } of reads.values()) {
+    if (texels + elsewhere === 0) continue;
+    if (here + texels + elsewhere > 1) return 'neighborhood';
     access = 'displaced';
   }
   return access;
@@ -69,40 +73,39 @@ function accessOf(shader: CheckedShader, passIndex: number): Access {
  * Counts the pixels that a pass reads of each image. Null if the count is unclear: an image is passed to a function or a derivative is
  * computed.
  */
-function countReads(shader: CheckedShader, passIndex: number, positionOf: (expression: Expression) => Position): ReadsByImage | null {
+function countReads(shader: CheckedShader, passIndex: number, kindOf: FindKind): ReadsByImage | null {
   const known = new Map<FunctionSymbol, ReadsByImage | null>();
   let unclear = false;
 
-  function readsOf(count: (into: Map<string, Reads>) => void): ReadsByImage | null {
-    const reads = new Map<string, Reads>();
+  function readsOf(count: (into: Map<string, ImageReads>) => void): ReadsByImage | null {
+    const reads = new Map<string, ImageReads>();
     unclear = false;
     count(reads);
     return unclear ? null : reads;
   }
 
-  function countCallee(symbol: FunctionSymbol, times: number, into: Map<string, Reads>): void {
+  function countCallee(symbol: FunctionSymbol, times: number, into: Map<string, ImageReads>): void {
     const reads = known.get(symbol) ?? null;
     if (reads === null) unclear = true;
-    else for (const [image, { here, elsewhere }] of reads) add(into, image, here * times || 0, elsewhere * times || 0);
+    else for (const [image, read] of reads) add(into, image, read, times);
   }
 
-  function countIn(part: Statement | Expression, times: number, into: Map<string, Reads>): void {
+  function countIn(part: Statement | Expression, times: number, into: Map<string, ImageReads>): void {
     const isLoop = part.kind === 'for' || part.kind === 'while' || part.kind === 'do';
     if (part.kind === 'call') countCall(part, times, into);
     // The initializer of a global runs once, before `main`, so its calls do not count.
-    for (const inner of taken(part, passIndex)) countIn(inner, isLoop ? Number.POSITIVE_INFINITY : times, into);
+    for (const inner of takenParts(part, passIndex)) countIn(inner, isLoop ? Number.POSITIVE_INFINITY : times, into);
   }
 
-  function countCall(call: CallExpression, times: number, into: Map<string, Reads>): void {
+  function countCall(call: CallExpression, times: number, into: Map<string, ImageReads>): void {
     if (DERIVATIVES.has(call.token.text) && call.symbol === null) unclear = true;
     if (call.symbol?.kind === 'function') countCallee(call.symbol, times, into);
     const read = classifyImageCall(call);
     const [image] = call.args;
-    // A curve is the same for all pixels.
-    if (read === null || read.use === 'size' || read.use === 'curve' || image === undefined) return;
+    // A curve or a gradient is the same for all pixels.
+    if (read === null || read.use === 'size' || isTableRead(read) || image === undefined) return;
     if (image.kind !== 'name' || image.symbol?.role !== 'image') unclear = true;
-    const here = isHere(call, read, positionOf);
-    add(into, image.token.text, here ? times : 0, here ? 0 : times);
+    add(into, image.token.text, { ...NONE, [kindOf(call, read)]: 1 }, times);
   }
 
   for (const symbol of calleesFirst(functionsOf(shader.declarations))) {
@@ -120,20 +123,34 @@ function countReads(shader: CheckedShader, passIndex: number, positionOf: (expre
   });
 }
 
-function add(into: Map<string, Reads>, image: string, here: number, elsewhere: number): void {
-  const reads = into.get(image) ?? { here: 0, elsewhere: 0 };
-  reads.here += here;
-  reads.elsewhere += elsewhere;
-  into.set(image, reads);
+const NONE: ImageReads = { here: 0, texels: 0, elsewhere: 0 };
+
+function add(into: Map<string, ImageReads>, image: string, more: ImageReads, times: number): void {
+  const reads = into.get(image) ?? NONE;
+  // No read in an infinite loop is no read.
+  into.set(image, {
+    here: reads.here + (more.here * times || 0),
+    texels: reads.texels + (more.texels * times || 0),
+    elsewhere: reads.elsewhere + (more.elsewhere * times || 0),
+  });
 }
 
-function isHere(call: CallExpression, read: ImageCall, positionOf: (expression: Expression) => Position): boolean {
-  if (read.use === 'size' || read.use === 'curve' || (read.use === 'color' && read.position === 'here')) return true;
-  const at = call.args[1];
-  if (at === undefined) return false;
-  const position = positionOf(at);
-  if (read.use === 'depth' || read.position === 'norm') return position === 'here-norm';
-  return read.position === 'pixel' && position === 'here-pixel';
+type FindKind = (call: CallExpression, read: ImageCall) => keyof ImageReads;
+
+function createKinds(calls: Map<FunctionSymbol, CallExpression[]>): FindKind {
+  const positionOf = createPositions(calls);
+  const isTexel = createTexelReads(calls);
+
+  function isHere(call: CallExpression, read: ImageCall): boolean {
+    if (read.use === 'size' || isTableRead(read) || (read.use === 'color' && read.position === 'here')) return true;
+    const [image, at] = call.args;
+    if (image === undefined || at === undefined) return false;
+    const position = positionOf(at, image.token.text);
+    if (read.use === 'depth' || read.position === 'norm') return position === 'here-norm';
+    return read.position === 'pixel' && position === 'here-pixel';
+  }
+
+  return (call, read) => (isHere(call, read) ? 'here' : isTexel(call) ? 'texels' : 'elsewhere');
 }
 
 /** Collects the calls of each function in a shader, except those in branches that the pass cannot take. */
@@ -146,7 +163,7 @@ function collectCalls(shader: CheckedShader, passIndex: number): Map<FunctionSym
       if (known === undefined) calls.set(part.symbol, [part]);
       else known.push(part);
     }
-    for (const inner of taken(part, passIndex)) visit(inner);
+    for (const inner of takenParts(part, passIndex)) visit(inner);
   }
 
   for (const declaration of shader.declarations) {
@@ -154,12 +171,4 @@ function collectCalls(shader: CheckedShader, passIndex: number): Map<FunctionSym
     else if (declaration.body !== null) visit(declaration.body);
   }
   return calls;
-}
-
-function taken(part: Statement | Expression, passIndex: number): readonly (Statement | Expression)[] {
-  if (part.kind === 'if') {
-    const branch = decideBranch(part, passIndex);
-    if (branch !== undefined) return branch === null ? [] : [branch];
-  }
-  return part.kind === 'block' ? reachableStatements(part.statements, passIndex) : partsOf(part);
 }

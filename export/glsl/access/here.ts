@@ -13,10 +13,24 @@ const MAX_DEPTH = 50;
 const MAX_FOLLOWED = 100;
 
 /**
- * Returns a function that finds out whether an expression is the position of the current pixel. The function follows variables that are set
- * once and parameters with the same argument in all calls; any other position is `elsewhere`, which is always safe.
+ * Returns a function that finds out whether an expression is the position of the current pixel in an image. The function follows variables
+ * that are set once and parameters with the same argument in all calls; any other position is `elsewhere`, which is always safe.
  */
-export function createPositions(calls: ReadonlyMap<FunctionSymbol, readonly CallExpression[]>): (expression: Expression) => Position {
+export function createPositions(calls: Calls): FindPosition {
+  const finders = new Map<string, (expression: Expression) => Position>();
+  return (expression, image) => {
+    const find = finders.get(image) ?? createFinder(calls, image);
+    finders.set(image, find);
+    return find(expression);
+  };
+}
+
+/** @param image The name of the image that is read at the position. */
+export type FindPosition = (expression: Expression, image: string) => Position;
+
+type Calls = ReadonlyMap<FunctionSymbol, readonly CallExpression[]>;
+
+function createFinder(calls: Calls, image: string): (expression: Expression) => Position {
   const known = new Map<VariableSymbol, Position>();
   let followed = 0;
 
@@ -74,13 +88,15 @@ export function createPositions(calls: ReadonlyMap<FunctionSymbol, readonly Call
     return given.size === 1 ? first : 'elsewhere';
   }
 
-  return find;
-}
+  /** Whether an expression is the size in pixels of what is drawn or of the image. Another image may have another size. */
+  function isSize(expression: Expression): boolean {
+    if (expression.kind === 'group') return isSize(expression.inner);
+    if (expression.kind === 'member') return expression.name.text === 'xy' && isSize(expression.object);
+    if (expression.kind !== 'call')
+      return expression.kind === 'name' && expression.symbol?.role === 'builtin' && expression.symbol.name === 'RENDERSIZE';
+    const [of] = expression.args;
+    return expression.symbol === null && expression.token.text === 'IMG_SIZE' && of?.kind === 'name' && of.token.text === image;
+  }
 
-/** Whether an expression is the size in pixels, which is equal for the layers read and drawn; see `PassSampler`. */
-function isSize(expression: Expression): boolean {
-  if (expression.kind === 'group') return isSize(expression.inner);
-  if (expression.kind === 'member') return expression.name.text === 'xy' && isSize(expression.object);
-  if (expression.kind === 'call') return expression.symbol === null && expression.token.text === 'IMG_SIZE';
-  return expression.kind === 'name' && expression.symbol?.role === 'builtin' && expression.symbol.name === 'RENDERSIZE';
+  return find;
 }

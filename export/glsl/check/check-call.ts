@@ -17,6 +17,7 @@ const IMAGE_FUNCTIONS: ReadonlyMap<string, readonly [returns: GlslType, ...args:
   ['LAYER_DEPTH', ['float', 'vec2']],
   ['ROOM_DEPTH', ['float', 'vec2']],
   ['CURVE', ['float', 'float']],
+  ['GRADIENT', ['vec4', 'float']],
 ]);
 
 export function isImageFunction(name: string): boolean {

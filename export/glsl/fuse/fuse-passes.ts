@@ -1,18 +1,22 @@
 import type { BuiltinUniform, LinkedShader, TargetFormat } from '../../program/program.ts';
 import { UNIFORM_TYPES } from '../isf/given-symbols.ts';
 import { hashText } from '../link/hash.ts';
-import { colorFunction, helpersFor, type ImageUse, imageText, sizeUniform } from '../link/images.ts';
+import { colorFunction, helpersFor, type Image, type ImageUse, imageText, sizeUniform } from '../link/images.ts';
 import { createLineWriter, type MappedLines } from '../link/line-writer.ts';
 import type { ImagePart, PassParts } from '../link/link-parts.ts';
 import { FRAGMENT_HEAD, outputText, VERTEX_SHADER } from '../link/prelude.ts';
-
-/** A pass to fuse. */
-export interface FusedPart {
-  readonly node: string;
-  readonly parts: PassParts;
-  /** Sampler → index of the earlier pass that draws its layer. The fused shader reads the layer from a variable. */
-  readonly from: ReadonlyMap<string, number>;
-}
+import type { FusedPart } from './fused-part.ts';
+import {
+  layerName,
+  MOVED_POSITION,
+  type MovedLayer,
+  type MovedLayers,
+  mainName,
+  movedKey,
+  movedLayers,
+  movedReadText,
+  passesMoved,
+} from './moved-layers.ts';
 
 /** Names that the linker gives to globals and reserved words of an author (`link/names.ts`). */
 const GLOBAL = /\ba\d*_/g;
@@ -26,9 +30,14 @@ const ROUNDING: Readonly<Record<TargetFormat, 'scrim_as8' | 'scrim_asHalf' | nul
   r32f: null,
 };
 
-/** 8 bits are rounded to the nearest step, as OpenGL ES 3.0.6, section 2.1.6.2, prefers. The conversion to integers also removes NaN. */
+/**
+ * 8 bits are rounded to the nearest step, as OpenGL ES 3.0.6, section 2.1.6.2, prefers. The conversion to integers also removes NaN, which
+ * colors in [0, 1] do not contain.
+ */
 const ROUNDING_TEXT = {
   scrim_as8: 'vec4 scrim_as8(vec4 color) { return vec4(ivec4(roundEven(clamp(color, 0.0, 1.0) * 255.0))) / 255.0; }',
+  scrim_clampedAs8: `vec4 scrim_clampedAs8(vec4 color) { return roundEven(color * 255.0) / 255.0; }
+vec3 scrim_clampedAs8(vec3 color) { return roundEven(color * 255.0) / 255.0; }`,
   scrim_asHalf:
     'vec4 scrim_asHalf(vec4 color) { return vec4(unpackHalf2x16(packHalf2x16(color.rg)), unpackHalf2x16(packHalf2x16(color.ba))); }',
 } as const;
@@ -60,35 +69,40 @@ export function fusedName(index: number, name: string): string {
  * ]);
  */
 export function fusePasses(passes: readonly FusedPart[]): LinkedShader {
-  const images = passes.map(printImages);
-  const outputs = passes.map(({ parts }, i) => (i === passes.length - 1 ? outputText(parts.output) : storeText(parts, i)));
+  const moved = movedLayers(passes);
+  const isMoved = passesMoved(moved);
+  const images = passes.map((pass, i) => atPlace(printImages(pass, i, moved), isMoved.has(i)));
+  const outputs = passes.map((_, i) => storeText(passes, i));
   const called = [...images, ...outputs].join('\n');
   const projects = passes.some(({ parts }) => parts.projects);
   const head = [
     FRAGMENT_HEAD,
-    ...builtinsOf(passes).map((name) => `uniform ${UNIFORM_TYPES[name]} ${name};`),
+    ...builtinsOf(passes, isMoved.size > 0).map((name) => `uniform ${UNIFORM_TYPES[name]} ${name};`),
     ...passes.flatMap(({ parts }, i) => parts.params.map(({ type, name }) => `uniform ${type} ${fusedName(i, name)};`)),
     ...helpersFor(called, projects),
     ...Object.entries(ROUNDING_TEXT).flatMap(([name, text]) => (called.includes(`${name}(`) ? [text] : [])),
     ...passes.slice(1).map((_, i) => `vec4 ${layerName(i)};`),
-    ...images.filter((text) => text !== ''),
     ...(passes.some(({ parts }) => parts.usesFragCoord) ? ['vec4 scrim_fragCoord;'] : []),
     ...(passes.some(({ parts }) => parts.discards) ? ['bool scrim_discarded;'] : []),
     'vec4 scrim_fragColor;',
+    ...(isMoved.size > 0 ? [`vec2 ${MOVED_POSITION};`] : []),
+    ...[...isMoved].map((i) => `void ${mainName(i)}();`),
+    ...images.filter((text) => text !== ''),
   ];
   const writer = createLineWriter(0);
   writer.own(head.join('\n'));
   passes.forEach(({ parts }, i) => {
-    writer.append(inPass(parts.functions, parts, i));
+    writer.append(inPass(parts.functions, parts, i, isMoved.has(i)));
     writer.own(`void ${mainName(i)}() {`);
     if (parts.discards) writer.own('  scrim_discarded = false;');
-    writer.append(inPass(parts.body, parts, i));
+    writer.append(inPass(parts.body, parts, i, isMoved.has(i)));
     writer.indent(1);
     writer.own(outputs[i] ?? '');
     writer.indent(-1);
     writer.own('}');
   });
-  writer.own(['void main() {', ...passes.map((_, i) => `  ${mainName(i)}();`), '}'].join('\n'));
+  const calls = passes.flatMap((_, i) => (isMoved.has(i) ? [] : [`  ${mainName(i)}();`]));
+  writer.own(['void main() {', ...(isMoved.size > 0 ? [`  ${MOVED_POSITION} = scrim_uv;`] : []), ...calls, '}'].join('\n'));
   const fragment = `${writer.lines.join('\n')}\n`;
   return {
     id: hashText(`${VERTEX_SHADER}\0${fragment}`),
@@ -102,54 +116,76 @@ export function fusePasses(passes: readonly FusedPart[]): LinkedShader {
   };
 }
 
-function layerName(index: number): string {
-  return `b${index}_layer`;
+/** The statements at the end of a pass: its color becomes the output of the shader, or a layer for later passes. */
+function storeText(passes: readonly FusedPart[], index: number): string {
+  const parts = passes[index]?.parts;
+  if (parts === undefined) throw new Error('There is no such pass.');
+  const { output, format } = parts;
+  const isLast = index === passes.length - 1;
+  const name = isLast ? 'scrim_output' : layerName(index);
+  const alpha = keptAlpha(passes, index);
+  if (alpha !== null) {
+    const color = `clamp(scrim_fragColor.rgb, 0.0, 1.0) * ${alpha}`;
+    return `${name} = vec4(${isLast ? color : `scrim_clampedAs8(${color})`}, ${alpha});`;
+  }
+  if (isLast) return outputText(output);
+  const round = output.clamps && format === 'rgba8' ? 'scrim_clampedAs8' : ROUNDING[format];
+  return [...output.statements, `${name} = ${round === null ? output.color : `${round}(${output.color})`};`].join('\n');
 }
 
-function mainName(index: number): string {
-  return `b${index}_main`;
-}
-
-function storeText({ output, format }: PassParts, index: number): string {
-  const round = ROUNDING[format];
-  const stored = round === null ? output.color : `${round}(${output.color})`;
-  return [...output.statements, `${layerName(index)} = ${stored};`].join('\n');
+/** The alpha of an earlier pass that a pass outputs unchanged: it is rounded and clamped already. Null if there is none. */
+function keptAlpha(passes: readonly FusedPart[], index: number): string | null {
+  const { parts, from } = passes[index] ?? {};
+  const producer = parts?.keptAlpha ? from?.get(parts.keptAlpha) : undefined;
+  if (producer === undefined || !parts?.output.clamps || passes[producer]?.parts.format !== 'rgba8') return null;
+  return `${layerName(producer)}.a`;
 }
 
 /** Automatic uniforms of all passes, in the table's order. The size of a fused layer is that of the target. */
-function builtinsOf(passes: readonly FusedPart[]): BuiltinUniform[] {
+function builtinsOf(passes: readonly FusedPart[], areMoved: boolean): BuiltinUniform[] {
   const used = new Set(passes.flatMap(({ parts }) => parts.builtins));
   const readsSize = passes.some(({ parts, from }) => parts.images.some(({ image, uses }) => from.has(image.sampler) && uses.has('size')));
-  if (readsSize) used.add('RENDERSIZE');
+  if (readsSize || areMoved) used.add('RENDERSIZE');
   used.delete('PASSINDEX');
   return (Object.keys(UNIFORM_TYPES) as BuiltinUniform[]).filter((name) => used.has(name));
 }
 
-function printImages({ parts, from }: FusedPart, index: number): string {
+function printImages({ parts, from }: FusedPart, index: number, moved: MovedLayers): string {
   const texts = parts.images.map((part) => {
     const { image, uses, reading } = part;
     const producer = from.get(image.sampler);
-    return producer === undefined ? imageText(image, uses, reading) : fusedImageText(part, producer);
+    if (producer === undefined) return imageText(image, uses, reading);
+    return fusedImageText(part, producer, moved.get(movedKey(index, image.sampler)) ?? null);
   });
   return fusedName(index, texts.filter((text) => text !== '').join('\n'));
 }
 
-/** The functions that read a layer of an earlier pass. Its depth, if any, is a texture. */
-function fusedImageText({ image, uses, reading }: ImagePart, producer: number): string {
+/** The functions that read a layer of an earlier pass, which `computedBy` computes at another pixel. Its depth, if any, is a texture. */
+function fusedImageText({ image, uses, reading }: ImagePart, producer: number, computedBy: MovedLayer | null): string {
   const texture = new Set<ImageUse>([...uses].filter((use) => use === 'depth'));
   const layer = layerName(producer);
   const isStored = reading.premultiplied || image.kind === 'buffer';
   return [
     ...(texture.size > 0 ? [imageText(image, texture, reading)] : []),
     ...(uses.has('size') ? [`#define ${sizeUniform(image)} RENDERSIZE`] : []),
-    ...(uses.has('color') ? [`vec4 ${colorFunction(image)}(vec2 uv) { return ${isStored ? layer : `scrim_straight(${layer})`}; }`] : []),
+    ...(uses.has('color') ? [readText(image, isStored ? layer : `scrim_straight(${layer})`, computedBy)] : []),
   ].join('\n');
 }
 
+function readText(image: Image, color: string, computedBy: MovedLayer | null): string {
+  const name = colorFunction(image);
+  return computedBy === null ? `vec4 ${name}(vec2 uv) { return ${color}; }` : movedReadText(image, color, computedBy);
+}
+
+/** A text whose position is that of a pass which another pixel's invocation computes. */
+function atPlace(text: string, isMoved: boolean): string {
+  return isMoved ? text.replace(/\bscrim_uv\b/g, MOVED_POSITION) : text;
+}
+
 /** Lines of a pass with its names. */
-function inPass({ lines, map }: MappedLines, { passIndex }: PassParts, index: number): MappedLines {
+function inPass({ lines, map }: MappedLines, { passIndex }: PassParts, index: number, isMoved: boolean): MappedLines {
   return {
-    lines: lines.map((line) => fusedName(index, line).replace(/\bPASSINDEX\b/g, String(passIndex))),
+    lines: lines.map((line) => atPlace(fusedName(index, line).replace(/\bPASSINDEX\b/g, String(passIndex)), isMoved)),
     map: map.map((place) => place && [index, place[1], place[2]]),
   };
 }

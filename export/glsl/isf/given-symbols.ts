@@ -14,7 +14,7 @@ export interface ImageProperty {
 
 export const IMAGE_PROPERTY_TYPES = { imgRect: 'vec4', imgSize: 'vec2', flip: 'bool' } as const;
 
-/** GLSL type of an input. Images, depth and curves are only arguments of functions that read them. */
+/** GLSL type of an input. Images, depth, curves and gradients are only arguments of functions that read them. */
 export const INPUT_TYPES: Readonly<Record<IsfInputType, string>> = {
   event: 'bool',
   bool: 'bool',
@@ -27,11 +27,12 @@ export const INPUT_TYPES: Readonly<Record<IsfInputType, string>> = {
   audioFFT: 'sampler2D',
   depth: 'sampler2D',
   curve: 'sampler2D',
+  gradient: 'sampler2D',
   vector3: 'vec3',
   vector4: 'vec4',
 };
 
-/** ISF's automatic uniforms. */
+/** ISF's automatic uniforms, and the matrices of the view. */
 export const UNIFORM_TYPES: Readonly<Record<BuiltinUniform, PassUniform['type']>> = {
   TIME: 'float',
   TIMEDELTA: 'float',
@@ -39,6 +40,8 @@ export const UNIFORM_TYPES: Readonly<Record<BuiltinUniform, PassUniform['type']>
   DATE: 'vec4',
   RENDERSIZE: 'vec2',
   PASSINDEX: 'int',
+  SCRIM_CLIP_FROM_VIEW: 'mat4',
+  SCRIM_WORLD_FROM_VIEW: 'mat4',
 };
 
 /** Variables of the host in a vertex shader, including names of version 1 and of other hosts, and those of GLSL. */

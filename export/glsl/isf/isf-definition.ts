@@ -95,6 +95,7 @@ function portOf(input: IsfInput): InputPort | null {
     case 'vector4':
     case 'color':
     case 'curve':
+    case 'gradient':
       return null;
   }
 }
@@ -140,7 +141,8 @@ function paramOf(input: IsfInput): ParamDefinition | null {
     case 'vector4':
       return { ...base, type: input.type, default: input.default };
     case 'curve':
-      return { ...base, type: 'curve', default: input.default };
+    case 'gradient':
+      return { ...base, type: input.type, default: input.default };
     case 'color': {
       const [r = 0, g = 0, b = 0, a = 1] = input.default;
       return { ...base, type: 'color', default: [r, g, b, a] };

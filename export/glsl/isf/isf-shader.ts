@@ -80,6 +80,7 @@ export type IsfInputType =
   | 'audioFFT'
   | 'depth'
   | 'curve'
+  | 'gradient'
   | 'vector3'
   | 'vector4';
 
@@ -89,7 +90,7 @@ export interface IsfInput {
   readonly label: string;
   readonly doc: string;
   /**
-   * One number for `bool` (0 or 1), `long` and `float`; two for `point2D`; four for `color`; the points of a `curve`; empty for other
+   * One number for `bool` (0 or 1), `long` and `float`; two for `point2D`; four for `color`; the points of a `curve`, the stops of a `gradient`; empty for other
    * types.
    */
   readonly default: readonly number[];

@@ -1,10 +1,11 @@
 import type { Node } from 'jsonc-parser';
 import { type Curve, curveMisfit, DIAGONAL } from '../../../nodes/kit/curve.ts';
 import type { Unit } from '../../../nodes/kit/definition.ts';
+import { BLACK_TO_WHITE, type Gradient, gradientMisfit } from '../../../nodes/kit/gradient.ts';
 import { flagOf, type Header, items, numberOf, property, textOf } from './isf-header.ts';
 import type { IsfInput, IsfInputType } from './isf-shader.ts';
 
-/** How many numbers a value of each type has; 0 for types that only wires provide, and for curves, which may have any number of points. */
+/** How many numbers a value of each type has; 0 for types that only wires provide, and for curves and gradients, which may have any number of points. */
 const SIZES: Readonly<Record<IsfInputType, number>> = {
   event: 0,
   bool: 1,
@@ -17,6 +18,7 @@ const SIZES: Readonly<Record<IsfInputType, number>> = {
   audioFFT: 0,
   depth: 0,
   curve: 0,
+  gradient: 0,
   vector3: 3,
   vector4: 4,
 };
@@ -95,7 +97,10 @@ function readInput(header: Header, node: Node): IsfInput | null {
     label: textOf(property(node, 'LABEL'))?.trim() || name,
     doc: textOf(property(node, 'DOC'))?.trim() ?? '',
     ...range,
-    default: type === 'curve' ? readCurve(header, node, name) : readDefault(header, node, type, name, range.min, range.max, choices),
+    default:
+      type === 'curve' || type === 'gradient'
+        ? readPoints(header, node, name, POINTS[type])
+        : readDefault(header, node, type, name, range.min, range.max, choices),
     identity: readValue(header, node, 'IDENTITY', type, name),
     choices,
     unit: readUnit(header, node, name),
@@ -137,17 +142,28 @@ function readDefault(
   return clamped;
 }
 
-/** Reads a curve: `[[0, 0], [0.5, 0.7], [1, 1]]`, or the same numbers in one list. */
-function readCurve(header: Header, node: Node, name: string): Curve {
+/** How the lists of points of the types are checked, and what is used where there is no valid one. */
+const POINTS = {
+  curve: { misfit: curveMisfit, otherwise: DIAGONAL, words: 'The diagonal' },
+  gradient: { misfit: gradientMisfit, otherwise: BLACK_TO_WHITE, words: 'The gradient from black to white' },
+} as const;
+
+/** Reads a curve, `[[0, 0], [0.5, 0.7], [1, 1]]`, or a gradient, `[[0, 0, 0, 0, 1, 0], …]`, or the same numbers in one list. */
+function readPoints(
+  header: Header,
+  node: Node,
+  name: string,
+  { misfit: misfitOf, otherwise, words }: (typeof POINTS)[keyof typeof POINTS],
+): Curve | Gradient {
   const written = property(node, 'DEFAULT');
-  if (written === undefined) return DIAGONAL;
+  if (written === undefined) return otherwise;
   const numbers = items(written)
     .flatMap((item) => (item.type === 'array' ? items(item) : [item]))
     .map(numberOf);
-  const misfit = curveMisfit(numbers);
-  if (misfit === null) return numbers as Curve;
-  header.warn(written, `The DEFAULT of "${name}" must be ${misfit}. The diagonal is used.`);
-  return DIAGONAL;
+  const misfit = misfitOf(numbers);
+  if (misfit === null) return numbers as Curve | Gradient;
+  header.warn(written, `The DEFAULT of "${name}" must be ${misfit}. ${words} is used.`);
+  return otherwise;
 }
 
 function readValue(header: Header, node: Node, key: string, type: IsfInputType, name: string): readonly number[] | null {

@@ -210,7 +210,7 @@ function valuesAt(key: string, isTechnique: boolean, inputs: readonly string[]):
     case 'SCRIM_ENCODING':
       return Object.fromEntries(SHADER_ENCODINGS.map((word) => [word, '']));
     case 'SIDE':
-      return { object: 'As the object says', front: '', back: '', both: '' };
+      return { object: 'As the object says', front: '', back: '', both: '', edges: 'Silhouettes, creases and borders as lines' };
     case 'WIDTH':
     case 'HEIGHT':
       return Object.fromEntries(['WIDTH', 'HEIGHT', ...inputs].map((name) => [`$${name}`, '']));

@@ -8,6 +8,8 @@ export const ISF_VARIABLES: ReadonlyMap<string, { readonly type: string; readonl
   ['DATE', { type: 'vec4', doc: 'Year, month, day, and seconds of the day.' }],
   ['RENDERSIZE', { type: 'vec2', doc: 'Width and height of what this pass draws, pixels.' }],
   ['PASSINDEX', { type: 'int', doc: 'Number of this pass, from 0.' }],
+  ['SCRIM_CLIP_FROM_VIEW', { type: 'mat4', doc: 'Projection of the view: clip space from view space. Scrim only.' }],
+  ['SCRIM_WORLD_FROM_VIEW', { type: 'mat4', doc: 'Pose of the view: world space from view space, meters. Scrim only.' }],
   ['isf_FragNormCoord', { type: 'vec2', doc: 'This pixel, from (0, 0) at the bottom left to (1, 1) at the top right.' }],
   ['isf_FragCoord', { type: 'vec2', doc: 'Middle of this pixel, pixels from the bottom left.' }],
   ['vv_FragNormCoord', { type: 'vec2', doc: 'What version 1 of ISF calls isf_FragNormCoord.' }],
@@ -40,6 +42,7 @@ export const ISF_FUNCTIONS: ReadonlyMap<string, BuiltinFunction> = new Map(
     ],
     ['float ROOM_DEPTH(depth, vec2 place)', 'Distance of the real room at a place from 0 to 1, meters; 0 where it is unknown. Scrim only.'],
     ['float CURVE(curve, float x)', 'Height of a curve at a place from 0 to 1. Scrim only.'],
+    ['vec4 GRADIENT(gradient, float x)', 'Color of a gradient at a place from 0 to 1, straight alpha. Scrim only.'],
   ].map(([label = '', doc = '']) => {
     const name = /(\w+)\(/.exec(label)?.[1] ?? '';
     return [name, { name, signatures: [readSignature(label)], doc }] as const;
@@ -69,7 +72,18 @@ export const TECHNIQUE_DOCS: ReadonlyMap<string, string> = new Map([
   ['PIXEL_M', 'Size of a pixel at a world position, meters.'],
   ['rest', 'Rest position: local space, meters, before skinning and morphing.'],
   ['restNormal', 'Normal at the rest position, local space.'],
+  ['along', 'Direction along the curvature of the surface at rest: local space, length 1. Its sign has no meaning.'],
+  ['smoothNormal', 'Normal at the rest position, averaged over the faces at each vertex, local space.'],
+  ['radial', 'Radial curvature at rest times sin² θ, and its derivative towards the eye times sin θ, in units of the radius of the mesh.'],
   ['outward', 'Hull normal, for outlines: moving every vertex by it moves each face by the same distance.'],
+  ['contour', 'In passes of edges: whether the edge is a silhouette in this view, or a border of the mesh.'],
+  ['crease', 'In passes of edges: angle between the faces, radians; 0 if they are coplanar, negative if they are concave, π at a border.'],
+  ['widthPx', 'In passes of edges: width of the line, pixels. 0 leaves it out.'],
+  ['endPx', 'In passes of edges: how far a stroke of creases or borders goes beyond its ends, pixels.'],
+  [
+    'line',
+    'In passes of edges: meters from the start of the stroke, position across the line from -1 to 1, and meters of the whole stroke, 0 for a silhouette.',
+  ],
   ['position', 'Meters, world space.'],
   ['normal', 'Direction away from the surface, length 1.'],
   ['towardsEye', 'Direction to the eye, of length 1.'],
@@ -122,7 +136,8 @@ export const HEADER_KEYS: Readonly<Record<'root' | 'input' | 'pass', Readonly<Re
     SCRIM_HALF: 'Whether 16-bit floats suffice, at half the memory.',
     WIDTH: 'Number, or expression of $WIDTH, $HEIGHT and inputs.',
     HEIGHT: 'Number, or expression of $WIDTH, $HEIGHT and inputs.',
-    SIDE: 'Techniques: "front", "back", "both" or "object".',
+    SIDE: 'Techniques: "front", "back", "both" or "object"; "edges" draws edges as lines.',
+    DENSE: 'Techniques: whether the pass is drawn instead of those of edges, where a mesh has too many.',
   },
 };
 
@@ -138,4 +153,5 @@ export const INPUT_TYPE_DOCS: Readonly<Record<string, string>> = {
   audioFFT: 'The spectrum of a sound, as an image.',
   depth: 'Distance to the real world. Scrim only.',
   curve: 'A curve from 0 to 1, edited in the inspector. Scrim only.',
+  gradient: 'Colors from 0 to 1, edited in the inspector. Scrim only.',
 };

@@ -1,3 +1,4 @@
+import type { TableType } from '../../../nodes/kit/wire-types.ts';
 import { TEXTURE_FUNCTIONS } from '../check/builtin-functions.ts';
 import { isImageFunction } from '../check/check-call.ts';
 import type { CallExpression } from '../syntax/ast.ts';
@@ -12,7 +13,12 @@ export type ImageCall =
   | { readonly use: 'color'; readonly position: 'here' | 'norm' | 'pixel' | 'projected' | 'texel' | 'offset' | 'direction' }
   | { readonly use: 'size'; readonly whole: boolean }
   | { readonly use: 'depth'; readonly room: boolean }
-  | { readonly use: 'curve' };
+  | { readonly use: TableType };
+
+/** Whether a read is one of a table, which is the same for all pixels. */
+export function isTableRead(read: ImageCall): read is Extract<ImageCall, { use: TableType }> {
+  return read.use === 'curve' || read.use === 'gradient';
+}
 
 const NORM = /^texture(2D)?(Lod|LodEXT|Grad|GradEXT)?$/;
 const CUBE = /^textureCube(Lod|LodEXT|GradEXT)?$/;
@@ -46,6 +52,8 @@ export function classifyImageCall(call: CallExpression): ImageCall | null {
       return { use: 'depth', room: true };
     case 'CURVE':
       return { use: 'curve' };
+    case 'GRADIENT':
+      return { use: 'gradient' };
     case 'texelFetch':
       return { use: 'color', position: 'texel' };
     case 'textureOffset':

@@ -1,5 +1,6 @@
-import { ROOM_DEPTH_TEXT } from '../../program/room-depth.ts';
-import { CURVE_WIDTH_PX } from '../../program/texture-sizes.ts';
+import { ROOM_DEPTH_TEXT } from '../../../nodes/kit/room-depth-glsl.ts';
+import type { TableType } from '../../../nodes/kit/wire-types.ts';
+import { TABLE_WIDTH_PX } from '../../program/texture-sizes.ts';
 import type { IsfShader } from '../isf/isf-shader.ts';
 import type { LinkedSampler, LinkedSound } from './linked-pass.ts';
 import { FINITE_TEXT } from './prelude.ts';
@@ -7,7 +8,7 @@ import { FINITE_TEXT } from './prelude.ts';
 /** An image that a pass may read. */
 export interface Image {
   readonly name: string;
-  readonly kind: 'input' | 'room' | 'buffer' | 'sound' | 'picture' | 'cube' | 'curve' | 'absent';
+  readonly kind: 'input' | 'room' | 'buffer' | 'sound' | 'picture' | 'cube' | TableType | 'absent';
   /** Whether the image is a cube, which is read by a direction. Also true if its input is not connected. */
   readonly isCube: boolean;
   /** Whether the image is room depth. Also true if its input is not connected. */
@@ -25,7 +26,7 @@ export interface Image {
 }
 
 /** What a shader reads of an image. */
-export type ImageUse = 'color' | 'size' | 'depth' | 'curve';
+export type ImageUse = 'color' | 'size' | 'depth' | TableType;
 
 /** Suffixes that the functions below add to the name of a sampler. */
 export const IMAGE_SUFFIXES = [
@@ -38,7 +39,7 @@ export const IMAGE_SUFFIXES = [
   '_depth_uvFromViewUv',
   '_depth_decode',
   '_depth_size',
-  '_heightAt',
+  '_valueAt',
 ] as const;
 
 /** The function that reads the color of an image in the printed text. */
@@ -50,8 +51,9 @@ export function depthFunction(image: Image): string {
   return `${image.sampler}_depthAt`;
 }
 
-export function curveFunction(image: Image): string {
-  return `${image.sampler}_heightAt`;
+/** The function that reads a curve or a gradient in the printed text. */
+export function tableFunction(image: Image): string {
+  return `${image.sampler}_valueAt`;
 }
 
 export function sizeUniform(image: Image): string {
@@ -61,7 +63,7 @@ export function sizeUniform(image: Image): string {
 /** The sampler that a use of the image needs. */
 export function samplerFor(image: Image, use: ImageUse): LinkedSampler | null {
   if (image.kind === 'absent') return null;
-  if (image.kind === 'curve') return { name: image.sampler, source: { kind: 'curve', param: image.name } };
+  if (isTable(image)) return { name: image.sampler, source: { kind: 'table', of: image.kind, param: image.name } };
   if (use === 'depth') {
     if (image.kind === 'room') return { name: image.sampler, source: { kind: 'room-depth', input: image.name } };
     if (image.kind === 'input' && image.hasDepth)
@@ -77,7 +79,7 @@ export function samplerFor(image: Image, use: ImageUse): LinkedSampler | null {
 /**
  * GLSL declarations and read functions of one image. A layer is read at a position on the view, from (0, 0) at the bottom left to (1, 1);
  * positions beyond the view are clamped to its edge, or wrapped if the image repeats. Where the layer does not cover the view, the color is
- * transparent and the depth 0. A cube takes a direction, a curve one number. The mip level is explicit and there are no derivatives, so
+ * transparent and the depth 0. A cube takes a direction, a curve or a gradient one number. The mip level is explicit and there are no derivatives, so
  * reads are allowed in any control flow.
  *
  * @param uses Which functions the shader calls; only these are declared.
@@ -93,7 +95,7 @@ export function imageText(image: Image, uses: ReadonlySet<ImageUse>, reading: Re
     if (uses.has('depth')) parts.push(`float ${depthFunction(image)}(vec2 uv) { return 0.0; }`);
     return parts.join('\n');
   }
-  if (image.kind === 'curve') return curveText(image);
+  if (isTable(image)) return tableText(image);
   const type = image.kind === 'cube' ? 'samplerCube' : 'sampler2D';
   if (uses.has('color') || uses.has('size')) parts.push(`uniform ${type} ${image.sampler};`);
   if (uses.has('size')) parts.push(`uniform vec2 ${sizeUniform(image)};`);
@@ -138,14 +140,20 @@ vec4 ${colorFunction(image)}(vec2 uv) {
 }`;
 }
 
+function isTable(image: Image): image is Image & { readonly kind: TableType } {
+  return image.kind === 'curve' || image.kind === 'gradient';
+}
+
 /**
- * Prints the function that reads a curve from its texture. The heights are at the centers of texels, the first for x = 0 and the last for x
- * = 1; beyond, the curve is constant.
+ * Prints the function that reads a curve or a gradient from its texture. The values are at the centers of texels, the first for x = 0 and
+ * the last for x = 1; beyond, they are constant.
  */
-function curveText(image: Image): string {
+function tableText(image: Image & { readonly kind: TableType }): string {
+  const at = `vec2((clamp(x, 0.0, 1.0) * ${TABLE_WIDTH_PX - 1}.0 + 0.5) / ${TABLE_WIDTH_PX}.0, 0.5)`;
+  const read = `textureLod(${image.sampler}, ${at}, 0.0)`;
   return `uniform sampler2D ${image.sampler};
-float ${curveFunction(image)}(float x) {
-  return textureLod(${image.sampler}, vec2((clamp(x, 0.0, 1.0) * ${CURVE_WIDTH_PX - 1}.0 + 0.5) / ${CURVE_WIDTH_PX}.0, 0.5), 0.0).r;
+${image.kind === 'curve' ? 'float' : 'vec4'} ${tableFunction(image)}(float x) {
+  return ${image.kind === 'curve' ? `${read}.r` : `scrim_straight(${read})`};
 }`;
 }
 

@@ -260,15 +260,27 @@ describe('what is refused', () => {
     const { output } = linkIsf(read('void main() { gl_FragColor = IMG_THIS_PIXEL(inputImage) * CURVE(tone, 1); }', header), { node: 'n' });
     expect(output?.[0]?.samplers.map(({ source }) => source)).toEqual([
       { kind: 'input', input: 'inputImage' },
-      { kind: 'curve', param: 'tone' },
+      { kind: 'table', of: 'curve', param: 'tone' },
     ]);
-    expect(output?.[0]?.shader.fragment).toContain('tone_heightAt(1.0)');
+    expect(output?.[0]?.shader.fragment).toContain('tone_valueAt(1.0)');
     expect(output?.[0]?.uniforms).toEqual([]);
   });
 
-  test('a curve is not read as an image, nor an image as a curve', () => {
+  test('a gradient is read as a color with straight alpha', () => {
+    const header = { INPUTS: [IMAGE, { NAME: 'tint', TYPE: 'gradient' }] };
+    const { output } = linkIsf(read('void main() { gl_FragColor = GRADIENT(tint, IMG_THIS_PIXEL(inputImage).r); }', header), { node: 'n' });
+    expect(output?.[0]?.samplers.map(({ source }) => source)).toContainEqual({ kind: 'table', of: 'gradient', param: 'tint' });
+    expect(output?.[0]?.shader.fragment).toContain('vec4 a_tint_valueAt(float x) {\n  return scrim_straight(');
+  });
+
+  test('a curve is not read as an image or a gradient, nor an image as a curve', () => {
     const header = { INPUTS: [IMAGE, { NAME: 'tone', TYPE: 'curve' }] };
-    for (const expression of ['IMG_THIS_PIXEL(tone)', 'texture2D(tone, vec2(0.5))', 'vec4(CURVE(inputImage, 0.5))']) {
+    for (const expression of [
+      'IMG_THIS_PIXEL(tone)',
+      'GRADIENT(tone, 0.5)',
+      'texture2D(tone, vec2(0.5))',
+      'vec4(CURVE(inputImage, 0.5))',
+    ]) {
       expect(linkIsf(read(`void main() { gl_FragColor = ${expression}; }`, header), { node: 'n' }).diagnostics).toMatchObject([
         { code: 'SCR043', line: 2 },
       ]);

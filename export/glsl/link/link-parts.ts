@@ -1,4 +1,5 @@
 import type { BuiltinUniform, TargetFormat } from '../../program/program.ts';
+import type { ImageReads } from '../access/find-access.ts';
 import type { Image, ImageUse, Reading } from './images.ts';
 import type { MappedLines } from './line-writer.ts';
 import type { LinkedPass, LinkedUniform } from './linked-pass.ts';
@@ -29,7 +30,16 @@ export interface PassParts {
   /** The statements of `main` that compute `scrim_fragColor`. */
   readonly body: MappedLines;
   readonly output: Output;
+  /** The sampler of the layer whose alpha at the current pixel the pass outputs; null if there is none. */
+  readonly keptAlpha: string | null;
   readonly format: TargetFormat;
+  /**
+   * Whether the pass computes the same color when another pixel's invocation computes it: it computes no derivatives, changes no
+   * variables that keep their values, and uses its normalized position, of which the rasterizer leaves the last bits open, only to read there.
+   */
+  readonly moves: boolean;
+  /** Estimated arithmetic operations per pixel, without reads of images (`countOperations`). */
+  readonly operations: number;
 }
 
 /** An image that a pass reads. */
@@ -39,4 +49,6 @@ export interface ImagePart {
   readonly reading: Reading;
   /** Whether the pass reads at most the current pixel of it. */
   readonly isHere: boolean;
+  /** The pixels that the pass reads of it; infinitely many if unclear. */
+  readonly reads: ImageReads;
 }

@@ -1,5 +1,7 @@
 import type { LinkedShader } from '../../program/program.ts';
-import { imagesReadHere } from '../access/find-access.ts';
+import { countOperations } from '../access/count-operations.ts';
+import { type ImageReads, imageReads } from '../access/find-access.ts';
+import { keptAlpha } from '../access/kept-alpha.ts';
 import { UNIFORM_TYPES } from '../isf/given-symbols.ts';
 import type { FunctionSymbol, VariableSymbol } from '../syntax/ast.ts';
 import { hashText } from './hash.ts';
@@ -22,6 +24,7 @@ import {
   VERTEX_SHADER,
 } from './prelude.ts';
 import type { PrintContext } from './print-context.ts';
+import { needsHoisting } from './print-declaration.ts';
 import { printAuthorsText, printHoistedGlobals } from './print-shader.ts';
 import { findReach, type Reach } from './reach.ts';
 import { builtinUniforms, paramUniforms, usesFragCoord } from './uniforms-in-use.ts';
@@ -58,20 +61,32 @@ export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (Func
   printAuthorsText(checked, context);
   const body = printBody(unit, context);
 
-  const here = imagesReadHere(checked, pass.passIndex);
+  const reads = imageReads(checked, pass.passIndex);
+  const readsOf = ({ name }: Image) => (reads === null ? UNCLEAR_READS : (reads.get(name) ?? NO_READS));
+  const here = new Set([...(reads ?? [])].flatMap(([image, { texels, elsewhere }]) => (texels + elsewhere === 0 ? [image] : [])));
+  const alphaOf = context.found.discards ? null : keptAlpha(checked, pass.passIndex);
   const parts: PassParts = {
     file: shader.file,
     passIndex: pass.passIndex,
     builtins: builtinUniforms(reach),
     params: paramUniforms(shader, reach, given, names),
-    images: [...reach.images].map(([image, uses]) => ({ image, uses, reading: shader, isHere: here.has(image.name) })),
+    images: [...reach.images].map(([image, uses]) => ({
+      image,
+      uses,
+      reading: shader,
+      isHere: here.has(image.name),
+      reads: readsOf(image),
+    })),
     projects: context.found.projects,
     usesFragCoord: usesFragCoord(reach),
     discards: context.found.discards,
     functions: linesOf(context.writer),
     body: linesOf(body),
     output: outputOf(shader.premultiplied, pass.target),
+    keptAlpha: alphaOf !== null && here.has(alphaOf) ? (images.get(alphaOf)?.sampler ?? null) : null,
     format: pass.target.format,
+    moves: reads !== null && !usesNormCoord(context.writer, body) && ![...reach.globals].some(isKept),
+    operations: countOperations(checked, pass.passIndex),
   };
   const read = [...reach.globals].filter(({ name, role }) => role === 'varying' && context.varyings.has(name));
   const vertex = linkVertex(unit, pass, new Set(read.map(({ name }) => name)));
@@ -111,14 +126,17 @@ function linkCopy(unit: LinkUnit, pass: PlannedPass, images: ReadonlyMap<string,
     passIndex: pass.passIndex,
     builtins: [],
     params: [],
-    images: [{ image, uses, reading: unit.shader, isHere: true }],
+    images: [{ image, uses, reading: unit.shader, isHere: true, reads: { ...NO_READS, here: 1 } }],
     projects: false,
     usesFragCoord: false,
     discards: false,
     functions: NO_LINES,
     body: linesOf(body),
     output: outputOf(unit.shader.premultiplied, pass.target),
+    keptAlpha: null,
     format: pass.target.format,
+    moves: true,
+    operations: 0,
   };
   return {
     shader: printPass(unit, parts, { declarations: [], loopBudget: false, vertex: VERTEX_SHADER }),
@@ -128,6 +146,22 @@ function linkCopy(unit: LinkUnit, pass: PlannedPass, images: ReadonlyMap<string,
     uniforms: [],
     parts,
   };
+}
+
+const NO_READS: ImageReads = { here: 0, texels: 0, elsewhere: 0 };
+const UNCLEAR_READS: ImageReads = { ...NO_READS, elsewhere: Number.POSITIVE_INFINITY };
+
+/** How `gl_FragCoord` is computed of the normalized position: relative to the target, and exact at pixel centers. */
+const FRAG_COORD = 'scrim_fragCoord = vec4(floor(scrim_uv * RENDERSIZE) + 0.5, 0.5, 1.0);';
+
+/** Whether a global variable keeps what the text writes to it when `main` runs again. */
+function isKept({ role, written, declaration }: VariableSymbol): boolean {
+  return role === 'global' && written && (declaration === null || !needsHoisting(declaration));
+}
+
+/** Whether printed text computes with the normalized position, which reads of images and `gl_FragCoord` do not. */
+function usesNormCoord(...texts: readonly LineWriter[]): boolean {
+  return texts.some(({ lines }) => lines.some((line) => /\bscrim_uv\b/.test(line.replaceAll('_at(scrim_uv)', '').replace(FRAG_COORD, ''))));
 }
 
 const NO_LINES: MappedLines = { lines: [], map: [] };
@@ -144,7 +178,7 @@ function printBody(unit: LinkUnit, context: PrintContext): LineWriter {
   const main = unit.checked.main.symbol;
   writer.indent(1);
   // `gl_FragCoord` is relative to the target, in which the viewport may have any position. This value is exact at pixel centers.
-  if (usesFragCoord(reach)) writer.own('scrim_fragCoord = vec4(floor(scrim_uv * RENDERSIZE) + 0.5, 0.5, 1.0);');
+  if (usesFragCoord(reach)) writer.own(FRAG_COORD);
   writer.own('scrim_fragColor = vec4(0.0);');
   printHoistedGlobals(unit.checked, { ...context, writer });
   if (main !== null) writer.own(`${reach.instances.get(main)?.[0]?.name}();`);

@@ -1,3 +1,4 @@
+import type { TableType } from '../../../nodes/kit/wire-types.ts';
 import type { BuiltinUniform, LinkedShader, PassUniform, TargetFormat } from '../../program/program.ts';
 import type { NamedSize } from '../isf/isf-shader.ts';
 
@@ -40,8 +41,8 @@ export interface LinkedSampler {
     | { readonly kind: 'room-depth'; readonly input: string }
     /** The most recent sound of the input `input` as a texture with one row per channel. */
     | ({ readonly kind: 'sound'; readonly input: string } & LinkedSound)
-    /** Heights of the curve in param `param`, see `export/program/texture-sizes.ts`. */
-    | { readonly kind: 'curve'; readonly param: string }
+    /** Heights of the curve or colors of the gradient in param `param`, see `export/program/texture-sizes.ts`. */
+    | { readonly kind: 'table'; readonly of: TableType; readonly param: string }
     /** An image that the shader imports under this name. */
     | { readonly kind: 'import'; readonly import: string }
     /** Buffer `target` of this node: drawn in this frame by an earlier pass, else in the previous frame. */

@@ -21,7 +21,17 @@ export interface Names {
 const OURS = /^(?:[a-z]\d*|scrim|gl|webgl|_webgl)_/;
 
 /** Names that the linker uses without a prefix. */
-const GLOBALS: ReadonlySet<string> = new Set(['TIME', 'TIMEDELTA', 'FRAMEINDEX', 'DATE', 'RENDERSIZE', 'PASSINDEX', 'main']);
+const GLOBALS: ReadonlySet<string> = new Set([
+  'TIME',
+  'TIMEDELTA',
+  'FRAMEINDEX',
+  'DATE',
+  'RENDERSIZE',
+  'PASSINDEX',
+  'SCRIM_CLIP_FROM_VIEW',
+  'SCRIM_WORLD_FROM_VIEW',
+  'main',
+]);
 
 const GLOBAL_ROLES: ReadonlySet<string> = new Set(['global', 'varying', 'input', 'image']);
 

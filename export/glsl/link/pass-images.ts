@@ -47,7 +47,7 @@ export function passImages(
     const { name, type, repeat } = input;
     if (type === 'image') add(name, absent.has(name) ? 'absent' : 'input', { repeat });
     if (type === 'depth') add(name, absent.has(name) ? 'absent' : 'room', { isRoom: true });
-    if (type === 'curve') add(name, 'curve');
+    if (type === 'curve' || type === 'gradient') add(name, type);
     if (type === 'audio' || type === 'audioFFT') add(name, absent.has(name) ? 'absent' : 'sound', { sound: soundOf(input) });
   }
   for (const { name, cube } of shader.imported) if (!images.has(name)) add(name, cube ? 'cube' : 'picture');

@@ -102,6 +102,8 @@ vec4 scrim_finite(vec4 color) {
 export interface Output {
   readonly statements: readonly string[];
   readonly color: string;
+  /** Whether the statements clamp the straight color to [0, 1], and `color` is that color, premultiplied. */
+  readonly clamps: boolean;
 }
 
 /**
@@ -112,13 +114,15 @@ export interface Output {
 export function outputOf(premultiplied: boolean, target: PassTarget): Output {
   const multiplied = 'vec4(scrim_fragColor.rgb * scrim_fragColor.a, scrim_fragColor.a)';
   if (target.format === 'scene16f') {
-    return { statements: ['scrim_fragColor = scrim_finite(scrim_fragColor);'], color: premultiplied ? 'scrim_fragColor' : multiplied };
+    const color = premultiplied ? 'scrim_fragColor' : multiplied;
+    return { statements: ['scrim_fragColor = scrim_finite(scrim_fragColor);'], color, clamps: false };
   }
-  if (premultiplied || target.kind === 'buffer') return { statements: [], color: 'scrim_fragColor' };
-  return { statements: target.format === 'rgba8' ? ['scrim_fragColor = clamp(scrim_fragColor, 0.0, 1.0);'] : [], color: multiplied };
+  if (premultiplied || target.kind === 'buffer') return { statements: [], color: 'scrim_fragColor', clamps: false };
+  if (target.format !== 'rgba8') return { statements: [], color: multiplied, clamps: false };
+  return { statements: ['scrim_fragColor = clamp(scrim_fragColor, 0.0, 1.0);'], color: multiplied, clamps: true };
 }
 
 /** Prints the statements that store the author's color. */
-export function outputText({ statements, color }: Output): string {
+export function outputText({ statements, color }: Pick<Output, 'statements' | 'color'>): string {
   return [...statements, `scrim_output = ${color};`].join('\n');
 }

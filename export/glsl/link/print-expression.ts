@@ -1,8 +1,8 @@
 import { imageProperty } from '../isf/given-symbols.ts';
 import type { CallExpression, Expression, TypeSpecifier } from '../syntax/ast.ts';
 import { GlslError } from '../syntax/token.ts';
-import { classifyImageCall, type ImageCall, positionCount } from './image-call.ts';
-import { colorFunction, curveFunction, depthFunction, sizeUniform } from './images.ts';
+import { classifyImageCall, type ImageCall, isTableRead, positionCount } from './image-call.ts';
+import { colorFunction, depthFunction, sizeUniform, tableFunction } from './images.ts';
 import { evaluate } from './pass-condition.ts';
 import { imageOf, needImage } from './pass-images.ts';
 import type { PrintContext } from './print-context.ts';
@@ -213,12 +213,12 @@ function printImageCall(call: CallExpression, read: ImageCall, context: PrintCon
   const image = needImage(call.args[0], call, context.images, context.binding);
   const [, position, third] = call.args;
   if (positionCount(read) === 1 && position === undefined)
-    throw new GlslError(call.token, `"${call.token.text}" needs the ${read.use === 'curve' ? 'curve' : 'image'} and a position on it.`);
+    throw new GlslError(call.token, `"${call.token.text}" needs the ${isTableRead(read) ? read.use : 'image'} and a position on it.`);
   if (read.use === 'size') {
     writer.write(read.whole ? `ivec2(${sizeUniform(image)})` : sizeUniform(image), call.token);
     return;
   }
-  const functionOf = { color: colorFunction, depth: depthFunction, curve: curveFunction }[read.use];
+  const functionOf = { color: colorFunction, depth: depthFunction, curve: tableFunction, gradient: tableFunction }[read.use];
   writer.write(`${functionOf(image)}(`, call.token);
   if (position === undefined || (read.use === 'color' && read.position === 'here')) {
     writer.write(`${context.normCoord})`);

@@ -4,7 +4,7 @@ import { imageProperty } from '../isf/given-symbols.ts';
 import type { CallExpression, Expression, FunctionSymbol, VariableSymbol } from '../syntax/ast.ts';
 import { GlslError } from '../syntax/token.ts';
 import { type Walk, walkExpression, walkStatement } from '../syntax/walk-tree.ts';
-import { classifyImageCall, type ImageCall, usesOf } from './image-call.ts';
+import { classifyImageCall, type ImageCall, isTableRead, usesOf } from './image-call.ts';
 import type { Image, ImageUse } from './images.ts';
 import type { Names } from './names.ts';
 import { decideBranch, evaluate, reachableStatements } from './pass-condition.ts';
@@ -163,9 +163,12 @@ export function findReach(shader: CheckedShader, options: ReachOptions): Reach {
   return { instances, globals, params, builtins, images: used, hasLoops, instanceFor };
 }
 
+const TABLE_READS = { curve: 'CURVE(curve, x)', gradient: 'GRADIENT(gradient, x)' } as const;
+
 function checkKind(call: CallExpression, read: ImageCall, image: Image): void {
-  if ((image.kind === 'curve') !== (read.use === 'curve')) {
-    const [what, instead] = image.kind === 'curve' ? ['a curve', 'CURVE(curve, x)'] : ['no curve', 'IMG_NORM_PIXEL'];
+  const table = image.kind === 'curve' || image.kind === 'gradient' ? image.kind : null;
+  if (isTableRead(read) ? table !== read.use : table !== null) {
+    const [what, instead] = table === null ? [`no ${read.use}`, 'IMG_NORM_PIXEL'] : [`a ${table}`, TABLE_READS[table]];
     throw new GlslError(call.token, `"${image.name}" is ${what}: "${call.token.text}" does not read that. Use ${instead}.`, 'SCR043');
   }
   const takesDirection = read.use === 'color' && (read.position === 'direction' || read.position === 'norm');

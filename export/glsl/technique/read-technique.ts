@@ -8,7 +8,7 @@ import type { TechniqueShader } from './technique-shader.ts';
 /** Maximum number of passes; each draws every object again. */
 const MAX_PASSES = 8;
 
-const SIDES: readonly TechniquePass['side'][] = ['object', 'front', 'back', 'both'];
+const SIDES: readonly TechniquePass['side'][] = ['object', 'front', 'back', 'both', 'edges'];
 
 /** Names of the interface (`interface.ts`). */
 const TAKEN: ReadonlySet<string> = new Set([
@@ -113,8 +113,8 @@ function readPasses(header: Header): readonly TechniquePass[] {
   const passes = nodes.map((node): TechniquePass => {
     const written = property(node, 'SIDE');
     const side = SIDES.find((one) => one === textOf(written));
-    if (written !== undefined && side === undefined) header.error(written, 'SIDE must be "front", "back", "both" or "object".');
-    return { side: side ?? 'object' };
+    if (written !== undefined && side === undefined) header.error(written, 'SIDE must be "front", "back", "both", "object" or "edges".');
+    return { side: side ?? 'object', ...(property(node, 'DENSE')?.value === true ? { dense: true } : {}) };
   });
   return passes.length === 0 ? [{ side: 'object' }] : passes;
 }

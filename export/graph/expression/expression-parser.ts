@@ -102,7 +102,9 @@ function parseWords(words: readonly Word[], count: number, names: readonly strin
     const { text } = word;
     const constant = getOwn<number>(EXPRESSION_CONSTANTS, text);
     const takes = getOwn<readonly string[]>(EXPRESSION_FUNCTIONS, text);
-    if (takes) call(word, takes);
+    // A node may have a name of a function, as Remap has `clamp`.
+    const isOwn = names.includes(text) && next().text !== '(';
+    if (takes && !isOwn) call(word, takes);
     else if (constant !== undefined) out.push(String(constant));
     else if (names.includes(text) || EXPRESSION_CLOCK.some((name) => name === text)) out.push(text);
     else {

@@ -20,7 +20,8 @@ const MAX_EXPRESSION_CHARACTERS = 10_000;
  */
 export function bindingMisfit(param: ParamDefinition, binding: Binding): BindingMisfit | null {
   if ('value' in binding) return valueMisfit(param, binding.value);
-  if (param.type === 'curve') return { code: 'SCR019', message: 'is a curve and can only be bound to a value.' };
+  if (param.type === 'curve' || param.type === 'gradient')
+    return { code: 'SCR019', message: `is a ${param.type} and can only be bound to a value.` };
   if (paramWireType(param) === undefined) {
     return { code: 'SCR019', message: 'is fixed while the project runs and can only be bound to a value.' };
   }

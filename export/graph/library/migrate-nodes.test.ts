@@ -109,6 +109,15 @@ describe('params that a shader file renamed', () => {
     expect(project.graphs.main?.nodes['lines-aaaa']).toEqual({ type: 'technique/lines', version: 3, params: { width: after } });
   });
 
+  test('an earlier default stays where a project stores no value, and only there', () => {
+    const changed: NodeDefinition = { ...LINES, version: 2, renamed: [{ width: { to: 'width', times: 1, was: 2 } }] };
+    const paramsOf = (version: number, params: Record<string, Binding>) =>
+      migrateNodes(linesOf(version, params, 'width'), libraryOf([changed], {})).project.graphs.main?.nodes['lines-aaaa']?.params;
+    expect(paramsOf(1, {})).toEqual({ width: { value: 2 } });
+    expect(paramsOf(1, { width: { value: 5 } })).toEqual({ width: { value: 5 } });
+    expect(paramsOf(2, {})).toEqual({});
+  });
+
   test('wires and shown ports follow, and the user is told where what they carry was measured otherwise', () => {
     const { project, diagnostics } = migrated(linesOf(1, {}));
     expect(project.graphs.main?.wires[0]?.to).toEqual({ node: 'lines-aaaa', port: 'width' });

@@ -1,5 +1,6 @@
 import { curveMisfit } from '../../../nodes/kit/curve.ts';
 import type { ParamDefinition, ParamValue } from '../../../nodes/kit/definition.ts';
+import { gradientMisfit } from '../../../nodes/kit/gradient.ts';
 import { VALUE_SIZES } from '../../../nodes/kit/wire-types.ts';
 import { MAX_NUMBER } from '../json/shape-reader.ts';
 import type { Binding } from '../project.ts';
@@ -42,6 +43,8 @@ export function misfit(param: ParamDefinition, value: unknown): string | null {
       return `one of ${param.options.map(({ value: is, label }) => `${JSON.stringify(is)} (${label})`).join(', ')}`;
     case 'curve':
       return curveMisfit(value);
+    case 'gradient':
+      return gradientMisfit(value);
     case 'asset':
       return typeof value === 'string' ? null : 'the id of an asset';
   }
@@ -70,6 +73,7 @@ export function outOfRange(param: ParamDefinition, value: ParamValue): string | 
     case 'text':
     case 'choice':
     case 'curve':
+    case 'gradient':
     case 'asset':
       throw new Error(`A ${param.type} has no limits.`);
   }
@@ -95,6 +99,7 @@ export function clampToRange(param: ParamDefinition, value: ParamValue): ParamVa
     case 'text':
     case 'choice':
     case 'curve':
+    case 'gradient':
     case 'asset':
       return value;
   }

@@ -18,6 +18,11 @@ export function projectShaderName(file: string): string {
   return `shaders/${file}`;
 }
 
+/** Whether a shader of this name belongs to the project. */
+export function isProjectShader(name: string): boolean {
+  return name.startsWith('shaders/');
+}
+
 /**
  * Adds a project's own shaders to a library. They take precedence: a filter `sepia.fs` replaces the library's `filter/sepia`. A file with
  * an invalid header adds no type and is reported in `diagnostics`. Files in `chunks/` add no type; techniques include them, also those of

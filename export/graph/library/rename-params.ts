@@ -4,14 +4,18 @@ import type { Graph, GraphNode, PortAddress } from '../project.ts';
 
 type Names = Readonly<Record<string, Renamed>>;
 
-/** Renames saved params and converts their numbers, also in tracks and expressions, to the new unit. */
+/** Renames saved params and converts their numbers, also in tracks and expressions, to the new unit. Adds earlier defaults that have changed. */
 export function renameParams(params: SavedParams, names: Names): SavedParams {
-  return Object.fromEntries(
+  const defaults = Object.entries(names).flatMap(([name, { to, was }]) =>
+    was === undefined || Object.hasOwn(params, name) ? [] : [[to, was] as const],
+  );
+  const saved = Object.fromEntries(
     Object.entries(params).map(([name, saved]) => {
       const renamed = Object.hasOwn(names, name) ? names[name] : undefined;
       return renamed ? [renamed.to, scaled(saved, renamed.times)] : [name, saved];
     }),
   );
+  return { ...saved, ...Object.fromEntries(defaults) };
 }
 
 function scaled(saved: unknown, times: number): unknown {

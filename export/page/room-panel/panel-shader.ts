@@ -6,7 +6,7 @@ import type { LinkedShader } from '../../program/program.ts';
  */
 export const PANEL_SHADER: LinkedShader = {
   id: 'scrim:room-panel',
-  vertex: `#version 300 es
+  vertex: /* glsl */ `#version 300 es
 uniform mat4 clipFromView;
 uniform mat4 viewFromWorld;
 uniform mat4 worldFromQuad;
@@ -16,7 +16,7 @@ void main() {
   gl_Position = clipFromView * (viewFromWorld * (worldFromQuad * vec4(place, 0.0, 1.0)));
 }
 `,
-  fragment: `#version 300 es
+  fragment: /* glsl */ `#version 300 es
 precision highp float;
 uniform sampler2D picture;
 uniform bool isRay;

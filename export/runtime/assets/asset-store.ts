@@ -4,6 +4,7 @@ import type { CaptureAsset } from '../../../nodes/kit/capture-asset.ts';
 import type { AssetKind } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { AudioAsset } from '../../../nodes/kit/sound.ts';
+import type { SplatAsset } from '../../../nodes/kit/splat-asset.ts';
 import type { ProgramAsset } from '../../program/program.ts';
 import type { FrameClock } from '../clock.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
@@ -12,8 +13,8 @@ import type { AssetSource } from './asset-source.ts';
 import { type LoadedCapture, loadCapture } from './capture/load-capture.ts';
 import { type LoadedAudio, loadAudio } from './load-audio.ts';
 import { type LoadedImage, loadImage } from './load-image.ts';
+import { type LoadedSplats, loadSplats } from './splats/load-splats.ts';
 import { type LoadedVideo, loadVideo } from './video/load-video.ts';
-import { VideoError } from './video/video-element.ts';
 
 /** The assets of a player. Each file is loaded once, shared by its users, and disposed with its last user. */
 export interface AssetStore {
@@ -25,18 +26,21 @@ export interface AssetStore {
 }
 
 export interface AssetHold {
+  /** Resolves when each asset can be drawn, perhaps not in its final form, or failed; never rejects. */
+  readonly usable: Promise<void>;
   /** Resolves when each asset has loaded or failed; never rejects. */
   readonly settled: Promise<void>;
   release(): void;
 }
 
-type Loaded = LoadedAudio | LoadedCapture | LoadedImage | LoadedModel | LoadedVideo | LoadedEnvironment;
+type Loaded = LoadedAudio | LoadedCapture | LoadedImage | LoadedModel | LoadedSplats | LoadedVideo | LoadedEnvironment;
 
 interface Entry {
   readonly asset: ProgramAsset;
   users: number;
   value: Loaded | null;
   failure: Omit<Diagnostic, 'nodeId'> | null;
+  readonly usable: Promise<void>;
   readonly settled: Promise<void>;
 }
 
@@ -52,7 +56,7 @@ export function createAssetStore(means: AssetMeans): AssetStore {
   const entries = new Map<string, Entry>();
 
   const acquire = (asset: ProgramAsset): Entry => {
-    const key = `${asset.kind} ${asset.path}`;
+    const key = keyOf(asset);
     let entry = entries.get(key);
     if (!entry) {
       entry = start(asset);
@@ -63,18 +67,27 @@ export function createAssetStore(means: AssetMeans): AssetStore {
   };
   const release = (entry: Entry): void => {
     if (--entry.users > 0) return;
-    entries.delete(`${entry.asset.kind} ${entry.asset.path}`);
+    entries.delete(keyOf(entry.asset));
     entry.value?.dispose();
     entry.value = null;
   };
   const start = (asset: ProgramAsset): Entry => {
-    const entry: Entry = { asset, users: 0, value: null, failure: null, settled: load(asset, means).then(finish) };
-    function finish(result: LoadResult): void {
-      if (result.kind === 'failed') entry.failure = result.failure;
+    let isUsable = (): void => {};
+    const usable = new Promise<void>((resolve) => {
+      isUsable = resolve;
+    });
+    const show = (value: Loaded): void => {
       // All users may have released it while it was loading.
-      else if (entry.users > 0) entry.value = result.value;
-      else result.value.dispose();
-    }
+      if (entry.users > 0) entry.value = value;
+      else value.dispose();
+      isUsable();
+    };
+    const finish = (result: LoadResult): void => {
+      if (result.kind === 'failed') entry.failure = result.failure;
+      else show(result.value);
+      isUsable();
+    };
+    const entry: Entry = { asset, users: 0, value: null, failure: null, usable, settled: load(asset, means, show).then(finish) };
     return entry;
   };
   const handle = <T>(kind: AssetKind, asset: ProgramAsset, report: (d: Omit<Diagnostic, 'nodeId'>) => void): AssetHandle<T> => {
@@ -100,6 +113,7 @@ export function createAssetStore(means: AssetMeans): AssetStore {
     hold: (assets) => {
       const held = assets.map(acquire);
       return {
+        usable: Promise.all(held.map((entry) => entry.usable)).then(() => {}),
         settled: Promise.all(held.map((entry) => entry.settled)).then(() => {}),
         release: () => {
           for (const entry of held.splice(0)) release(entry);
@@ -119,6 +133,7 @@ export function createAssetStore(means: AssetMeans): AssetStore {
         video: (id) => find<VideoAsset>('video', id),
         audio: (id) => find<AudioAsset>('audio', id),
         capture: (id) => find<CaptureAsset>('capture', id),
+        splats: (id) => find<SplatAsset>('splats', id),
         environment: (id) => find<EnvironmentAsset>('environment', id),
         createEnvironment: (pixels, lamps) => means.scenes().createEnvironment(pixels, lamps),
       };
@@ -134,11 +149,17 @@ export function createAssetStore(means: AssetMeans): AssetStore {
   };
 }
 
+/** Users that need other parts of a file do not share it. */
+function keyOf({ kind, path, depthMeshes }: ProgramAsset): string {
+  return `${kind} ${path}${depthMeshes ? ' with depth meshes' : ''}`;
+}
+
 type LoadResult =
   | { readonly kind: 'loaded'; readonly value: Loaded }
   | { readonly kind: 'failed'; readonly failure: Omit<Diagnostic, 'nodeId'> };
 
-async function load(asset: ProgramAsset, means: AssetMeans): Promise<LoadResult> {
+/** Loads an asset. `show` receives it earlier if it can be drawn before it is complete. */
+async function load(asset: ProgramAsset, means: AssetMeans, show: (value: Loaded) => void): Promise<LoadResult> {
   let bytes: ArrayBuffer;
   try {
     bytes = await means.source.load(asset.path);
@@ -146,13 +167,18 @@ async function load(asset: ProgramAsset, means: AssetMeans): Promise<LoadResult>
     return { kind: 'failed', failure: unreadable(asset, error) };
   }
   try {
-    return { kind: 'loaded', value: await decode(asset, bytes, means) };
+    return { kind: 'loaded', value: await decode(asset, bytes, means, show) };
   } catch (error) {
     return { kind: 'failed', failure: undecodable(asset, error) };
   }
 }
 
-function decode({ kind, path, lamps }: ProgramAsset, bytes: ArrayBuffer, { objects, source, scenes, delay }: AssetMeans): Promise<Loaded> {
+function decode(
+  { kind, path, lamps, depthMeshes }: ProgramAsset,
+  bytes: ArrayBuffer,
+  { objects, source, scenes, delay }: AssetMeans,
+  show: (value: Loaded) => void,
+): Promise<Loaded> {
   switch (kind) {
     case 'image':
       return loadImage(objects, bytes);
@@ -161,7 +187,9 @@ function decode({ kind, path, lamps }: ProgramAsset, bytes: ArrayBuffer, { objec
     case 'audio':
       return loadAudio(bytes);
     case 'capture':
-      return loadCapture(objects, bytes, path, source.load);
+      return loadCapture(objects, bytes, path, source.load, depthMeshes === true, show);
+    case 'splats':
+      return loadSplats(objects, bytes, path);
     case 'model':
       return scenes().loadModel(bytes, path, source.load);
     case 'environment':
@@ -185,7 +213,8 @@ function unreadable(asset: ProgramAsset, error: unknown): Omit<Diagnostic, 'node
 
 function undecodable(asset: ProgramAsset, error: unknown): Omit<Diagnostic, 'nodeId'> {
   const message = `The ${ASSET_WORDS[asset.kind]} "${asset.path}" cannot be decoded: ${reason(error)}.`;
-  const fix = error instanceof VideoError ? error.fix : 'Check that the file opens in another program, or save it again.';
+  const known = error instanceof Error && 'fix' in error && typeof error.fix === 'string' ? error.fix : null;
+  const fix = known ?? 'Check that the file opens in another program, or save it again.';
   return { code: 'SCR032', severity: 'error', message, fix };
 }
 

@@ -13,6 +13,8 @@ import type { StartWorker } from './worker-source.ts';
 
 /** Plays a node whose pixels are computed by a worker (ADR 21). */
 export interface CpuFilter extends NodeRuntime {
+  /** The number of results that have been shown, in any view; each input that is shown after a failure counts. */
+  readonly shown: number;
   /** Called once per view and frame: draws the last result, or the input if there is none, and sends the input if the worker is idle. */
   exchange(viewIndex: number, image: TargetBuffer, into: TargetBuffer): void;
 }
@@ -56,6 +58,7 @@ export function createCpuFilter({ worker: text }: WorkerModule, node: CpuNode, m
   let ended = false;
   /** Number of resets. Results of tasks from before the last reset are dropped. */
   let turn = 0;
+  let shown = 0;
   let polling = false;
   const waiting: (() => void)[] = [];
 
@@ -132,6 +135,9 @@ export function createCpuFilter({ worker: text }: WorkerModule, node: CpuNode, m
   };
   const giveUp = (): void => fail('its worker does not answer');
   return {
+    get shown() {
+      return shown;
+    },
     update: () => {},
     exchange: (viewIndex, image, into) => {
       const view = views[viewIndex];
@@ -139,6 +145,7 @@ export function createCpuFilter({ worker: text }: WorkerModule, node: CpuNode, m
       const { exchange } = view;
       send(viewIndex, false);
       if (exchange.state === 'away' && ++view.framesAway > PATIENCE_FRAMES) giveUp();
+      if (ended || exchange.state === 'back') shown++;
       const result = exchange.show();
       if (!ended && exchange.state === 'idle') {
         exchange.read(image);

@@ -38,7 +38,7 @@ export const COPY_SAMPLER = 'picture';
 export const COPY_UV = 'picture_uvFromViewUv';
 
 function vertexShader(declarations: string, position: string): string {
-  return `#version 300 es
+  return /* glsl */ `#version 300 es
 out vec2 viewUv;
 ${declarations}void main() {
   viewUv = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
@@ -48,7 +48,7 @@ ${declarations}void main() {
 }
 
 function fragmentShader(statements: string): string {
-  return `#version 300 es
+  return /* glsl */ `#version 300 es
 precision highp float;
 uniform highp sampler2D picture;
 uniform mat3 picture_uvFromViewUv;

@@ -25,7 +25,7 @@ const BYTES = SIDE_PX ** 2 * 4;
 const MEAN_SHADER: LinkedShader = {
   id: 'scrim:camera-mean',
   vertex: COPY_SHADER.vertex,
-  fragment: `#version 300 es
+  fragment: /* glsl */ `#version 300 es
 precision highp float;
 uniform highp sampler2D ${COPY_SAMPLER};
 uniform mat3 ${COPY_UV};

@@ -89,6 +89,7 @@ export function createNodeInstance(
       return onGpu(scenes);
     },
     session: host.session,
+    occlusion: occlusion?.binding ?? null,
     workers: createWorkerService('worker' in module ? module.worker : undefined, operation.type, host.startWorker),
     report,
   } satisfies Record<keyof NodeContext<NodeDefinition>, unknown>;

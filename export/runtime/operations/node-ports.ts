@@ -110,7 +110,7 @@ function viewOf(id: string, resources: LiveResources): object {
     case 'technique':
       return resource.technique.view;
     case 'target':
-    case 'curve':
+    case 'table':
     case 'shadow-maps':
     case undefined:
       throw new Error(`The program has no resource ${id} that a node can read or fill.`);

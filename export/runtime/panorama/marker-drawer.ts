@@ -10,7 +10,7 @@ import type { PanoramaCapture } from './capture.ts';
 /** Draws a ring and a disc around a direction, with the given `radius` at a distance of 1. Output is premultiplied. */
 const MARKER_SHADER: LinkedShader = {
   id: 'scrim:panorama-marker',
-  vertex: `#version 300 es
+  vertex: /* glsl */ `#version 300 es
 uniform mat4 clipFromView;
 uniform mat4 viewFromWorld;
 uniform vec3 direction;
@@ -24,7 +24,7 @@ void main() {
   gl_Position = clipFromView * vec4((center + (right * place.x + up * place.y) * radius) * 2.0, 1.0);
 }
 `,
-  fragment: `#version 300 es
+  fragment: /* glsl */ `#version 300 es
 precision highp float;
 uniform vec4 disc;
 uniform vec4 ring;

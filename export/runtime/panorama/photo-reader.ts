@@ -12,7 +12,7 @@ import { prepareReadback } from '../gl/upload.ts';
 const PHOTO_SHADER: LinkedShader = {
   id: 'scrim:photo',
   vertex: COPY_SHADER.vertex,
-  fragment: `#version 300 es
+  fragment: /* glsl */ `#version 300 es
 precision highp float;
 uniform highp sampler2D ${COPY_SAMPLER};
 uniform mat3 ${COPY_UV};

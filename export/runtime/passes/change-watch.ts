@@ -10,7 +10,7 @@ export interface ChangeWatch {
    * image domain have their size.
    *
    * @returns Whether the screen may differ from the last frame. Always true with more than one view, and in programs that draw objects or
-   * compute images on the CPU.
+   * compute images on the CPU, which `RestWatch` looks at.
    */
   look(state: PlayState, session: SessionTraits | null): boolean;
   /** Whether a pass has to be drawn in the frame for which `look` was called. A pass of each view always has to. */
@@ -34,9 +34,9 @@ interface Watched {
   needed: boolean;
 }
 
-export function createChangeWatch(program: Program, inputs: Omit<PassInputs, 'curveSlots'>): ChangeWatch {
-  const curveSlots = new Map(program.resources.flatMap((resource) => (resource.kind === 'curve' ? [[resource.id, resource.slot]] : [])));
-  const watched = watchPasses(program, { ...inputs, curveSlots });
+export function createChangeWatch(program: Program, inputs: Omit<PassInputs, 'tableSlots'>): ChangeWatch {
+  const tableSlots = new Map(program.resources.flatMap((resource) => (resource.kind === 'table' ? [[resource.id, resource.slot]] : [])));
+  const watched = watchPasses(program, { ...inputs, tableSlots });
   const inOrder = [...watched.values()];
   const isOnlyPasses = program.operations.every(
     ({ kind }) => kind !== 'draw' && kind !== 'cpu' && kind !== 'shadow-maps' && kind !== 'readback',

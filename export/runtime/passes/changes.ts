@@ -1,5 +1,5 @@
-import { CURVE_NUMBERS } from '../../../nodes/kit/curve.ts';
 import { type LayerTexture, MAY_CHANGE } from '../../../nodes/kit/runtime.ts';
+import type { ViewFrame } from '../../../nodes/kit/session.ts';
 import type { BuiltinUniform, PassOperation, PassSampler, PassUniform, ResourceId } from '../../program/program.ts';
 import type { PlayState } from '../play-state.ts';
 import { type LiveResources, liveResource } from '../resources/resources.ts';
@@ -15,8 +15,8 @@ export interface PassInputs {
   readonly resources: LiveResources;
   readonly slots: Slots;
   readonly imports: Imports;
-  /** The slots of curves. */
-  readonly curveSlots: ReadonlyMap<ResourceId, number>;
+  /** The slots of curves and gradients. */
+  readonly tableSlots: ReadonlyMap<ResourceId, number>;
 }
 
 /**
@@ -43,9 +43,9 @@ export function changesOf(pass: PassOperation, inputs: PassInputs): Change[] | n
   return changes;
 }
 
-const COMPONENTS: Readonly<Record<PassUniform['type'], number>> = { float: 1, int: 1, bool: 1, vec2: 2, vec3: 3, vec4: 4 };
+const COMPONENTS: Readonly<Record<PassUniform['type'], number>> = { float: 1, int: 1, bool: 1, vec2: 2, vec3: 3, vec4: 4, mat4: 16 };
 
-function samplerChange(source: PassSampler['source'], { resources, slots, imports, curveSlots }: PassInputs): Change | 'unknown' | null {
+function samplerChange(source: PassSampler['source'], { resources, slots, imports, tableSlots }: PassInputs): Change | 'unknown' | null {
   switch (source.kind) {
     case 'color': {
       const resource = resources.get(source.resource);
@@ -54,8 +54,10 @@ function samplerChange(source: PassSampler['source'], { resources, slots, import
     }
     case 'depth':
       return resources.get(source.depth.resource)?.kind === 'target' ? null : 'unknown';
-    case 'curve':
-      return numbersChange(slots, curveSlots.get(source.resource) ?? -1, CURVE_NUMBERS);
+    case 'table': {
+      const slot = tableSlots.get(source.resource) ?? -1;
+      return numbersChange(slots, slot, slots.size(slot));
+    }
     case 'import':
       return importChange(imports.find(source.assets, source.cube));
     case 'room-depth':
@@ -135,7 +137,21 @@ const BUILTIN_CHANGES: Readonly<Record<BuiltinUniform, () => Change>> = {
   // The size is compared for every pass.
   RENDERSIZE: never,
   PASSINDEX: never,
+  SCRIM_CLIP_FROM_VIEW: () => matrixChange((view) => view.clipFromView),
+  SCRIM_WORLD_FROM_VIEW: () => matrixChange((view) => view.worldFromView),
 };
+
+function matrixChange(matrixOf: (view: ViewFrame) => Float32Array): Change {
+  const last = new Float32Array(16).fill(Number.NaN);
+  return ({ view }) => {
+    if (view === null) return false;
+    const matrix = matrixOf(view);
+    let changed = false;
+    for (let i = 0; i < last.length; i++) if (matrix[i] !== last[i]) changed = true;
+    last.set(matrix);
+    return changed;
+  };
+}
 
 function layerChange(view: LayerTexture | undefined): Change {
   let lastTexture: WebGLTexture | null = null;

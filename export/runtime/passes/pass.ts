@@ -93,7 +93,9 @@ export function createPass(operation: PassOperation, program: GlProgram, parts: 
       } else if (state.view) {
         const { x, y, widthPx, heightPx } = state.view.viewport;
         drawProbe(state, widthPx, heightPx);
-        drawer.begin(state.frame.framebuffer, x, y, widthPx, heightPx, operation.blend);
+        // Over transparency, blending would only read the screen.
+        drawer.begin(state.frame.framebuffer, x, y, widthPx, heightPx, state.screenIsEmpty ? 'replace' : operation.blend);
+        state.screenIsEmpty = false;
         drawPicture(state, widthPx, heightPx);
       }
     },

@@ -5,7 +5,7 @@ import type { LayerDepthRef, PassOperation, PassSampler } from '../../program/pr
 import type { PassDrawer } from '../gl/pass-drawer.ts';
 import type { GlProgram } from '../gl/program-cache.ts';
 import type { PlayState } from '../play-state.ts';
-import type { LiveCurve } from '../resources/live-curve.ts';
+import type { LiveTable } from '../resources/live-table.ts';
 import { type LiveResources, liveResource } from '../resources/resources.ts';
 import type { SoundTexture } from '../sound/sound-texture.ts';
 import type { Target } from '../targets/target.ts';
@@ -77,8 +77,8 @@ function createSampler(
       const { live } = liveResource(resources, source.resource, 'sound');
       return heard(gl, drawer, unit, locations, live.texture(source.analysis, source.count));
     }
-    case 'curve':
-      return drawn(drawer, unit, locations, liveResource(resources, source.resource, 'curve').curve);
+    case 'table':
+      return tabled(drawer, unit, locations, liveResource(resources, source.resource, 'table').table);
     case 'room-depth':
       return roomDepth(gl, drawer, unit, locations, liveResource(resources, source.resource, 'room-depth').depth);
     case 'depth': {
@@ -91,7 +91,7 @@ function createSampler(
       const resource = resources.get(source.resource);
       if (resource?.kind === 'external') return external(gl, drawer, unit, locations, resource.layer, resource.domain, fit);
       const { target, domain } = liveResource(resources, source.resource, 'target');
-      return color(gl, drawer, unit, locations, target, domain, fit);
+      return color(gl, drawer, unit, locations, target, domain, spec);
     }
   }
 }
@@ -103,9 +103,9 @@ function color(
   locations: Locations,
   target: Target,
   domain: 'view' | 'image',
-  fit: PassSampler['fit'],
+  { fit, unfiltered }: PassSampler,
 ): Sampler {
-  const filter = target.resource.format === 'r32f' ? 'nearest' : 'linear';
+  const filter = unfiltered || target.resource.format === 'r32f' ? 'nearest' : 'linear';
   return {
     prepare: (state) => target.front(domain === 'view' ? state.viewIndex : 0),
     bind: (state) => {
@@ -184,11 +184,11 @@ function heard(gl: WebGL2RenderingContext, drawer: PassDrawer, unit: number, loc
   };
 }
 
-function drawn(drawer: PassDrawer, unit: number, locations: Locations, curve: LiveCurve): Sampler {
+function tabled(drawer: PassDrawer, unit: number, locations: Locations, table: LiveTable): Sampler {
   return {
-    prepare: curve.update,
+    prepare: table.update,
     bind: () => {
-      if (locations.texture) drawer.texture(unit, locations.texture, curve.texture, 'linear');
+      if (locations.texture) drawer.texture(unit, locations.texture, table.texture, 'linear');
     },
   };
 }

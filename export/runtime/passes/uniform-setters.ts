@@ -56,7 +56,10 @@ function fromSlot(
   };
 }
 
-const COMPONENTS = { float: 1, vec2: 2, vec3: 3, vec4: 4 } as const;
+const COMPONENTS = { float: 1, vec2: 2, vec3: 3, vec4: 4, mat4: 16 } as const;
+
+/** The matrices of a frame without views. */
+const IDENTITY = Float32Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
 
 function sender(gl: WebGL2RenderingContext, location: WebGLUniformLocation, values: Float32Array): () => void {
   switch (values.length) {
@@ -122,6 +125,10 @@ function fromBuiltin(
       return (state) => gl.uniform1i(location, state.frame.index);
     case 'PASSINDEX':
       return () => gl.uniform1i(location, passIndex);
+    case 'SCRIM_CLIP_FROM_VIEW':
+      return ({ view }) => gl.uniformMatrix4fv(location, false, view?.clipFromView ?? IDENTITY);
+    case 'SCRIM_WORLD_FROM_VIEW':
+      return ({ view }) => gl.uniformMatrix4fv(location, false, view?.worldFromView ?? IDENTITY);
   }
 }
 
@@ -132,4 +139,6 @@ const BUILTIN_COMPONENTS: Readonly<Record<BuiltinUniform, number>> = {
   DATE: 4,
   RENDERSIZE: 2,
   PASSINDEX: 1,
+  SCRIM_CLIP_FROM_VIEW: 16,
+  SCRIM_WORLD_FROM_VIEW: 16,
 };

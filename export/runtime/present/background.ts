@@ -35,7 +35,9 @@ export function createBackground(
       clearRectangle(gl, state.frame.framebuffer, x, y, widthPx, heightPx, premultiplied);
       const image = background === 'world' && session?.world === 'image' ? view.cameraImage : null;
       const location = copy.state === 'linked' ? copy.uniform(COPY_SAMPLER) : null;
+      state.screenIsEmpty = a === 0;
       if (!image || !location) return;
+      state.screenIsEmpty = false;
       drawer.begin(state.frame.framebuffer, x, y, widthPx, heightPx, 'replace');
       drawer.use(copy);
       drawer.texture(0, location, image.texture, 'linear');

@@ -1,7 +1,7 @@
 import { setPassState } from '../../../nodes/kit/pass-state.ts';
 import type { DrawView } from '../../../nodes/kit/runtime.ts';
 import type { ViewFrame } from '../../../nodes/kit/session.ts';
-import type { DrawOperation, Program } from '../../program/program.ts';
+import type { DrawOperation, Program, ResourceId } from '../../program/program.ts';
 import type { Engine } from '../engine.ts';
 import { clearAll, clearRectangle } from '../gl/clear.ts';
 import type { NodeInstance } from '../operations/node-instance.ts';
@@ -28,14 +28,14 @@ export function createDrawStep(
   const under = engine.scenesIfMade()?.createUnder?.(program, operation, resources);
   const drawView: { -readonly [K in keyof DrawView]: DrawView[K] | null } & { viewport: typeof viewport } = {
     view: null,
+    readsDepth: operation.target !== 'screen' && isDepthRead(program, operation.target),
     viewIndex: 0,
     framebuffer: null,
     viewport,
   };
   const draw = (view: ViewFrame, viewIndex: number, framebuffer: WebGLFramebuffer | null): void => {
-    // `draw` starts with the target bound and GL's default state. three.js did not set that state, so its cache is invalid.
+    // `draw` starts with the target bound and GL's default state.
     setPassState(gl, framebuffer, null, viewport.x, viewport.y, viewport.widthPx, viewport.heightPx);
-    engine.scenesIfMade()?.invalidateState();
     drawView.view = view;
     drawView.viewIndex = viewIndex;
     drawView.framebuffer = framebuffer;
@@ -71,7 +71,16 @@ export function createDrawStep(
         const { framebuffer } = state.frame;
         clearRectangle(gl, framebuffer, viewport.x, viewport.y, viewport.widthPx, viewport.heightPx, null);
         draw(view, viewIndex, framebuffer);
+        state.screenIsEmpty = false;
       }
     },
   };
+}
+
+/** Whether something reads the depth of a layer, or that of another layer in the same texture. */
+function isDepthRead({ resources, taps }: Program, layer: ResourceId): boolean {
+  const targets = resources.filter((resource) => resource.kind === 'target');
+  const owner = targets.find(({ id }) => id === layer)?.shares ?? layer;
+  const isRead = targets.some(({ id, depthRead }) => id === owner && depthRead === true);
+  return isRead || Object.values(taps).some(({ depth }) => depth?.resource === layer);
 }

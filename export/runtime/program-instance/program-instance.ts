@@ -8,7 +8,7 @@ import { isDraw } from '../operations/node-key.ts';
 import { type ChangeWatch, createChangeWatch } from '../passes/change-watch.ts';
 import { type DirectDraw, findDirectDraws } from '../passes/direct-draw.ts';
 import { createImports, type Imports } from '../passes/imports.ts';
-import { createPass, type PassParts } from '../passes/pass.ts';
+import { createPass, type Pass, type PassParts } from '../passes/pass.ts';
 import { createReadbackStep, isReadback } from '../pixels/pixels-step.ts';
 import { EMPTY_FRAME, enterView } from '../play-state.ts';
 import { createBackground, type SessionTraits } from '../present/background.ts';
@@ -19,6 +19,7 @@ import { createSlots, type Slots } from '../values/slots.ts';
 import { createDrawStep } from './draw-step.ts';
 import type { LoopGuard, LoopWatch } from './loop-watch.ts';
 import { createNodeInstances, disposeNodeInstances, isShadowMaps, type NodeInstances } from './node-instances.ts';
+import { createRestWatch } from './rest-watch.ts';
 import type { Step } from './step.ts';
 import { monitored } from './step.ts';
 
@@ -80,6 +81,7 @@ export function createProgramInstance(
   const sizes = createTargetSizes(program, resources, slots, engine.objects.limits.maxTextureSizePx);
   // Bounded loops change what their passes draw without a change of what they read.
   const watch = loops === null ? createChangeWatch(program, { resources, slots, imports }) : null;
+  const rest = loops === null ? createRestWatch(program, { resources, slots, nodes: instances.nodes }) : null;
   const direct = loops === null ? findDirectDraws(program, resources) : new Map<PassOperation, DirectDraw>();
   const directDraws = [...new Set(direct.values())];
   const once = createSteps(engine, loaded, slots, imports, instances, { loops, watch, direct }, 'once');
@@ -99,7 +101,8 @@ export function createProgramInstance(
     sizes.resizeImages(state);
     for (let i = 0; i < directDraws.length; i++) if (directDraws[i]?.decide(state)) watch?.forget();
     const changed = watch?.look(state, session) ?? true;
-    if (onlyChanges && !changed) return;
+    const needed = rest?.look(state, session) ?? changed;
+    if (onlyChanges && !needed) return;
     run(once);
     for (let i = 0; i < frame.viewCount; i++) {
       enterView(state, i);
@@ -132,6 +135,7 @@ export function createProgramInstance(
       for (const node of instances.nodes.values()) node.reset(cause);
       loops?.retry();
       watch?.forget();
+      rest?.forget();
       for (const resource of resources.values()) {
         if (resource.kind === 'target' && resource.target.resource.lifetime === 'persistent') resource.target.clear();
         if (resource.kind === 'pixels') resource.pixels.forget();
@@ -244,6 +248,11 @@ interface Overseers {
   readonly direct: ReadonlyMap<PassOperation, DirectDraw>;
 }
 
+/** A pass that is left out for a view of the size of an earlier one. */
+function unlessKnown({ run }: Pass): Pass {
+  return { run: (state) => (state.sizeIsKnown ? undefined : run(state)) };
+}
+
 /** Creates the steps of all operations that draw, in order. Other nodes have no step; their work is done in `update`. */
 function createSteps(
   engine: Engine,
@@ -264,7 +273,9 @@ function createSteps(
     if (operation.kind === 'pass') {
       const glProgram = loaded.glPrograms[operation.shader];
       if (!glProgram) throw new Error(`The program has no shader ${operation.shader}.`);
-      const pass = createPass(operation, glProgram, parts, loops?.guardOf(operation) ?? null);
+      const drawn = createPass(operation, glProgram, parts, loops?.guardOf(operation) ?? null);
+      // A bounded pass may be drawn or not, view by view.
+      const pass = operation.sameForViews && loops === null ? unlessKnown(drawn) : drawn;
       const needed = view === 'once' && watch ? ifNeeded(pass, operation, watch) : pass;
       const directDraw = direct.get(operation);
       if (directDraw === undefined) add(operation, needed);
@@ -276,10 +287,7 @@ function createSteps(
       }
     } else if (isShadowMaps(operation)) {
       const maps = instances.shadowMaps.get(operation.id)?.maps;
-      const render = (): void => {
-        engine.scenesIfMade()?.invalidateState();
-        maps?.update();
-      };
+      const render = (): void => maps?.update();
       add(operation, { run: render, prepare: render });
     } else if (isReadback(operation)) {
       add(operation, createReadbackStep(operation, resources, engine.host.clock));

@@ -74,6 +74,7 @@ function uniformView({ name, slot }: TechniqueUniform, slots: Slots): TechniqueU
       return { name, kind: 'vector', view: view as VectorView };
     case 'text':
     case 'curve':
+    case 'gradient':
     case undefined:
       throw new Error(`The technique reads ${name}, which has no slot of numbers.`);
   }

@@ -11,7 +11,9 @@ import type { Multisampling } from '../targets/multisampling.ts';
 import { createTarget, MAX_VIEWS } from '../targets/target.ts';
 import { createPulseQueue, type PulseQueue } from '../values/pulses.ts';
 import type { Slots } from '../values/slots.ts';
-import { createLiveCurve, type LiveCurve } from './live-curve.ts';
+import { createLiveCurve } from './live-curve.ts';
+import { createLiveGradient } from './live-gradient.ts';
+import type { LiveTable } from './live-table.ts';
 import { createLiveTechnique, type LiveLayer, type LiveTechnique, type TechniqueParts } from './live-technique.ts';
 
 /** The runtime object of a program's resource. */
@@ -22,7 +24,7 @@ export type LiveResource =
   | { readonly kind: 'lights'; readonly list: LightList }
   | { readonly kind: 'environment'; readonly environment: EnvironmentOutput }
   | { readonly kind: 'sound'; readonly live: LiveSound }
-  | { readonly kind: 'curve'; readonly curve: LiveCurve }
+  | { readonly kind: 'table'; readonly table: LiveTable }
   | { readonly kind: 'pulses'; readonly queue: PulseQueue }
   | { readonly kind: 'pose'; readonly pose: PoseOutput }
   | { readonly kind: 'bodies'; readonly list: BodyList }
@@ -66,7 +68,7 @@ function sharedWith(resource: Resource): ResourceId | null {
   return (resource.kind === 'target' && resource.shares) || null;
 }
 
-/** Connects techniques and curves to the shader texts and slots of a new program, before it is drawn. */
+/** Connects techniques, curves and gradients to the shader texts and slots of a new program, before it is drawn. */
 export function pointResources(
   program: Program,
   live: LiveResources,
@@ -79,7 +81,7 @@ export function pointResources(
     return resource?.kind === 'target' || resource?.kind === 'external' ? resource : undefined;
   };
   for (const resource of program.resources) {
-    if (resource.kind === 'curve') liveResource(live, resource.id, 'curve').curve.point(slots, resource.slot);
+    if (resource.kind === 'table') liveResource(live, resource.id, 'table').table.point(slots, resource.slot);
     if (resource.kind === 'technique')
       liveResource(live, resource.id, 'technique').technique.point(resource, { layer, slots, images, state });
   }
@@ -91,7 +93,7 @@ export function disposeUnused(before: LiveResources, after: LiveResources | null
     if (kept.has(resource)) continue;
     if (resource.kind === 'target') resource.target.dispose();
     if (resource.kind === 'sound') resource.live.dispose();
-    if (resource.kind === 'curve') resource.curve.dispose();
+    if (resource.kind === 'table') resource.table.dispose();
     if (resource.kind === 'pixels') resource.pixels.dispose();
   }
 }
@@ -135,7 +137,7 @@ export function clearOutput(resource: LiveResource): void {
       resource.pose.jumps++;
       break;
     case 'target':
-    case 'curve':
+    case 'table':
     case 'technique':
     case 'pixels':
     case 'shadow-maps':
@@ -164,8 +166,8 @@ function create(resource: Resource, parts: TargetParts, isViewed: boolean): Live
       return { kind: 'environment', environment: { asset: null, intensity: 1, rotationRad: 0 } };
     case 'sound':
       return { kind: 'sound', live: createLiveSound(objects) };
-    case 'curve':
-      return { kind: 'curve', curve: createLiveCurve(objects) };
+    case 'table':
+      return { kind: 'table', table: resource.of === 'curve' ? createLiveCurve(objects) : createLiveGradient(objects) };
     case 'pulses':
       return { kind: 'pulses', queue: createPulseQueue() };
     case 'pose':

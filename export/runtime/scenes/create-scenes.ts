@@ -83,7 +83,6 @@ function create(host: SceneHost, tools: SceneTools): SceneBackend {
     createNearestDepth,
     createUnder: glass?.createUnder ?? null,
     prepare: renderer.prepare,
-    invalidateState: renderer.invalidateState,
     counts: () => {
       const { memory, programs } = renderer.three.info;
       return { geometries: memory.geometries, textures: memory.textures, programs: programs?.length ?? 0 };

@@ -12,6 +12,7 @@ import {
 import type { LayerEncoding } from '../../../nodes/kit/definition.ts';
 import type { DrawView } from '../../../nodes/kit/runtime.ts';
 import type { SceneHost } from '../scene-backend.ts';
+import { shareState } from './gl-state.ts';
 import { catchLeftovers } from './leftovers.ts';
 
 /** Draws with the renderer of three.js, but without its own clearing, output encoding and scheduling. */
@@ -19,25 +20,23 @@ export interface SceneRenderer {
   readonly three: ThreeRenderer;
   /** Draws over the content of the view's framebuffer and leaves it bound. `encoding` is that of the layer; the default is display. */
   draw(view: DrawView, scene: Scene, camera: Camera, encoding?: LayerEncoding): void;
-  /** Clears a render target of three.js, or one face of a cube, to depth 1 and color 0, and draws to it; leaves no framebuffer bound. */
+  /** Clears a render target of three.js, or one face of a cube, to depth 1 and color 0, and draws to it; leaves it bound. */
   drawDepth(target: WebGLRenderTarget, scene: Scene, camera: Camera, face?: number): void;
   /**
-   * Clears a render target of three.js without depth, or one face of a cube, to white and the largest distance, and draws to it; leaves no
-   * framebuffer bound.
+   * Clears a render target of three.js without depth, or one face of a cube, to white and the largest distance, and draws to it; leaves it
+   * bound.
    */
   drawTranslucentShadow(target: WebGLRenderTarget, scene: Scene, camera: Camera, face?: number): void;
-  /** Draws to a render target of three.js without clearing it, so the draw must cover all of it; leaves no framebuffer bound. */
+  /** Draws to a render target of three.js without clearing it, so the draw must cover all of it; leaves it bound. */
   drawOver(target: WebGLRenderTarget, scene: Scene, camera: Camera): void;
-  /** Clears a corner of a render target of three.js, including depth and stencil, and draws to it; leaves no framebuffer bound. */
+  /** Clears a corner of a render target of three.js, including depth and stencil, and draws to it; leaves it bound. */
   drawCorner(target: WebGLRenderTarget, widthPx: number, heightPx: number, scene: Scene, camera: Camera): void;
-  /** Runs other GPU work of three.js between draws; leaves no framebuffer bound. */
+  /** Runs other GPU work of three.js between draws, which sets its own targets. The task calls WebGL only through three.js. */
   work(task: (three: ThreeRenderer) => void): void;
   /** Whether draws only compile their shaders. */
   isPreparing(): boolean;
   /** Runs draws that only compile their shaders. Resolves when the driver has finished, without blocking. */
   prepare(draws: () => void): Promise<void>;
-  /** Makes the next draw reset the state cache of three.js. Called after other code has drawn. */
-  invalidateState(): void;
   dispose(): void;
 }
 
@@ -63,10 +62,21 @@ function createFramebufferTarget(encoding: LayerEncoding): WebGLRenderTarget {
  */
 const NOTHING_TRANSLUCENT = [1, 1, 1, 65504] as const;
 
+/** How a target is cleared before a draw: `depth` sets the color too, `all` also the stencil. */
+type Clear = 'nothing' | 'depth' | 'all' | 'translucent';
+
 export function createSceneRenderer(host: SceneHost): SceneRenderer {
   const { gl } = host;
+  const state = shareState(gl);
+  state.enter();
   const leftovers = catchLeftovers(gl, () => new WebGLRenderer({ canvas: host.canvas, context: gl }));
   const three = leftovers.made;
+  three.resetState();
+  // three.js does not know this state.
+  gl.bindVertexArray(null);
+  gl.disable(gl.RASTERIZER_DISCARD);
+  gl.disable(gl.SAMPLE_COVERAGE);
+  state.leave();
   three.xr.enabled = false;
   three.autoClear = false;
   three.outputColorSpace = SRGBColorSpace;
@@ -79,24 +89,40 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
 
   const targets = { display: createFramebufferTarget('display'), scene: createFramebufferTarget('scene') };
   const external = three as unknown as ExternalFramebuffers;
-  let stale = true;
   /** The compilations that draws have started while `prepare` runs them; null otherwise. */
   let compiling: Promise<unknown>[] | null = null;
 
-  function restoreState(): void {
-    if (!stale) return;
-    stale = false;
-    three.resetState();
-    // `resetState` resets the vertex array only if it was one of three.js.
-    gl.bindVertexArray(null);
-    gl.disable(gl.RASTERIZER_DISCARD);
-    gl.disable(gl.SAMPLE_COVERAGE);
+  const select = three.state.useProgram as (program: WebGLProgram | null) => void;
+
+  /** Makes what three.js remembers of the state true again. */
+  function enter(): void {
+    if (state.enter()) select(null);
+  }
+
+  /** Clears the target of three.js in the given way and draws to it. */
+  function drawTo(target: WebGLRenderTarget, face: number, clear: Clear, scene: Scene, camera: Camera): void {
+    enter();
+    try {
+      three.setRenderTarget(target, face);
+      if (compiling) compiling.push(three.compileAsync(scene, camera));
+      else {
+        if (clear === 'translucent') gl.clearBufferfv(gl.COLOR, 0, NOTHING_TRANSLUCENT);
+        else if (clear !== 'nothing') {
+          three.setClearColor(0x000000, 0);
+          three.clear(true, true, clear === 'all');
+        }
+        three.render(scene, camera);
+      }
+      // The scissor test would limit what others clear and copy.
+      three.state.setScissorTest(false);
+    } finally {
+      state.leave();
+    }
   }
 
   return {
     three,
     draw: (view, scene, camera, encoding = 'display') => {
-      restoreState();
       const target = targets[encoding];
       const { x, y, widthPx, heightPx } = view.viewport;
       external.setRenderTargetFramebuffer(target, view.framebuffer);
@@ -104,63 +130,26 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
       // Wide points and lines may leave the viewport and must not reach the neighboring view.
       target.scissor.set(x, y, widthPx, heightPx);
       target.scissorTest = true;
-      three.setRenderTarget(target);
-      if (compiling) compiling.push(three.compileAsync(scene, camera));
-      else three.render(scene, camera);
-      three.state.setScissorTest(false);
+      drawTo(target, 0, 'nothing', scene, camera);
     },
-    drawDepth: (depthTarget, scene, camera, face = 0) => {
-      restoreState();
-      three.setRenderTarget(depthTarget, face);
-      if (compiling) {
-        compiling.push(three.compileAsync(scene, camera));
-      } else {
-        three.setClearColor(0x000000, 0);
-        three.clear(true, true, false);
-        three.render(scene, camera);
-      }
-      three.setRenderTarget(null);
-    },
-    drawTranslucentShadow: (target, scene, camera, face = 0) => {
-      restoreState();
-      three.setRenderTarget(target, face);
-      if (compiling) {
-        compiling.push(three.compileAsync(scene, camera));
-      } else {
-        gl.clearBufferfv(gl.COLOR, 0, NOTHING_TRANSLUCENT);
-        three.render(scene, camera);
-      }
-      three.setRenderTarget(null);
-    },
-    drawOver: (overTarget, scene, camera) => {
-      restoreState();
-      three.setRenderTarget(overTarget);
-      if (compiling) compiling.push(three.compileAsync(scene, camera));
-      else three.render(scene, camera);
-      three.setRenderTarget(null);
-    },
-    drawCorner: (cornerTarget, widthPx, heightPx, scene, camera) => {
-      restoreState();
-      cornerTarget.viewport.set(0, 0, widthPx, heightPx);
-      cornerTarget.scissor.set(0, 0, widthPx, heightPx);
-      cornerTarget.scissorTest = true;
-      three.setRenderTarget(cornerTarget);
-      if (compiling) {
-        compiling.push(three.compileAsync(scene, camera));
-      } else {
-        three.setClearColor(0x000000, 0);
-        three.clear(true, true, true);
-        three.render(scene, camera);
-      }
-      three.setRenderTarget(null);
-      three.state.setScissorTest(false);
+    drawDepth: (target, scene, camera, face = 0) => drawTo(target, face, 'depth', scene, camera),
+    drawTranslucentShadow: (target, scene, camera, face = 0) => drawTo(target, face, 'translucent', scene, camera),
+    drawOver: (target, scene, camera) => drawTo(target, 0, 'nothing', scene, camera),
+    drawCorner: (target, widthPx, heightPx, scene, camera) => {
+      target.viewport.set(0, 0, widthPx, heightPx);
+      target.scissor.set(0, 0, widthPx, heightPx);
+      target.scissorTest = true;
+      drawTo(target, 0, 'all', scene, camera);
     },
     work: (task) => {
-      // Passes that were drawn before the first draw are not reported.
-      stale = true;
-      restoreState();
-      task(three);
-      three.setRenderTarget(null);
+      enter();
+      try {
+        // The task may set the target again that it finds, and the last one may be disposed of.
+        three.setRenderTarget(null);
+        task(three);
+      } finally {
+        state.leave();
+      }
     },
     isPreparing: () => compiling !== null,
     prepare: async (draws) => {
@@ -173,14 +162,12 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
       }
       await Promise.all(all);
     },
-    invalidateState: () => {
-      stale = true;
-    },
     dispose: () => {
       targets.display.dispose();
       targets.scene.dispose();
       three.dispose();
       leftovers.free();
+      state.release();
     },
   };
 }

@@ -24,12 +24,12 @@ export interface ShadowLayerOptions {
 
 /** Creates the scene of a shadow layer: with shadow maps or shadow volumes, as its look says. Only this function depends on that choice. */
 export function createShadowLayer({ renderer, look, maps, occlusion, limits, report }: ShadowLayerOptions): DrawnScene {
-  const { strength, color, volumesOf, room, glow = null } = look;
+  const { strength, color, volumesOf, room, glow = null, strokes = null } = look;
   const catches = (item: ObjectItem): boolean => look.on === 'everything' || item.role === 'phantom';
   const surface = room ? createRoomSurface(room.depth, room.toleranceM) : null;
   const shared = { strength, color, occlusion: [occlusion, surface?.clip ?? null].filter((patch) => patch !== null) };
   if (!volumesOf) {
-    const catcher = createMapCatcher({ ...shared, glow, maps, textureLimits: createTextureLimits(report) });
+    const catcher = createMapCatcher({ ...shared, glow, strokes, maps, textureLimits: createTextureLimits(report) });
     return createShadowScene({ renderer, catcher, catches, occlusion, surface, watchLimits: createLightLimits(report, 'shadows', limits) });
   }
   const catcher = createVolumeCatcher({ ...shared, renderer, casters: volumesOf, catches, limits: createVolumeLimits(report) });

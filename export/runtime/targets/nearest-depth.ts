@@ -44,7 +44,7 @@ export interface DepthResolve {
  */
 const APART = 0.02;
 
-const NEIGHBORS_TEXT = `
+const NEIGHBORS_TEXT = /* glsl */ `
 precision highp float;
 uniform highp sampler2D depth;
 float own;
@@ -61,7 +61,7 @@ void readNeighbors() {
 const FIND_SHADER: LinkedShader = {
   id: 'scrim:find-nearer-sample',
   vertex: COPY_SHADER.vertex,
-  fragment: `#version 300 es${NEIGHBORS_TEXT}
+  fragment: /* glsl */ `#version 300 es${NEIGHBORS_TEXT}
 out vec4 isFound;
 void main() {
   readNeighbors();
@@ -76,7 +76,7 @@ void main() {
 const CHOOSE_SHADER: LinkedShader = {
   id: 'scrim:choose-nearer-sample',
   vertex: COPY_SHADER.vertex,
-  fragment: `#version 300 es${NEIGHBORS_TEXT}
+  fragment: /* glsl */ `#version 300 es${NEIGHBORS_TEXT}
 uniform highp sampler2D found;
 void main() {
   readNeighbors();

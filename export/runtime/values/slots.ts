@@ -1,5 +1,6 @@
-import { CURVE_NUMBERS, paddedCurve } from '../../../nodes/kit/curve.ts';
+import { CURVE_NUMBERS, paddedPoints } from '../../../nodes/kit/curve.ts';
 import type { ParamValue } from '../../../nodes/kit/definition.ts';
+import { GRADIENT_NUMBERS, STOP_NUMBERS } from '../../../nodes/kit/gradient.ts';
 import type { NumberView, TextView, ToggleView, VectorView, Writable } from '../../../nodes/kit/value-views.ts';
 import type { Slot, SlotTable, SlotType } from '../../program/program.ts';
 
@@ -12,6 +13,8 @@ export interface Slots {
   find(name: string): number | undefined;
   /** Index of the slot's first number, or of its text. */
   offset(slot: number): number;
+  /** How many numbers the slot has. */
+  size(slot: number): number;
   /** Sets the value of a slot. Returns false, and keeps the old value, if the new one does not fit the slot's type or is not finite. */
   set(slot: number, value: ParamValue): boolean;
 }
@@ -25,6 +28,10 @@ export function createSlots(table: SlotTable): Slots {
     slots: table.slots,
     find: (name) => (Object.hasOwn(table.params, name) ? table.params[name] : undefined),
     offset: (index) => slotAt(table.slots, index).offset,
+    size: (index) => {
+      const { type } = slotAt(table.slots, index);
+      return type === 'text' ? 0 : NUMBERS_IN[type];
+    },
     set: (index, value) => {
       const { type, offset } = slotAt(table.slots, index);
       if (type === 'text') {
@@ -35,7 +42,7 @@ export function createSlots(table: SlotTable): Slots {
       const size = NUMBERS_IN[type];
       if (typeof value === 'string') return false;
       if (typeof value === 'object') {
-        const list = type === 'curve' ? paddedCurve(value) : value;
+        const list = type === 'curve' || type === 'gradient' ? paddedPoints(value, type === 'curve' ? 2 : STOP_NUMBERS, size) : value;
         if (list.length !== size || !list.every(Number.isFinite)) return false;
         numbers.set(list, offset);
         return true;
@@ -56,6 +63,7 @@ const NUMBERS_IN: Readonly<Record<Exclude<SlotType, 'text'>, number>> = {
   vector4: 4,
   color: 4,
   curve: CURVE_NUMBERS,
+  gradient: GRADIENT_NUMBERS,
 };
 
 /**
@@ -87,6 +95,7 @@ function emptyView(type: SlotType): AnySlotView {
     case 'vector4':
     case 'color':
     case 'curve':
+    case 'gradient':
       return new VectorSlot();
   }
 }

@@ -1,8 +1,12 @@
 import type { CaptureAsset } from '../capture-asset.ts';
 import { createCaptureUse } from '../capture-glsl.ts';
 import { linkProgram } from '../link-program.ts';
+import type { DrawView } from '../runtime.ts';
 import { createNearestViews } from './nearest-views.ts';
 import { fragmentOf, type Method, MOST_VIEWS, VERTEX } from './shaders.ts';
+
+/** Where a capture is drawn. */
+export type CaptureTarget = Pick<DrawView, 'framebuffer' | 'viewport'>;
 
 /** Draws a capture by one method. */
 export interface CaptureDrawing {
@@ -12,9 +16,10 @@ export interface CaptureDrawing {
    * @param clipFromCapture Column-major 4×4.
    * @param eye Position in the space of the capture.
    * @param forward Unit vector in the space of the capture.
+   * @param target The bound framebuffer, and the part of it that is drawn to.
    * @param excluded View whose photograph is left out; -1: none.
    */
-  draw(clipFromCapture: Float32Array, eye: Float32Array, forward: Float32Array, excluded?: number): void;
+  draw(clipFromCapture: Float32Array, eye: Float32Array, forward: Float32Array, target: CaptureTarget, excluded?: number): void;
   dispose(): void;
 }
 
@@ -25,19 +30,19 @@ export interface CaptureDrawing {
  *
  * @example
  * const drawing = createCaptureDrawing(gl, capture, 'lumigraph', 2);
- * drawing.draw(clipFromCapture, eye, forward);
+ * drawing.draw(clipFromCapture, eye, forward, view);
  */
 export function createCaptureDrawing(gl: WebGL2RenderingContext, capture: CaptureAsset, method: Method, blended: number): CaptureDrawing {
   const program = linkProgram(gl, VERTEX, fragmentOf(method, blended));
   const use = createCaptureUse(gl, program);
-  const nearest = createNearestViews(capture.positions, capture.directions, MOST_VIEWS);
+  const nearest = createNearestViews(capture, MOST_VIEWS);
   const matrix = gl.getUniformLocation(program, 'clipFromCapture');
   const eyeAt = gl.getUniformLocation(program, 'eye');
   const views = gl.getUniformLocation(program, 'views');
   const viewCount = gl.getUniformLocation(program, 'viewCount');
   return {
-    draw: (clipFromCapture, eye, forward, excluded) => {
-      nearest.choose(eye, forward, capture.radiusM, excluded);
+    draw: (clipFromCapture, eye, forward, _target, excluded) => {
+      nearest.choose(eye, forward, excluded);
       use(capture);
       gl.uniformMatrix4fv(matrix, false, clipFromCapture);
       gl.uniform3fv(eyeAt, eye);

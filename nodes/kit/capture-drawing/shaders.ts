@@ -7,7 +7,7 @@ export type Method = 'plain' | 'nearest' | 'lumigraph';
 export const MOST_VIEWS = 16;
 
 /** The vertex shader of all methods. */
-export const VERTEX = `#version 300 es
+export const VERTEX = /* glsl */ `#version 300 es
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 color;
 uniform mat4 clipFromCapture;
@@ -19,10 +19,7 @@ void main() {
   gl_Position = clipFromCapture * vec4(position, 1.0);
 }`;
 
-/** Distances count a fifth of angles, as in COLIBRI VR, whose other weights these are too. */
-const RESOLUTION_WEIGHT = '0.2';
-
-const HEAD = `#version 300 es
+const HEAD = /* glsl */ `#version 300 es
 precision highp float;
 precision highp sampler2DArray;
 ${CAPTURE_GLSL}
@@ -32,22 +29,15 @@ uniform int viewCount;
 in vec3 point;
 in vec3 plainColor;
 out vec4 color;
-
-/** Reads a photograph with the derivatives of its own projection. */
-vec3 photoAt(int view, vec2 uv, vec3 dx, vec3 dy) {
-  vec3 right = projectInto(view, point + dx);
-  vec3 up = projectInto(view, point + dy);
-  return textureGrad(photos, vec3(uv, view), right.xy / right.z - uv, up.xy / up.z - uv).rgb;
-}
 `;
 
-const PLAIN = `#version 300 es
+const PLAIN = /* glsl */ `#version 300 es
 precision highp float;
 in vec3 plainColor;
 out vec4 color;
 void main() { color = vec4(plainColor, 1.0); }`;
 
-const NEAREST = `${HEAD}
+const NEAREST = /* glsl */ `${HEAD}
 void main() {
   vec3 dx = dFdx(point);
   vec3 dy = dFdy(point);
@@ -57,18 +47,43 @@ void main() {
     vec3 p = projectInto(view, point);
     if (p.z <= 0.0) continue;
     vec2 uv = p.xy / p.z;
-    if (insideOf(uv) <= 0.0 || seenBy(view, uv, p.z) < 0.5) continue;
-    color.rgb = photoAt(view, uv, dx, dy);
+    if (edgeOf(view, uv) <= 0.0 || seenBy(view, uv, p.z) < 0.5) continue;
+    color.rgb = photoAt(view, point, uv, dx, dy);
     break;
   }
 }`;
+
+/**
+ * Makes the weighted mean of the directions to the cameras that to the eye, as far as no weight gets below 0, by a factor that is linear in
+ * the direction (moving least squares; Lancaster and Salkauskas 1981). So what moves with the eye, such as a highlight, is in the mean where
+ * it belongs. Two cameras span no plane of directions.
+ */
+const CENTERED = /* glsl */ `
+  vec3 ahead = normalize(toEye);
+  vec3 right = normalize(cross(ahead, abs(ahead.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
+  vec3 up = cross(right, ahead);
+  vec2 offsets[BLENDED];
+  vec2 mean = vec2(0.0);
+  vec3 spread = vec3(0.0);
+  for (int i = 0; i < BLENDED; i++) {
+    if (weights[i] <= 0.0) continue;
+    vec3 direction = normalize(cameraAt(best[i]) - point);
+    vec2 offset = vec2(dot(direction, right), dot(direction, up));
+    offsets[i] = offset;
+    mean += weights[i] * offset;
+    spread += weights[i] * vec3(offset.x * offset.x, offset.x * offset.y, offset.y * offset.y);
+  }
+  spread += vec3(1e-6, 0.0, 1e-6);
+  float area = spread.x * spread.z - spread.y * spread.y;
+  vec2 slope = vec2(spread.z * mean.x - spread.y * mean.y, spread.x * mean.y - spread.y * mean.x) / area;
+  for (int i = 0; i < BLENDED; i++) weights[i] *= max(1e-3, 1.0 - dot(slope, offsets[i]));`;
 
 /**
  * Unstructured lumigraph rendering (Buehler et al. 2001; Dupont de Dinechin and Paljic 2020, §3.1), per pixel: of the photographs that see
  * the point, the best by angle and distance, with weights that fall to 0 at the next best one.
  */
 function lumigraph(blended: number): string {
-  return `${HEAD}
+  return /* glsl */ `${HEAD}
 const int BLENDED = ${blended};
 void main() {
   vec3 dx = dFdx(point);
@@ -76,7 +91,6 @@ void main() {
   vec3 toEye = eye - point;
   vec3 normal = cross(dx, dy);
   normal *= sign(dot(normal, toEye));
-  float eyeDistance = length(toEye);
   float costs[BLENDED + 1];
   float seen[BLENDED + 1];
   int best[BLENDED + 1];
@@ -89,12 +103,10 @@ void main() {
     vec3 p = projectInto(view, point);
     if (p.z <= 0.0) continue;
     vec2 uv = p.xy / p.z;
-    float weight = insideOf(uv);
+    float weight = edgeOf(view, uv);
     vec3 toCamera = cameraAt(view) - point;
     if (weight <= 0.0 || dot(normal, toCamera) <= 0.0) continue;
-    float cameraDistance = length(toCamera);
-    float angle = acos(clamp(dot(toEye, toCamera) / (eyeDistance * cameraDistance), -1.0, 1.0)) / 3.14159265;
-    float cost = mix(angle, max(0.0, 1.0 - eyeDistance / cameraDistance), ${RESOLUTION_WEIGHT});
+    float cost = costOf(toEye, toCamera);
     if (cost >= costs[BLENDED]) continue;
     weight *= seenBy(view, uv, p.z);
     if (weight <= 0.0) continue;
@@ -110,12 +122,15 @@ void main() {
   }
   // With fewer photographs than one more than are blended, it is 1.
   float threshold = costs[BLENDED];
+  float weights[BLENDED];
+  for (int i = 0; i < BLENDED; i++) weights[i] = best[i] < 0 ? 0.0 : seen[i] * (max(0.0, 1.0 - costs[i] / threshold) + 1e-4);
+  ${blended > 2 ? CENTERED : ''}
   vec4 sum = vec4(0.0);
   for (int i = 0; i < BLENDED; i++) {
-    if (best[i] < 0) break;
+    if (weights[i] <= 0.0) continue;
     vec3 p = projectInto(best[i], point);
-    float weight = seen[i] * (max(0.0, 1.0 - costs[i] / threshold) + 1e-4);
-    sum += weight * vec4(photoAt(best[i], p.xy / p.z, dx, dy), 1.0);
+    float weight = weights[i];
+    sum += weight * vec4(photoAt(best[i], point, p.xy / p.z, dx, dy), 1.0);
   }
   color = vec4(sum.a > 0.0 ? sum.rgb / sum.a : plainColor, 1.0);
 }`;

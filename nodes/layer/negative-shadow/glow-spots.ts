@@ -1,13 +1,6 @@
 import type { DirectLightItem, LightItem } from '../../kit/scene-lists.ts';
 import { MAX_GLOW_SPOTS, type ShadowGlow } from '../../kit/scene-look.ts';
-
-/** An upright cylinder around an object, in world space. */
-export interface BoundingCylinder {
-  /** Center of the cylinder's base. */
-  readonly baseWorld: Float32Array;
-  radiusM: number;
-  heightM: number;
-}
+import type { BoundingCylinder } from '../../kit/three/bounding-cylinders.ts';
 
 /** Settings for the light that is drawn around objects. */
 export interface GlowShape {

@@ -2,7 +2,7 @@ import { linearFromSrgb, srgbFromLinear } from '../../kit/color-math.ts';
 import { NOTHING_TO_FALL_ON } from '../../kit/light-shadow.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import { MAX_GLOW_SPOTS, type ShadowGlow } from '../../kit/scene-look.ts';
-import { createBoundingCylinders } from './bounding-cylinders.ts';
+import { createBoundingCylinders } from '../../kit/three/bounding-cylinders.ts';
 import type { definition } from './definition.ts';
 import { addSpot, isShadowLight } from './glow-spots.ts';
 

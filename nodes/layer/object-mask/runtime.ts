@@ -13,6 +13,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     shows: (item, part) => isMasked(item) && (names.size === 0 || isNamed(part, names)),
   });
   return {
+    version: 0,
     update: () => scene.update(lists, NO_LIGHTS),
     draw: scene.draw,
     dispose: scene.dispose,

@@ -4,6 +4,7 @@ import type { definition } from './definition.ts';
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const scene = ctx.scenes.createScene({ kind: 'shaded', ambient: ctx.params.ambient, encoding: ctx.config.encoding });
   return {
+    version: 0,
     update: () => scene.update(ctx.inputs.objects, ctx.inputs.lights),
     draw: scene.draw,
     dispose: scene.dispose,

@@ -24,6 +24,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const shadow = createSunShadow(ctx);
 
   return {
+    version: 0,
     update: () => {
       scratchColor.fromArray(color.value).convertSRGBToLinear();
       scratchColor.multiplyScalar(intensity.value * WHITE_ON_WHITE).toArray(light.radiance);

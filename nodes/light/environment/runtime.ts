@@ -17,6 +17,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   ctx.outputs.lights.version++;
 
   return {
+    version: 0,
     update: () => {
       light.environment = environment?.asset ?? null;
       light.intensity = intensity.value * (environment?.intensity ?? 0);

@@ -17,6 +17,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   ctx.outputs.lights.version++;
 
   return {
+    version: 0,
     update: () => {
       scratchColor.fromArray(color.value).convertSRGBToLinear().multiplyScalar(intensityCd.value).toArray(light.intensityCd);
       light.positionWorld.set(positionM.value);

@@ -21,6 +21,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   }
 
   return {
+    version: 0,
     update: () => {
       derived.update(ctx.inputs.objects);
       if (output.version !== listed) {

@@ -9,6 +9,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     item.worldFromObject.premultiply(worldFromPose);
   });
   return {
+    version: 0,
     update: () => {
       const { pose, objects } = ctx.inputs;
       if (pose) worldFromPose.fromArray(pose.worldFromPose);

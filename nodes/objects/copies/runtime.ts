@@ -47,6 +47,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   }
 
   return {
+    version: 0,
     update: () => {
       const count = Math.min(Math.max(Math.floor(ctx.params.count.value) || 0, 0), MOST);
       const changed = watch.changed(ctx.inputs.objects);

@@ -10,6 +10,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     item.receivesShadow = receiveShadow.value;
   });
   return {
+    version: 0,
     update: () => derived.update(ctx.inputs.objects),
     dispose: () => {},
   };

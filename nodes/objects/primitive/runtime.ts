@@ -47,6 +47,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   ctx.outputs.objects.version++;
 
   return {
+    version: 0,
     update: () => {
       scratchSize.fromArray(sizeM.value);
       if (shape === 'plane') scratchSize.y = 1;

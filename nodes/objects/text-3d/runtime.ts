@@ -53,6 +53,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   }
 
   return {
+    version: 0,
     update: () => {
       if (text.value !== shown) write(text.value);
       mesh.matrixWorld.makeScale(sizeM.value, sizeM.value, depthM.value);

@@ -1,5 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
-import { ROTATION_PARAM } from '../../kit/rotation-param.ts';
+import { POSITION_PARAM, ROTATION_PARAM } from '../../kit/pose-params.ts';
 
 export const definition = defineNode({
   type: 'objects/transform',
@@ -13,15 +13,8 @@ export const definition = defineNode({
   outputs: { objects: { type: 'objects', label: 'Objects', doc: 'The transformed objects.' } },
   params: {
     positionM: {
-      type: 'vector3',
-      stage: 'uniform',
-      handle: 'position',
-      label: 'Position',
+      ...POSITION_PARAM,
       doc: 'Translation in meters: x to the right, y up, z towards the viewer. The floor is at y = 0.',
-      default: [0, 0, 0],
-      min: [-10, -10, -10],
-      max: [10, 10, 10],
-      unit: 'm',
     },
     rotationRad: { ...ROTATION_PARAM, handle: 'rotation' },
     scale: {

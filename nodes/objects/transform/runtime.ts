@@ -17,6 +17,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     item.worldFromObject.premultiply(newFromOld);
   });
   return {
+    version: 0,
     update: () => {
       scratchEuler.setFromVector3(scratchAngles.fromArray(rotationRad.value));
       newFromOld.compose(

@@ -1,5 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
-import { ROTATION_PARAM } from '../../kit/rotation-param.ts';
+import { ROTATION_PARAM } from '../../kit/pose-params.ts';
 
 export const definition = defineNode({
   type: 'pose/from-values',

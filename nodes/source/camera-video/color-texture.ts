@@ -1,5 +1,7 @@
 /** A texture of one pixel that shows a color. */
 export interface ColorTexture {
+  /** The number of colors so far. */
+  readonly version: number;
   /**
    * Sets the color and returns the texture.
    *
@@ -13,7 +15,11 @@ export function createColorTexture(gl: WebGL2RenderingContext): ColorTexture {
   const texture = gl.createTexture();
   const painted = new Uint8Array(4);
   let empty = true;
+  let version = 0;
   return {
+    get version() {
+      return version;
+    },
     paint: (color) => {
       const alpha = color[3] ?? 1;
       let changed = empty;
@@ -24,6 +30,7 @@ export function createColorTexture(gl: WebGL2RenderingContext): ColorTexture {
       }
       if (!changed) return texture;
       empty = false;
+      version++;
       gl.bindTexture(gl.TEXTURE_2D, texture);
       gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, null);
       gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);

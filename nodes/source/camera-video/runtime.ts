@@ -1,4 +1,4 @@
-import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import { MAY_CHANGE, type NodeContext, type NodeRuntime } from '../../kit/runtime.ts';
 import { createColorTexture } from './color-texture.ts';
 import type { definition } from './definition.ts';
 
@@ -18,6 +18,8 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
         view.widthPx = image?.widthPx ?? 1;
         view.heightPx = image?.heightPx ?? 1;
         view.uvFromViewUv.set(image?.uvFromViewUv ?? UPRIGHT);
+        // A camera gives no sign of a new image.
+        view.version = image ? MAY_CHANGE : (standIn?.version ?? 0);
       }
     },
     dispose: () => standIn?.dispose(),

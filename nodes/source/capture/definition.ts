@@ -1,5 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
-import { ROTATION_PARAM } from '../../kit/rotation-param.ts';
+import { POSITION_PARAM, ROTATION_PARAM } from '../../kit/pose-params.ts';
 
 export const definition = defineNode({
   type: 'source/capture',
@@ -18,17 +18,26 @@ export const definition = defineNode({
     },
   },
   params: {
-    file: { type: 'asset', stage: 'asset', label: 'Capture', doc: 'The capture.', default: '', accept: 'capture' },
+    file: {
+      type: 'asset',
+      stage: 'asset',
+      label: 'Capture',
+      doc: 'The capture.',
+      default: '',
+      accept: 'capture',
+      depthMeshes: { param: 'method', is: 'depth-meshes' },
+    },
     method: {
       type: 'choice',
       stage: 'structure',
       label: 'Method',
-      doc: 'Lumigraph: each pixel shows the photographs that saw it from nearly the same direction, so highlights move. Nearest: each pixel shows the photograph that was taken nearest to the eye and sees it. Plain: the mesh in the mean colors of the photographs, the fastest.',
+      doc: 'Lumigraph: each pixel shows the photographs that saw it from nearly the same direction, so highlights move. Depth meshes: as the lumigraph, but each photograph is drawn on the depth that its own camera saw, which is sharper at edges; 360° photographs, too. Nearest: each pixel shows the photograph that was taken nearest to the eye and sees it. Plain: the mesh in the mean colors of the photographs, the fastest.',
       default: 'lumigraph',
       options: [
         { value: 'plain', label: 'Plain' },
         { value: 'nearest', label: 'Nearest' },
         { value: 'lumigraph', label: 'Lumigraph' },
+        { value: 'depth-meshes', label: 'Depth meshes' },
       ],
     },
     blended: {
@@ -42,17 +51,7 @@ export const definition = defineNode({
       step: 1,
       unit: 'none',
     },
-    positionM: {
-      type: 'vector3',
-      stage: 'uniform',
-      handle: 'position',
-      label: 'Position',
-      doc: 'Translation in meters: x to the right, y up, z towards the viewer.',
-      default: [0, 0, 0],
-      min: [-10, -10, -10],
-      max: [10, 10, 10],
-      unit: 'm',
-    },
+    positionM: POSITION_PARAM,
     rotationRad: { ...ROTATION_PARAM, handle: 'rotation' },
     scale: {
       type: 'number',
@@ -67,5 +66,5 @@ export const definition = defineNode({
       unit: 'ratio',
     },
   },
-  lowering: { kind: 'geometry', ownDrawing: true },
+  lowering: { kind: 'geometry', ownDrawing: {} },
 });

@@ -1,4 +1,5 @@
 import { type CaptureDrawing, createCaptureDrawing } from '../../kit/capture-drawing/capture-drawing.ts';
+import { createDepthMeshDrawing } from '../../kit/capture-drawing/depth-meshes/depth-mesh-drawing.ts';
 import { multiplyMatrices } from '../../kit/matrices.ts';
 import { setFromAngles } from '../../kit/rigid.ts';
 import type { DrawView, NodeContext, NodeRuntime } from '../../kit/runtime.ts';
@@ -11,6 +12,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const handle = id === null ? null : ctx.assets.capture(id);
   const { gl } = ctx;
   let drawing: CaptureDrawing | null = null;
+  let drawsDepthMeshes = false;
   const rigid = new Float32Array(16);
   const worldFromCapture = new Float32Array(16);
   const clipFromWorld = new Float32Array(16);
@@ -20,10 +22,17 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
 
   return {
     update: () => {},
-    draw: ({ view }: DrawView) => {
+    draw: (target: DrawView) => {
+      const { view } = target;
       const capture = handle?.value ?? null;
       if (!capture) return;
-      drawing ??= createCaptureDrawing(gl, capture, method, Math.round(blended));
+      // Pages draw a capture before they have loaded its depth meshes.
+      if (method === 'depth-meshes' && capture.depthMeshes && !drawsDepthMeshes) {
+        drawing?.dispose();
+        drawing = createDepthMeshDrawing(gl, capture);
+        drawsDepthMeshes = true;
+      }
+      drawing ??= createCaptureDrawing(gl, capture, method === 'depth-meshes' ? 'lumigraph' : method, Math.round(blended));
       const factor = Math.max(scale.value, 1e-6);
       setFromAngles(rigid, positionM.value, rotationRad.value);
       for (let i = 0; i < 16; i++) worldFromCapture[i] = (rigid[i] ?? 0) * (i < 12 ? factor : 1);
@@ -38,7 +47,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
           forward[axis] = (forward[axis] ?? 0) - along * (view.worldFromView[8 + i] ?? 0);
         }
       }
-      drawing.draw(clipFromCapture, eye, forward);
+      drawing.draw(clipFromCapture, eye, forward, target);
     },
     dispose: () => {
       drawing?.dispose();

@@ -3,6 +3,8 @@ import type { Clock } from '../../kit/runtime.ts';
 
 /** Plays one clip in a loop. */
 export interface Animation {
+  /** The number of poses so far. */
+  readonly poses: number;
   update(speed: number, playing: boolean): void;
   /** Returns to the start of the clip. */
   reset(): void;
@@ -22,10 +24,14 @@ export function createAnimation(root: Object3D, clip: AnimationClip, clock: Cloc
   let rate: number | null = null;
   let restart = false;
   let posedAtS = Number.NaN;
+  let poses = 0;
 
   const clipTime = (): number => anchorClipS + (clock.timeS - anchorS) * (rate ?? 0);
 
   return {
+    get poses() {
+      return poses;
+    },
     update: (speed, playing) => {
       const wanted = playing ? speed : 0;
       if (restart) {
@@ -40,6 +46,7 @@ export function createAnimation(root: Object3D, clip: AnimationClip, clock: Cloc
       const timeS = wrap(clipTime(), clip.duration);
       if (timeS === posedAtS) return;
       posedAtS = timeS;
+      poses++;
       mixer.setTime(timeS);
       root.updateMatrixWorld();
     },

@@ -32,6 +32,9 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   }
 
   return {
+    get version() {
+      return objects.version + (animation?.poses ?? 0);
+    },
     update: () => {
       const model = handle?.value ?? null;
       if (model === null) return;

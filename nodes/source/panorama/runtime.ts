@@ -7,6 +7,9 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const id = ctx.assetIds.file;
   const panorama = id === null ? null : ctx.assets.environment(id);
   return {
+    get version() {
+      return environment.asset === null ? 0 : 1;
+    },
     update: () => {
       environment.asset = panorama?.value ?? null;
       environment.intensity = 2 ** exposure.value;

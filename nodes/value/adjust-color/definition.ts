@@ -41,5 +41,6 @@ export const definition = defineNode({
       step: 0.01,
     },
   },
+  computes: { color: { call: 'writeAdjustedColor', params: ['base', 'hueRad', 'saturation', 'lightness'] } },
   lowering: { kind: 'value' },
 });

@@ -9,5 +9,6 @@ export const definition = defineNode({
   inputs: {},
   outputs: { color: { type: 'color', label: 'Color', doc: 'The color.' } },
   params: { value: { type: 'color', stage: 'uniform', label: 'Value', doc: 'The color to output.', default: [1, 1, 1, 1] } },
+  computes: { color: 'value' },
   lowering: { kind: 'value' },
 });

@@ -35,5 +35,18 @@ export const definition = defineNode({
       min: 0,
     },
   },
+  computes: {
+    result: {
+      by: 'operation',
+      of: {
+        greater: 'a - b > max(tolerance, 0)',
+        'greater-equal': 'a - b >= -max(tolerance, 0)',
+        less: 'a - b < -max(tolerance, 0)',
+        'less-equal': 'a - b <= max(tolerance, 0)',
+        equal: 'abs(a - b) <= max(tolerance, 0)',
+        'not-equal': 'abs(a - b) > max(tolerance, 0)',
+      },
+    },
+  },
   lowering: { kind: 'value' },
 });

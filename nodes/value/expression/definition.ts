@@ -22,5 +22,6 @@ export const definition = defineNode({
     c: { type: 'number', stage: 'uniform', label: 'C', doc: 'The value of c.', default: 0 },
     d: { type: 'number', stage: 'uniform', label: 'D', doc: 'The value of d.', default: 0 },
   },
+  computes: { result: 'expression' },
   lowering: { kind: 'value' },
 });

@@ -49,5 +49,6 @@ export const definition = defineNode({
       step: 0.01,
     },
   },
+  computes: { color: { call: 'writeHsvColor', params: ['hueRad', 'saturation', 'brightness', 'alpha'] } },
   lowering: { kind: 'value' },
 });

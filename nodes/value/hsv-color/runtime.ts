@@ -1,4 +1,4 @@
-import { rgbFromHsv } from '../../kit/color-math.ts';
+import { writeHsvColor } from '../../kit/color-math.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
@@ -7,14 +7,9 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const color = new Float64Array(4);
   return {
     update: () => {
-      rgbFromHsv(color, hueRad.value / (2 * Math.PI), clamp01(saturation.value), clamp01(brightness.value));
-      color[3] = clamp01(alpha.value);
+      writeHsvColor(color, hueRad.value, saturation.value, brightness.value, alpha.value);
       ctx.outputs.color.value = color;
     },
     dispose: () => {},
   };
-}
-
-function clamp01(x: number): number {
-  return Math.min(Math.max(x, 0), 1);
 }

@@ -12,5 +12,6 @@ export const definition = defineNode({
     x: { type: 'number', stage: 'uniform', label: 'X', doc: 'First component.', default: 0 },
     y: { type: 'number', stage: 'uniform', label: 'Y', doc: 'Second component.', default: 0 },
   },
+  computes: { vector: '[x, y]' },
   lowering: { kind: 'value' },
 });

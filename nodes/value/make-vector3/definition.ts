@@ -13,5 +13,6 @@ export const definition = defineNode({
     y: { type: 'number', stage: 'uniform', label: 'Y', doc: 'Second component.', default: 0 },
     z: { type: 'number', stage: 'uniform', label: 'Z', doc: 'Third component.', default: 0 },
   },
+  computes: { vector: '[x, y, z]' },
   lowering: { kind: 'value' },
 });

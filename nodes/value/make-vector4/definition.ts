@@ -14,5 +14,6 @@ export const definition = defineNode({
     z: { type: 'number', stage: 'uniform', label: 'Z', doc: 'Third component.', default: 0 },
     w: { type: 'number', stage: 'uniform', label: 'W', doc: 'Fourth component.', default: 0 },
   },
+  computes: { vector: '[x, y, z, w]' },
   lowering: { kind: 'value' },
 });

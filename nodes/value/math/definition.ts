@@ -31,5 +31,22 @@ export const definition = defineNode({
     a: { type: 'number', stage: 'uniform', label: 'A', doc: 'First number.', default: 0 },
     b: { type: 'number', stage: 'uniform', label: 'B', doc: 'Second number.', default: 1 },
   },
+  computes: {
+    result: {
+      by: 'operation',
+      of: {
+        add: 'a + b',
+        subtract: 'a - b',
+        multiply: 'a * b',
+        divide: 'b == 0 ? 0 : a / b',
+        remainder: 'b == 0 ? 0 : a - b * floor(a / b)',
+        power: 'a ^ b',
+        minimum: 'min(a, b)',
+        maximum: 'max(a, b)',
+        sine: 'sin(a * b)',
+        cosine: 'cos(a * b)',
+      },
+    },
+  },
   lowering: { kind: 'value' },
 });

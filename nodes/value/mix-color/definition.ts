@@ -35,5 +35,6 @@ export const definition = defineNode({
       ],
     },
   },
+  computes: { color: { call: 'writeMixedColor', params: ['a', 'b', 'amount', 'space'] } },
   lowering: { kind: 'value' },
 });

@@ -9,5 +9,6 @@ export const definition = defineNode({
   inputs: {},
   outputs: { number: { type: 'number', label: 'Number', doc: 'The number.' } },
   params: { value: { type: 'number', stage: 'uniform', label: 'Value', doc: 'The number to output.', default: 0 } },
+  computes: { number: 'value' },
   lowering: { kind: 'value' },
 });

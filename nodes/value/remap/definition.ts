@@ -1,5 +1,9 @@
 import { defineNode } from '../../kit/definition.ts';
 
+/** How far the number is along the old range, and the same limited to it, as formulas. */
+const ALONG = '(fromHigh == fromLow ? number >= fromLow : (number - fromLow) / (fromHigh - fromLow))';
+const LIMITED = `min(max(${ALONG}, 0), 1)`;
+
 export const definition = defineNode({
   type: 'value/remap',
   version: 1,
@@ -37,6 +41,15 @@ export const definition = defineNode({
         { value: 'even', label: 'Linear' },
         { value: 'smooth', label: 'Smooth' },
       ],
+    },
+  },
+  computes: {
+    result: {
+      by: 'curve',
+      of: {
+        even: `toLow + (toHigh - toLow) * (clamp ? ${LIMITED} : ${ALONG})`,
+        smooth: `toLow + (toHigh - toLow) * (${LIMITED} * ${LIMITED} * (3 - 2 * ${LIMITED}))`,
+      },
     },
   },
   lowering: { kind: 'value' },

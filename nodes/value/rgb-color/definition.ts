@@ -23,5 +23,6 @@ export const definition = defineNode({
       step: 0.01,
     },
   },
+  computes: { color: '[clamp(red, 0, 1), clamp(green, 0, 1), clamp(blue, 0, 1), clamp(alpha, 0, 1)]' },
   lowering: { kind: 'value' },
 });

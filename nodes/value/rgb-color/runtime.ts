@@ -1,3 +1,4 @@
+import { clamp01 } from '../../kit/color-math.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
@@ -14,8 +15,4 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     },
     dispose: () => {},
   };
-}
-
-function clamp01(x: number): number {
-  return Math.min(Math.max(x, 0), 1);
 }

@@ -9,5 +9,6 @@ export const definition = defineNode({
   inputs: {},
   outputs: { x: { type: 'number', label: 'X', doc: 'First component.' }, y: { type: 'number', label: 'Y', doc: 'Second component.' } },
   params: { vector: { type: 'vector2', stage: 'uniform', label: 'Vector', doc: 'The vector to split.', default: [0, 0] } },
+  computes: { x: 'vector.x', y: 'vector.y' },
   lowering: { kind: 'value' },
 });

@@ -13,5 +13,6 @@ export const definition = defineNode({
     z: { type: 'number', label: 'Z', doc: 'Third component.' },
   },
   params: { vector: { type: 'vector3', stage: 'uniform', label: 'Vector', doc: 'The vector to split.', default: [0, 0, 0] } },
+  computes: { x: 'vector.x', y: 'vector.y', z: 'vector.z' },
   lowering: { kind: 'value' },
 });

@@ -14,5 +14,6 @@ export const definition = defineNode({
     w: { type: 'number', label: 'W', doc: 'Fourth component.' },
   },
   params: { vector: { type: 'vector4', stage: 'uniform', label: 'Vector', doc: 'The vector to split.', default: [0, 0, 0, 0] } },
+  computes: { x: 'vector.x', y: 'vector.y', z: 'vector.z', w: 'vector.w' },
   lowering: { kind: 'value' },
 });

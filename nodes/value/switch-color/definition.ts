@@ -22,5 +22,10 @@ export const definition = defineNode({
     third: { type: 'color', stage: 'uniform', label: 'Third', doc: 'Used at index 2.', default: [0.85, 0.3, 0.2, 1] },
     fourth: { type: 'color', stage: 'uniform', label: 'Fourth', doc: 'Used at index 3.', default: [0.2, 0.45, 0.85, 1] },
   },
+  computes: { chosen: `[${['r', 'g', 'b', 'a'].map(chosenComponent).join(', ')}]` },
   lowering: { kind: 'value' },
 });
+
+function chosenComponent(name: string): string {
+  return `index < 0.5 ? first.${name} : index < 1.5 ? second.${name} : index < 2.5 ? third.${name} : fourth.${name}`;
+}

@@ -22,5 +22,6 @@ export const definition = defineNode({
     third: { type: 'number', stage: 'uniform', label: 'Third', doc: 'Used at index 2.', default: 2 },
     fourth: { type: 'number', stage: 'uniform', label: 'Fourth', doc: 'Used at index 3.', default: 3 },
   },
+  computes: { chosen: 'index < 0.5 ? first : index < 1.5 ? second : index < 2.5 ? third : fourth' },
   lowering: { kind: 'value' },
 });

@@ -22,5 +22,10 @@ export const definition = defineNode({
     third: { type: 'vector3', stage: 'uniform', label: 'Third', doc: 'Used at index 2.', default: [0, 0, 0] },
     fourth: { type: 'vector3', stage: 'uniform', label: 'Fourth', doc: 'Used at index 3.', default: [0, 0, 0] },
   },
+  computes: { chosen: `[${['x', 'y', 'z'].map(chosenComponent).join(', ')}]` },
   lowering: { kind: 'value' },
 });
+
+function chosenComponent(name: string): string {
+  return `index < 0.5 ? first.${name} : index < 1.5 ? second.${name} : index < 2.5 ? third.${name} : fourth.${name}`;
+}

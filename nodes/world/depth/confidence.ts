@@ -34,7 +34,7 @@ export function createConfidenceMeter(drawing: DepthDrawing): ConfidenceMeter {
   };
 }
 
-const RATE = `
+const RATE = /* glsl */ `
 uniform sampler2D measured;
 uniform sampler2D filled;
 const int REACH = 3;

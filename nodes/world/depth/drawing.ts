@@ -124,7 +124,7 @@ function createSampler(gl: WebGL2RenderingContext, filter: GLenum): WebGLSampler
 }
 
 /** The vertex shader of all passes: `uv` is (0, 0) at the bottom left and (1, 1) at the top right. */
-const VERTEX = `#version 300 es
+const VERTEX = /* glsl */ `#version 300 es
 out vec2 uv;
 void main() {
   uv = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
@@ -135,7 +135,7 @@ void main() {
 /**
  * The start of each fragment shader. A pass adds the function `float meters()`, which returns the depth, or the shade of gray, to write.
  */
-const FRAGMENT_HEAD = `#version 300 es
+const FRAGMENT_HEAD = /* glsl */ `#version 300 es
 precision highp float;
 precision highp int;
 precision highp sampler2D;

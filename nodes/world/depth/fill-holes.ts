@@ -34,7 +34,7 @@ export function createHoleFiller(drawing: DepthDrawing): HoleFiller {
   };
 }
 
-const FILL = `
+const FILL = /* glsl */ `
 uniform sampler2D room;
 
 // Meters of the border in a direction, and its distance in samples; 0 meters where there is none. Steps grow with the distance, so a

@@ -76,7 +76,7 @@ function setGuide(
   if (image) gl.uniformMatrix3fv(uniforms.guideUvFromViewUv, false, image.uvFromViewUv);
 }
 
-const FOLLOW = `
+const FOLLOW = /* glsl */ `
 uniform sampler2D room;
 uniform sampler2D guide;
 uniform sampler2D registration;

@@ -76,16 +76,16 @@ function setCover(out: Float32Array, imageAspect: number, viewAspect: number): v
 }
 
 /** The start of the shaders that convert the image: white is nearest, an alpha below 0.5 is unknown, and the value is the Rec. 709 luma. */
-const HEAD = `
+const HEAD = /* glsl */ `
 uniform sampler2D shades;
 uniform vec2 rangeM;
 float meters() {
   vec4 shade = texelFetch(shades, ivec2(gl_FragCoord.xy), 0);
   if (shade.a < 0.5) return 0.0;
   float white = clamp(dot(shade.rgb / shade.a, vec3(0.2126, 0.7152, 0.0722)), 0.0, 1.0);`;
-const DISTANCE = `${HEAD}
+const DISTANCE = /* glsl */ `${HEAD}
   return mix(rangeM.y, rangeM.x, white);
 }`;
-const INVERSE = `${HEAD}
+const INVERSE = /* glsl */ `${HEAD}
   return 1.0 / mix(1.0 / rangeM.y, 1.0 / rangeM.x, white);
 }`;

@@ -75,7 +75,7 @@ export function createRegistrationMeter(gl: WebGL2RenderingContext, drawing: Dep
   };
 }
 
-const SUM_BLOCK = `
+const SUM_BLOCK = /* glsl */ `
 uniform sampler2D room;
 uniform sampler2D guide;
 uniform mat3 viewUvFromUv;
@@ -114,7 +114,7 @@ float meters() {
   return sum;
 }`;
 
-const DIVIDE = `
+const DIVIDE = /* glsl */ `
 uniform sampler2D gains;
 uniform sampler2D counts;
 // With fewer borders, chance decides.

@@ -79,7 +79,7 @@ function setLens(gl: WebGL2RenderingContext, location: WebGLUniformLocation | nu
   gl.uniform4f(location, p[0] ?? 1, p[5] ?? 1, p[8] ?? 0, p[9] ?? 0);
 }
 
-const STEADY = `
+const STEADY = /* glsl */ `
 uniform sampler2D now;
 uniform sampler2D past;
 uniform mat3 viewUvFromUv;

@@ -5,10 +5,9 @@ import { getOwn } from '../../../export/graph/record.ts';
 import type { CopiedDependencies, CopiedFiles } from '../editor/clipping.ts';
 import type { Editor } from '../editor/editor.ts';
 import { toastDiagnostic } from '../editor/ui.ts';
+import { base64Of, bytesOf } from '../files/base64.ts';
 import { showRefusal } from '../files/files.ts';
 import { isGlb, isGltf, wholeModel } from '../files/whole-models.ts';
-
-const PIECE_BYTES = 2 ** 14;
 
 function assetsOf(brought: CopiedDependencies | undefined): Readonly<Record<string, Asset>> {
   return (brought === undefined ? null : loadProject(brought).output)?.assets ?? {};
@@ -54,17 +53,6 @@ export async function readCopiedFiles(editor: Editor, brought: CopiedDependencie
 function nullWhereMissing(error: unknown): null {
   if (error instanceof HostError && error.diagnostic.code === 'SCR004') return null;
   throw error;
-}
-
-function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
-  return Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-}
-
-/** Converts in pieces, because the number of arguments of a call is limited. */
-function base64Of(bytes: Uint8Array): string {
-  const pieces: string[] = [];
-  for (let at = 0; at < bytes.length; at += PIECE_BYTES) pieces.push(String.fromCharCode(...bytes.subarray(at, at + PIECE_BYTES)));
-  return btoa(pieces.join(''));
 }
 
 /** Imports the asset files that the open project lacks. Returns their paths, by asset id. */

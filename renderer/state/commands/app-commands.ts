@@ -4,7 +4,7 @@ import { undoOrCancelDrag } from '../document/cancel-drag.ts';
 import type { Editor } from '../editor/editor.ts';
 import { toggleMode } from '../editor/gizmo-state.ts';
 import { frameOf } from '../editor/preview-state.ts';
-import { exportPage } from '../files/export-page.ts';
+import { lastExport, openExportDialog } from '../files/export-page.ts';
 import { newProject, openProject, revertToSaved, save, saveAs } from '../files/files.ts';
 import { align, distribute, tidy } from '../graph/arrange.ts';
 import { deleteSelection, selectAll, toggleCollapsed, toggleMuted, toggleUnfused } from '../graph/edit-graph.ts';
@@ -25,6 +25,7 @@ import {
 } from '../preview/playback.ts';
 import { canRecordSession, toggleSessionRecording } from '../preview/record-session.ts';
 import { openRenderDialog } from '../preview/render-frames.ts';
+import { newFilter } from '../shaders/new-filter.ts';
 import type { AppCommand } from './app-command.ts';
 import { askToSaveSubgraph, canvasCenter, openPalette, openSwapPalette } from './command-actions.ts';
 import {
@@ -84,8 +85,15 @@ const COMMANDS = {
     keywords: ['publish', 'share', 'web page', 'html', 'upload'],
     keys: ['Mod+E'],
     enabled: isOpen,
-    run: (editor) => void exportPage(editor),
+    run: openExportDialog,
     whileTyping: true,
+  },
+  'file.exported': {
+    label: 'Exported page…',
+    keywords: ['qr code', 'size of the page', 'open in browser', 'publish', 'last export'],
+    keys: [],
+    enabled: (editor) => lastExport(editor) !== null,
+    run: ({ ui }) => ui.setState({ dialog: { kind: 'exported' } }),
   },
   'file.render': {
     label: 'Render frames…',
@@ -141,6 +149,13 @@ const COMMANDS = {
     keys: ['Tab', 'Shift+A'],
     enabled: isOpen,
     run: openPalette,
+  },
+  'graph.new-filter': {
+    label: 'New filter',
+    keywords: ['shader', 'glsl', 'isf', 'write', 'own', 'custom'],
+    keys: [],
+    enabled: isOpen,
+    run: (editor) => void newFilter(editor),
   },
   'graph.import-shadertoy': {
     label: 'Import Shadertoy…',

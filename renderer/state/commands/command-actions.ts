@@ -20,11 +20,13 @@ export function canvasCenter({ canvas }: Editor): Place {
   return canvas.getState().middle();
 }
 
-/** Opens the palette. If exactly one wire is selected, the new node is inserted into it. */
+/** Opens the palette. If exactly one wire is selected, the new node is inserted into it; if exactly one node is, it continues that node. */
 export function openPalette({ ui, selection }: Editor): void {
-  const { nodes, wires } = selection.getState();
-  const [wire] = nodes.size === 0 && wires.size === 1 ? wires : [];
-  ui.setState({ palette: { at: middleOfWindow(), place: null, end: null, ...(wire === undefined ? {} : { wire }) } });
+  const selected = selection.getState();
+  const [wire] = selected.nodes.size === 0 && selected.wires.size === 1 ? selected.wires : [];
+  const after = wire === undefined ? soleNode(selected) : null;
+  const where = wire === undefined ? (after === null ? {} : { after }) : { wire };
+  ui.setState({ palette: { at: middleOfWindow(), place: null, end: null, ...where } });
 }
 
 /** Cycles through system, light and dark. */

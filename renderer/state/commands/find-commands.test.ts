@@ -5,7 +5,8 @@ import { findCommands } from './find-commands.ts';
 test.each([
   ['theme', 'view.theme'],
   ['tint', 'view.theme'],
-  ['filter', 'graph.add'],
+  ['filter', 'graph.new-filter'],
+  ['effect', 'graph.add'],
   ['effect', 'graph.add'],
   ['publish', 'file.export'],
   ['video', 'file.render'],

@@ -1,11 +1,14 @@
 import { editableShader } from '../document/edit-shader.ts';
+import { endCandidate } from '../editor/candidate-state.ts';
 import { revealNodes } from '../editor/ui.ts';
 import { resetViewer } from '../editor/viewer.ts';
+import { popOutPreview } from '../preview/pop-out.ts';
+import { toggleSavedVersion } from '../preview/saved-version.ts';
 import { hideCamera, toggleCamera } from '../preview/untouched-camera.ts';
 import { compareSelected, pinSelected } from '../preview/viewed-layers.ts';
 import type { AppCommand } from './app-command.ts';
 import { dockPreview, nextScale, setScale, switchMotion, switchTheme, toggleBottom, togglePreviewExtent } from './command-actions.ts';
-import { always, hasNodes, hasOneNode, isOpen } from './command-conditions.ts';
+import { always, hasNodes, hasOneNode, isOpen, isUnsaved } from './command-conditions.ts';
 
 /** Commands of the View menu, but those of gizmos. */
 export const VIEW_COMMANDS = {
@@ -60,6 +63,14 @@ export const VIEW_COMMANDS = {
     run: toggleCamera,
     release: hideCamera,
   },
+  'view.saved': {
+    label: 'Saved version',
+    keywords: ['before', 'last save', 'compare', 'hold'],
+    keys: ['Shift+B'],
+    enabled: isUnsaved,
+    run: toggleSavedVersion,
+    release: endCandidate,
+  },
   'view.probe': {
     label: 'Pixel probe',
     keywords: ['color', 'depth', 'distance', 'inspect'],
@@ -87,6 +98,13 @@ export const VIEW_COMMANDS = {
     keys: ['Shift+T'],
     enabled: isOpen,
     run: (editor) => toggleBottom(editor, 'timeline'),
+  },
+  'view.assets': {
+    label: 'Assets',
+    keywords: ['files', 'images', 'models', 'replace', 'missing', 'relink', 'unused', 'media'],
+    keys: ['Shift+R'],
+    enabled: isOpen,
+    run: (editor) => toggleBottom(editor, 'assets'),
   },
   'view.history': {
     label: 'History',
@@ -123,6 +141,13 @@ export const VIEW_COMMANDS = {
     keys: ['Escape'],
     enabled: ({ ui }) => ui.getState().previewExtent !== 'panel',
     run: ({ ui }) => ui.setState({ previewExtent: 'panel' }),
+  },
+  'view.pop-out': {
+    label: 'Pop out preview',
+    keywords: ['pop out', 'second screen', 'monitor', 'detach'],
+    keys: [],
+    enabled: isOpen,
+    run: (editor) => popOutPreview(editor, !editor.preview.getState().poppedOut),
   },
   'view.preview-overlay': {
     label: 'Graph over preview',

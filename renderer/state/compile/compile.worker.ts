@@ -12,12 +12,13 @@ const scope = self as unknown as {
 const compiler = createCompiler();
 const libraries = createLibraries({ definitions: DEFINITIONS, shaders: SHADERS });
 
-scope.onmessage = ({ data: { revision, project, taps, thumbnails } }) => {
+scope.onmessage = ({ data: { revision, project, taps, thumbnails, exported } }) => {
   const startMs = workerClock.nowMs();
   // While a header is broken, the node keeps its last valid interface. The diagnostics then report the header, not an unknown node
   // type.
   const library = libraries.withoutSubgraphs(project);
   // The loop budget ends endless loops, which would freeze the GPU that also draws the editor.
-  const { output, diagnostics, above } = compiler.compile({ project, library, options: { loopBudget: true, taps, thumbnails } });
-  scope.postMessage({ revision, program: output, diagnostics, above, tookMs: workerClock.nowMs() - startMs });
+  const options = exported ? { fuse: true, fold: true } : { loopBudget: true, taps, thumbnails };
+  const { output, diagnostics, above, separate, folded = [] } = compiler.compile({ project, library, options });
+  scope.postMessage({ revision, program: output, diagnostics, above, separate, folded, tookMs: workerClock.nowMs() - startMs });
 };

@@ -60,15 +60,25 @@ export function historySteps({ past, future }: history.History): readonly histor
  * @param count From 0 (as opened) to the number of steps.
  */
 export function goToStep(editor: Editor, count: number): void {
-  const { history: before, project: shown } = editor.document.getState();
-  let moved: history.Moved = { history: before, project: shown };
+  const state = editor.document.getState();
+  const moved = atStep(state, count);
+  if (moved.history !== state.history) commit(editor, moved.project, moved.history);
+}
+
+/** The project as `goToStep` would show it. */
+export function projectAtStep(state: Pick<DocumentState, 'history' | 'project'>, count: number): Project {
+  return atStep(state, count).project;
+}
+
+function atStep({ history: before, project }: Pick<DocumentState, 'history' | 'project'>, count: number): history.Moved {
+  let moved: history.Moved = { history: before, project };
   while (moved.history.past.length !== count) {
     const step = moved.history.past.length > count ? history.undo : history.redo;
     const next = step(moved.history, moved.project);
     if (next === null) break;
     moved = next;
   }
-  if (moved.history !== before) commit(editor, moved.project, moved.history);
+  return moved;
 }
 
 /** The number of steps that the last save contains; null if no undo or redo leads there. */

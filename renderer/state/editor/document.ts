@@ -29,6 +29,8 @@ export interface DocumentState {
   readonly loadDiagnostics: readonly Diagnostic[];
   /** Whether the host has a native folder dialog, from `app.info`. */
   readonly canPickFolders: boolean;
+  /** Whether the host shows files in the file manager, from `app.info`. */
+  readonly canReveal: boolean;
   /** Folder for the projects of the user; empty until the host has answered `app.info`. */
   readonly projectsDir: string;
   readonly examples: HostOutput<'app.info'>['examples'];
@@ -53,6 +55,7 @@ export function createDocument(library: ProjectLibrary): DocumentStore {
     revision: 0,
     loadDiagnostics: [],
     canPickFolders: false,
+    canReveal: false,
     projectsDir: '',
     examples: [],
     templates: [],

@@ -1,6 +1,7 @@
 import type { Host } from '../../../app/contract/contract.ts';
 import type { EditorClock } from '../../clock.ts';
 import type { FromPreview, ToPreview } from '../../preview-protocol.ts';
+import { type CandidateStore, createCandidateState } from './candidate-state.ts';
 import { type CanvasStore, createCanvasState } from './canvas-state.ts';
 import type { Clipping } from './clipping.ts';
 import { type CompileStore, createCompileState } from './compile-state.ts';
@@ -9,7 +10,7 @@ import { createDocument, type DocumentStore } from './document.ts';
 import { createGizmoState, type GizmoStore } from './gizmo-state.ts';
 import { createLibraries, type Libraries, type LibraryData } from './library.ts';
 import { createPreferences, DEFAULT_PREFERENCES, type Preferences, type PreferencesStore } from './preferences.ts';
-import { createPreviewState, type PreviewStore } from './preview-state.ts';
+import { createPreviewState, type PreviewState, type PreviewStore } from './preview-state.ts';
 import { createSelection, type SelectionStore } from './selection.ts';
 import { createUi, type Dock, type PanelSizes, type UiStore } from './ui.ts';
 import { createThumbnailWatchers, createViewerState, type ThumbnailWatchers, type ViewerStore } from './viewer.ts';
@@ -35,6 +36,16 @@ export interface FrameRenderLink {
   ): Promise<Extract<FromPreview, { kind: 'frame-rendered' | 'render-finished' | 'render-failed' }>>;
   close(): void;
 }
+
+/** A picture of a model, and its size on the GPU. Null where the model cannot be read. */
+export interface DrawnModel {
+  readonly image: ImageBitmap | null;
+  /** Textures with mipmaps and geometry. */
+  readonly gpuBytes: number | null;
+}
+
+/** Draws a model of the project alone. The caller closes the image. */
+export type DrawModel = (asset: { readonly assetBaseUrl: string; readonly path: string }, size: ImageSize) => Promise<DrawnModel>;
 
 /**
  * The editor without its user interface: one store per concern, and the services of the host and the page. User actions are functions
@@ -62,11 +73,14 @@ export interface Editor {
   readonly transport: { post: (message: ToPreview) => void };
   /** Opens a page for a frame render; null if that is not possible. */
   readonly renderPage: { open: (() => FrameRenderLink) | null };
+  /** Draws pictures of models; null if that is not possible. */
+  readonly models: { draw: DrawModel | null };
   readonly document: DocumentStore;
   readonly selection: SelectionStore;
   readonly canvas: CanvasStore;
   readonly ui: UiStore;
   readonly compile: CompileStore;
+  readonly candidate: CandidateStore;
   readonly preview: PreviewStore;
   readonly viewer: ViewerStore;
   readonly gizmo: GizmoStore;
@@ -84,6 +98,7 @@ export interface EditorOptions {
   readonly keepFile: (file: Blob, name: string) => void;
   readonly sizes: PanelSizes;
   readonly dock?: Dock;
+  readonly frame?: PreviewState['frame'];
   readonly preferences?: Preferences;
 }
 
@@ -97,6 +112,7 @@ export function createEditor({
   keepFile,
   sizes,
   dock = 'right',
+  frame = 'auto',
   preferences = DEFAULT_PREFERENCES,
 }: EditorOptions): Editor {
   const libraries = createLibraries(library);
@@ -115,12 +131,14 @@ export function createEditor({
     thumbnails: createThumbnailWatchers(),
     transport: { post: () => {} },
     renderPage: { open: null },
+    models: { draw: null },
     document: createDocument(libraries.of({ sources: {}, graphs: {} })),
     selection: createSelection(),
     canvas: createCanvasState(),
     ui: createUi(sizes, dock),
     compile: createCompileState(),
-    preview: createPreviewState(),
+    candidate: createCandidateState(),
+    preview: createPreviewState(frame),
     viewer: createViewerState(),
     gizmo: createGizmoState(),
     costs: createCostState(),

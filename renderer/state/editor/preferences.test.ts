@@ -30,7 +30,7 @@ describe('preferences', () => {
     'of %s are the defaults',
     (text) => {
       const { keybindings, ...others } = loadPreferences(memory(text));
-      expect(others).toEqual({ theme: 'system', motion: 'system', scale: 1, thumbnails: true, recent: [] });
+      expect(others).toEqual({ theme: 'system', motion: 'system', scale: 1, thumbnails: true, renderSize: 'auto', recent: [] });
       expect(appCommandIds().some((id) => Object.hasOwn(keybindings, id))).toBe(false);
     },
   );

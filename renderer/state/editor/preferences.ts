@@ -1,10 +1,13 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
+import type { RenderSize } from '../../preview-protocol.ts';
 
 export type Theme = 'system' | 'light' | 'dark';
 export type Motion = 'system' | 'reduced';
 
 /** Steps of the UI scale. */
 export const SCALES = [0.8, 0.9, 1, 1.1, 1.25, 1.5] as const;
+
+export const RENDER_SIZES: readonly RenderSize[] = ['auto', 'panel', 720, 1080, 1440];
 
 export interface RecentProject {
   readonly path: string;
@@ -19,6 +22,8 @@ export interface Preferences {
   readonly scale: number;
   /** Whether nodes show thumbnails of their layers. */
   readonly thumbnails: boolean;
+  /** Size in which the preview renders. */
+  readonly renderSize: RenderSize;
   /** Keybindings that differ from the defaults, by command. An empty list removes the default. */
   readonly keybindings: Readonly<Record<string, readonly string[]>>;
   /** Recent projects, newest first. */
@@ -35,6 +40,7 @@ export const DEFAULT_PREFERENCES: Preferences = {
   motion: 'system',
   scale: 1,
   thumbnails: true,
+  renderSize: 'auto',
   keybindings: {},
   recent: [],
 };
@@ -62,6 +68,7 @@ export function loadPreferences(storage: Pick<Storage, 'getItem'>): Preferences 
     motion: saved.motion === 'reduced' ? 'reduced' : 'system',
     scale: SCALES.find((scale) => scale === saved.scale) ?? 1,
     thumbnails: saved.thumbnails !== false,
+    renderSize: RENDER_SIZES.find((size) => size === saved.renderSize) ?? 'auto',
     keybindings: readKeybindings(saved.chords),
     recent: Array.isArray(saved.recent) ? saved.recent.filter(isRecent).slice(0, MAX_RECENT) : [],
   };

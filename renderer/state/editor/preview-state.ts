@@ -31,7 +31,12 @@ export interface PreviewState {
   readonly sourceId: string | null;
   /** Number of views of an emulated headset. */
   readonly views: 1 | 2;
-  readonly frame: DeviceFrame;
+  /** `auto`: a phone in emulated rooms, which would otherwise have the shape of the panel, and that of the panel for other sources. */
+  readonly frame: DeviceFrame | 'auto';
+  /** Whether the preview has a window of its own. */
+  readonly poppedOut: boolean;
+  /** Whether the safe areas of phones are drawn. */
+  readonly safeAreas: boolean;
   /** Tier of an emulated device. */
   readonly tier: PreviewTier;
   /** The kind of device whose features an emulated device has; null for all features. */
@@ -68,7 +73,8 @@ export interface FrameRange {
 }
 
 /** Shape of the preview: that of the panel, or of a device. */
-export type DeviceFrame = 'fill' | 'phone' | 'phone-wide' | 'headset' | 'glasses';
+export const DEVICE_FRAMES = ['fill', 'phone', 'phone-wide', 'headset', 'glasses'] as const;
+export type DeviceFrame = (typeof DEVICE_FRAMES)[number];
 
 /**
  * Direction of a light as in `light/directional`. Azimuth 0 is the front (+z), π/2 the right (+x); elevation is the angle above the
@@ -98,7 +104,7 @@ export const LOCAL_SOURCES: readonly { readonly id: LocalSource; readonly title:
 
 export type PreviewStore = StoreApi<PreviewState>;
 
-export function createPreviewState(): PreviewStore {
+export function createPreviewState(frame: PreviewState['frame'] = 'auto'): PreviewStore {
   return createStore<PreviewState>(() => ({
     stopped: null,
     ready: false,
@@ -110,8 +116,10 @@ export function createPreviewState(): PreviewStore {
     shaderDiagnostics: [],
     sources: [],
     sourceId: null,
-    views: 1,
-    frame: 'fill',
+    views: frame === 'headset' ? 2 : 1,
+    frame,
+    poppedOut: false,
+    safeAreas: true,
     tier: 'ar-camera',
     deviceKind: null,
     roomLight: null,
@@ -139,6 +147,18 @@ export function frameOf({ status, asked }: Pick<PreviewState, 'status' | 'asked'
 /** Whether the chosen source or program is not on screen yet. */
 export function isLoading({ status, request, playing }: PreviewState): boolean {
   return playing === null || status === null || status.state === 'loading' || status.request !== request;
+}
+
+/** The frame around the preview. */
+export function shownFrame(state: PreviewState): DeviceFrame {
+  const { frame, views } = state;
+  if (frame !== 'auto') return frame;
+  return chosenSource(state)?.kind === 'room' && views === 1 ? 'phone' : 'fill';
+}
+
+/** Puts the preview into a frame, with the views of that device and all its features. */
+export function chooseFrame(preview: PreviewStore, frame: DeviceFrame): void {
+  preview.setState({ frame, views: frame === 'headset' ? 2 : 1, deviceKind: null });
 }
 
 export function chosenSource({ sources, sourceId }: PreviewState): ChosenSource | null {

@@ -1,5 +1,5 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { ProjectFiles } from '../../../app/contract/contract.ts';
+import type { ExportedReport, ProjectFiles } from '../../../app/contract/contract.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { CanvasPlace, DraggedWire } from './canvas-state.ts';
 
@@ -31,7 +31,7 @@ export type Dock = (typeof DOCKS)[number];
 /** `panel`: beside the graph. `full`: the preview fills the window. `overlay`: the preview fills the window, with the graph over it. */
 export type PreviewExtent = 'panel' | 'full' | 'overlay';
 
-export type BottomTab = 'code' | 'timeline' | 'history' | 'problems';
+export type BottomTab = 'code' | 'timeline' | 'assets' | 'history' | 'problems';
 
 /** A request to open the palette. */
 export interface PaletteRequest {
@@ -44,6 +44,8 @@ export interface PaletteRequest {
   readonly wire?: string;
   /** Id of the node whose type is changed. */
   readonly swap?: string;
+  /** Id of the node that the new node continues, if one of its outputs fits. */
+  readonly after?: string;
 }
 
 /** Position in client pixels for a palette opened by a key, which roughly centers it. */
@@ -57,6 +59,8 @@ export type DialogRequest =
   | { readonly kind: 'new'; readonly template?: string }
   | { readonly kind: 'save-as' }
   | { readonly kind: 'export' }
+  /** Shows the last exported page. */
+  | { readonly kind: 'exported' }
   | { readonly kind: 'render' }
   /** Asks about unsaved changes that an action would discard; `proceed` continues the action. */
   | { readonly kind: 'unsaved'; readonly proceed: () => void }
@@ -109,6 +113,32 @@ export interface Exporting {
   readonly frames?: true;
 }
 
+/** How the open project is exported. */
+export interface ExportSettings {
+  /** Absolute path of the folder of the page; empty before the first export. */
+  readonly out: string;
+  /** Whether the page is a single file. */
+  readonly singleFile: boolean;
+  /** Whether the page opens offline after a visit. */
+  readonly offline: boolean;
+  /** Address of the published page as it was typed; may be empty. */
+  readonly address: string;
+}
+
+export const DEFAULT_EXPORT_SETTINGS: ExportSettings = { out: '', singleFile: false, offline: true, address: '' };
+
+/** The result of an export. */
+export interface ExportedPage {
+  /** Handle of the project. */
+  readonly handle: string;
+  readonly title: string;
+  /** The settings that it was exported with. */
+  readonly settings: ExportSettings;
+  readonly report: ExportedReport;
+  /** The poster as a `data:` URL; null if it is a neutral one. */
+  readonly poster: string | null;
+}
+
 export interface UiState {
   readonly sizes: PanelSizes;
   readonly dock: Dock;
@@ -133,6 +163,11 @@ export interface UiState {
   readonly exporting: Exporting | null;
   /** Diagnostics of the last export. */
   readonly exportDiagnostics: readonly Diagnostic[];
+  /** Why the last export failed, for its dialog. */
+  readonly exportErrors: readonly Diagnostic[];
+  readonly exportSettings: ExportSettings;
+  /** The page of the last export; null if there is none. */
+  readonly exported: ExportedPage | null;
 }
 
 export type UiStore = StoreApi<UiState>;
@@ -155,6 +190,9 @@ export function createUi(sizes: PanelSizes, dock: Dock): UiStore {
     typing: false,
     exporting: null,
     exportDiagnostics: [],
+    exportErrors: [],
+    exportSettings: DEFAULT_EXPORT_SETTINGS,
+    exported: null,
   }));
 }
 

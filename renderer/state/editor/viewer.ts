@@ -13,19 +13,21 @@ export interface ViewerState {
   /** Whether the pixel probe is on. */
   readonly probing: boolean;
   readonly probed: PreviewProbe | null;
-  /** The param that the eyedropper picks a color for; null if it is closed. */
-  readonly picking: ColorRequest | null;
+  /** What the eyedropper picks a pixel for; null if it is closed. */
+  readonly picking: PickRequest | null;
 }
 
 export type ShownLayers = Pick<ViewerState, 'left' | 'right' | 'split'>;
 
 /** A request for the eyedropper. */
-export interface ColorRequest {
-  /** Label of the param. */
+export interface PickRequest {
+  /** What is picked, such as the label of a param. */
   readonly label: string;
-  /** Called with the color in display-referred sRGB, each component in [0, 1]. */
-  readonly take: (color: readonly [number, number, number]) => void;
-  /** Called when the eyedropper closes, with or without a color. */
+  readonly what: 'color' | 'point';
+  /** The layer on which a point is picked, whatever is in front of it; null for colors. */
+  readonly layer: string | null;
+  readonly take: (probe: PreviewProbe) => void;
+  /** Called when the eyedropper closes, with or without a pixel. */
   readonly onEnd: () => void;
 }
 

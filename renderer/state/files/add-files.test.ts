@@ -8,6 +8,8 @@ test.each([
   ['sticker.webm', 'video'],
   ['sky.hdr', 'environment'],
   ['studio.EXR', 'environment'],
+  ['garden.ply', 'splats'],
+  ['Vase.SOG', 'splats'],
   ['edge.fs', 'shader'],
   ['notes.txt', null],
 ])('%s is dropped as %s', (name, kind) => {

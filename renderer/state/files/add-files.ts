@@ -2,25 +2,22 @@ import { companionOf, readIsf } from '../../../export/glsl/isf/read-isf.ts';
 import { moveImported } from '../../../export/glsl/language/header-edits.ts';
 import { isShadertoy } from '../../../export/glsl/shadertoy/convert-shadertoy.ts';
 import { putAsset } from '../../../export/graph/commands/asset-commands.ts';
-import { sequence, unchanged } from '../../../export/graph/commands/change.ts';
-import { addNode } from '../../../export/graph/commands/node-commands.ts';
-import { makeAssetId, makeNodeId } from '../../../export/graph/document-names.ts';
-import type { Asset, Project } from '../../../export/graph/project.ts';
-import type { AssetKind, NodeLibrary } from '../../../nodes/kit/definition.ts';
+import { makeAssetId } from '../../../export/graph/document-names.ts';
+import type { Asset } from '../../../export/graph/project.ts';
+import type { AssetKind } from '../../../nodes/kit/definition.ts';
 import { apply } from '../document/apply.ts';
 import type { Place } from '../editor/canvas-state.ts';
-import { graphOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { selectOnly } from '../editor/selection.ts';
-import { addToast, revealNodes, toastDiagnostic } from '../editor/ui.ts';
-import { placeFreely } from '../graph/free-places.ts';
-import { showObjects } from '../graph/show-objects.ts';
+import { addToast, toastDiagnostic } from '../editor/ui.ts';
+import { placeAsset } from '../graph/place-asset.ts';
 import { addShader, type ForeignShader } from '../shaders/add-shader.ts';
 import { addShadertoy } from '../shaders/import-shadertoy.ts';
 import { type Faces, joinFaces, splitFaces } from './cube-faces.ts';
 import { showRefusal } from './files.ts';
 import { addCube } from './import-cube.ts';
 import { isGltf, type ModelFile, wholeModel } from './whole-models.ts';
+import { packSog } from './whole-sog.ts';
 
 /** Kinds of assets that are files. A capture is a folder, which `scrim import capture` makes. */
 export type FileKind = Exclude<AssetKind, 'capture'>;
@@ -34,6 +31,7 @@ const KINDS: Readonly<Record<FileKind, { readonly endings: readonly string[]; re
   image: { endings: ['.png', '.jpg', '.jpeg', '.webp'] },
   video: { endings: ['.mp4', '.webm', '.m4v'] },
   audio: { endings: ['.mp3', '.m4a', '.wav', '.ogg', '.flac'] },
+  splats: { endings: ['.ply', '.sog'], also: ['.json', '.webp'] },
   environment: { endings: ['.hdr', '.exr'], also: ['.jpg', '.jpeg', '.png', '.webp', '.avif'] },
 };
 const SHADERS = /\.(fs|isf|glsl)$/i;
@@ -76,7 +74,7 @@ async function addEach(editor: Editor, files: readonly DroppedFile[], place: Pla
   const sky = faces && (await joinedFaces(editor, faces));
   const skyNode = sky && (await addAssetNode(editor, sky, 'environment', place));
   if (skyNode) added.push(skyNode);
-  const { others, vertexOf, imagesOf } = await pairShaders(await packModels(editor, rest));
+  const { others, vertexOf, imagesOf } = await pairShaders(await packModels(editor, await packSplats(editor, rest)));
   for (const [index, file] of others.entries()) {
     const at = { x: place.x + index * STEP_PX, y: place.y + index * STEP_PX };
     const shadertoy = await readShadertoy(file);
@@ -93,7 +91,7 @@ async function addEach(editor: Editor, files: readonly DroppedFile[], place: Pla
     if (kind === null) {
       const text = VERTEX_SHADER.test(file.name)
         ? `${file.name} is a vertex shader without its ISF file. Drop both files together.`
-        : `${file.name} has an unsupported format. Supported are models (.glb, .gltf), images (.png, .jpg, .webp), videos (.mp4, .webm), sounds (.mp3, .m4a, .wav, .ogg, .flac), panoramas (.hdr, .exr, or six faces of a cube), LUTs (.cube) and ISF shaders (.fs).`;
+        : `${file.name} has an unsupported format. Supported are models (.glb, .gltf), images (.png, .jpg, .webp), videos (.mp4, .webm), sounds (.mp3, .m4a, .wav, .ogg, .flac), panoramas (.hdr, .exr, or six faces of a cube), splats (.ply, .sog), LUTs (.cube) and ISF shaders (.fs).`;
       addToast(editor.ui, { tone: 'error', text });
       continue;
     }
@@ -114,6 +112,13 @@ async function joinedFaces(editor: Editor, faces: Faces): Promise<DroppedFile | 
     addToast(editor.ui, { tone: 'error', text: error instanceof Error ? error.message : String(error) });
     return null;
   }
+}
+
+/** Packs splats of several files into one file. Shows a message for incomplete ones and leaves them out. */
+async function packSplats(editor: Editor, files: readonly DroppedFile[]): Promise<readonly DroppedFile[]> {
+  const { sog, problem, rest } = await packSog(files);
+  if (problem !== null) addToast(editor.ui, { tone: 'error', text: problem });
+  return sog === null ? rest : [fileOf(sog), ...rest];
 }
 
 const MISSING_FIX = 'Import the model together with all of its files, or as one .glb file.';
@@ -209,18 +214,23 @@ async function textOf(file: DroppedFile): Promise<string> {
 /** Imports a file, or all files of a model, and adds an asset. Returns its id, or null if that failed. */
 export function importAsset(editor: Editor, files: readonly DroppedFile[], kind: FileKind): Promise<string | null> {
   return editor.fileWork(async () => {
-    const { faces } = kind === 'environment' ? splitFaces(files) : { faces: null };
-    const sky = faces && (await joinedFaces(editor, faces));
-    if (faces && !sky) return null;
-    const [first, ...others] = sky ? [sky] : await packModels(editor, files);
-    const file = [first, ...others].find((candidate) => candidate && kindOfFile(candidate.name) === kind) ?? first;
-    if (!file) return null;
-    const imported = await importFile(editor, file, kind);
+    const imported = await importWhole(editor, files, kind);
     if (imported === null) return null;
     const { project } = editor.document.getState();
     const id = makeAssetId(project, imported.path, editor.random);
-    return apply(editor, `Import ${file.name}`, putAsset(project, { id, asset: imported })) ? id : null;
+    const name = imported.path.slice(imported.path.lastIndexOf('/') + 1);
+    return apply(editor, `Import ${name}`, putAsset(project, { id, asset: imported })) ? id : null;
   });
+}
+
+/** Copies one file, all files of a model, or six faces of a panorama into the project. Returns null if that failed. */
+export async function importWhole(editor: Editor, files: readonly DroppedFile[], kind: FileKind): Promise<Asset | null> {
+  const { faces } = kind === 'environment' ? splitFaces(files) : { faces: null };
+  const sky = faces && (await joinedFaces(editor, faces));
+  if (faces && !sky) return null;
+  const [first, ...others] = sky ? [sky] : await packModels(editor, await packSplats(editor, files));
+  const file = [first, ...others].find((candidate) => candidate && kindOfFile(candidate.name) === kind) ?? first;
+  return file ? importFile(editor, file, kind) : null;
 }
 
 async function importFile(editor: Editor, file: DroppedFile, kind: FileKind): Promise<Asset | null> {
@@ -238,46 +248,8 @@ async function importFile(editor: Editor, file: DroppedFile, kind: FileKind): Pr
 
 /** Adds an asset and a node that outputs it, as one undo step. A model is also put into the scene, so that it is visible at once. */
 async function addAssetNode(editor: Editor, file: DroppedFile, kind: FileKind, place: Place): Promise<string | null> {
-  const source = sourceOf(editor.document.getState().library, kind);
   const asset = await importFile(editor, file, kind);
   if (asset === null) return null;
-  const { project, library, graph } = editor.document.getState();
-  const assetId = makeAssetId(project, asset.path, editor.random);
-  if (source === null) {
-    apply(editor, `Import ${file.name}`, putAsset(project, { id: assetId, asset }));
-    return null;
-  }
-  const id = makeNodeId(project, source.type, editor.random);
-  const change = sequence(
-    project,
-    (before) => putAsset(before, { id: assetId, asset }),
-    (before) => addNode(before, { library, graph, id, type: source.type, ...place, params: { [source.param]: assetId } }),
-    kind === 'model' ? showObjects({ node: id, port: 'objects' }, place, { library, random: editor.random }) : unchanged,
-    placeFreely(project, { library, graph, hasThumbnail: editor.preferences.getState().thumbnails }),
-  );
-  if (!apply(editor, `Add ${file.name}`, change)) return null;
-  return kind === 'model' ? selectPlacement(editor, id, project) : id;
-}
-
-/**
- * Scrolls to the nodes that were added with a model. Returns the Transform that places the model, or the model if no Transform was added.
- */
-function selectPlacement(editor: Editor, model: string, before: Project): string {
-  const state = editor.document.getState();
-  const { nodes } = graphOf(state);
-  const added = Object.keys(nodes).filter((id) => before.graphs[state.graph]?.nodes[id] === undefined);
-  const outputs = Object.keys(nodes).filter((id) => nodes[id]?.type === 'output/screen');
-  if (added.length > 1) revealNodes(editor.ui, [...added, ...outputs], 'fit');
-  return added.find((id) => nodes[id]?.type === 'objects/transform') ?? model;
-}
-
-/** The first source node with an asset param of this kind. */
-function sourceOf(library: NodeLibrary, kind: FileKind): { readonly type: string; readonly param: string } | null {
-  for (const type of library.types()) {
-    const definition = library.definition(type);
-    if (definition?.lowering.kind !== 'source') continue;
-    const param = Object.entries(definition.params).find(([, candidate]) => candidate.type === 'asset' && candidate.accept === kind);
-    if (param) return { type, param: param[0] };
-  }
-  return null;
+  const id = makeAssetId(editor.document.getState().project, asset.path, editor.random);
+  return placeAsset(editor, { id, asset, label: `Add ${file.name}` }, place);
 }

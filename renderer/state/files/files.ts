@@ -239,7 +239,7 @@ async function writeCopy(editor: Editor, path: string): Promise<boolean> {
  * Asks for a folder with the native dialog. On hosts without one, opens a dialog that continues with the typed path, and returns
  * null.
  */
-export async function pickFolder(editor: Editor, purpose: 'save-as' | 'export'): Promise<string | null> {
+export async function pickFolder(editor: Editor, purpose: 'save-as'): Promise<string | null> {
   if (editor.document.getState().canPickFolders) return askForFolder(editor, purpose);
   editor.ui.setState({ dialog: { kind: purpose } });
   return null;

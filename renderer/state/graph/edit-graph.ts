@@ -1,5 +1,5 @@
 import { canConnect } from '../../../export/graph/can-connect.ts';
-import { sequence, unchanged } from '../../../export/graph/commands/change.ts';
+import { type Change, sequence, unchanged } from '../../../export/graph/commands/change.ts';
 import { changeType } from '../../../export/graph/commands/change-type.ts';
 import { setCollapsed } from '../../../export/graph/commands/layout-commands.ts';
 import { addNode, removeNodes, setMuted, setUnfused } from '../../../export/graph/commands/node-commands.ts';
@@ -108,11 +108,25 @@ export function reorderWires(editor: Editor, to: PortAddress, from: readonly Por
  */
 export function addNodeFromPalette(
   editor: Editor,
-  { definition, port }: PaletteEntry,
+  entry: PaletteEntry,
   place: Place,
   draggedWire: DraggedWire | null,
   throughWire: string | null = null,
 ): string | null {
+  const { id, change } = additionOf(editor, entry, place, draggedWire, throughWire);
+  if (!apply(editor, `Add ${entry.definition.title}`, change)) return null;
+  selectOnly(editor.selection, [id]);
+  return id;
+}
+
+/** What `addNodeFromPalette` applies, and the id of the new node that it selects. */
+export function additionOf(
+  editor: Editor,
+  { definition, port }: PaletteEntry,
+  place: Place,
+  draggedWire: DraggedWire | null,
+  throughWire: string | null,
+): { readonly id: string; readonly change: Change } {
   const { project, library, graph } = editor.document.getState();
   const { random } = editor;
   const recipe = recipesOf(library).find((known) => known.definition.type === definition.type);
@@ -138,9 +152,7 @@ export function addNodeFromPalette(
     (before) => (throughWire === null ? unchanged(before) : spaceOnWire(editor, id, throughWire)(before)),
     placeFreely(project, { library, graph, hasThumbnail: editor.preferences.getState().thumbnails }),
   );
-  if (!apply(editor, `Add ${definition.title}`, change)) return null;
-  selectOnly(editor.selection, [id]);
-  return id;
+  return { id, change };
 }
 
 export function deleteSelection(editor: Editor): boolean {

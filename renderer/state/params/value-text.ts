@@ -1,5 +1,6 @@
 import type { Binding } from '../../../export/graph/project.ts';
 import type { ParamDefinition, ParamValue } from '../../../nodes/kit/definition.ts';
+import { STOP_NUMBERS } from '../../../nodes/kit/gradient.ts';
 import { formatNumber, shownUnit } from './units.ts';
 
 /** The constant value of a binding; for a track or an expression, the default value. */
@@ -41,6 +42,8 @@ export function valueText(param: ParamDefinition, binding: Binding | undefined):
       return param.options.find((option) => option.value === value)?.label ?? String(value);
     case 'curve':
       return `${numbersOf(value).length / 2} points`;
+    case 'gradient':
+      return `${numbersOf(value).length / STOP_NUMBERS} stops`;
     case 'text':
     case 'asset':
       return String(value);

@@ -61,6 +61,46 @@ test('a subgraph that was open opens again; without it, the main graph', async (
   stop();
 });
 
+test('a recording stands at its first frame when a project opens for the first time; other sources, and projects that were left so, play', async () => {
+  const opened = await openTestEditor();
+  const { editor, clock } = opened;
+  const posted: unknown[] = [];
+  editor.transport.post = (message) => void posted.push(message);
+  const stop = keepViews(editor, memory());
+  /** The project opens while the preview has the state of the project before, `before`. */
+  const load = async (state: 'paused' | 'playing', frames: typeof TIMES | null, before = state) => {
+    const statusOf = (its: typeof state) => ({ state: its, frame: 3, timeS: 0.3, request: 1, late: false }) as never;
+    editor.preview.setState({ playing: null, status: statusOf(before) });
+    await openAgain(opened);
+    posted.length = 0;
+    const status = statusOf(state);
+    const session = { id: 'room', title: 'Room', kind: 'recorded', url: '' } as const;
+    editor.preview.setState({ sources: [session], frames, playing: 1, request: 1, status });
+    return [...posted];
+  };
+  expect(await load('playing', TIMES)).toEqual([
+    { kind: 'transport', action: 'pause' },
+    { kind: 'seek', timeS: 0 },
+  ]);
+  // It is paused, and then left playing.
+  for (const state of ['paused', 'playing']) {
+    editor.preview.setState({ asked: null, status: { ...(editor.preview.getState().status as object), state } as never });
+  }
+  clock.pass(1000);
+  expect(await load('playing', TIMES)).toEqual([]);
+  expect(await load('paused', TIMES)).toEqual([{ kind: 'transport', action: 'play' }]);
+  // A pause while the project loads stays.
+  expect(await load('paused', TIMES, 'playing')).toEqual([]);
+  stop();
+  const stopNew = keepViews(editor, memory());
+  expect(await load('paused', null)).toEqual([{ kind: 'transport', action: 'play' }]);
+  // Choosing a recording afterwards does not pause it.
+  posted.length = 0;
+  editor.preview.setState({ frames: TIMES });
+  expect(posted).toEqual([]);
+  stopNew();
+});
+
 test('a paused recording stands at its frame again when it is loaded', async () => {
   const opened = await openTestEditor();
   const { editor, clock } = opened;
@@ -71,7 +111,9 @@ test('a paused recording stands at its frame again when it is loaded', async () 
   const session = { id: 'room', title: 'Room', kind: 'recorded', url: '' } as const;
   const status = { state: 'paused', frame: 2, timeS: 0.2, request: 1, late: false } as never;
   editor.preview.setState({ sources: [session], frames: TIMES, playing: 1, request: 1, status });
+  editor.preview.setState({ asked: null });
   clock.pass(1000);
+  posted.length = 0;
 
   editor.preview.setState({ frames: null, status: null });
   await openAgain(opened);

@@ -7,7 +7,7 @@ import { chosenSource, frameOf, isLoading } from '../editor/preview-state.ts';
 import { selectOnly } from '../editor/selection.ts';
 import { revealNodes, revealPlace } from '../editor/ui.ts';
 import { pathToGraph } from '../graph/graph-path.ts';
-import { goToFrame, isHeld } from '../preview/playback.ts';
+import { goToFrame, isHeld, lastFrame, togglePlay } from '../preview/playback.ts';
 
 /** Where a person left a project. */
 interface KeptView {
@@ -16,7 +16,13 @@ interface KeptView {
   readonly place: CanvasPlace | null;
   readonly nodes: readonly string[];
   /** The frame at which a recording was paused; null if the preview played, or showed no recording. */
-  readonly held: { readonly source: string; readonly frame: number } | null;
+  readonly held: HeldFrame | null;
+}
+
+interface HeldFrame {
+  /** Id of the preview source; null for any recording. */
+  readonly source: string | null;
+  readonly frame: number;
 }
 
 const KEY = 'scrim-views';
@@ -26,22 +32,28 @@ const PAUSE_MS = 400;
 
 type Kept = Pick<Editor, 'document' | 'canvas' | 'selection' | 'preview' | 'transport' | 'ui' | 'clock'>;
 
+/** What stands in the preview of a project that opens for the first time: a recording at its first frame. Other sources play. */
+const FIRST: HeldFrame = { source: null, frame: 0 };
+
 /**
  * Restores open graph, view, selection and paused frame when a project opens, and stores their changes. The first time, the view fits the
- * whole graph.
+ * whole graph, and a recording is paused at its first frame.
  */
 export function keepViews(editor: Kept, storage: Pick<Storage, 'getItem' | 'setItem'>): () => void {
   const { document, canvas, selection, preview } = editor;
   const kept = new Map(readAll(storage));
   let path: string | null = null;
-  /** The frame to go to when the recording is loaded. */
-  let wanted: KeptView['held'] = null;
+  /** What the preview does once the source of the opened project is loaded. */
+  let wanted: HeldFrame | 'play' | null = null;
+  /** Whether the preview of the project before was paused. A pause since then is of the person and stays. */
+  let wasHeld = false;
 
   const store = () => {
     if (path === null) return;
     const { graph } = document.getState();
     kept.delete(path);
-    kept.set(path, { graph, place: canvas.getState().shown, nodes: [...selection.getState().nodes], held: wanted ?? heldFrame(editor) });
+    const held = wanted === null ? heldFrame(editor) : wanted === 'play' ? null : wanted;
+    kept.set(path, { graph, place: canvas.getState().shown, nodes: [...selection.getState().nodes], held });
     for (const oldest of kept.keys()) if (kept.size > MOST) kept.delete(oldest);
     storage.setItem(KEY, JSON.stringify([...kept]));
   };
@@ -74,15 +86,18 @@ export function keepViews(editor: Kept, storage: Pick<Storage, 'getItem' | 'setI
     if (path === null || sameWork) return;
     const view = kept.get(path) ?? null;
     // A project that was loaded again plays on.
-    wanted = path === before ? null : (view?.held ?? null);
+    wanted = path === before ? null : view === null ? FIRST : (view.held ?? 'play');
+    wasHeld = isHeld(preview.getState());
     restore(view);
   };
   const seek = () => {
     const state = preview.getState();
-    if (wanted === null || state.frames === null || isLoading(state)) return;
-    const { source, frame } = wanted;
+    if (wanted === null || isLoading(state)) return;
+    const to = wanted;
     wanted = null;
-    if (chosenSource(state)?.id === source) goToFrame(editor, Math.min(frame, state.frames.timesS.length - 1));
+    const stands = to !== 'play' && state.frames !== null && (to.source === null || chosenSource(state)?.id === to.source);
+    if (stands) goToFrame(editor, Math.min(to.frame, lastFrame(state)));
+    else if (wasHeld && isHeld(state)) togglePlay(editor);
   };
   const stops = [
     document.subscribe((state, before) => {
@@ -125,6 +140,7 @@ function isEntry(value: unknown): value is [string, KeptView] {
   if (!Array.isArray(value) || typeof value[0] !== 'string') return false;
   const { graph, place, nodes, held } = (value[1] ?? {}) as Partial<KeptView>;
   const isPlace = place === null || [place?.x, place?.y, place?.zoom].every(Number.isFinite);
-  const isHeldFrame = held === null || (typeof held?.source === 'string' && Number.isInteger(held.frame) && held.frame >= 0);
+  const isHeldFrame =
+    held === null || ((held?.source === null || typeof held?.source === 'string') && Number.isInteger(held.frame) && held.frame >= 0);
   return typeof graph === 'string' && isPlace && Array.isArray(nodes) && nodes.every((id) => typeof id === 'string') && isHeldFrame;
 }

@@ -15,12 +15,13 @@ describe('the layout of panels', () => {
     expect(height - sizes.previewHeightPx).toBeGreaterThan(height * 0.4);
   });
 
-  test('keeps stored sizes and the dock, and replaces invalid ones', () => {
-    const stored = '{"sideWidthPx":500,"previewHeightPx":-3,"bottomHeightPx":"x","dock":"left"}';
-    const { sizes, dock } = loadLayout(storing(stored), 1440, 900);
+  test('keeps stored sizes, the dock and the device frame, and replaces invalid ones', () => {
+    const stored = '{"sideWidthPx":500,"previewHeightPx":-3,"bottomHeightPx":"x","dock":"left","frame":"phone"}';
+    const { sizes, dock, frame } = loadLayout(storing(stored), 1440, 900);
     const defaults = loadLayout(storing('[nonsense'), 1440, 900).sizes;
     expect(dock).toBe('left');
+    expect(frame).toBe('phone');
     expect(sizes).toEqual({ ...defaults, sideWidthPx: 500 });
-    expect(loadLayout(storing('{"dock":"above"}'), 1440, 900).dock).toBe('right');
+    expect(loadLayout(storing('{"dock":"above","frame":"tv"}'), 1440, 900)).toMatchObject({ dock: 'right', frame: 'auto' });
   });
 });

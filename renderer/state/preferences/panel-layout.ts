@@ -1,17 +1,22 @@
 import { debounce } from '../../clock.ts';
 import type { Editor } from '../editor/editor.ts';
+import { DEVICE_FRAMES, type PreviewState } from '../editor/preview-state.ts';
 import { DEFAULT_SIZES, DOCKS, type Dock, type PanelSizes } from '../editor/ui.ts';
 
 /** The stored part of the layout of panels. */
 export interface PanelLayout {
   readonly sizes: PanelSizes;
   readonly dock: Dock;
+  /** The device frame of the preview. */
+  readonly frame: PreviewState['frame'];
 }
 
 const KEY = 'scrim-panels';
 const PAUSE_MS = 300;
-/** Fraction of the window's width that preview and inspector get. */
+/** Fraction of the window's width that the image of the preview gets. */
 const SIDE_FRACTION = 0.4;
+/** Width of the rail beside the image. */
+const RAIL_PX = 33;
 /** Height ÷ width of a new preview, without its transport. */
 const PREVIEW_SHAPE = 0.7;
 const TRANSPORT_PX = 38;
@@ -22,7 +27,7 @@ const NARROW_SIZES = { bottomHeightPx: 250, helpWidthPx: 240 };
 
 /** Reads the stored layout. Missing or invalid values become defaults, which depend on the size of the window. */
 export function loadLayout(storage: Pick<Storage, 'getItem'>, windowWidthPx: number, windowHeightPx: number): PanelLayout {
-  let saved: Partial<Record<keyof PanelSizes | 'dock', unknown>> = {};
+  let saved: Partial<Record<keyof PanelSizes | 'dock' | 'frame', unknown>> = {};
   try {
     saved = (JSON.parse(storage.getItem(KEY) ?? '{}') ?? {}) as typeof saved;
   } catch {
@@ -43,32 +48,38 @@ export function loadLayout(storage: Pick<Storage, 'getItem'>, windowWidthPx: num
       inspectorWidthPx: size('inspectorWidthPx'),
     },
     dock: DOCKS.find((dock) => dock === saved.dock) ?? 'right',
+    frame: DEVICE_FRAMES.find((frame) => frame === saved.frame) ?? 'auto',
   };
 }
 
 function sizesFor(windowWidthPx: number, windowHeightPx: number): PanelSizes {
-  const sideWidthPx = Math.round(windowWidthPx * SIDE_FRACTION);
-  const shapedPx = sideWidthPx * PREVIEW_SHAPE + TRANSPORT_PX;
+  const imageWidthPx = Math.round(windowWidthPx * SIDE_FRACTION);
+  const shapedPx = imageWidthPx * PREVIEW_SHAPE + TRANSPORT_PX;
   return {
     ...DEFAULT_SIZES,
     ...(windowWidthPx < NARROW_PX ? NARROW_SIZES : {}),
-    sideWidthPx,
+    sideWidthPx: imageWidthPx + RAIL_PX,
     previewHeightPx: Math.round(Math.min(shapedPx, windowHeightPx * (1 - INSPECTOR_FRACTION))),
     belowHeightPx: Math.round(windowHeightPx * 0.5),
   };
 }
 
 /** Stores the layout after each change. */
-export function keepLayout({ ui, clock }: Editor, storage: Pick<Storage, 'setItem'>): () => void {
+export function keepLayout({ ui, preview, clock }: Editor, storage: Pick<Storage, 'setItem'>): () => void {
   const keep = debounce(clock, PAUSE_MS, () => {
     const { sizes, dock } = ui.getState();
-    storage.setItem(KEY, JSON.stringify({ ...sizes, dock }));
+    storage.setItem(KEY, JSON.stringify({ ...sizes, dock, frame: preview.getState().frame }));
   });
-  const stop = ui.subscribe((state, before) => {
-    if (state.sizes !== before.sizes || state.dock !== before.dock) keep.trigger();
-  });
+  const stops = [
+    ui.subscribe((state, before) => {
+      if (state.sizes !== before.sizes || state.dock !== before.dock) keep.trigger();
+    }),
+    preview.subscribe((state, before) => {
+      if (state.frame !== before.frame) keep.trigger();
+    }),
+  ];
   return () => {
-    stop();
+    for (const stop of stops) stop();
     keep.cancel();
   };
 }

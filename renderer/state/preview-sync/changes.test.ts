@@ -35,11 +35,13 @@ describe('what follows from a change', () => {
     expect(back).toEqual({ kind: 'params', edits: [{ graph: 'main', node: id, param: 'radius', value: byDefault }] });
   });
 
-  test('so does a curve', async () => {
-    const { editor, id } = await withNode('filter/curves');
-    const value = [0, 0.1, 0.5, 0.75, 1, 1];
-    const edits = [{ graph: 'main', node: id, param: 'all', value }];
-    expect(consequence(editor, () => editParam(editor, id, 'all', value))).toEqual({ kind: 'params', edits });
+  test.each([
+    ['curve', 'filter/curves', 'all', [0, 0.1, 0.5, 0.75, 1, 1]],
+    ['gradient', 'filter/gradient-map', 'gradient', [0, 1, 0, 0, 1, 2, 1, 0, 0, 1, 1, 0]],
+  ])('so does a %s', async (_, type, param, value) => {
+    const { editor, id } = await withNode(type);
+    const edits = [{ graph: 'main', node: id, param, value }];
+    expect(consequence(editor, () => editParam(editor, id, param, value))).toEqual({ kind: 'params', edits });
   });
 
   test('moving changes nothing that plays', async () => {

@@ -3,9 +3,9 @@ import { createCompiler } from '../../../export/compiler/compile.ts';
 import type { Graph } from '../../../export/graph/project.ts';
 import type { FakeHost } from '../../../tests/support/fake-host.ts';
 import { LIBRARY } from '../../../tests/support/library.ts';
+import { createSlowCompiler } from '../../../tests/support/slow-compiler.ts';
 import { openTestEditor } from '../../../tests/support/test-editor.ts';
 import type { ToPreview } from '../../preview-protocol.ts';
-import type { CompileAnswer, CompileRequest, CompilerWorker } from '../compile/compiler-link.ts';
 import { undo } from '../document/apply.ts';
 import { editShader, shaderOf } from '../document/edit-shader.ts';
 import type { Editor } from '../editor/editor.ts';
@@ -17,27 +17,12 @@ import { createSubgraph, leaveSubgraph, openSubgraph, setPortExposed } from '../
 import { editParam } from '../params/edit-params.ts';
 import { createPreviewSync, type PreviewSync } from './preview-sync.ts';
 
-/** The real compiler, which answers when it is told to. */
-function createSlowWorker() {
-  const compiler = createCompiler();
-  const waiting: CompileRequest[] = [];
-  const worker: CompilerWorker = { postMessage: (request) => void waiting.push(request), onmessage: null, terminate: () => {} };
-  const answer = () => {
-    const request = waiting.shift();
-    if (!request) throw new Error('Nothing was asked.');
-    const { output, diagnostics, above } = compiler.compile({ project: request.project, library: LIBRARY });
-    const data: CompileAnswer = { revision: request.revision, program: output, diagnostics, above, tookMs: 1 };
-    worker.onmessage?.({ data } as MessageEvent<CompileAnswer>);
-  };
-  return { worker, waiting, answer };
-}
-
 describe('the way from document to preview', () => {
   let editor: Editor;
   let host: FakeHost;
   let previewSync: PreviewSync;
   let sent: ToPreview[];
-  let worker: ReturnType<typeof createSlowWorker>;
+  let worker: ReturnType<typeof createSlowCompiler>;
   let blur: string;
 
   const add = (type: string) => {
@@ -54,7 +39,7 @@ describe('the way from document to preview', () => {
 
   beforeEach(async () => {
     ({ editor, host } = await openTestEditor());
-    worker = createSlowWorker();
+    worker = createSlowCompiler();
     previewSync = createPreviewSync(editor, worker.worker);
     sent = [];
     previewSync.attach((message) => void sent.push(message));
@@ -209,7 +194,19 @@ describe('the way from document to preview', () => {
     expect(editor.compile.getState().diagnostics.some(({ severity }) => severity === 'error')).toBe(true);
     expect(editor.compile.getState().program).toBe(program);
     previewSync.receive({ kind: 'ready' });
-    expect(kinds()).toEqual(['physics', 'physics-view', 'program', 'trials', 'thumbnails', 'viewer', 'cost', 'gizmo', 'picking', 'keys']);
+    expect(kinds()).toEqual([
+      'render-size',
+      'physics',
+      'physics-view',
+      'program',
+      'trials',
+      'thumbnails',
+      'viewer',
+      'cost',
+      'gizmo',
+      'picking',
+      'keys',
+    ]);
   });
 
   test('the preview counts as loading from the moment another source is chosen until it is there', () => {

@@ -13,6 +13,7 @@ import { createGizmoSync } from '../gizmo/apply-gizmo.ts';
 import { previewRange } from '../preview/playback.ts';
 import { previewSource } from '../preview/preview-source.ts';
 import { saveRecordedSession } from '../preview/record-session.ts';
+import { createCandidateSync, isCandidate } from './candidate-sync.ts';
 import { consequenceOf } from './changes.ts';
 import { type PlacedEdit, placesOf } from './param-places.ts';
 import { createPosterRequests } from './preview-posters.ts';
@@ -73,6 +74,7 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
     const { program, programRevision: revision } = editor.compile.getState();
     if (program === null || revision === null) return;
     post({ kind: 'program', revision, program });
+    candidates.replaced();
     setPending(pending.filter((edit) => edit.revision > revision));
     for (const edit of pending) postEdit(edit);
     if (pending.some((edit) => !hasSlot(program, edit))) compile();
@@ -97,12 +99,17 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
     post({ kind: 'physics', action: paused ? 'pause' : 'play' });
     post({ kind: 'physics-view', bodies: showsBodies, voxels: showsVoxels });
   };
+  const postSize = () => post({ kind: 'render-size', size: editor.preferences.getState().renderSize });
+  const stopSize = editor.preferences.subscribe((state, before) => {
+    if (state.renderSize !== before.renderSize) postSize();
+  });
   const compiler: CompilerLink = createCompilerLink(worker, (answer, more) => {
-    if (answer.revision < since) return;
+    if (candidates.receive(answer) || answer.revision < since) return;
     storeAnswer(editor, answer, more);
     trials.storeAnswer(answer);
     if (answer.program !== null) postProgram();
   });
+  const candidates = createCandidateSync(editor, { request: compiler.request, post, restore: () => postProgram() });
   const compile = () => {
     const { revision, project, open } = editor.document.getState();
     if (open === null) return;
@@ -124,6 +131,7 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
       editor.preview.setState({ diagnostics: [], shaderDiagnostics: [], playing: null, sessionRecording: 'no' });
     }
     const consequence = reopened ? { kind: 'program' as const } : consequenceOf(before.project, state.project, state.library);
+    candidates.documentChanged(consequence.kind === 'program');
     if (consequence.kind === 'program') compile();
     if (consequence.kind === 'params') {
       const places = consequence.edits.map((edit) => placesOf(state.project, edit));
@@ -152,6 +160,7 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
         // A page that was loaded again records nothing.
         editor.preview.setState({ ready: true, sessionRecording: 'no' });
         asked = '';
+        postSize();
         postSource();
         if (editor.preview.getState().roomLight) postLight();
         postPhysics();
@@ -164,7 +173,7 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
         if (message.revision >= since) editor.preview.setState({ playing: message.revision });
         return;
       case 'diagnostics':
-        editor.preview.setState({ diagnostics: message.diagnostics });
+        if (!isCandidate(message.revision)) editor.preview.setState({ diagnostics: message.diagnostics });
         return;
       case 'shader-errors':
         storeShaderErrors(editor, message);
@@ -208,10 +217,11 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
       case 'key':
         gizmoSync.receive(message);
         return;
-      // Only frame render pages send these.
+      // Only pages that render frames or pictures of models send these.
       case 'frame-rendered':
       case 'render-finished':
       case 'render-failed':
+      case 'model-drawn':
         return;
       default:
         message satisfies never;
@@ -235,7 +245,9 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
     dispose: () => {
       stopDocument();
       stopSource();
+      stopSize();
       viewerSync.dispose();
+      candidates.dispose();
       gizmoSync.dispose();
       compiler.dispose();
     },

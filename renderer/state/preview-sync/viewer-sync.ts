@@ -8,6 +8,9 @@ const THUMBNAIL_HEIGHT_PX = 192;
 /** While the canvas is panned, thumbnails appear and disappear. Waits for a pause before recompiling. */
 const PAUSE_MS = 200;
 
+/** Parts of the viewer that the preview shows or reads. */
+const SHOWN = ['left', 'right', 'split', 'probing'] as const;
+
 /** Keeps program and preview in sync with the viewer, the thumbnails and the performance overlay. */
 export interface ViewerSync {
   /** Layers that the next program must keep for viewing; see `CompileOptions`. */
@@ -38,9 +41,9 @@ export function createViewerSync(editor: Editor, post: (message: ToPreview) => v
     if (!isCompiled || viewedLayers(editor).join() !== compiledTaps) compile();
   };
   const sendAll = () => {
-    const { left, right, split, probing } = editor.viewer.getState();
+    const { left, right, split } = editor.viewer.getState();
     post({ kind: 'thumbnails', ports: editor.thumbnails.wanted(), heightPx: THUMBNAIL_HEIGHT_PX });
-    post({ kind: 'viewer', left, right, split: split ?? 1, probed: probing ? probedLayer(editor) : null });
+    post({ kind: 'viewer', left, right, split: split ?? 1, probed: probedLayer(editor) });
     post({ kind: 'cost', on: editor.costs.getState().on });
   };
   const settle = debounce(editor.clock, PAUSE_MS, () => {
@@ -52,8 +55,8 @@ export function createViewerSync(editor: Editor, post: (message: ToPreview) => v
     if (state.on !== before.on) sendAll();
   });
   const stop = editor.viewer.subscribe((state, before) => {
-    if (state.left === before.left && state.right === before.right && state.split === before.split && state.probing === before.probing)
-      return;
+    const isSame = SHOWN.every((part) => state[part] === before[part]) && state.picking?.layer === before.picking?.layer;
+    if (isSame) return;
     sendAll();
     compileIfNeeded();
   });

@@ -15,14 +15,15 @@ function screenLayer({ project }: DocumentState): string | null {
 
 /** The layers that the program must keep for viewing, besides thumbnails. */
 export function viewedLayers(editor: Pick<Editor, 'viewer' | 'document'>): readonly string[] {
-  const { left, right, probing } = editor.viewer.getState();
-  const layers = [left, right, probing ? probedLayer(editor) : null];
+  const { left, right } = editor.viewer.getState();
+  const layers = [left, right, probedLayer(editor)];
   return [...new Set(layers.flatMap((layer) => layer ?? []))].sort();
 }
 
-/** The layer whose depth the pixel probe reads. */
+/** The layer whose depth the eyedropper or the pixel probe reads; null while neither reads one. */
 export function probedLayer({ viewer, document }: Pick<Editor, 'viewer' | 'document'>): string | null {
-  return viewer.getState().left ?? screenLayer(document.getState());
+  const { left, probing, picking } = viewer.getState();
+  return picking?.layer ?? (probing ? (left ?? screenLayer(document.getState())) : null);
 }
 
 function selectedLayer({ document, selection }: Editor): string | null {

@@ -19,8 +19,10 @@ export interface ForeignShader {
 
 /**
  * Adds a shader file to the project and a node for it, as one undo step. Returns the node id, or null after an error, which is shown.
+ *
+ * @param key Changes with the same key follow in the same undo step.
  */
-export function addShader(editor: Editor, file: ForeignShader, place: Place): string | null {
+export function addShader(editor: Editor, file: ForeignShader, place: Place, key?: string): string | null {
   const { text, vertex } = file;
   const { project, graph } = editor.document.getState();
   const name = freeShaderName(project, file.name);
@@ -47,7 +49,7 @@ export function addShader(editor: Editor, file: ForeignShader, place: Place): st
     ...(vertex === undefined ? [] : [(before: Project) => setSource(before, { base, readShader, file: companionOf(name), text: vertex })]),
     (before) => addNode(before, { library: editor.libraries.of(before), graph, id, type, ...place }),
   );
-  return apply(editor, `Add ${name}`, change) ? id : null;
+  return apply(editor, `Add ${name}`, change, key) ? id : null;
 }
 
 function freeShaderName({ sources }: Project, wanted: string): string {

@@ -7,7 +7,7 @@ import { linkProgram } from '../../../nodes/kit/link-program.ts';
 import { type Drawn, drawnPixel, measureFrames } from './frame-ms.ts';
 
 /** Draws the same effects over the same image as a page without Scrim would. */
-export type Contender = 'by hand' | 'postprocessing' | 'EffectComposer';
+export type Contender = 'by hand' | 'by hand, any alpha' | 'postprocessing' | 'EffectComposer';
 
 /**
  * Opens a contender.
@@ -44,7 +44,8 @@ let stage: Drawn | null = null;
 
 const CONTENDERS: Readonly<Record<Contender, (canvas: HTMLCanvasElement, imageUrl: string, effects: readonly string[]) => Promise<Drawn>>> =
   {
-    'by hand': byHand,
+    'by hand': (...page) => byHand(...page, OPAQUE),
+    'by hand, any alpha': (...page) => byHand(...page, ANY_ALPHA),
     postprocessing: withPostprocessing,
     EffectComposer: withEffectComposer,
   };
@@ -56,8 +57,18 @@ void main() {
   gl_Position = vec4(at * 2.0 - 1.0, 0.0, 1.0);
 }`;
 
+/** The statement of a shader by hand that applies an effect to a color `c`. */
+type Step = (effect: string) => string;
+
+/** For images without transparency. */
+const OPAQUE: Step = (effect) => `c.rgb = rounded(clamp(${effect}(c.rgb), 0.0, 1.0));`;
+
+/** For all images: effects get colors that are not multiplied by alpha. */
+const ANY_ALPHA: Step = (effect) =>
+  `c.rgb = rounded(clamp(${effect}(c.a > 0.0 ? c.rgb / c.a : vec3(0.0)), 0.0, 1.0) * c.a); c.a = rounded(vec3(c.a)).r;`;
+
 /** One shader, which rounds to 8 bits after each effect, as Scrim does. */
-async function byHand(canvas: HTMLCanvasElement, imageUrl: string, effects: readonly string[]): Promise<Drawn> {
+async function byHand(canvas: HTMLCanvasElement, imageUrl: string, effects: readonly string[], step: Step): Promise<Drawn> {
   const gl = canvas.getContext('webgl2', { antialias: false, alpha: true });
   if (!gl) throw new Error('The browser has no WebGL 2.');
   const image = new Image();
@@ -69,10 +80,10 @@ in vec2 at;
 out vec4 color;
 uniform sampler2D image;
 ${effects.join('\n')}
-vec3 rounded(vec3 c) { return roundEven(clamp(c, 0.0, 1.0) * 255.0) / 255.0; }
+vec3 rounded(vec3 c) { return roundEven(c * 255.0) / 255.0; }
 void main() {
   vec4 c = texture(image, at);
-  ${effects.map((_, i) => `c.rgb = rounded(effect${i}(c.rgb));`).join('\n  ')}
+  ${effects.map((_, i) => step(`effect${i}`)).join('\n  ')}
   color = c;
 }`;
   const program = linkProgram(gl, FULL_SCREEN, fragment);

@@ -22,3 +22,13 @@ export function drawnPixel({ gl, draw }: Drawn, x: number, y: number): number[] 
   gl.readPixels(x, y, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
   return [...pixel];
 }
+
+/** The colors of pixels after one frame, RGBA. Origin bottom left. */
+export function drawnPixels({ gl, draw }: Drawn, places: readonly (readonly [x: number, y: number])[]): number[][] {
+  draw(1 / 60);
+  const pixel = new Uint8Array(4);
+  return places.map(([x, y]) => {
+    gl.readPixels(x, y, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+    return [...pixel];
+  });
+}

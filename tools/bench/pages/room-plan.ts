@@ -9,8 +9,12 @@ export interface RoomPlan {
   readonly shadow: boolean;
   /** Filter of the shadow map. The three.js page always uses `PCFShadowMap`, which corresponds to `pcf`. */
   readonly filter: 'basic' | 'pcf' | 'soft' | 'vsm' | 'pcss';
+  /** Uses the depth as it is measured, without filling holes, which three.js has no counterpart for. */
+  readonly plainDepth?: true;
   /** Draws the models by one model node and an Array node, instead of one model node per model. */
   readonly copies?: true;
+  /** Counts the calls of WebGL, which slows frames down. */
+  readonly counted?: true;
 }
 
 /** Scale of the model, an antique camera. In its file it is about 7 units tall. */

@@ -3,12 +3,14 @@ import type { Program } from '../../../export/program/program.ts';
 import { coverCanvas, createSessionFrame } from '../../../export/runtime/sessions/session-frame.ts';
 import type { Session } from '../../../nodes/kit/session.ts';
 import { type Drawn, measureFrames } from './frame-ms.ts';
+import { countCalls, type GlCalls, startCounting } from './gl-calls.ts';
 import { createGpuBytes, type GpuBytes } from './gpu-bytes.ts';
 import { type MeasuredPlayer, openPlayer } from './measured-player.ts';
 import { AMBIENT, EYE_M, FOV_DEG, LOOK_M, type RoomPlan, SUN_IRRADIANCE, TOWARDS_SUN } from './room-plan.ts';
 
 /** Plays a program like an AR device with constant depth and light. The cost of WebXR itself is measured separately. */
 export async function open(program: Program, plan: RoomPlan): Promise<void> {
+  if (plan.counted) startCounting();
   const canvas = document.createElement('canvas');
   canvas.width = plan.widthPx;
   canvas.height = plan.heightPx;
@@ -90,6 +92,12 @@ export function frameMs(count: number): number {
   if (drawn?.gl.isContextLost()) throw new Error(LOST);
   if (!drawn) throw new Error('Nothing is open.');
   return measureFrames(drawn, count);
+}
+
+/** Calls of WebGL in one frame, of a counted plan. */
+export function glCalls(): GlCalls {
+  if (!drawn) throw new Error('Nothing is open.');
+  return countCalls(drawn);
 }
 
 /** Bytes of all textures on the GPU. */

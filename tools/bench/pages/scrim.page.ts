@@ -1,6 +1,7 @@
 import type { Program } from '../../../export/program/program.ts';
 import { createOrbitSession } from '../../../export/runtime/sessions/orbit/orbit-session.ts';
-import { type Drawn, drawnPixel, measureFrames } from './frame-ms.ts';
+import { countFrame, type FrameFacts } from './frame-facts.ts';
+import { type Drawn, drawnPixel, drawnPixels, measureFrames } from './frame-ms.ts';
 import { type MeasuredPlayer, openPlayer } from './measured-player.ts';
 
 /** Plays a program like a page without AR, with a manual clock. */
@@ -9,8 +10,8 @@ export async function open(program: Program, assetsUrl: string, widthPx: number,
   canvas.style.width = `${widthPx}px`;
   canvas.style.height = `${heightPx}px`;
   document.body.append(canvas);
-  const { antialias, around } = program.presentation;
-  const gl = canvas.getContext('webgl2', { alpha: true, antialias, depth: true, stencil: false });
+  const { antialias, around, screenDepth } = program.presentation;
+  const gl = canvas.getContext('webgl2', { alpha: true, antialias, depth: screenDepth !== 'none', stencil: false });
   if (!gl) throw new Error('The browser has no WebGL 2.');
   const measured = await openPlayer(gl, canvas, program, new URL(assetsUrl, document.baseURI).href);
   const { player, clock } = measured;
@@ -41,6 +42,18 @@ export function frameMs(count: number): number {
 export function pixelAt(x: number, y: number): number[] {
   if (!stage) throw new Error('Nothing is open.');
   return drawnPixel(stage, x, y);
+}
+
+/** The colors of pixels after a frame, RGBA. Origin bottom left. */
+export function pixelsAt(places: readonly (readonly [x: number, y: number])[]): number[][] {
+  if (!stage) throw new Error('Nothing is open.');
+  return drawnPixels(stage, places);
+}
+
+/** Passes and targets of a frame without objects. */
+export function facts(): FrameFacts {
+  if (!stage) throw new Error('Nothing is open.');
+  return countFrame(stage);
 }
 
 let stage: (Drawn & { readonly measured: MeasuredPlayer }) | null = null;

@@ -1,7 +1,9 @@
 import {
   BackSide,
   Color,
+  DataTexture,
   DirectionalLight,
+  FloatType,
   Group,
   Mesh,
   MeshBasicMaterial,
@@ -9,13 +11,16 @@ import {
   PerspectiveCamera,
   PlaneGeometry,
   PMREMGenerator,
+  RedFormat,
   Scene,
+  ShaderMaterial,
   ShadowMaterial,
   SphereGeometry,
   WebGLRenderer,
 } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { type Drawn, measureFrames } from './frame-ms.ts';
+import { countCalls, type GlCalls, startCounting } from './gl-calls.ts';
 import {
   AMBIENT,
   CAMERA_SCALE,
@@ -34,6 +39,7 @@ import {
  * Opens the scene of the room benches as an experienced developer writes it in three.js: shared geometry, environment, sun, shadows, floor.
  */
 export async function open(modelUrl: string, plan: RoomPlan): Promise<void> {
+  if (plan.counted) startCounting();
   const renderer = new WebGLRenderer({ antialias: true, alpha: true });
   renderer.setSize(plan.widthPx, plan.heightPx, false);
   document.body.append(renderer.domElement);
@@ -57,6 +63,7 @@ export async function open(modelUrl: string, plan: RoomPlan): Promise<void> {
     floor.receiveShadow = true;
     scene.add(floor);
   }
+  if (plan.occlusion) scene.add(roomDepth(camera));
   const gltf = await new GLTFLoader().loadAsync(modelUrl);
   for (const place of placesOf(plan.count)) {
     const model = new Group().add(gltf.scene.clone());
@@ -81,10 +88,37 @@ function white(renderer: WebGLRenderer): Scene['environment'] {
   return texture;
 }
 
+/** Room depth that says 20 m everywhere, drawn before all objects as three.js draws the depth of WebXR: it hides them by the depth test. */
+function roomDepth(camera: PerspectiveCamera): Mesh {
+  const samples = new DataTexture(new Float32Array(160 * 90).fill(20), 160, 90, RedFormat, FloatType);
+  samples.needsUpdate = true;
+  const material = new ShaderMaterial({
+    uniforms: { depth: { value: samples }, projection: { value: camera.projectionMatrix } },
+    vertexShader: 'varying vec2 at; void main() { at = uv; gl_Position = vec4(position.xy, 1.0, 1.0); }',
+    fragmentShader: `uniform sampler2D depth; uniform mat4 projection; varying vec2 at;
+      void main() {
+        vec4 clip = projection * vec4(0.0, 0.0, -texture2D(depth, at).x, 1.0);
+        gl_FragDepth = 0.5 + 0.5 * clip.z / clip.w;
+        gl_FragColor = vec4(0.0);
+      }`,
+    colorWrite: false,
+  });
+  const quad = new Mesh(new PlaneGeometry(2, 2), material);
+  quad.frustumCulled = false;
+  quad.renderOrder = -1;
+  return quad;
+}
+
 /** Milliseconds per frame over `count` frames; see `measureFrames`. */
 export function frameMs(count: number): number {
   if (!drawn) throw new Error('Nothing is open.');
   return measureFrames(drawn, count);
+}
+
+/** Calls of WebGL in one frame, of a counted plan. */
+export function glCalls(): GlCalls {
+  if (!drawn) throw new Error('Nothing is open.');
+  return countCalls(drawn);
 }
 
 /** The image as a data URL, for a person to look at. */

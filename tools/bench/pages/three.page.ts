@@ -1,32 +1,18 @@
 import {
-  AnimationMixer,
   Color,
   DirectionalLight,
-  Group,
   HemisphereLight,
-  Mesh,
-  MeshStandardMaterial,
   PCFShadowMap,
   PerspectiveCamera,
-  PlaneGeometry,
   Scene,
   ShaderMaterial,
-  ShadowMaterial,
   WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { FullScreenQuad } from 'three/addons/postprocessing/Pass.js';
-import { clone } from 'three/addons/utils/SkeletonUtils.js';
 import { type Drawn, measureFrames } from './frame-ms.ts';
-
-/** Pose of a robot: meters, and radians about the vertical axis. */
-export interface Standing {
-  readonly x: number;
-  readonly z: number;
-  readonly turn: number;
-  readonly scale: number;
-}
+import { addRobots, createFloor, type Standing } from './robots-on-floor.ts';
 
 /**
  * Opens the first example, or a template, as somebody who knows three.js writes it by hand: the same model at the same places, light,
@@ -59,27 +45,10 @@ export async function open(
   Object.assign(sun.shadow.camera, { left: -1.5, right: 1.5, top: 1.5, bottom: -1.5, near: 0.1, far: 8 });
   scene.add(sun);
 
-  const floor = new Mesh(new PlaneGeometry(5, 4.5), new ShadowMaterial({ opacity: 0.55 }));
-  floor.rotation.x = -Math.PI / 2;
-  floor.receiveShadow = true;
-  scene.add(floor);
+  scene.add(createFloor());
 
   const gltf = await new GLTFLoader().loadAsync(modelUrl);
-  const mixers = robots.map(({ x, z, turn, scale }) => {
-    const robot = new Group().add(clone(gltf.scene));
-    robot.position.set(x, 0, z);
-    robot.rotation.y = turn;
-    robot.scale.setScalar(scale);
-    robot.traverse((part) => {
-      if (!(part instanceof Mesh)) return;
-      part.castShadow = true;
-      part.receiveShadow = part.material instanceof MeshStandardMaterial;
-    });
-    scene.add(robot);
-    const mixer = new AnimationMixer(robot);
-    for (const clip of gltf.animations) mixer.clipAction(clip).play();
-    return mixer;
-  });
+  const mixers = addRobots(scene, gltf, robots);
 
   const render = filtered ? throughFilter(renderer, scene, camera, widthPx, heightPx) : () => renderer.render(scene, camera);
   stage = {

@@ -1,7 +1,8 @@
 import type { Binding } from '../../../export/graph/project.ts';
 import type { ParamValue } from '../../../nodes/kit/definition.ts';
+import { BRACKET } from './bracket-stops.ts';
 import type { Recipe } from './recipe.ts';
-import { HANDS } from './room.ts';
+import { HANDS, SHOTS } from './room.ts';
 
 interface VideoFilter extends Pick<Recipe, 'folder' | 'figure' | 'title' | 'description'> {
   readonly filter: string;
@@ -16,6 +17,43 @@ function videoThrough({ filter, params = {}, bindings = {}, ...about }: VideoFil
     nodes: { video: ['source/camera-video', 0, 0], filter: [filter, 1, 0, params], screen: ['output/screen', 2, 0] },
     wires: ['video.layer -> filter.inputImage', 'filter.layer -> screen.layer'],
     bindings: Object.fromEntries(Object.entries(bindings).map(([param, binding]) => [`filter.${param}`, binding])),
+  };
+}
+
+/**
+ * Two bracketed photographs as one scene layer: the long exposure, and where it is nearly white the short one, each in the light of the
+ * exposure 0. A Tone map then exposes them again.
+ */
+function exposedBy(stops: number, about: Pick<Recipe, 'folder' | 'figure' | 'title' | 'description'>): Recipe {
+  return {
+    ...about,
+    nodes: {
+      long: ['source/image-file', 0, 0, { file: 'shot-long' }],
+      short: ['source/image-file', 0, 1, { file: 'shot-short' }],
+      clipped: ['filter/mask-from-layer', 1, 2, { low: 0.8, high: 0.97 }],
+      cut: ['operator/mask', 2, 1],
+      corners: ['filter/to-scene', 2, 0],
+      outside: ['filter/to-scene', 3, 1],
+      darken: ['filter/hdr-exposure', 3, 0, { stops: -BRACKET.long }],
+      brighten: ['filter/hdr-exposure', 4, 1, { stops: -BRACKET.short }],
+      merge: ['operator/over', 5, 0],
+      expose: ['filter/tone-map', 6, 0, { curve: 4, stops }],
+      screen: ['output/screen', 7, 0],
+    },
+    wires: [
+      'long.layer -> clipped.inputImage',
+      'short.layer -> cut.inputImage',
+      'clipped.layer -> cut.mask',
+      'long.layer -> corners.inputImage',
+      'cut.layer -> outside.inputImage',
+      'corners.layer -> darken.inputImage',
+      'outside.layer -> brighten.inputImage',
+      'darken.layer -> merge.bottom',
+      'brighten.layer -> merge.top',
+      'merge.layer -> expose.inputImage',
+      'expose.layer -> screen.layer',
+    ],
+    assets: SHOTS,
   };
 }
 
@@ -78,23 +116,21 @@ export const FILTERS: readonly Recipe[] = [
     description: 'Twists the room around its center, back and forth.',
     filter: 'filter/swirl',
     bindings: { angle: { expression: '2.2 + 2.2 * sin(time)' } },
-    params: { radius: 260 },
+    params: { radius: 900 },
   }),
-  videoThrough({
+  exposedBy(-2.6, {
     folder: 'short-exposure',
     figure: '12m',
     title: 'Short exposure',
-    description: 'A short exposure: the window keeps its detail, and the room becomes dark.',
-    filter: 'filter/hdr-exposure',
-    params: { stops: -1.6 },
+    description:
+      'Two photographs of a room, one exposed for its corners and one for its window, become one image of high dynamic range. With a short exposure the window has its detail, and the room is dark. Change “Exposure” of the Tone map.',
   }),
-  videoThrough({
+  exposedBy(1.2, {
     folder: 'long-exposure',
     figure: '12n',
     title: 'Long exposure',
-    description: 'A long exposure: dark corners become visible, and bright areas are compressed instead of clipped.',
-    filter: 'filter/hdr-exposure',
-    params: { stops: 1.6, highlights: 0.6 },
+    description:
+      'The same two photographs as in “Short exposure”, as one image of high dynamic range. With a long exposure dark corners become visible, and the window and what the sun lights are burnt out.',
   }),
   {
     folder: 'skin-colour',
@@ -141,6 +177,20 @@ export const FILTERS: readonly Recipe[] = [
       'near.layer -> choose.mask',
       'choose.layer -> screen.layer',
     ],
+  },
+  {
+    folder: 'strokes-on-the-room',
+    figure: '10r',
+    title: 'Strokes on the room',
+    description:
+      'The camera video as a hatched drawing whose strokes lie on the real floor, walls and table: they stay there as you walk around. “Medium” makes it charcoal.',
+    nodes: {
+      video: ['source/camera-video', 0, 0],
+      depth: ['world/depth', 0, 1],
+      drawing: ['filter/room-drawing', 1, 0],
+      screen: ['output/screen', 2, 0],
+    },
+    wires: ['video.layer -> drawing.inputImage', 'depth.depth -> drawing.room', 'drawing.layer -> screen.layer'],
   },
   {
     folder: 'semaphore',

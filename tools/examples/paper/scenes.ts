@@ -1,9 +1,8 @@
+import { WORLD_IN_THE_BOOK } from './book-recipe.ts';
 import type { Recipe, RecipeNode } from './recipe.ts';
-import { PHANTOM_WIRES, phantoms, ROBOT, ROBOT_WIRES, robotOnRug, STROKES, WINDOW_LIGHT } from './room.ts';
+import { elephantAndRobot, PAIR, PAIR_WIRES, PHANTOM_WIRES, phantoms, ROBOT, ROBOT_WIRES, robotOnRug, WINDOW_LIGHT } from './room.ts';
 
-const EDGES = { strength: 5, lineColor: [0.1, 0.08, 0.06, 1], paperColor: [0.97, 0.95, 0.9, 1] } as const;
-/** Position of the robot, far enough from the camera to show the whole robot. */
-const BACK = { x: 0.68, z: -0.85 } as const;
+const EDGES = { strength: 8, lineColor: [0.1, 0.08, 0.06, 1], paperColor: [0.97, 0.95, 0.9, 1] } as const;
 const MODEL_SCENE = {
   ...robotOnRug(0),
   light: ['light/directional', 1, 1, WINDOW_LIGHT],
@@ -39,34 +38,34 @@ function ballAt(i: number): readonly [number, number, number] {
   return [(i % 3) * 0.56 - 0.5, i < 3 ? 1.12 : 0.58, 0.1];
 }
 
-/** The robot with one technique, and its shadow on the real floor. */
-function robotBy(technique: string, about: Pick<Recipe, 'folder' | 'figure' | 'title' | 'description'>): Recipe {
+/** The elephant and the robot with one technique, and their shadows on the real floor and table. */
+function pairBy(technique: string, about: Pick<Recipe, 'folder' | 'figure' | 'title' | 'description'>, params: RecipeNode[3] = {}): Recipe {
   return {
     ...about,
     nodes: {
-      ...MODEL_SCENE,
-      ...robotOnRug(0, { x: 0.54, z: -0.95 }),
-      // Higher than the window, so that the shadow does not reach the stool.
-      light: ['light/directional', 1, 1, { ...WINDOW_LIGHT, elevationRad: 1.05 }],
-      way: [`technique/${technique}`, 0, 1],
-      plane: ['objects/primitive', 0, 2, { shape: 'plane', sizeM: [5, 0, 4.6] }],
-      floor: ['objects/phantom', 1, 3],
-      drawn: ['objects/apply-technique', 2, 1],
-      scene: ['layer/scene', 3, 0, { ambient: 0.4 }],
-      shadow: ['layer/shadow', 3, 1, { strength: 0.6, method: 'volume' }],
-      ground: ['operator/over', 4, 2],
-      merge: ['operator/over', 5, 1],
-      screen: ['output/screen', 6, 1],
+      ...elephantAndRobot(0),
+      ...phantoms(3),
+      // Higher than the window, so that the shadows do not reach the stool.
+      light: ['light/directional', 2, 2, { ...WINDOW_LIGHT, elevationRad: 1.05 }],
+      way: [`technique/${technique}`, 2, 1, params],
+      drawn: ['objects/apply-technique', 3, 0],
+      video: ['source/camera-video', 3, 3],
+      scene: ['layer/scene', 4, 0, { ambient: 0.4 }],
+      shadow: ['layer/shadow', 4, 1, { strength: 0.6, method: 'volume' }],
+      ground: ['operator/over', 5, 2],
+      merge: ['operator/over', 6, 1],
+      screen: ['output/screen', 7, 1],
     },
     wires: [
-      ...ROBOT_WIRES,
-      'robot.objects -> drawn.objects',
+      ...PAIR_WIRES,
+      ...PHANTOM_WIRES,
+      'pair.objects -> drawn.objects',
       'way.technique -> drawn.technique',
       'drawn.objects -> scene.objects',
       'light.lights -> scene.lights',
-      'plane.objects -> floor.objects',
-      'robot.objects -> shadow.casters',
+      'pair.objects -> shadow.casters',
       'floor.objects -> shadow.receivers',
+      'table.objects -> shadow.receivers',
       'light.lights -> shadow.lights',
       'video.layer -> ground.bottom',
       'shadow.layer -> ground.top',
@@ -74,7 +73,7 @@ function robotBy(technique: string, about: Pick<Recipe, 'folder' | 'figure' | 't
       'scene.layer -> merge.top',
       'merge.layer -> screen.layer',
     ],
-    assets: ROBOT,
+    assets: PAIR,
   };
 }
 
@@ -87,7 +86,7 @@ export const SCENES: readonly Recipe[] = [
     description: 'The room is blurred before the edge filter, the model is not: the model has fine lines, the room few and soft ones.',
     nodes: {
       ...MODEL_SCENE,
-      blur: ['filter/gaussian-blur', 2, 2, { radius: 2.5 }],
+      blur: ['filter/gaussian-blur', 2, 2, { radius: 5 }],
       merge: ['operator/over', 3, 1],
       edges: ['filter/sobel-edges', 4, 1, EDGES],
       screen: ['output/screen', 5, 1],
@@ -110,7 +109,7 @@ export const SCENES: readonly Recipe[] = [
     nodes: {
       ...MODEL_SCENE,
       merge: ['operator/over', 3, 1],
-      blur: ['filter/gaussian-blur', 4, 1, { radius: 2.5 }],
+      blur: ['filter/gaussian-blur', 4, 1, { radius: 5 }],
       edges: ['filter/sobel-edges', 5, 1, EDGES],
       screen: ['output/screen', 6, 1],
     },
@@ -251,96 +250,56 @@ export const SCENES: readonly Recipe[] = [
     figure: '11',
     title: 'A sketchy shadow',
     description:
-      'The shadow of a robot on a real rug is a mask: it shows pencil strokes. The robot has Gooch’s cool-to-warm tones, and the room is unchanged.',
+      'The shadows of an elephant on a real rug and of a robot on a real table are drawn as pencil strokes, which lie there and get denser toward the feet. A second light casts second shadows, with strokes in another direction. Elephant and robot have Gooch’s cool-to-warm tones, and the room is unchanged.',
     nodes: {
-      ...robotOnRug(0),
-      plane: ['objects/primitive', 0, 1, { shape: 'plane', sizeM: [5, 0, 4.6] }],
-      floor: ['objects/phantom', 2, 1],
-      gooch: ['technique/gooch', 1, 2],
-      drawn: ['objects/apply-technique', 2, 0],
-      light: ['light/directional', 2, 2, { ...WINDOW_LIGHT, azimuthRad: 1.7, elevationRad: 0.58 }],
-      shadow: ['layer/shadow', 3, 1, { strength: 1, method: 'volume' }],
+      ...elephantAndRobot(0),
+      ...phantoms(3),
+      gooch: ['technique/gooch', 2, 1],
+      drawn: ['objects/apply-technique', 3, 0],
+      light: ['light/directional', 2, 2, { ...WINDOW_LIGHT, azimuthRad: 1.7, elevationRad: 0.58, filter: 'soft' }],
+      lamp: ['light/directional', 2, 3, { ...WINDOW_LIGHT, azimuthRad: 0.5, elevationRad: 0.8, intensity: 0.5, filter: 'soft' }],
+      shadow: ['layer/shadow', 3, 1, { strength: 0.85, color: [0.1, 0.09, 0.13, 1], drawing: 'strokes', spacingPx: 8 }],
       video: ['source/camera-video', 4, 3],
-      sketch: ['source/image-file', 3, 2, { file: 'strokes-pen1' }],
-      sketched: ['operator/mask', 4, 2, { source: 1 }],
       scene: ['layer/scene', 3, 0, { ambient: 0.4 }],
       ground: ['operator/over', 5, 2],
       merge: ['operator/over', 6, 1],
       screen: ['output/screen', 7, 1],
     },
     wires: [
-      ...ROBOT_WIRES,
-      'plane.objects -> floor.objects',
-      'robot.objects -> drawn.objects',
+      ...PAIR_WIRES,
+      ...PHANTOM_WIRES,
+      'pair.objects -> drawn.objects',
       'gooch.technique -> drawn.technique',
       'drawn.objects -> scene.objects',
       'light.lights -> scene.lights',
-      'robot.objects -> shadow.casters',
+      'pair.objects -> shadow.casters',
       'floor.objects -> shadow.receivers',
+      'table.objects -> shadow.receivers',
       'light.lights -> shadow.lights',
-      'sketch.layer -> sketched.inputImage',
-      'shadow.layer -> sketched.mask',
+      'lamp.lights -> scene.lights',
+      'lamp.lights -> shadow.lights',
       'video.layer -> ground.bottom',
-      'sketched.layer -> ground.top',
+      'shadow.layer -> ground.top',
       'ground.layer -> merge.bottom',
       'scene.layer -> merge.top',
       'merge.layer -> screen.layer',
     ],
-    assets: { ...ROBOT, ...STROKES },
+    assets: PAIR,
   },
-  {
-    folder: 'the-world-in-the-book',
-    figure: '13',
-    title: 'The world in the book',
-    description: 'A robot stands on a large page on the rug. Inside the frame of the page it is night; around it, the room is unchanged.',
-    nodes: {
-      ...robotOnRug(0, { ...BACK, y: 0.014 }),
-      page: ['objects/primitive', 0, 1, { shape: 'plane', sizeM: [0.72, 0, 0.56], color: [0.93, 0.9, 0.82, 1] }],
-      lie: ['objects/transform', 1, 1, { positionM: [BACK.x, 0.013, BACK.z + 0.04], rotationRad: [0, 0.06, 0] }],
-      moon: ['light/directional', 1, 2, { ...WINDOW_LIGHT, elevationRad: 0.5, color: [0.8, 0.88, 1, 1] }],
-      scene: ['layer/scene', 2, 0, { ambient: 0.25 }],
-      inside: ['layer/object-mask', 2, 1],
-      feather: ['filter/gaussian-blur', 3, 1, { radius: 2 }],
-      video: ['source/camera-video', 2, 2],
-      merge: ['operator/over', 3, 0],
-      night: ['filter/color-temperature', 4, 0, { temperature: 14000 }],
-      dim: ['filter/luminance-variation', 5, 0, { brightness: -0.12, contrast: 1.1 }],
-      choose: ['operator/choose-by-mask', 6, 1],
-      screen: ['output/screen', 7, 1],
-    },
-    wires: [
-      ...ROBOT_WIRES,
-      'page.objects -> lie.objects',
-      'robot.objects -> scene.objects',
-      'lie.objects -> scene.objects',
-      'moon.lights -> scene.lights',
-      'robot.objects -> inside.objects',
-      'lie.objects -> inside.objects',
-      'inside.layer -> feather.inputImage',
-      'video.layer -> merge.bottom',
-      'scene.layer -> merge.top',
-      'merge.layer -> night.inputImage',
-      'night.layer -> dim.inputImage',
-      'dim.layer -> choose.inside',
-      'merge.layer -> choose.outside',
-      'feather.layer -> choose.mask',
-      'choose.layer -> screen.layer',
-    ],
-    assets: ROBOT,
-  },
-  robotBy('gooch', {
+  WORLD_IN_THE_BOOK,
+  pairBy('gooch', {
     folder: 'gooch-tones',
     figure: '12a',
     title: 'Gooch’s tones',
     description: 'A robot shaded as in technical illustrations: warm towards the light, cool away from it, with an outline.',
   }),
-  robotBy('brick', {
+  pairBy('brick', {
     folder: 'built-of-bricks',
     figure: '12b',
     title: 'Built of bricks',
     description: 'A robot of bricks and mortar, computed without a texture. The bricks stay in place as it walks.',
   }),
-  robotBy('hatching', {
+  pairBy('hatching', {
     folder: 'pen-strokes',
     figure: '12c',
     title: 'In pen strokes',

@@ -8,6 +8,8 @@ export interface Paint {
   readonly color: readonly [r: number, g: number, b: number];
   readonly metalness?: number;
   readonly roughness: number;
+  /** Light that the surface emits, in linear RGB. */
+  readonly glow?: readonly [r: number, g: number, b: number];
   /** A PNG texture by which the color is multiplied. */
   readonly texture?: Uint8Array;
 }
@@ -45,11 +47,12 @@ export async function writeModel(parts: readonly ModelPart[]): Promise<Uint8Arra
   return new NodeIO().writeBinary(doc);
 }
 
-function createMaterial(doc: Document, { name, color, metalness = 0, roughness, texture }: Paint): Material {
+function createMaterial(doc: Document, { name, color, metalness = 0, roughness, glow = [0, 0, 0], texture }: Paint): Material {
   const material = doc
     .createMaterial(name)
     .setBaseColorFactor([...color, 1])
     .setMetallicFactor(metalness)
-    .setRoughnessFactor(roughness);
+    .setRoughnessFactor(roughness)
+    .setEmissiveFactor([...glow]);
   return texture ? material.setBaseColorTexture(doc.createTexture(name).setImage(texture).setMimeType('image/png')) : material;
 }

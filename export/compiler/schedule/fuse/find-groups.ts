@@ -1,4 +1,4 @@
-import type { PassParts } from '../../../glsl/link/link-parts.ts';
+import type { ImagePart, PassParts } from '../../../glsl/link/link-parts.ts';
 import type { PassSampler, Resource, ResourceId, TargetSize } from '../../../program/program.ts';
 import { isPass, type ScheduledOperation, type ScheduledPass } from '../scheduled.ts';
 import { isWhole, type Target, targetSizes, VIEW_SIZE } from '../whole-size.ts';
@@ -11,6 +11,8 @@ export interface FoundGroups {
   readonly groups: readonly PassGroup[];
   /** Wires into passes that stay as they are. */
   readonly separate: readonly SeparateWire[];
+  /** The group of each pass that belongs to one, as an object to compare. */
+  readonly groupOf: ReadonlyMap<number, ReadonlyMap<number, unknown>>;
 }
 
 export interface FuseInput {
@@ -20,6 +22,8 @@ export interface FuseInput {
   readonly viewed: ReadonlySet<ResourceId>;
   /** Nodes whose passes keep shaders of their own. */
   readonly unfused: ReadonlySet<string>;
+  /** Layers that a pass may compute for each of several pixels that it reads. */
+  readonly repeated: ReadonlySet<ResourceId>;
   /** Number of drawn layers up to which a pass may join a shader that thereby reads more of them; with -1 no pass joins. */
   readonly maxLayers: number;
 }
@@ -45,34 +49,40 @@ interface Wire {
 }
 
 /**
+ * The members of a growing group. Each is computed for the current pixel (null), or for the pixel of one read of another member (`movedRead`).
+ */
+type Group = ReadonlyMap<number, string | null>;
+
+/**
  * Finds the passes that can be drawn by one shader. Each group grows from its last pass towards the sources: a pass joins if only passes of
- * the group read its layer, each at the current pixel. So no pixel is computed twice, and diamonds become one pass. Time is linear in the
- * number of operations, because the size of groups is limited.
+ * the group read its layer, each at the current pixel, or one of them once at the center of another pixel. So no pixel is computed twice, and diamonds become
+ * one pass. Time is linear in the number of operations, because the size of groups is limited.
  */
 export function findGroups(input: FuseInput): FoundGroups {
   const { operations } = input;
   const rules = createRules(input);
-  const groupOf = new Map<number, ReadonlySet<number>>();
+  const groupOf = new Map<number, Group>();
   for (let root = operations.length - 1; root >= 0; root -= 1) {
     const operation = operations[root];
     if (operation === undefined || !isPass(operation) || groupOf.has(root)) continue;
     const group = grow(root, rules);
-    for (const member of group) groupOf.set(member, group);
+    for (const member of group.keys()) groupOf.set(member, group);
   }
   const separate = operations.flatMap((operation, reader) =>
     rules.wiresInto(reader).flatMap((wire): SeparateWire[] => {
-      const group = groupOf.get(reader) ?? new Set([reader]);
+      const group = groupOf.get(reader) ?? new Map([[reader, null]]);
       const reason = group.has(wire.writer) ? null : rules.whySeparate(wire, group);
       const writer = operations[wire.writer];
-      return reason === null || writer === undefined ? [] : [{ resource: wire.resource, writer: writer.id, reader: operation.id, reason }];
+      if (reason === null || writer === undefined || !isPass(operation)) return [];
+      return [{ resource: wire.resource, writer: writer.id, reader: operation.id, node: operation.node, reason }];
     }),
   );
   const groups = [...new Set(groupOf.values())].filter((group) => group.size > 1);
-  return { groups: groups.map((group) => [...group].sort((a, b) => a - b)), separate };
+  return { groups: groups.map((group) => [...group.keys()].sort((a, b) => a - b)), separate, groupOf };
 }
 
-function grow(root: number, { wiresInto, whySeparate }: Rules): ReadonlySet<number> {
-  const group = new Set([root]);
+function grow(root: number, { wiresInto, whySeparate, placeOf }: Rules): Group {
+  const group = new Map<number, string | null>([[root, null]]);
   let open = [...wiresInto(root)];
   for (let grows = true; grows; ) {
     grows = false;
@@ -80,7 +90,7 @@ function grow(root: number, { wiresInto, whySeparate }: Rules): ReadonlySet<numb
     for (const wire of open) {
       if (group.has(wire.writer)) continue;
       if (whySeparate(wire, group) === null) {
-        group.add(wire.writer);
+        group.set(wire.writer, placeOf(wire, group));
         left.push(...wiresInto(wire.writer));
         grows = true;
       } else {
@@ -96,10 +106,12 @@ interface Rules {
   /** The layers that an operation samples and another operation writes; none if it is no pass. */
   wiresInto(reader: number): readonly Wire[];
   /** Why the writer of a wire cannot join the group of its reader; null if it can. */
-  whySeparate(wire: Wire, group: ReadonlySet<number>): SeparateReason | null;
+  whySeparate(wire: Wire, group: Group): SeparateReason | null;
+  /** For which pixel the writer of a wire is computed in the group of its reader. */
+  placeOf(wire: Wire, group: Group): string | null;
 }
 
-function createRules({ operations, resources, viewed, unfused, maxLayers }: FuseInput): Rules {
+function createRules({ operations, resources, viewed, unfused, repeated, maxLayers }: FuseInput): Rules {
   const writers = placesBy(operations, ({ writes }) => writes);
   const readers = placesBy(operations, ({ reads }) => reads);
   const targets = new Map(resources.flatMap((resource) => (resource.kind === 'target' ? [[resource.id, resource] as const] : [])));
@@ -128,13 +140,41 @@ function createRules({ operations, resources, viewed, unfused, maxLayers }: Fuse
     return [...read].filter((id) => targets.has(id) && !written.has(id)).length;
   }
 
-  /** Whether a pass reads at most the current pixel of a layer. */
-  function isHere({ reader, sampler }: Wire): boolean {
+  function imageOf({ reader, sampler }: Wire): ImagePart | undefined {
     const parts = passAt(reader)?.parts;
-    return typeof parts === 'object' && parts.images.some((part) => part.isHere && part.image.sampler === sampler.name);
+    return typeof parts === 'object' ? parts.images.find(({ image }) => image.sampler === sampler.name) : undefined;
   }
 
-  function whySeparate({ writer, reader, resource }: Wire, group: ReadonlySet<number>): SeparateReason | null {
+  /** Whether a pass reads a layer at the current pixel only, or at the centers of a few pixels. */
+  function isAtPixels(wire: Wire): boolean {
+    const image = imageOf(wire);
+    return (
+      image !== undefined &&
+      (image.isHere || (image.reads.elsewhere === 0 && Number.isFinite(image.reads.texels) && image.reads.texels > 0))
+    );
+  }
+
+  function isReadOnce(wire: Wire): boolean {
+    const image = imageOf(wire);
+    return image !== undefined && (image.isHere || readsOneTexel(image));
+  }
+
+  function placeOf(wire: Wire, group: Group): string | null {
+    return imageOf(wire)?.isHere ? (group.get(wire.reader) ?? null) : `${wire.reader} ${wire.sampler.name}`;
+  }
+
+  /** Whether a pass can be computed for another pixel with the same color: what it reads are pixels of layers, without filtering. */
+  function isMovable({ parts, samplers }: ScheduledPass): boolean {
+    if (typeof parts === 'string' || !parts.moves) return false;
+    return samplers.every(({ name, source, fit }) => {
+      if (source.kind === 'table') return true;
+      const image = parts.images.find((part) => part.image.sampler === name);
+      return source.kind === 'color' && targets.has(source.resource) && fit === 'none' && image?.reads.elsewhere === 0;
+    });
+  }
+
+  function whySeparate(wire: Wire, group: Group): SeparateReason | null {
+    const { writer, reader, resource } = wire;
     const from = passAt(writer);
     const to = passAt(reader);
     const target = targets.get(resource);
@@ -145,23 +185,26 @@ function createRules({ operations, resources, viewed, unfused, maxLayers }: Fuse
     if (typeof to.parts === 'string') return to.parts;
     if (typeof from.parts === 'string') return from.parts;
     // Another pass of the group may read the layer too.
-    const wires = [...group].flatMap(wiresInto).filter((other) => other.resource === resource);
-    if (!wires.every(isHere)) return 'elsewhere';
+    const wires = [...group.keys()].flatMap(wiresInto).filter((other) => other.resource === resource);
+    const places = new Set(wires.map((other) => placeOf(other, group)));
+    if (!wires.every(isAtPixels) || places.size > 1) return 'elsewhere';
     if (wires.some(({ sampler }) => sampler.fit !== 'none')) return 'fitted';
     if (from.view !== to.view || JSON.stringify(sizeOf(from)) !== JSON.stringify(sizeOf(to)) || fixedBases.has(resource)) return 'size';
+    if (!places.has(null) && !isMovable(from)) return 'moved';
+    if (!repeated.has(resource) && !wires.every(isReadOnce)) return 'cost';
     if (!readers.get(resource)?.every((place) => group.has(place))) return 'readers';
-    const members = [...group].flatMap((place) => passAt(place) ?? []);
+    const members = [...group.keys()].flatMap((place) => passAt(place) ?? []);
     if (readsElsewhere(from.parts) && members.some(({ parts }) => typeof parts !== 'string' && readsElsewhere(parts)))
       return 'neighborhoods';
-    if (exceedsLimits([from, ...members])) return 'limits';
+    if (exceedsLimits([from, ...members], targets)) return 'limits';
     const layers = layersRead([from, ...members]);
     if (layers > maxLayers && (maxLayers < 0 || layers > layersRead(members))) return 'memory';
-    const last = Math.max(...group);
+    const last = Math.max(...group.keys());
     const changes = from.reads.some((read) => writers.get(read)?.some((place) => place > writer && place < last));
     return changes ? 'order' : null;
   }
 
-  return { wiresInto, whySeparate };
+  return { wiresInto, whySeparate, placeOf };
 }
 
 /** Targets of which other targets have a part of the size, unless these have a size that does not change with them. */
@@ -171,13 +214,20 @@ function basesOfParts(targets: Iterable<Target>): ReadonlySet<ResourceId> {
   return new Set(all.flatMap(({ size }) => (!isWhole(size) && partial.has(size.base) ? [size.base] : [])));
 }
 
-/** Whether a pass reads other pixels than the current one of a layer. */
-function readsElsewhere({ images }: PassParts): boolean {
-  return images.some(({ image, uses, isHere }) => !isHere && uses.has('color') && (image.kind === 'input' || image.kind === 'buffer'));
+/** Whether a pass reads one pixel of an image, at its center. */
+function readsOneTexel({ reads }: ImagePart): boolean {
+  return reads.elsewhere === 0 && reads.here + reads.texels === 1;
 }
 
-function exceedsLimits(passes: readonly ScheduledPass[]): boolean {
-  const written = new Set(passes.map(({ target }) => target));
+/** Whether a pass reads several pixels of a layer, or one between the centers of pixels. */
+function readsElsewhere({ images }: PassParts): boolean {
+  const isLayer = ({ image, uses }: ImagePart) => uses.has('color') && (image.kind === 'input' || image.kind === 'buffer');
+  return images.some((part) => isLayer(part) && !part.isHere && !readsOneTexel(part));
+}
+
+function exceedsLimits(passes: readonly ScheduledPass[], targets: ReadonlyMap<ResourceId, Target>): boolean {
+  // A persistent target is sampled as it was in the previous frame.
+  const written = new Set(passes.flatMap(({ target }) => (targets.get(target)?.lifetime === 'persistent' ? [] : [target])));
   const samplers = passes.flatMap((pass) => pass.samplers.filter(({ source }) => source.kind !== 'color' || !written.has(source.resource)));
   const uniforms = passes.reduce((sum, pass) => sum + pass.uniforms.length, 0);
   const vectors = samplers.length * SAMPLER_VECTORS + uniforms;

@@ -1,8 +1,10 @@
-import { type FusedPart, fusedName, fusePasses } from '../../../glsl/fuse/fuse-passes.ts';
+import { fusedName, fusePasses } from '../../../glsl/fuse/fuse-passes.ts';
+import type { FusedPart } from '../../../glsl/fuse/fused-part.ts';
 import type { PassSampler, PassUniform, Resource, ResourceId } from '../../../program/program.ts';
 import { isPass, type ScheduledOperation, type ScheduledPass } from '../scheduled.ts';
 import { isWhole, type Target } from '../whole-size.ts';
-import { type FoundGroups, type FuseInput, findGroups, type PassGroup } from './find-groups.ts';
+import type { FuseInput, PassGroup } from './find-groups.ts';
+import { findGroupsWithCopies, findGroupsWithoutCopies, type Recomputed } from './recompute.ts';
 import type { SeparateWire } from './separate-wire.ts';
 
 export interface Fused {
@@ -25,20 +27,22 @@ const MAX_LAYERS = [Number.POSITIVE_INFINITY, 8, 4, 2, -1];
  * @param bytesOf Memory of the targets.
  */
 export function fuseOperations(
-  input: Omit<FuseInput, 'maxLayers'>,
+  input: Omit<FuseInput, 'maxLayers' | 'repeated'>,
   bytesOf: (program: Pick<Fused, 'operations' | 'resources'>) => number,
 ): Fused {
   const mostBytes = bytesOf(input);
   const { operations, resources } = input;
   let fused: Fused = { operations, resources, separate: [] };
   for (const maxLayers of MAX_LAYERS) {
-    fused = fuseGroups(operations, resources, findGroups({ ...input, maxLayers }));
-    if (bytesOf(fused) <= mostBytes) break;
+    for (const find of [findGroupsWithCopies, findGroupsWithoutCopies]) {
+      fused = fuseGroups(find({ ...input, maxLayers }));
+      if (bytesOf(fused) <= mostBytes) return fused;
+    }
   }
   return fused;
 }
 
-function fuseGroups(operations: readonly ScheduledOperation[], resources: readonly Resource[], { groups, separate }: FoundGroups): Fused {
+function fuseGroups({ operations, resources, groups, separate }: Recomputed): Fused {
   const fused = new Map<number, ScheduledPass>();
   const dropped = new Set<number>();
   for (const group of groups) {
@@ -68,7 +72,8 @@ function fuseGroup(operations: readonly ScheduledOperation[], group: PassGroup):
     const from = new Map<string, number>();
     for (const sampler of pass.samplers) {
       const drawn = sampler.source.kind === 'color' ? drawnBy.get(sampler.source.resource) : undefined;
-      if (drawn === undefined) samplers.push({ ...sampler, name: fusedName(i, sampler.name) });
+      // What this or a later pass draws to is a persistent target, read as it was in the previous frame.
+      if (drawn === undefined || drawn >= i) samplers.push({ ...sampler, name: fusedName(i, sampler.name) });
       else from.set(sampler.name, drawn);
     }
     for (const uniform of pass.uniforms) {
@@ -78,14 +83,18 @@ function fuseGroup(operations: readonly ScheduledOperation[], group: PassGroup):
     if (typeof pass.parts === 'string') throw new Error(`${pass.id} cannot be fused.`);
     return { node: pass.node, parts: pass.parts, from };
   });
+  const shader = fusePasses(parts);
+  // The size of a layer in the shader is that of the target, which perhaps no pass reads itself.
+  if (shader.fragment.includes('uniform vec2 RENDERSIZE;'))
+    uniforms.set('RENDERSIZE', { name: 'RENDERSIZE', type: 'vec2', source: { builtin: 'RENDERSIZE' } });
   // A fused pass does more than copy.
   const { copies: _, ...own } = last;
   return {
     ...own,
-    reads: [...new Set(passes.flatMap(({ reads }) => reads))].filter((id) => !drawnBy.has(id)),
+    reads: [...new Set(passes.flatMap(({ reads }) => reads))].filter((id) => !drawnBy.has(id) || id === last.target),
     samplers,
     uniforms: [...uniforms.values()],
-    shader: fusePasses(parts),
+    shader,
     access: widestAccess(passes),
     nodes: [...new Set(passes.map(({ node }) => node))],
   };

@@ -10,9 +10,11 @@ export const SEPARATE_REASONS = {
   loops: 'the preview limits the loops of one of the two',
   depth: 'the reader computes depth',
   elsewhere: 'the reader reads other pixels than the current one',
+  moved: 'the reader reads another pixel, and the writer may compute another color for it than its own pass',
   fitted: 'the reader fits an image to the view',
   size: 'the two have different sizes',
-  readers: 'several passes read it',
+  readers: 'several passes read it, and one of them needs the texture',
+  cost: 'it is read several times, and to compute it each time costs more than a texture',
   neighborhoods: 'the fused shader would read neighboring pixels in two steps',
   limits: 'the fused shader would exceed a limit of WebGL 2',
   memory: 'the layers that the fused shader reads would need more memory at the same time',
@@ -27,5 +29,7 @@ export interface SeparateWire {
   /** Ids of the operations. */
   readonly writer: string;
   readonly reader: string;
+  /** The node of the reader. */
+  readonly node: string;
   readonly reason: SeparateReason;
 }

@@ -62,6 +62,7 @@ function limitsOf(definition: ParamDefinition, part: number): readonly [low: num
     case 'text':
     case 'choice':
     case 'curve':
+    case 'gradient':
     case 'asset':
       return [undefined, undefined];
   }

@@ -4,7 +4,7 @@ import { isValueType, type ValueType, type WireType } from '../../../../nodes/ki
 import { parseValue } from '../../../graph/expression/param-expression.ts';
 import type { DrawOperation, DrawUnder, InputRef, NodeOperation, OutputRef, Resource, ResourceId } from '../../../program/program.ts';
 import { type FlatNode, portKey, type Source, sourcesAt } from '../../flat-graph.ts';
-import { drawsItself, isDraw, layerInputs, layerOutput } from '../layers.ts';
+import { drawsItself, isDraw, layerInputs, layerOutput, onlyBlends } from '../layers.ts';
 import { movingBinding, startValue } from '../slot-allocator.ts';
 import { depthAt } from './lower-depth.ts';
 import { lowerReadback } from './lower-readback.ts';
@@ -52,7 +52,7 @@ export function lowerDraw(lowering: Lowering, { node, occlusion, target, id }: D
   const shown = layerOutput(occlusion ?? node);
   const drawn = layerOutput(node);
   if (!shown || !drawn) throw new Error(`${node.id} draws no layer.`);
-  const image = target === 'texture' ? addColorTarget(lowering, shown, id) : null;
+  const image = target === 'texture' ? addColorTarget(lowering, shown, id, onlyBlends(node) ? 1 : lowering.samples) : null;
   const shadowMaps = shadowMapsOf(lowering, node);
   const base = nodeOperation(lowering, node, id, 'draw');
   const hiding = occlusion && drawOcclusion(lowering, occlusion);
@@ -72,6 +72,7 @@ export function lowerDraw(lowering: Lowering, { node, occlusion, target, id }: D
     shadowMaps,
     occlusion: hiding,
     ...(drawsItself(node) ? { ownDrawing: true } : {}),
+    ...(onlyBlends(node) ? { onlyBlends: true } : {}),
     ...(under === undefined ? {} : { under }),
     ...(styled.some(({ readsBehind }) => readsBehind) ? { glass: true } : {}),
   };
@@ -91,7 +92,7 @@ function underLayer(lowering: Lowering, node: FlatNode, styled: readonly Techniq
   return others.length > 0 ? null : first;
 }
 
-function addColorTarget(lowering: Lowering, shown: Source, operation: string): ResourceId {
+function addColorTarget(lowering: Lowering, shown: Source, operation: string, samples: Lowering['samples']): ResourceId {
   const key = portKey(shown);
   addResource(lowering, {
     id: key,
@@ -100,7 +101,7 @@ function addColorTarget(lowering: Lowering, shown: Source, operation: string): R
     size: { base: 'view', width: [{ op: 'width' }], height: [{ op: 'height' }] },
     format: lowering.layers.get(key)?.encoding === 'scene' ? 'scene16f' : 'rgba8',
     depth: 'window',
-    samples: lowering.samples,
+    samples,
     lifetime: 'frame',
   });
   lowering.resourceOf.set(key, key);
@@ -169,7 +170,17 @@ export function nodeOperation<K extends NodeKind | 'draw' | 'cpu'>(
         param.stage === 'asset' ? [[name, String(startValue(node, name, param)) || null]] : [],
       ),
     ),
+    ...(drawsDepthMeshes(node) ? { depthMeshes: true } : {}),
   };
+}
+
+function drawsDepthMeshes(node: FlatNode): boolean {
+  const { params } = node.definition;
+  return Object.values(params).some((param) => {
+    const condition = param.type === 'asset' ? param.depthMeshes : undefined;
+    const method = condition && params[condition.param];
+    return condition && method && startValue(node, condition.param, method) === condition.is;
+  });
 }
 
 function withoutLayers(ports: Readonly<Record<string, InputPort>>): Readonly<Record<string, InputPort>> {

@@ -23,6 +23,8 @@ export interface Lowering {
   /** Samples of targets that objects are drawn into. */
   readonly samples: 1 | 4;
   readonly resources: Resource[];
+  /** The tables of curves and gradients among them. */
+  readonly tables: Set<ResourceId>;
   readonly steps: Step[];
   /** Complete shaders for testing whether a driver accepts the text of a technique. */
   readonly trials: ScheduledTrial[];
@@ -67,6 +69,7 @@ export function createLowering(
     rank: new Map(order.map((node, index) => [node.id, index])),
     slots: createSlotAllocator(start.graph, compiledIn, (moved) => onMoved(lowering, moved)),
     resources: [],
+    tables: new Set(),
     steps: [],
     trials: [],
     resourceOf: new Map(),

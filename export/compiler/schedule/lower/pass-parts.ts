@@ -87,7 +87,7 @@ function sampled(
     if (resource === undefined) throw new Error(`The shader of ${node.id} reads the buffer ${from.target}, which nobody makes.`);
     return { source: { kind: 'color', resource }, fit: 'none' };
   }
-  if (from.kind === 'curve') return { source: { kind: 'curve', resource: curveAt(lowering, node, from.param) }, fit: 'none' };
+  if (from.kind === 'table') return { source: { kind: 'table', resource: tableAt(lowering, node, from) }, fit: 'none' };
   if (from.kind === 'import') return { source: importedAt(lowering, node, from.import), fit: 'none' };
   const [input] = sourcesAt(node, from.input);
   if (!input) throw new Error(`The shader of ${node.id} reads ${from.input}, which has no wire.`);
@@ -102,11 +102,12 @@ function sampled(
   return { source: { kind: 'color', resource }, fit: fitAt(lowering, node, input) };
 }
 
-/** The table of a curve, one per node and param. */
-function curveAt(lowering: Lowering, node: FlatNode, param: string): ResourceId {
-  const id = `${node.id}.${param}.curve`;
-  const known = lowering.resources.some((resource) => resource.id === id);
-  return known ? id : addResource(lowering, { id, kind: 'curve', slot: lowering.slots.ofParam(node, param) });
+/** The table of a curve or a gradient, one per node and param. */
+function tableAt(lowering: Lowering, node: FlatNode, { of, param }: Extract<LinkedSampler['source'], { kind: 'table' }>): ResourceId {
+  const id = `${node.id}.${param}.${of}`;
+  if (lowering.tables.has(id)) return id;
+  lowering.tables.add(id);
+  return addResource(lowering, { id, kind: 'table', of, slot: lowering.slots.ofParam(node, param) });
 }
 
 /** Uniforms of a pass: params refer to slots, events to lists of pulses. */

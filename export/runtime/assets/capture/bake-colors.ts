@@ -4,7 +4,7 @@ import { CAPTURE_GLSL, createCaptureUse } from '../../../../nodes/kit/capture-gl
 import { linkProgram } from '../../../../nodes/kit/link-program.ts';
 import { setPassState } from '../../../../nodes/kit/pass-state.ts';
 
-const VERTEX = `#version 300 es
+const VERTEX = /* glsl */ `#version 300 es
 precision highp float;
 precision highp sampler2DArray;
 ${CAPTURE_GLSL}
@@ -15,11 +15,11 @@ flat out highp uint color;
 void main() {
   vec4 sum = vec4(0.0);
   for (int view = 0; view < viewCount; view++) {
-    if (view == excluded) continue;
+    if (view == excluded || !isLoaded(view)) continue;
     vec3 p = projectInto(view, position);
     if (p.z <= 0.0) continue;
     vec2 uv = p.xy / p.z;
-    float weight = insideOf(uv);
+    float weight = edgeOf(view, uv);
     if (weight <= 0.0) continue;
     weight *= seenBy(view, uv, p.z) / p.z;
     sum += weight * vec4(textureLod(photos, vec3(uv, view), 0.0).rgb, 1.0);
@@ -29,7 +29,7 @@ void main() {
   gl_Position = vec4(0.0);
 }`;
 
-const FRAGMENT = `#version 300 es
+const FRAGMENT = /* glsl */ `#version 300 es
 precision highp float;
 void main() {}`;
 

@@ -4,7 +4,7 @@ import { linkProgram } from '../../../../nodes/kit/link-program.ts';
 import { setPassState } from '../../../../nodes/kit/pass-state.ts';
 import type { GlObjects } from '../../gl/gl-objects.ts';
 
-const VERTEX = `#version 300 es
+const VERTEX = /* glsl */ `#version 300 es
 precision highp float;
 precision highp sampler2DArray;
 ${CAPTURE_GLSL}
@@ -18,16 +18,16 @@ void main() {
   gl_Position = vec4(2.0 * p.xy - p.z, (p.z * (farM + nearM) - 2.0 * farM * nearM) / (farM - nearM), p.z);
 }`;
 
-const FRAGMENT = `#version 300 es
+const FRAGMENT = /* glsl */ `#version 300 es
 precision highp float;
 uniform float farM;
 in float depthM;
 void main() { gl_FragDepth = depthM / farM; }`;
 
-/** Draws the depth of the mesh from each camera, over `farM`, which is even over all distances. */
+/** Draws the depth of the mesh from each pinhole camera, over `farM`, which is even over all distances. */
 export function drawDepths(objects: GlObjects, capture: CaptureAsset, [widthPx, heightPx]: readonly [number, number]): void {
   const { gl } = objects;
-  const { vertexArray, indexCount, depths, viewCount } = capture;
+  const { vertexArray, indexCount, depths, viewCount, panoramas } = capture;
   const program = linkProgram(gl, VERTEX, FRAGMENT);
   const use = createCaptureUse(gl, program);
   const framebuffer = objects.createFramebuffer();
@@ -45,6 +45,7 @@ export function drawDepths(objects: GlObjects, capture: CaptureAsset, [widthPx, 
   gl.drawBuffers([gl.NONE]);
   gl.readBuffer(gl.NONE);
   for (let layer = 0; layer < viewCount; layer++) {
+    if (panoramas.has(layer)) continue;
     gl.framebufferTextureLayer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, depths, 0, layer);
     gl.clear(gl.DEPTH_BUFFER_BIT);
     gl.uniform1i(view, layer);

@@ -7,14 +7,14 @@ export interface MipDrawer {
   dispose(): void;
 }
 
-const VERTEX = `#version 300 es
+const VERTEX = /* glsl */ `#version 300 es
 void main() {
   gl_Position = vec4(float((gl_VertexID << 1) & 2) * 2.0 - 1.0, float(gl_VertexID & 2) * 2.0 - 1.0, 0.0, 1.0);
 }
 `;
 
 /** Linear filtering at the center of the pixel gives the mean of the four pixels that it covers. */
-const FRAGMENT = `#version 300 es
+const FRAGMENT = /* glsl */ `#version 300 es
 precision highp float;
 uniform highp sampler2D larger;
 uniform vec2 sizePx;

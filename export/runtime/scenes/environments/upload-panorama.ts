@@ -22,14 +22,11 @@ export function* uploadPanorama(renderer: SceneRenderer, texture: Texture): Part
   const { widthPx, heightPx } = source;
   renderer.work((three) => allocate(three, texture, widthPx, heightPx));
   const glTexture = (renderer.three.properties.get(texture) as { __webglTexture: WebGLTexture }).__webglTexture;
+  const gl = renderer.three.getContext() as WebGL2RenderingContext;
   const drawOn = (draw: (gl: WebGL2RenderingContext) => void): void => {
-    renderer.work((three) => {
-      const gl = three.getContext() as WebGL2RenderingContext;
-      gl.activeTexture(gl.TEXTURE0);
-      gl.bindTexture(gl.TEXTURE_2D, glTexture);
-      draw(gl);
-    });
-    renderer.invalidateState();
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D, glTexture);
+    draw(gl);
   };
   for (const [row, rows] of slices(widthPx, heightPx)) {
     drawOn((gl) => {

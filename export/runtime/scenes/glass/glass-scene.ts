@@ -147,21 +147,15 @@ function createGlassScene(
     renderer.draw(ofTarget, scene, camera, 'scene');
   }
 
-  function publish(): void {
-    target.publish();
-    renderer.invalidateState();
-  }
-
   function drawAll(view: DrawView, camera: Camera, batches: number): void {
     const isOver = view.under?.isInTarget ?? false;
     under?.show(view.under);
     show(0);
     target.begin(view.viewport.widthPx, view.viewport.heightPx);
-    renderer.invalidateState();
     camera.layers.set(FIRST);
     camera.layers.enable(UNDER);
     drawBehind(camera);
-    publish();
+    target.publish();
     camera.layers.set(FIRST);
     renderer.draw(view, scene, camera, encoding);
     camera.layers.set(CURRENT);
@@ -172,7 +166,7 @@ function createGlassScene(
       if (batch === batches) break;
       blend(false);
       drawBehind(camera);
-      publish();
+      target.publish();
     }
   }
 

@@ -10,10 +10,10 @@ import {
   Vector2,
   Vector4,
 } from 'three';
+import { ROOM_DEPTH_CHUNK } from '../../../../nodes/kit/early-occlusion.ts';
 import type { DrawView } from '../../../../nodes/kit/runtime.ts';
 import type { RoomDepthOutput } from '../../../../nodes/kit/scene-lists.ts';
 import type { NumberView } from '../../../../nodes/kit/value-views.ts';
-import { ROOM_DEPTH_CHUNK } from './occlusion-patch.ts';
 import { type ShaderPatch, wrapMain } from './shader-patch.ts';
 import type { CatcherSurface } from './shadow-catcher-shader.ts';
 

@@ -1,6 +1,7 @@
 import { MAX_GLOW_SPOTS } from '../../../../nodes/kit/scene-look.ts';
 import { BEHIND_TRANSLUCENT } from '../lights/translucent-shadow.ts';
 import { type CubeLight, cubeLit, cubeParts, type FlatLight, flatLit, flatParts } from './shadow-filter-shader.ts';
+import { strokeParts } from './shadow-strokes.ts';
 
 /**
  * Vertex shader of shadow catchers. They draw the surface of a phantom as a shadow: premultiplied color whose alpha is the blocked fraction
@@ -126,20 +127,28 @@ export type CatcherSurface = typeof GEOMETRY;
 
 /**
  * Fragment shader of a shadow catcher for the given lights. The code is unrolled per light, because arrays of samplers require constant
- * indices. `glows` adds the negative shadow.
+ * indices. `glows` adds the negative shadow; with `strokes`, shadows are drawn as strokes.
  */
 export function catcherFragment(
   { flat, cube, plain }: CatcherLights,
   { declarations, find }: CatcherSurface = GEOMETRY,
   glows = false,
+  strokes = false,
 ): string {
   const count = flat.length + cube.length + plain;
   const extras = flat.filter(({ extra }) => extra >= 0).length + flat.filter(({ translucent }) => translucent >= 0).length;
-  const add = 'all += light.x; blocked += unlessGrazing( light, lit );';
+  const add = (light: number): string =>
+    strokes
+      ? `all += light.x; fullPart[ ${light} ] = light.x; ownPart[ ${light} ] = unlessGrazing( light, lit ); blocked += ownPart[ ${light} ];`
+      : 'all += light.x; blocked += unlessGrazing( light, lit );';
+  const addPlain = (light: number): string => (strokes ? `fullPart[ ${light} ] = light.x; ownPart[ ${light} ] = 0.0;` : '');
   const lines = [
-    ...flat.map((light, i) => `${arrives(i)} ${flatLit(light, i)} ${add}`),
-    ...cube.map((light, i) => `${arrives(flat.length + i)} ${cubeLit(light, i, flat.length + i)} ${add}`),
-    ...Array.from({ length: plain }, (_, i) => `${arrives(flat.length + cube.length + i)} all += light.x;`),
+    ...flat.map((light, i) => `${arrives(i)} ${flatLit(light, i)} ${add(i)}`),
+    ...cube.map((light, i) => `${arrives(flat.length + i)} ${cubeLit(light, i, flat.length + i)} ${add(flat.length + i)}`),
+    ...Array.from(
+      { length: plain },
+      (_, i) => `${arrives(flat.length + cube.length + i)} all += light.x; ${addPlain(flat.length + cube.length + i)}`,
+    ),
   ];
   return /* glsl */ `
 ${SHADOW_COLOR}
@@ -147,6 +156,7 @@ ${count > 0 ? lightUniforms(count) : ''}
 ${declarations}
 ${ARRIVING}
 ${glows ? GLOW : ''}
+${strokes ? strokeParts(count) : ''}
 ${BEHIND_TRANSLUCENT}
 ${flatParts(flat, extras)}
 ${cubeParts(cube)}
@@ -160,7 +170,7 @@ void main() {
   ${lines.join('\n  ')}
   float part = all > 0.0 ? blocked / all : 0.0;
   ${glows ? 'if ( glowCount >= 0 ) { gl_FragColor = glow( part ); return; }' : ''}
-  ${writeShadow('part')}
+  ${writeShadow(strokes ? 'strokeInk( normal, all )' : 'part')}
 }
 `;
 }

@@ -12,7 +12,7 @@ import {
 } from 'three';
 import type { DrawView } from '../../../../nodes/kit/runtime.ts';
 import type { LightList, ObjectItem, ObjectList } from '../../../../nodes/kit/scene-lists.ts';
-import type { ShadowGlow } from '../../../../nodes/kit/scene-look.ts';
+import type { ShadowGlow, ShadowStrokes } from '../../../../nodes/kit/scene-look.ts';
 import type { NumberView, VectorView } from '../../../../nodes/kit/value-views.ts';
 import { isDirectLight } from '../lights/is-direct-light.ts';
 import type { TextureLimits } from '../lights/light-limits.ts';
@@ -25,6 +25,7 @@ import { createRoomMaterial, ROOM_SURFACE, type RoomUniforms } from './room-surf
 import { patchMaterial, type ShaderPatch } from './shader-patch.ts';
 import { CATCHER_VERTEX, catcherFragment } from './shadow-catcher-shader.ts';
 import type { CubeLight, FlatLight } from './shadow-filter-shader.ts';
+import { createStrokeUniforms } from './shadow-strokes.ts';
 import type { Twin } from './twins.ts';
 
 /** The materials of one shadow layer, which share lights, strength and color, and differ in what three.js compiles per object. */
@@ -51,13 +52,15 @@ export interface MapCatcherOptions {
   readonly textureLimits: TextureLimits;
   /** Negative shadow, drawn instead of shadows for displays that cannot darken; null for none. */
   readonly glow: ShadowGlow | null;
+  /** Draws shadows as strokes; null draws them evenly. */
+  readonly strokes: ShadowStrokes | null;
 }
 
 /** Maximum number of texture units of a catcher; the remaining two of sixteen are for room depth. */
 const MAX_TEXTURES = 14;
 
 /** Creates a catcher that finds shadows by shadow maps, with the filter of each light. Edges follow cutouts by alpha. */
-export function createMapCatcher({ strength, color, maps, occlusion, textureLimits, glow }: MapCatcherOptions): ShadowCatcher {
+export function createMapCatcher({ strength, color, maps, occlusion, textureLimits, glow, strokes }: MapCatcherOptions): ShadowCatcher {
   let lightLists: readonly LightList[] = [];
   const lightUniforms = createLightUniforms();
   const flatMaps: (Texture | null)[] = [];
@@ -75,6 +78,7 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
     glowPlaces: { value: glow?.places ?? null },
     glowSizes: { value: glow?.sizes ?? null },
   };
+  const drawn = strokes ? createStrokeUniforms(strokes) : null;
   const uniforms = {
     strength: { value: 0 },
     shadowColor: { value: new Vector4() },
@@ -88,12 +92,13 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
     cubeReach: { value: cubeReach },
     cubeTranslucent: { value: cubeTranslucent },
     ...glowUniforms,
+    ...drawn?.uniforms,
   };
   const flat: FlatLight[] = [];
   const cube: CubeLight[] = [];
   const lights = { flat, cube, plain: 0 };
-  let fragmentShader = catcherFragment(lights, undefined, glow !== null);
-  let roomFragment = catcherFragment(lights, ROOM_SURFACE, glow !== null);
+  let fragmentShader = catcherFragment(lights, undefined, glow !== null, strokes !== null);
+  let roomFragment = catcherFragment(lights, ROOM_SURFACE, glow !== null, strokes !== null);
   const written = new Map<ShaderMaterial, 'geometry' | 'room'>();
   /**
    * Numbers of lights and textures in this frame. `textures`: units in use. `softened`, `undimmed`: lights for whose filter or translucent
@@ -177,8 +182,8 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
     flatExtras.length = counts.extras;
     cubeTranslucent.length = counts.cubeTranslucent;
     setLightCount(lightUniforms, counts.flat + counts.cube + counts.plain);
-    fragmentShader = catcherFragment(lights, undefined, glow !== null);
-    roomFragment = catcherFragment(lights, ROOM_SURFACE, glow !== null);
+    fragmentShader = catcherFragment(lights, undefined, glow !== null, strokes !== null);
+    roomFragment = catcherFragment(lights, ROOM_SURFACE, glow !== null, strokes !== null);
     for (const [material, surface] of written) {
       material.fragmentShader = surface === 'room' ? roomFragment : fragmentShader;
       material.needsUpdate = true;
@@ -209,6 +214,7 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
       lightLists = lightsNow;
       uniforms.strength.value = strength.value;
       uniforms.shadowColor.value.fromArray(color.value);
+      drawn?.update();
       if (!glow) return;
       uniforms.glowCount.value = glow.on ? glow.count : -1;
       uniforms.glowColor.value.fromArray(glow.color.value);

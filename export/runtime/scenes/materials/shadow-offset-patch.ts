@@ -4,7 +4,7 @@ import type { ShaderPatch } from './shader-patch.ts';
 const INCLUDE = '#include <shadowmap_vertex>';
 const MAIN = 'void main() {';
 
-/** Texts in three.js' shader, each with its replacement. */
+/** Texts in three.js' shader, each with its replacement. Pages leave out those of kinds of light that they do not have. */
 const REPLACEMENTS = [
   [
     'shadowWorldNormal * directionalLightShadows[ i ].shadowNormalBias',
@@ -48,8 +48,11 @@ vec3 scrimCenterOf( const in mat4 m ) {
  */
 export function createShadowOffsetPatch(): ShaderPatch {
   let chunk = ShaderChunk.shadowmap_vertex;
+  const count = (chunk.match(/shadowNormalBias/g) ?? []).length;
+  if (REPLACEMENTS.filter(([from]) => chunk.includes(from)).length !== count) {
+    throw new Error('three.js offsets shadows in another way than expected.');
+  }
   for (const [from, to] of REPLACEMENTS) {
-    if (!chunk.includes(from)) throw new Error('three.js offsets shadows in another way than expected.');
     chunk = chunk.replace(from, to);
   }
   return {

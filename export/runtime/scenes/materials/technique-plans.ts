@@ -1,9 +1,14 @@
-import { type IUniform, Material, type Scene, Vector2 } from 'three';
+import { type IUniform, Material, type Mesh, type Scene, Vector2 } from 'three';
 import type { DrawView } from '../../../../nodes/kit/runtime.ts';
 import type { ObjectItem } from '../../../../nodes/kit/scene-lists.ts';
 import type { TechniqueView } from '../../../../nodes/kit/technique-view.ts';
 import { type Drawable, mapMaterials, materialsOf, programFeatures } from '../proxies/drawable.ts';
 import type { ProxyPlan } from '../proxies/proxy.ts';
+import { readsDirections } from './curvature/direction-parts.ts';
+import { ensureCurvature } from './curvature/mesh-curvature.ts';
+import { ensureDirections } from './curvature/mesh-directions.ts';
+import { readsRadial } from './curvature/radial-parts.ts';
+import { type EdgeGeometry, edgeGeometryOf } from './edges/edge-geometry.ts';
 import { ensureHullNormals } from './hull-normals.ts';
 import { isTransmissive } from './layer-blending.ts';
 import type { OcclusionPatch } from './occlusion-patch.ts';
@@ -71,13 +76,21 @@ export function createTechniquePlans({ twins, occlusion, translucentShadows, onC
     return made;
   }
 
-  function twinOf(part: Material, features: string, technique: TechniqueView, passIndex: number, depthOnly: boolean): Material {
-    const variant = `${features}|${technique.key}|${passIndex}${depthOnly ? '|depth' : ''}`;
+  function twinOf(
+    part: Material,
+    features: string,
+    technique: TechniqueView,
+    passIndex: number,
+    depthOnly: boolean,
+    edges: EdgeGeometry | null = null,
+  ): Material {
+    const variant = `${features}|${technique.key}|${passIndex}${depthOnly ? '|depth' : ''}${edges ? `|edges ${edges.id}` : ''}`;
     const shared = { ...ofScene, ...uniformsOf(technique).uniforms };
     return twins.get(part, variant, () =>
       createTechniqueTwin(part, {
         technique,
         passIndex,
+        edges,
         depthOnly,
         shared,
         behind: behind?.text ?? '',
@@ -94,19 +107,34 @@ export function createTechniquePlans({ twins, occlusion, translucentShadows, onC
       const found = materialsOf(master).map((part) => techniqueFor(part, item));
       const passes = Math.max(...found.map((technique) => technique?.passes.length ?? 0));
       if (passes === 0) return null;
-      if (found.some((technique) => technique?.vertex.includes(OUTWARD))) ensureHullNormals(master.geometry);
+      const edges = edgesOf(master, found);
+      const isDrawn = (technique: TechniqueView, passIndex: number): boolean => {
+        const pass = technique.passes[passIndex];
+        return pass !== undefined && pass.side !== 'edges' && !(pass.dense && edges.has(technique));
+      };
+      if (found.some((technique) => technique?.passes.some((_, i) => isDrawn(technique, i)) && technique.vertex.includes(OUTWARD)))
+        ensureHullNormals(master.geometry);
+      if (found.some((technique) => technique && readsDirections(technique.fragment))) ensureDirections(master);
+      if (found.some((technique) => technique && readsRadial(technique.fragment))) ensureCurvature(master);
       const features = programFeatures(master);
       const draw = (passIndex: number, depthOnly: boolean): Material | Material[] =>
         mapMaterials(master, (part) => {
           const technique = techniqueFor(part, item);
           if (!technique) return passIndex === 0 && !depthOnly ? own(part) : NOTHING;
-          return passIndex < technique.passes.length ? twinOf(part, features, technique, passIndex, depthOnly) : NOTHING;
+          return isDrawn(technique, passIndex) ? twinOf(part, features, technique, passIndex, depthOnly) : NOTHING;
         });
       const plans: ProxyPlan[] = [];
       const isGlass =
         behind !== null && materialsOf(master).some((part, i) => (found[i] ? showsBehind(found[i].fragment) : isTransmissive(part)));
       for (let i = 0; i < passes; i++) {
-        plans.push({ material: draw(i, false), renderOrder: master.renderOrder + i * PASS_AFTER_PASS, isGlass });
+        const renderOrder = master.renderOrder + i * PASS_AFTER_PASS;
+        for (const [technique, { geometry, part, ...drawn }] of edges) {
+          if (technique.passes[i]?.side !== 'edges') continue;
+          const material = twinOf(part, features, technique, i, false, { geometry, ...drawn });
+          plans.push({ material, geometry, renderOrder, isGlass: behind !== null && showsBehind(technique.fragment) });
+        }
+        if (!found.some((technique) => (technique ? isDrawn(technique, i) : i === 0))) continue;
+        plans.push({ material: draw(i, false), renderOrder, isGlass });
         // Glass shows what is behind it.
         if (isGlass) continue;
         // A fading surface shows what is already drawn; drawing its depth first prevents that this is a surface behind it.
@@ -129,6 +157,20 @@ export function createTechniquePlans({ twins, occlusion, translucentShadows, onC
       for (const { bind } of ofTechniques.values()) bind(view);
     },
   };
+}
+
+/** The edges of a mesh and a material that they have in common, by the techniques that draw edges; without those that have too many. */
+function edgesOf(master: Mesh, found: readonly (TechniqueView | null)[]): Map<TechniqueView, EdgeGeometry & { readonly part: Material }> {
+  const edges = new Map<TechniqueView, EdgeGeometry & { readonly part: Material }>();
+  const parts = materialsOf(master);
+  for (const [i, technique] of found.entries()) {
+    const part = parts[i];
+    if (!technique || !part || edges.has(technique) || !technique.passes.some(({ side }) => side === 'edges')) continue;
+    // A single material is that of all groups.
+    const made = edgeGeometryOf(master, (group) => !Array.isArray(master.material) || found[group] === technique);
+    if (made) edges.set(technique, { ...made, part });
+  }
+  return edges;
 }
 
 function techniqueFor({ name }: Material, { techniques = [] }: ObjectItem): TechniqueView | null {

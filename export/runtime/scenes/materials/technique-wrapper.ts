@@ -1,4 +1,7 @@
+import { DIRECTION_FRAGMENT, DIRECTION_VARYINGS, DIRECTION_VERTEX, readsDirections } from './curvature/direction-parts.ts';
+import { RADIAL_FRAGMENT, RADIAL_VARYING, RADIAL_VERTEX, readsRadial } from './curvature/radial-parts.ts';
 import { environmentFragment, environmentVertex } from './technique-environment.ts';
+import { FUNCTIONS, OF_BOTH, VARYINGS, VERTEX_FUNCTIONS, WITHOUT_LIGHTS } from './wrapper-parts.ts';
 
 /**
  * The vertex shader of one pass of a technique. The GLSL around the technique's text defines the names of
@@ -12,6 +15,8 @@ import { environmentFragment, environmentVertex } from './technique-environment.
  */
 export function techniqueVertex(text: string, fragment: string, passIndex: number): string {
   const environment = environmentVertex(fragment);
+  const directions = readsDirections(fragment);
+  const radial = readsRadial(fragment);
   return /* glsl */ `
 #define a_EYE cameraPosition
 #define a_PASSINDEX ${passIndex}
@@ -25,19 +30,13 @@ ${FUNCTIONS}
 #include <morphtarget_pars_vertex>
 #include <skinning_pars_vertex>
 #include <shadowmap_pars_vertex>
-varying vec3 vTechniquePosition;
-varying vec3 vTechniqueNormal;
-varying vec2 vTechniqueUv;
-varying vec4 vTechniqueColor;
-varying vec3 vTechniqueRest;
-varying vec3 vTechniqueRestNormal;
+${VARYINGS}
 ${environment.pars}
 ${text.includes('.outward') ? 'attribute vec3 scrimHullNormal;' : '#define scrimHullNormal normal'}
+${directions ? DIRECTION_VERTEX.declarations : ''}
+${radial ? RADIAL_VERTEX.declarations : ''}
 
-// Length of a unit along each axis of the matrix.
-vec3 scrimScale( const in mat3 m ) {
-  return vec3( length( m[ 0 ] ), length( m[ 1 ] ), length( m[ 2 ] ) );
-}
+${VERTEX_FUNCTIONS}
 
 void main() {
   #include <uv_vertex>
@@ -83,6 +82,10 @@ void main() {
   vec3 hullNormalWorld = transpose( inverse( mat3( worldFromVertex ) ) ) * outward;
   float hullNormalLength = length( hullNormalWorld );
   vertex.outward = hullNormalLength > 0.0 ? hullNormalWorld * ( length( scrimHullNormal ) / hullNormalLength ) : vertex.normal;
+  vertex.contour = false;
+  vertex.crease = 0.0;
+  vertex.widthPx = 0.0;
+  vertex.endPx = 0.0;
   scrim_uv = a_VIEW_UV( vertex.position );
   a_vertex( vertex );
   vTechniquePosition = vertex.position;
@@ -91,6 +94,8 @@ void main() {
   vTechniqueColor = vertex.color;
   vTechniqueRest = vertex.rest;
   vTechniqueRestNormal = normal / restScale;
+  ${directions ? DIRECTION_VERTEX.main : ''}
+  ${radial ? RADIAL_VERTEX.main : ''}
   vec4 worldPosition = vec4( vertex.position, 1.0 );
   vec4 mvPosition = viewMatrix * worldPosition;
   vec3 transformedNormal = mat3( viewMatrix ) * vertex.normal;
@@ -101,30 +106,6 @@ void main() {
 `;
 }
 
-/**
- * Variables of both stages, before the author's text. Both also have `projectionMatrix`, which three.js sets in every shader that declares
- * it.
- */
-const OF_BOTH = `uniform float a_TIME;
-uniform vec2 a_RENDERSIZE;
-vec2 scrim_uv;`;
-
-/** Functions of the interface for both stages. They follow the author's text, which has their prototypes. */
-const FUNCTIONS = `vec2 a_VIEW_UV( const in vec3 position ) {
-  vec4 clip = projectionMatrix * ( viewMatrix * vec4( position, 1.0 ) );
-  return clip.w > 0.0 ? clip.xy / clip.w * 0.5 + 0.5 : vec2( - 1.0 );
-}
-float a_VIEW_DEPTH( const in vec3 position ) {
-  return - ( viewMatrix * vec4( position, 1.0 ) ).z;
-}
-float a_PIXEL_M( const in vec3 position ) {
-  return 2.0 * max( a_VIEW_DEPTH( position ), 0.0 ) / ( projectionMatrix[ 1 ][ 1 ] * a_RENDERSIZE.y );
-}`;
-
-/** Values of the light macros in the vertex stage, which has no lights. The linker rejects texts that use lights there. */
-const WITHOUT_LIGHTS = `#define a_AMBIENT vec3( 0.0 )
-#define a_LIGHT_COUNT 0`;
-
 /** Whether the text of a technique reads what is behind its object. */
 export function showsBehind(text: string): boolean {
   return text.includes('a_BEHIND(');
@@ -132,6 +113,8 @@ export function showsBehind(text: string): boolean {
 
 /** The fragment shader of one pass of a technique. `behind` is the GLSL of `BEHIND`, which is added if the text calls it. */
 export function techniqueFragment(text: string, passIndex: number, behind: string): string {
+  const directions = readsDirections(text);
+  const radial = readsRadial(text);
   return /* glsl */ `
 vec3 scrimAmbient();
 #define a_EYE cameraPosition
@@ -149,14 +132,14 @@ ${FUNCTIONS}
 #include <alphatest_pars_fragment>
 #include <lights_pars_begin>
 #include <shadowmap_pars_fragment>
-varying vec3 vTechniquePosition;
-varying vec3 vTechniqueNormal;
-varying vec2 vTechniqueUv;
-varying vec4 vTechniqueColor;
-varying vec3 vTechniqueRest;
-varying vec3 vTechniqueRestNormal;
+${VARYINGS}
+#ifdef SCRIM_EDGES
+varying vec3 vTechniqueLine;
+#endif
 // Linear, with the opacity as alpha.
 uniform vec4 scrimColor;
+${directions ? DIRECTION_VARYINGS : ''}
+${radial ? RADIAL_VARYING : ''}
 ${environmentFragment(text)}
 ${showsBehind(text) ? behind : ''}
 a_Light scrimLights[ NUM_POINT_LIGHTS + NUM_SPOT_LIGHTS + NUM_DIR_LIGHTS + 1 ];
@@ -224,8 +207,11 @@ void main() {
   #endif
   scrimGatherLights();
   a_Surface surface;
+  surface.line = vec3( 0.0 );
   surface.position = vTechniquePosition;
-  #ifdef FLAT_SHADED
+  #ifdef SCRIM_EDGES
+    surface.normal = normalize( vTechniqueNormal );
+  #elif defined( FLAT_SHADED )
     surface.normal = normalize( cross( dFdx( vTechniquePosition ), dFdy( vTechniquePosition ) ) );
   #else
     surface.normal = normalize( vTechniqueNormal ) * ( gl_FrontFacing ? 1.0 : - 1.0 );
@@ -236,11 +222,16 @@ void main() {
   surface.color = diffuseColor;
   surface.front = gl_FrontFacing;
   surface.rest = vTechniqueRest;
-  #ifdef FLAT_SHADED
+  #ifdef SCRIM_EDGES
+    surface.line = vTechniqueLine;
+    surface.restNormal = vTechniqueRestNormal;
+  #elif defined( FLAT_SHADED )
     surface.restNormal = normalize( cross( dFdx( vTechniqueRest ), dFdy( vTechniqueRest ) ) );
   #else
     surface.restNormal = normalize( vTechniqueRestNormal );
   #endif
+  ${directions ? DIRECTION_FRAGMENT : ''}
+  ${radial ? RADIAL_FRAGMENT : ''}
   scrim_uv = a_VIEW_UV( vTechniquePosition );
   gl_FragColor = clamp( a_surface( surface ), 0.0, 1.0 );
   if ( scrim_discarded ) discard;

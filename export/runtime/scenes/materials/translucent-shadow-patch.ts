@@ -69,7 +69,10 @@ ${BEHIND_TRANSLUCENT}
 #endif
 `;
 
-/** Texts in three.js' shader that read shadows, each with the factor by which to multiply the result. */
+/**
+ * Texts in three.js' shader that read shadows, each with the factor by which to multiply the result. Pages leave out those of kinds of light
+ * that they do not have.
+ */
 const ADDED = [
   ['vDirectionalShadowCoord[ i ] ) : 1.0', 'SCRIM_VEIL( scrimDirTranslucent[ i ], vDirectionalShadowCoord[ i ], scrimDirFar[ i ] )'],
   ['vSpotLightCoord[ i ] ) : 1.0', 'SCRIM_VEIL( scrimSpotTranslucent[ i ], vSpotLightCoord[ i ], 0.0 )'],
@@ -78,8 +81,11 @@ const ADDED = [
 
 function dimmedLights(): string {
   let chunk = ShaderChunk.lights_fragment_begin;
+  const count = (chunk.match(/get(Point)?Shadow\(/g) ?? []).length;
+  if (ADDED.filter(([found]) => chunk.split(found).length === 2).length !== count) {
+    throw new Error('three.js looks shadows up in another way than expected.');
+  }
   for (const [found, translucent] of ADDED) {
-    if (chunk.split(found).length !== 2) throw new Error('three.js looks shadows up in another way than expected.');
     chunk = chunk.replace(found, found.replace(' : ', ` * ${translucent} : `));
   }
   return chunk;

@@ -19,7 +19,7 @@ export interface EmbeddedImages {
  * Decodes the images of a GLB file without fetching.
  *
  * three.js converts them to `blob:` URLs and fetches these, which a strict content security policy blocks. This decodes their bytes and
- * passes them to the parser through its cache. `tests/browser/scenes-models.test.ts` loads a model under `default-src 'none'` and fails if
+ * passes them to the parser through its cache. `tests/slow/scenes-models.test.ts` loads a model under `default-src 'none'` and fails if
  * an upgrade of three.js does not read the cache.
  */
 export function embeddedImages({ document, bitmaps, decodeKtx2 }: EmbeddedImages, parser: GLTFParser): GLTFLoaderPlugin {

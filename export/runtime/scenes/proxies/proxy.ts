@@ -1,10 +1,12 @@
-import { type Material, Matrix4, Sphere } from 'three';
+import { type BufferGeometry, type Material, Matrix4, Sphere } from 'three';
 import type { ObjectItem } from '../../../../nodes/kit/scene-lists.ts';
 import { boundsInObject, type Drawable, isInstanced, isShown, isSkinned } from './drawable.ts';
 
 /** How to draw a master in a scene. A master may need several plans, such as one for depth before its colors, or one per side. */
 export interface ProxyPlan {
   readonly material: Material | Material[];
+  /** The geometry to draw; absent means that of the master. */
+  readonly geometry?: BufferGeometry;
   /** Lower values are drawn first; three.js sorts objects with equal ones. */
   readonly renderOrder: number;
   /** Whether the proxy is visible, evaluated every frame; absent means always. */
@@ -33,6 +35,7 @@ const scratchInverse = new Matrix4();
 export function createProxy(master: Drawable, item: ObjectItem, plan: ProxyPlan): FlatProxy {
   const object = cloneSharing(master);
   object.material = plan.material;
+  if (plan.geometry) object.geometry = plan.geometry;
   object.renderOrder = plan.renderOrder;
   object.matrixAutoUpdate = false;
   object.matrixWorldAutoUpdate = false;

@@ -4,6 +4,8 @@ import type { BufferGeometry } from 'three';
 export interface MeshShape {
   /** For each welded vertex, the index of one of its vertices in the geometry. */
   readonly vertices: Uint32Array;
+  /** For each vertex of the geometry, its welded vertex. */
+  readonly weldedOf: Uint32Array;
   /** Three welded vertices per triangle, counterclockwise from outside. */
   readonly triangles: Uint32Array;
   /** Two welded vertices per edge, the lower one first. */
@@ -25,7 +27,7 @@ export interface MeshShape {
 export function createMeshShape(geometry: BufferGeometry, isUsed: (materialIndex: number) => boolean): MeshShape {
   const welded = weld(geometry);
   const triangles = collectTriangles(geometry, welded.indexOf, isUsed);
-  return { vertices: welded.vertices, triangles, ...collectEdges(triangles, welded.vertices.length) };
+  return { vertices: welded.vertices, weldedOf: welded.indexOf, triangles, ...collectEdges(triangles, welded.vertices.length) };
 }
 
 /** Tolerance for equal positions relative to the radius of the mesh, because computed seams differ by rounding. */

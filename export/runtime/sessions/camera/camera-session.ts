@@ -23,6 +23,8 @@ export interface CameraSessionParts {
   readonly sensor: OrientationSensor;
   /** Functions that read input; absent or null: frames have no input. */
   readonly inputs?: SessionInputs | null;
+  /** Sizes the drawing buffer. Default: the size of the canvas on the page. */
+  readonly fitter?: CanvasFitter;
   /** Creates the estimation of the field of view; absent or null: the field of view stays as assumed. */
   readonly createLens?: CreateLens | null;
 }
@@ -42,7 +44,16 @@ export interface CameraSession extends Session {
  * surfaces or light estimation. The field of view of the camera is estimated while the device turns. The camera is off while the page is hidden and after `end`. `tracking` reports whether the orientation
  * sensor works.
  */
-export function createCameraSession({ gl, canvas, clock, stream, sensor, inputs, createLens }: CameraSessionParts): CameraSession {
+export function createCameraSession({
+  gl,
+  canvas,
+  clock,
+  stream,
+  sensor,
+  inputs,
+  createLens,
+  fitter: given,
+}: CameraSessionParts): CameraSession {
   const frame = createSessionFrame();
   const time = createFrameTime();
   const page = canvas.ownerDocument;
@@ -113,7 +124,7 @@ export function createCameraSession({ gl, canvas, clock, stream, sensor, inputs,
     onFrame?.(frame);
   };
   const begin = (): void => {
-    fitter = createCanvasFitter(canvas);
+    fitter = given ?? createCanvasFitter(canvas);
     input = inputs?.page(canvas) ?? null;
     gestures = listenForOrbit(canvas, viewer, tanHalfLongSide, input ?? undefined);
     page.addEventListener('visibilitychange', visibility);

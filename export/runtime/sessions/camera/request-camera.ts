@@ -1,5 +1,6 @@
 import type { Diagnostic, Result } from '../../../../nodes/kit/diagnostics.ts';
 import type { FrameClock } from '../../clock.ts';
+import type { CanvasFitter } from '../fit-canvas.ts';
 import type { SessionInputs } from '../input/session-inputs.ts';
 import { type CameraSession, createCameraSession } from './camera-session.ts';
 import { createCameraStream } from './camera-stream.ts';
@@ -15,6 +16,8 @@ export interface CameraRequest {
   readonly clock: FrameClock;
   /** Functions that read input; absent or null: frames have no input. */
   readonly inputs?: SessionInputs | null;
+  /** Sizes the drawing buffer. Default: the size of the canvas on the page. */
+  readonly fitter?: CanvasFitter;
   /** Creates the estimation of the field of view; absent or null: the field of view stays as assumed. */
   readonly createLens?: CreateLens | null;
 }

@@ -1,6 +1,6 @@
 import type { Session, SessionEvent, SessionFrame } from '../../../../nodes/kit/session.ts';
 import type { FrameClock } from '../../clock.ts';
-import { createCanvasFitter } from '../fit-canvas.ts';
+import { type CanvasFitter, createCanvasFitter } from '../fit-canvas.ts';
 import { createFrameTime } from '../frame-time.ts';
 import type { SessionInputs } from '../input/session-inputs.ts';
 import { setFrustum, setRigidInverse } from '../matrix.ts';
@@ -10,8 +10,10 @@ import { createOrbit, ORBIT_DEFAULTS, type OrbitPose } from './orbit-pose.ts';
 
 export interface OrbitSessionOptions {
   readonly gl: WebGL2RenderingContext;
-  /** The canvas of `gl`. Its drawing buffer follows its size on the page. */
+  /** The canvas of `gl`. */
   readonly canvas: HTMLCanvasElement;
+  /** Sizes the drawing buffer. Default: the size of the canvas on the page. */
+  readonly fitter?: CanvasFitter;
   readonly clock: FrameClock;
   readonly start?: Partial<OrbitPose>;
   /** Functions that read input; absent or null: frames have no input. */
@@ -38,7 +40,7 @@ export function createOrbitSession(options: OrbitSessionOptions): Session {
 
   const tanHalfFovY = (): number => TAN_HALF_FOV / Math.min(1, gl.drawingBufferWidth / gl.drawingBufferHeight);
   const begin = (): void => {
-    const fitter = createCanvasFitter(canvas);
+    const fitter = options.fitter ?? createCanvasFitter(canvas);
     const input = options.inputs?.page(canvas) ?? null;
     const gestures = listenForOrbit(canvas, orbit, tanHalfFovY, input ?? undefined);
     const visibility = (): void => onEvent?.({ kind: 'visibility', visible: page.visibilityState === 'visible' });

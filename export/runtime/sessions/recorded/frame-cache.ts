@@ -53,22 +53,27 @@ export function createFrameCache(
     }
   };
   const load = async (index: number, frame: SessionFileFrame): Promise<DecodedFrame | null> => {
-    const [color, meters] = await Promise.all([
-      part(files, frame.color, (bytes) => decodeColor(bytes, session), onProblem),
-      session.depth && frame.depth !== undefined ? depthOf(frame.depth, session.depth) : null,
+    const { depth } = session;
+    const [color, meters] = await Promise.allSettled([
+      files.load(frame.color).then((bytes) => decodeColor(bytes, session)),
+      depth && frame.depth !== undefined ? files.load(frame.depth).then((bytes) => decodeDepth(bytes, depth)) : null,
     ]);
     pending.delete(index);
-    if (!color) broken.add(index);
-    if (!color || disposed) {
-      color?.close();
+    // In this order whichever file failed first: of a frame without any file, the color image is reported.
+    if (color.status === 'rejected') onProblem(unusableImage(frame.color, color.reason));
+    if (meters.status === 'rejected') onProblem(unusableImage(frame.depth ?? '', meters.reason));
+    if (color.status === 'rejected') {
+      broken.add(index);
       return null;
     }
-    const result = { index, color, meters };
+    if (disposed) {
+      color.value.close();
+      return null;
+    }
+    const result = { index, color: color.value, meters: meters.status === 'fulfilled' ? meters.value : null };
     touch(result);
     return result;
   };
-  const depthOf = (path: string, format: NonNullable<SessionFile['depth']>): Promise<Float32Array<ArrayBuffer> | null> =>
-    part(files, path, async (bytes) => decodeDepth(bytes, format), onProblem);
   const request = (index: number): Promise<DecodedFrame | null> => {
     const known = decoded.get(index);
     const frame = session.frames[index];
@@ -107,16 +112,5 @@ async function decodeColor(bytes: ArrayBuffer, session: SessionFile): Promise<Im
   throw new Error(`it has ${width} × ${height} pixels, but session.json specifies ${widthPx} × ${heightPx}`);
 }
 
-async function part<T>(
-  files: AssetSource,
-  path: string,
-  decode: (bytes: ArrayBuffer) => Promise<T>,
-  onProblem: (message: string) => void,
-): Promise<T | null> {
-  try {
-    return await decode(await files.load(path));
-  } catch (error) {
-    onProblem(`The image "${path}" cannot be used: ${error instanceof Error ? error.message : String(error)}.`);
-    return null;
-  }
-}
+const unusableImage = (path: string, reason: unknown): string =>
+  `The image "${path}" cannot be used: ${reason instanceof Error ? reason.message : String(reason)}.`;

@@ -64,7 +64,7 @@ export function createAuthoredRoom(gl: WebGL2RenderingContext): AuthoredRoom {
  * Draws the room. `lens` has the scale and shift of x and y in the projection, which may be off-axis. Colors are display-referred sRGB.
  * Lines are 16 mm wide and at least one pixel.
  */
-const FRAGMENT = `#version 300 es
+const FRAGMENT = /* glsl */ `#version 300 es
 precision highp float;
 uniform vec4 lens;
 uniform mat4 worldFromView;

@@ -42,7 +42,7 @@ export function createDecoder(gl: WebGL2RenderingContext, source: DepthSource, a
 function fragment(source: DepthSource, array: boolean): string {
   const type = `${source === 'unsigned-short' ? 'u' : ''}sampler2D${array ? 'Array' : ''}`;
   const at = array ? 'ivec3(gl_FragCoord.xy, layer)' : 'ivec2(gl_FragCoord.xy)';
-  return `#version 300 es
+  return /* glsl */ `#version 300 es
 precision highp float;
 uniform highp ${type} depth;
 uniform vec2 scale;

@@ -120,7 +120,7 @@ const LENS: readonly number[] = [0, 5, 8, 9];
  * corners differ by more than `GAP` times the distance spans two surfaces. A quad with an unknown corner, or one behind the eye, is moved
  * outside the clip volume. Comments stand here because pages ship the text of a shader as it is.
  */
-const VERTEX = `#version 300 es
+const VERTEX = /* glsl */ `#version 300 es
 precision highp float;
 precision highp int;
 uniform highp sampler2D room;
@@ -171,7 +171,7 @@ void main() {
 }
 `;
 
-const FRAGMENT = `#version 300 es
+const FRAGMENT = /* glsl */ `#version 300 es
 precision highp float;
 in float viewM;
 flat in float farthestM;

@@ -1,0 +1,92 @@
+import { encode as encodePng } from 'fast-png';
+import { depthSeen } from '../../export/captures/depth/depth-from-mesh.ts';
+import { type DepthMap, isKnown, scaledPinhole } from '../../export/captures/depth/depth-map.ts';
+import { type DepthMesh, makeDepthMesh } from '../../export/captures/depth/depth-mesh.ts';
+import { raysOf } from '../../export/captures/depth/depth-rays.ts';
+import type { FusedView } from '../../export/captures/depth/fuse-depth-meshes.ts';
+import { CAPTURE_LIMITS, type CaptureMesh, type CaptureView, MOST_DEPTH_TRIANGLES, type Pinhole } from '../../nodes/kit/capture.ts';
+
+/** The files of the depth of one view by their names, and what its document says of them. */
+export interface PackedDepth {
+  readonly files: readonly (readonly [name: string, content: Uint8Array])[];
+  readonly members: Pick<CaptureView, 'depth' | 'depthMesh'>;
+  /** The depth mesh, to be joined with those of other views; null without it. */
+  readonly fused: FusedView | null;
+}
+
+/** Depth that is drawn from the mesh of a place has at most this longest side: finer edges are those of the mesh, not of the place. */
+const MAX_DRAWN_SIDE_PX = 1024;
+/** A depth mesh has at most this many triangles, which are less than a tenth of a map of 1,024 × 768 pixels. */
+const MAX_TRIANGLES = 150_000;
+const MAX_TRIANGLES_AROUND = 400_000;
+/** Depths beyond this are stored as unknown, so that 16 bits resolve the others, meters. */
+const MOST_DEPTH_M = 1000;
+const LEVELS = 65535;
+/** All depth meshes together may become the mesh of the place. */
+const MOST_TRIANGLES = Math.min(MOST_DEPTH_TRIANGLES, CAPTURE_LIMITS.triangles);
+
+/**
+ * Packs the depth map of a view, if there is one, and its depth mesh.
+ *
+ * @param map Depth in meters; null: it is drawn from `mesh`.
+ * @param mesh The mesh of the place in meters; null: no depth mesh is made without a map.
+ * @param viewCount Number of views that share the limit of triangles.
+ */
+export function packDepthFiles(
+  map: DepthMap | null,
+  mesh: CaptureMesh | null,
+  pinhole: Pinhole,
+  worldFromCamera: readonly number[],
+  index: number,
+  viewCount: number,
+): PackedDepth {
+  const number = String(index).padStart(3, '0');
+  const files: [string, Uint8Array][] = [];
+  let members: PackedDepth['members'] = {};
+  if (map) {
+    const { widthPx, heightPx } = map;
+    const { bytes, metersPerLevel } = packMap(map);
+    files.push([`depths/${number}.png`, bytes]);
+    members = { depth: { file: `depths/${number}.png`, widthPx, heightPx, metersPerLevel } };
+  }
+  const factor = map ? map.widthPx / pinhole.widthPx : Math.min(1, MAX_DRAWN_SIDE_PX / Math.max(pinhole.widthPx, pinhole.heightPx));
+  const camera = scaledPinhole(pinhole, factor);
+  const seen = map ?? (mesh && depthSeen(mesh, camera, worldFromCamera));
+  if (!seen) return { files, members, fused: null };
+  const most = camera.projection === undefined ? MAX_TRIANGLES : MAX_TRIANGLES_AROUND;
+  const made = makeDepthMesh(seen, raysOf(camera), Math.min(most, Math.floor(MOST_TRIANGLES / viewCount)));
+  if (made.indices.length === 0) return { files, members, fused: null };
+  const file = `depth-meshes/${number}.bin`;
+  files.push([file, meshBytes(made)]);
+  const counts = { vertexCount: made.depths.length, triangleCount: made.indices.length / 3 };
+  const depthMesh = { file, widthPx: seen.widthPx, heightPx: seen.heightPx, ...counts };
+  return { files, members: { ...members, depthMesh }, fused: { made, map: seen, camera, worldFromCamera } };
+}
+
+function packMap({ widthPx, heightPx, values }: DepthMap): { readonly bytes: Uint8Array; readonly metersPerLevel: number } {
+  const isStored = (depth: number): boolean => isKnown(depth) && depth <= MOST_DEPTH_M;
+  const metersPerLevel = values.reduce((most, depth) => (isStored(depth) ? Math.max(most, depth) : most), 0) / LEVELS || 0.001;
+  const data = Uint16Array.from(values, (depth) => (isStored(depth) ? Math.max(1, Math.round(depth / metersPerLevel)) : 0));
+  return { bytes: encodePng({ width: widthPx, height: heightPx, data, depth: 16, channels: 1 }), metersPerLevel };
+}
+
+function meshBytes({ places, depths, indices }: DepthMesh): Uint8Array {
+  const bytes = new Uint8Array(8 * depths.length + 4 * indices.length);
+  const view = new DataView(bytes.buffer);
+  depths.forEach((depth, i) => {
+    view.setUint16(8 * i, places[2 * i] ?? 0, true);
+    view.setUint16(8 * i + 2, places[2 * i + 1] ?? 0, true);
+    view.setFloat32(8 * i + 4, depth, true);
+  });
+  new Uint32Array(bytes.buffer, 8 * depths.length).set(indices);
+  return bytes;
+}
+
+/** How far the floor is below a 360° camera: the middle of the depths in the last rows. */
+export function heightAboveFloorM({ widthPx, heightPx, values }: DepthMap): number | null {
+  const below = values
+    .subarray(widthPx * Math.floor(heightPx * 0.98))
+    .filter(isKnown)
+    .sort();
+  return below[below.length >> 1] ?? null;
+}

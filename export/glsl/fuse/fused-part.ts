@@ -1,0 +1,12 @@
+import type { PassParts } from '../link/link-parts.ts';
+
+/** A pass to fuse. */
+export interface FusedPart {
+  readonly node: string;
+  readonly parts: PassParts;
+  /**
+   * Sampler → index of the earlier pass that draws its layer. The fused shader reads the layer from a variable; if the pass reads the layer
+   * at other pixels (`ImagePart.isHere`), it computes it there, with the earlier passes that only this layer depends on.
+   */
+  readonly from: ReadonlyMap<string, number>;
+}

@@ -1,0 +1,70 @@
+import type { Operation, PassOperation, Program, Resource } from './program.ts';
+
+/** Node types that list, place or draw objects and lights, and say when they change (`NodeRuntime.version`). A test compares them. */
+export const STILL_TYPES: readonly string[] = [
+  'layer/object-mask',
+  'layer/scene',
+  'layer/shadow',
+  'light/directional',
+  'light/environment',
+  'light/point',
+  'light/spot',
+  'objects/apply-technique',
+  'objects/at-pose',
+  'objects/copies',
+  'objects/group',
+  'objects/phantom',
+  'objects/primitive',
+  'objects/text-3d',
+  'objects/transform',
+  'source/model',
+  'source/panorama',
+];
+
+/** Kinds of resources that change with what a page compares: values, versions, the view, and whether there is depth of the room. */
+const COMPARED: ReadonlySet<Resource['kind']> = new Set([
+  'environment',
+  'external',
+  'lights',
+  'objects',
+  'room-depth',
+  'shadow-maps',
+  'table',
+  'target',
+  'technique',
+]);
+const OBJECTS: ReadonlySet<Resource['kind']> = new Set(['environment', 'lights', 'objects']);
+const CLOCKS: ReadonlySet<string> = new Set(['DATE', 'FRAMEINDEX', 'TIME', 'TIMEDELTA']);
+
+/**
+ * Whether frames of a program that draws objects or computes images on the CPU may repeat the last image: everything in it changes with values,
+ * files or the view, or says when it changes. Not if anything depends on the clock, on an earlier frame (as pixels
+ * that are read back do), on a pose or on a sound.
+ *
+ * @example
+ * if (mayRest(program)) watch = createRestWatch(program, parts);
+ */
+export function mayRest({ operations, resources }: Program): boolean {
+  const objects = new Set(resources.flatMap(({ id, kind }) => (OBJECTS.has(kind) ? [id] : [])));
+  const isStill = (operation: Operation): boolean => {
+    if (operation.kind === 'pass') return !readsClock(operation);
+    if (!('type' in operation)) return true;
+    if (operation.kind === 'cpu') return operation.stateful === undefined;
+    return STILL_TYPES.includes(operation.type) || (operation.kind !== 'draw' && !operation.writes.some((id) => objects.has(id)));
+  };
+  return operations.every(isStill) && resources.every(isCompared);
+}
+
+function readsClock({ uniforms, samplers }: PassOperation): boolean {
+  return (
+    uniforms.some(({ source }) => 'builtin' in source && CLOCKS.has(source.builtin)) ||
+    // An imported image may be loaded later, without a sign.
+    samplers.some(({ source }) => source.kind === 'import')
+  );
+}
+
+function isCompared(resource: Resource): boolean {
+  if (resource.kind === 'target') return resource.lifetime !== 'persistent';
+  if (resource.kind === 'technique') return !`${resource.vertex}${resource.fragment}`.includes('a_TIME');
+  return COMPARED.has(resource.kind);
+}

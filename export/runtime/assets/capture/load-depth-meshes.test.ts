@@ -1,0 +1,61 @@
+import { expect, test } from '@jest/globals';
+import type { CaptureView } from '../../../../nodes/kit/capture.ts';
+import type { GlObjects } from '../../gl/gl-objects.ts';
+import { loadDepthMeshes } from './load-depth-meshes.ts';
+
+const FILE = { file: 'depth-meshes/000.bin', widthPx: 4, heightPx: 3, vertexCount: 3, triangleCount: 1 };
+const view = (depthMesh?: CaptureView['depthMesh']) => ({ file: 'a.jpg', ...(depthMesh && { depthMesh }) }) as CaptureView;
+
+/** A mesh of three vertices and one triangle. */
+function meshOf({ depth = 2, column = 1, corner = 2 } = {}): ArrayBuffer {
+  const data = new DataView(new ArrayBuffer(3 * 8 + 12));
+  for (let i = 0; i < 3; i++) {
+    data.setUint16(8 * i, column, true);
+    data.setFloat32(8 * i + 4, depth, true);
+    data.setUint32(24 + 4 * i, i < 2 ? i : corner, true);
+  }
+  return data.buffer;
+}
+
+/** GL that accepts everything, and counts vertex arrays. */
+function fakeObjects() {
+  const log: number[][] = [];
+  let arrays = 0;
+  const gl = new Proxy({} as WebGL2RenderingContext, {
+    get: (_, name) => (target: number, at: number, data: Uint32Array) => {
+      if (name === 'bufferSubData' && data instanceof Uint32Array) log.push([at, ...data]);
+      return { target };
+    },
+  });
+  const objects = { gl, createVertexArray: () => ({ id: ++arrays }), deleteVertexArray: () => arrays-- };
+  return { objects: objects as unknown as GlObjects, log, count: () => arrays };
+}
+
+test('joins the meshes of all views into one', async () => {
+  const { objects, log, count } = fakeObjects();
+  const loaded = await loadDepthMeshes(objects, [view(FILE), view(), view({ ...FILE, file: 'depth-meshes/002.bin' })], async () =>
+    meshOf(),
+  );
+  expect(loaded.views.map((each) => each && [each.firstIndex, each.indexCount])).toEqual([[0, 3], null, [3, 3]]);
+  expect(log).toEqual([
+    [0, 0, 1, 2],
+    [12, 3, 4, 5],
+  ]);
+  loaded.dispose();
+  expect(count()).toBe(0);
+});
+
+test.each<[string, () => ArrayBuffer, string]>([
+  ['that was cut', () => meshOf().slice(0, 30), 'has 30 bytes instead of 36'],
+  ['with a depth that is not a number', () => meshOf({ depth: Number.NaN }), 'a depth in depth-meshes/000.bin is not above 0'],
+  ['with a vertex beyond its map', () => meshOf({ column: 9 }), 'outside its map'],
+  ['with a missing vertex', () => meshOf({ corner: 3 }), 'a vertex beyond the 3'],
+])('refuses a depth mesh %s, and releases what it has created', async (_, bytes, reason) => {
+  const { objects, count } = fakeObjects();
+  await expect(loadDepthMeshes(objects, [view(FILE)], async () => bytes())).rejects.toThrow(reason);
+  expect(count()).toBe(0);
+});
+
+test('refuses a capture without depth meshes', async () => {
+  await expect(loadDepthMeshes(fakeObjects().objects, [view()], async () => meshOf())).rejects.toThrow('it has no depth meshes');
+});

@@ -1,0 +1,114 @@
+import { MAY_CHANGE } from '../../../nodes/kit/runtime.ts';
+import { mayRest } from '../../program/may-rest.ts';
+import type { Operation, Program } from '../../program/program.ts';
+import type { CpuFilter } from '../cpu/run-cpu-filter.ts';
+import type { NodeInstance } from '../operations/node-instance.ts';
+import type { PlayState } from '../play-state.ts';
+import type { SessionTraits } from '../present/background.ts';
+import type { LiveResources } from '../resources/resources.ts';
+import type { Slots } from '../values/slots.ts';
+
+/** Finds out which frames of a program with objects, or with images that the CPU computes, would draw the last image again. */
+export interface RestWatch {
+  /** Compares a frame with that of the last call. Call it once per frame, after nodes are updated. Always true with more than one view. */
+  look(state: PlayState, session: SessionTraits | null): boolean;
+  /** Makes the next frame draw everything. */
+  forget(): void;
+}
+
+interface RestParts {
+  readonly resources: LiveResources;
+  readonly slots: Slots;
+  readonly nodes: ReadonlyMap<string, NodeInstance>;
+}
+
+/** The number of answers of the CPU so far, and the number with which a change of the frame has arrived everywhere. */
+interface Answers {
+  readonly count: () => number;
+  enough: number;
+}
+
+/** Operations that `ChangeWatch` does not compare. */
+const COMPARED: ReadonlySet<Operation['kind']> = new Set(['draw', 'cpu', 'shadow-maps']);
+
+/** Returns null for programs of passes alone, which `ChangeWatch` looks at, and for those of which every frame has to be drawn. */
+export function createRestWatch(program: Program, { resources, slots, nodes }: RestParts): RestWatch | null {
+  if (!mayRest(program) || program.operations.every(({ kind }) => !COMPARED.has(kind))) return null;
+  const { numbers, texts } = slots;
+  const lastNumbers = numbers.slice();
+  const view = new Float32Array(36);
+  const lastView = view.slice();
+  /** Whole numbers and objects. */
+  const facts: (() => unknown)[] = texts.map((_, i) => () => texts[i]);
+  const answers: Answers[] = [];
+  /** Whether it may differ from the last frame without a sign. */
+  const restless: (() => boolean)[] = [];
+  for (const { runtime } of nodes.values()) {
+    facts.push(() => runtime.version);
+    if ('shown' in runtime) answers.push({ count: () => (runtime as CpuFilter).shown, enough: 0 });
+  }
+  for (const resource of resources.values()) {
+    if (resource.kind === 'room-depth') {
+      facts.push(() => resource.depth.views[0] ?? null);
+      restless.push(() => !!resource.depth.views[0]);
+    }
+    if (resource.kind === 'external') {
+      const [shown] = resource.layer.views;
+      facts.push(
+        () => shown?.texture,
+        () => shown?.version,
+      );
+      restless.push(() => shown?.version === MAY_CHANGE);
+    }
+  }
+  const lastFacts: unknown[] = [];
+  const showsWorld = program.presentation.background === 'world';
+  let lastSession: SessionTraits | null = null;
+  let forgotten = true;
+
+  return {
+    look: (state, session) => {
+      const { view: seen, frame } = state;
+      let changed = forgotten || session !== lastSession || !seen || frame.viewCount !== 1;
+      forgotten = false;
+      lastSession = session;
+      if (!seen) return true;
+      const { x, y, widthPx, heightPx } = seen.viewport;
+      view.set(seen.clipFromView);
+      view.set(seen.worldFromView, 16);
+      view[32] = x;
+      view[33] = y;
+      view[34] = widthPx;
+      view[35] = heightPx;
+      if (copyChanges(view, lastView)) changed = true;
+      if (copyChanges(numbers, lastNumbers)) changed = true;
+      for (let i = 0; i < facts.length; i++) {
+        const fact = facts[i]?.();
+        if (fact !== lastFacts[i]) changed = true;
+        lastFacts[i] = fact;
+      }
+      for (let i = 0; i < restless.length; i++) if (restless[i]?.()) changed = true;
+      if (showsWorld && session?.world === 'image' && seen.cameraImage) changed = true;
+      let waits = false;
+      for (let i = 0; i < answers.length; i++) {
+        const each = answers[i];
+        if (!each) continue;
+        // The first answer may have been asked for before the change.
+        if (changed) each.enough = each.count() + 2;
+        if (each.count() < each.enough) waits = true;
+      }
+      return changed || waits;
+    },
+    forget: () => {
+      forgotten = true;
+    },
+  };
+}
+
+/** Copies numbers. Returns whether one of them was another. */
+function copyChanges(now: Float32Array | Float64Array, last: Float32Array | Float64Array): boolean {
+  let changed = false;
+  for (let i = 0; i < now.length; i++) if (now[i] !== last[i]) changed = true;
+  last.set(now);
+  return changed;
+}

@@ -1,0 +1,112 @@
+import { BufferAttribute, BufferGeometry, DataTexture, FloatType, type IUniform, type Mesh, RGBAFormat } from 'three';
+import { isSkinned, materialsOf } from '../../proxies/drawable.ts';
+import { createMeshShape, type MeshShape } from '../../volumes/mesh-shape.ts';
+import { isDeformed, restVertices } from '../../volumes/pose-vertices.ts';
+import { type EdgeSegment, findSegments } from './mesh-edges.ts';
+
+/** The edges of a mesh as four vertices per segment, which the vertex shader of `edge-wrapper.ts` places. */
+export interface EdgeGeometry {
+  /** An index without attributes of its own: `gl_VertexID` gives the segment and the corner. */
+  readonly geometry: BufferGeometry;
+  /** A number that no other edge geometry has. */
+  readonly id: number;
+  /** Textures of the vertices and of the segments. */
+  readonly uniforms: Readonly<Record<string, IUniform>>;
+}
+
+/**
+ * Maximum number of segments. Each pass places four vertices per segment and poses four vertices of the mesh for each, so more would cost a
+ * phone several milliseconds per pass, and segments would be shorter than a pixel.
+ */
+const MAX_SEGMENTS = 120_000;
+
+/** Width of the textures; `edge-wrapper.ts` reads it from the textures. */
+const WIDTH = 1024;
+
+const known = new WeakMap<BufferGeometry, Map<string, EdgeGeometry | null>>();
+
+/**
+ * Returns the edges of a mesh, created at the first call and disposed with the geometry of the mesh; null if there are too many.
+ *
+ * @param isUsed Whether the material with this index takes part.
+ */
+export function edgeGeometryOf(master: Mesh, isUsed: (materialIndex: number) => boolean): EdgeGeometry | null {
+  const { geometry } = master;
+  const versions = known.get(geometry) ?? new Map<string, EdgeGeometry | null>();
+  known.set(geometry, versions);
+  // Instances of a geometry differ in whether they bend.
+  const key = [isDeformed(master), isSkinned(master), ...materialsOf(master).map((_, i) => isUsed(i))].join();
+  const found = versions.get(key);
+  if (found !== undefined) return found;
+  const made = createEdgeGeometry(master, isUsed);
+  versions.set(key, made);
+  if (!made) return null;
+  const dispose = (): void => {
+    geometry.removeEventListener('dispose', dispose);
+    versions.delete(key);
+    made.geometry.dispose();
+    for (const { value } of Object.values(made.uniforms)) value.dispose();
+  };
+  geometry.addEventListener('dispose', dispose);
+  return made;
+}
+
+function createEdgeGeometry(master: Mesh, isUsed: (materialIndex: number) => boolean): EdgeGeometry | null {
+  const triangles = (master.geometry.index?.count ?? master.geometry.attributes.position?.count ?? 0) / 3;
+  // A closed mesh has 1.5 edges per triangle. This saves the search.
+  if (triangles > MAX_SEGMENTS) return null;
+  const shape = createMeshShape(master.geometry, isUsed);
+  const positions = restVertices(master, shape);
+  const segments = findSegments(shape, positions, isDeformed(master), MAX_SEGMENTS);
+  if (!segments) return null;
+  const { attributes, morphAttributes, morphTargetsRelative } = master.geometry;
+  const geometry = new BufferGeometry();
+  // The shader reads no attributes. three.js reads the number of vertices, for the texture of morph targets, and the bounding sphere.
+  if (attributes.position) geometry.setAttribute('position', attributes.position);
+  Object.assign(geometry, { morphAttributes, morphTargetsRelative });
+  geometry.setIndex(new BufferAttribute(quadIndices(segments.length), 1));
+  const vertices = textureOf(vertexTexels(master, shape, positions));
+  const edges = textureOf(segmentTexels(segments));
+  return { geometry, id: geometry.id, uniforms: { scrimVertices: { value: vertices }, scrimSegments: { value: edges } } };
+}
+
+function quadIndices(count: number): Uint32Array {
+  const indices = new Uint32Array(count * 6);
+  for (let i = 0; i < count; i++) indices.set([4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 2, 4 * i + 1, 4 * i + 3], i * 6);
+  return indices;
+}
+
+/** One texel per vertex: its position, and its index in the mesh. Skinned meshes have two more: bones and their weights. */
+function vertexTexels(master: Mesh, { vertices }: MeshShape, positions: Float32Array): Float32Array {
+  const { skinIndex, skinWeight } = master.geometry.attributes;
+  const skins = isSkinned(master) && skinIndex && skinWeight ? [skinIndex, skinWeight] : [];
+  const stride = 4 * (1 + skins.length);
+  const texels = new Float32Array(vertices.length * stride);
+  for (let i = 0; i < vertices.length; i++) {
+    const vertex = vertices[i] ?? 0;
+    texels.set(positions.subarray(i * 3, i * 3 + 3), i * stride);
+    texels[i * stride + 3] = vertex;
+    for (const [s, skin] of skins.entries()) {
+      for (let c = 0; c < 4; c++) texels[i * stride + 4 * (s + 1) + c] = skin.getComponent(vertex, c);
+    }
+  }
+  return texels;
+}
+
+/** Three texels per segment: the vertices of the edge; where it is on the edge and in its stroke; the angle and the length of the stroke. */
+function segmentTexels(segments: readonly EdgeSegment[]): Float32Array {
+  const texels = new Float32Array(segments.length * 12);
+  for (const [i, { edge, from, to, alongFrom, alongTo, stroke }] of segments.entries()) {
+    texels.set([edge.a, edge.b, edge.c, edge.d, from, to, alongFrom, alongTo, edge.angle, stroke, 0, 0], i * 12);
+  }
+  return texels;
+}
+
+function textureOf(texels: Float32Array): DataTexture {
+  const height = Math.max(1, Math.ceil(texels.length / 4 / WIDTH));
+  const data = new Float32Array(WIDTH * height * 4);
+  data.set(texels);
+  const texture = new DataTexture(data, WIDTH, height, RGBAFormat, FloatType);
+  texture.needsUpdate = true;
+  return texture;
+}

@@ -1,0 +1,139 @@
+import type { CaptureAsset } from '../../capture-asset.ts';
+import { createCaptureUse } from '../../capture-glsl.ts';
+import { linkProgram } from '../../link-program.ts';
+import { setPassState } from '../../pass-state.ts';
+import type { CaptureDrawing } from '../capture-drawing.ts';
+import { createNearestViews } from '../nearest-views.ts';
+import {
+  DEPTH_FRAGMENT,
+  PLACE_FRAGMENT,
+  PLACE_VERTEX,
+  RESOLVE_FRAGMENT,
+  SCREEN_VERTEX,
+  VIEW_FRAGMENT,
+  VIEW_VERTEX,
+} from './depth-mesh-shaders.ts';
+import { createSumBuffer } from './sum-buffer.ts';
+
+/** Number of photographs whose depth meshes are drawn: the nearest ones to the eye. */
+const MOST_MESHES = 8;
+/** Surfaces whose distances differ by at most this share are one surface, and their colors are added. */
+const SOFTNESS = 0.02;
+
+/**
+ * Draws the depth meshes of the nearest photographs (Dupont de Dinechin and Paljic 2020, §3.2; Overbeck et al. 2018). The depth of all is
+ * drawn first. Then each mesh is drawn a little nearer, so that whatever is close behind the nearest surface passes the depth test, and adds
+ * its color with a weight. At the end the sum is divided by the weights, and gets the depth of the nearest surface.
+ *
+ * @example
+ * const drawing = createDepthMeshDrawing(gl, capture);
+ * drawing.draw(clipFromCapture, eye, forward, { framebuffer, viewport });
+ */
+export function createDepthMeshDrawing(gl: WebGL2RenderingContext, capture: CaptureAsset): CaptureDrawing {
+  const { depthMeshes } = capture;
+  const buffer = createSumBuffer(gl);
+  const nearest = createNearestViews(capture, MOST_MESHES);
+  const depth = { view: createStage(gl, VIEW_VERTEX, DEPTH_FRAGMENT), place: createStage(gl, PLACE_VERTEX, DEPTH_FRAGMENT) };
+  const color = { view: createStage(gl, VIEW_VERTEX, VIEW_FRAGMENT), place: createStage(gl, PLACE_VERTEX, PLACE_FRAGMENT) };
+  const resolve = linkProgram(gl, SCREEN_VERTEX, RESOLVE_FRAGMENT);
+  const origin = gl.getUniformLocation(resolve, 'origin');
+  const sources = ['sum', 'depth'].map((name) => gl.getUniformLocation(resolve, name));
+
+  const drawAll = ({ view, place }: typeof color, clipFromCapture: Float32Array, eye: Float32Array, nearer: number): void => {
+    if (depthMeshes) {
+      view.use(capture, clipFromCapture, eye, nearer);
+      gl.bindVertexArray(depthMeshes.vertexArray);
+      for (let i = 0; i < nearest.count; i++) {
+        const index = nearest.views[i] ?? 0;
+        const mesh = depthMeshes.views[index];
+        if (!mesh) continue;
+        gl.uniform1i(view.view, index);
+        gl.uniform2f(view.mapSize, 2 * mesh.widthPx, 2 * mesh.heightPx);
+        gl.drawElements(gl.TRIANGLES, mesh.indexCount, gl.UNSIGNED_INT, 4 * mesh.firstIndex);
+      }
+    }
+    place.use(capture, clipFromCapture, eye, nearer);
+    gl.bindVertexArray(capture.vertexArray);
+    gl.drawElements(gl.TRIANGLES, capture.indexCount, gl.UNSIGNED_INT, 0);
+  };
+  return {
+    draw: (clipFromCapture, eye, forward, { framebuffer, viewport }, excluded) => {
+      const { x, y, widthPx, heightPx } = viewport;
+      nearest.choose(eye, forward, excluded);
+      buffer.grow(widthPx, heightPx);
+      setPassState(gl, buffer.framebuffer, null, 0, 0, widthPx, heightPx);
+      gl.enable(gl.DEPTH_TEST);
+      gl.depthFunc(gl.LEQUAL);
+      gl.depthMask(true);
+      gl.clearColor(0, 0, 0, 0);
+      gl.clearDepth(1);
+      gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+      gl.colorMask(false, false, false, false);
+      drawAll(depth, clipFromCapture, eye, 0);
+      gl.colorMask(true, true, true, true);
+      gl.depthMask(false);
+      gl.enable(gl.BLEND);
+      gl.blendEquation(gl.FUNC_ADD);
+      gl.blendFunc(gl.ONE, gl.ONE);
+      drawAll(color, clipFromCapture, eye, SOFTNESS);
+
+      setPassState(gl, framebuffer, null, x, y, widthPx, heightPx);
+      gl.enable(gl.DEPTH_TEST);
+      gl.depthMask(true);
+      gl.useProgram(resolve);
+      gl.uniform2i(origin, x, y);
+      bindSource(gl, 0, buffer.sum, sources[0]);
+      bindSource(gl, 1, buffer.depth, sources[1]);
+      gl.drawArrays(gl.TRIANGLES, 0, 3);
+      // The textures are targets again in the next frame.
+      bindSource(gl, 0, null, null);
+      bindSource(gl, 1, null, null);
+      gl.depthFunc(gl.LESS);
+      gl.disable(gl.DEPTH_TEST);
+    },
+    dispose: () => {
+      buffer.dispose();
+      for (const { program } of [depth.view, depth.place, color.view, color.place]) gl.deleteProgram(program);
+      gl.deleteProgram(resolve);
+    },
+  };
+}
+
+interface Stage {
+  readonly program: WebGLProgram;
+  readonly view: WebGLUniformLocation | null;
+  readonly mapSize: WebGLUniformLocation | null;
+  /** Activates the program. */
+  use(capture: CaptureAsset, clipFromCapture: Float32Array, eye: Float32Array, nearer: number): void;
+}
+
+function createStage(gl: WebGL2RenderingContext, vertex: string, fragment: string): Stage {
+  const program = linkProgram(gl, vertex, fragment);
+  const activate = createCaptureUse(gl, program);
+  const uniform = (name: string): WebGLUniformLocation | null => gl.getUniformLocation(program, name);
+  const [matrix, eyeAt, share] = [uniform('clipFromCapture'), uniform('eye'), uniform('nearer')];
+  return {
+    program,
+    view: uniform('view'),
+    mapSize: uniform('mapSize'),
+    use: (capture, clipFromCapture, eye, nearer) => {
+      activate(capture);
+      gl.uniformMatrix4fv(matrix ?? null, false, clipFromCapture);
+      gl.uniform3fv(eyeAt ?? null, eye);
+      gl.uniform1f(share ?? null, nearer);
+    },
+  };
+}
+
+function bindSource(
+  gl: WebGL2RenderingContext,
+  unit: number,
+  texture: WebGLTexture | null,
+  uniform: WebGLUniformLocation | null | undefined,
+): void {
+  gl.activeTexture(gl.TEXTURE0 + unit);
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  if (texture === null) return;
+  gl.bindSampler(unit, null);
+  gl.uniform1i(uniform ?? null, unit);
+}

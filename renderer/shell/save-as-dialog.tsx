@@ -1,0 +1,26 @@
+import { useId, useState } from 'react';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { saveAs } from '../state/files/files.ts';
+import { suggestFolder } from '../state/files/suggest-folder.ts';
+import { FormDialog } from '../ui/form-dialog.tsx';
+import { FolderField } from './folder-field.tsx';
+
+/** Asks for the folder of a copy, on hosts without a native folder dialog. */
+export function SaveAsDialog({ onClose }: { readonly onClose: () => void }) {
+  const editor = useEditor();
+  const id = useId();
+  const title = useDocument((state) => state.project.title);
+  const [path, setPath] = useState(() => suggestFolder(editor, title, '-copy'));
+  const [busy, setBusy] = useState(false);
+  const go = async () => {
+    setBusy(true);
+    await saveAs(editor, path.trim());
+    setBusy(false);
+  };
+  return (
+    <FormDialog title="Save a copy" action="Save" ready={!busy && path.trim() !== ''} onGo={() => void go()} onClose={onClose}>
+      <FolderField id={id} label="Folder" path={path} onChange={setPath} />
+      <p className="dialog-note">The folder must be empty or new. The project’s assets are copied with it.</p>
+    </FormDialog>
+  );
+}

@@ -1,0 +1,26 @@
+import { expect, test } from '@jest/globals';
+import { chain } from '../../../tests/support/fusion-kit.ts';
+import { passesOf } from './exported-passes.ts';
+
+test('says which nodes share a pass with a node, and why it reads a layer from a texture', () => {
+  const { fused, wires } = chain(['filter/sepia', 'filter/gaussian-blur', 'filter/posterize']);
+  const said = (node: string) => passesOf({ program: fused, separate: wires, folded: [] }, node);
+  expect(said('e-0')).toEqual({
+    passes: [['pattern-a']],
+    separate: [{ layer: 'e-0.layer', reader: 'e-1', reason: 'the reader reads other pixels than the current one' }],
+    folded: null,
+  });
+  const { passes, separate } = said('e-1');
+  expect(passes).toEqual([[], ['e-2']]);
+  expect(separate.map(({ layer }) => layer)).toContain('e-0.layer');
+  expect(said('e-2')).toEqual({ passes: [['e-1']], separate: [], folded: null });
+});
+
+test('a node that is left out has no pass', () => {
+  const { separate: program, folded } = chain(['filter/sepia', 'filter/grey'], [{}, { amount: 0 }], { fold: true });
+  expect(passesOf({ program, separate: [], folded }, 'e-1')).toEqual({
+    passes: [],
+    separate: [],
+    folded: { reason: 'with its parameters it changes nothing', instead: 'e-0' },
+  });
+});

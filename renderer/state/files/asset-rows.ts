@@ -1,0 +1,109 @@
+import { readIsf } from '../../../export/glsl/isf/read-isf.ts';
+import { boundValue } from '../../../export/graph/library/param-value.ts';
+import type { Project } from '../../../export/graph/project.ts';
+import type { AssetKind, NodeLibrary } from '../../../nodes/kit/definition.ts';
+import type { DocumentState, OpenInfo } from '../editor/document.ts';
+
+/** A use of an asset by a node. */
+export interface AssetUse {
+  readonly graph: string;
+  readonly node: string;
+}
+
+/** An asset of the project, or an image that its shaders load. */
+export interface AssetRow {
+  /** Id in the asset table; null for an image that only shaders load. */
+  readonly id: string | null;
+  readonly path: string;
+  readonly kind: AssetKind;
+  /** Size of its files on disk; null if a file is missing. */
+  readonly bytes: number | null;
+  readonly uses: readonly AssetUse[];
+  /** Names of the shaders that load it. */
+  readonly shaders: readonly string[];
+}
+
+export interface ListedAssets {
+  readonly rows: readonly AssetRow[];
+  /** Files in `assets/` that belong to no row. Exports leave them out. */
+  readonly others: OpenInfo['assetFiles'];
+}
+
+type Files = OpenInfo['assetFiles'];
+
+/** Lists the assets of a project. A capture, which is a folder, is one row. */
+export function listAssets({ project, library, open }: Pick<DocumentState, 'project' | 'library' | 'open'>): ListedAssets {
+  const files = open?.assetFiles ?? [];
+  const uses = usesOf(project, library);
+  const loaded = loadedByShaders(project.sources);
+  const own = Object.entries(project.assets).map(([id, { path, kind }]) => ({
+    id,
+    path,
+    kind,
+    bytes: sizeOf(files, path, kind),
+    uses: uses.get(id) ?? [],
+    shaders: loaded.get(path) ?? [],
+  }));
+  const paths = new Set(own.map(({ path }) => path));
+  const images = [...loaded].flatMap(([path, shaders]): AssetRow[] =>
+    paths.has(path) ? [] : [{ id: null, path, kind: 'image', bytes: sizeOf(files, path, 'image'), uses: [], shaders }],
+  );
+  const rows = [...own, ...images].sort((a, b) => (a.path < b.path ? -1 : 1));
+  const covered = (path: string) => rows.some((row) => row.path === path || isPartOf(path, row));
+  return { rows, others: files.filter(({ path }) => !covered(path)) };
+}
+
+export function isUnused({ id, uses, shaders }: AssetRow): boolean {
+  return id !== null && uses.length + shaders.length === 0;
+}
+
+/** The nodes that use each asset, by asset id. */
+function usesOf(project: Project, library: NodeLibrary): Map<string, AssetUse[]> {
+  const uses = new Map<string, AssetUse[]>();
+  for (const [graph, { nodes }] of Object.entries(project.graphs)) {
+    for (const [node, { type, params }] of Object.entries(nodes)) {
+      const declared = library.definition(type)?.params ?? {};
+      for (const [name, binding] of Object.entries(params)) {
+        const value = declared[name]?.type === 'asset' ? boundValue(binding) : undefined;
+        if (typeof value === 'string' && value !== '') uses.set(value, [...(uses.get(value) ?? []), { graph, node }]);
+      }
+    }
+  }
+  return uses;
+}
+
+/** The images that shaders load by their headers: project path → shaders. */
+function loadedByShaders(sources: Project['sources']): Map<string, string[]> {
+  const loaded = new Map<string, string[]>();
+  for (const [name, text] of Object.entries(sources)) {
+    // Reading a header takes long compared with this test.
+    if (!name.endsWith('.fs') || !text.includes('"IMPORTED"')) continue;
+    for (const { paths } of readIsf(text, name).output?.imported ?? []) {
+      for (const path of paths) {
+        const whole = path.replace(/^(\.\.\/)+/, '');
+        loaded.set(whole, [...(loaded.get(whole) ?? []), name]);
+      }
+    }
+  }
+  return loaded;
+}
+
+function sizeOf(files: Files, path: string, kind: AssetKind): number | null {
+  if (!files.some((file) => file.path === path)) return null;
+  const isPart = (other: string) => (kind === 'capture' ? other.startsWith(folderOf(path)) : other === path);
+  return files.reduce((sum, file) => sum + (isPart(file.path) ? file.bytes : 0), 0);
+}
+
+/** Files that a .gltf model may refer to. */
+const PARTS = /\.(bin|png|jpe?g|webp|ktx2)$/i;
+
+/** Whether a file may belong to an asset of several files: a capture, or a .gltf model, which is not read for this. */
+function isPartOf(path: string, { path: whole, kind }: AssetRow): boolean {
+  if (kind === 'capture') return path.startsWith(folderOf(whole));
+  return kind === 'model' && whole.endsWith('.gltf') && PARTS.test(path) && path.startsWith(folderOf(whole));
+}
+
+/** The folder of a file, with a slash at its end. */
+function folderOf(path: string): string {
+  return path.slice(0, path.lastIndexOf('/') + 1);
+}

@@ -1,0 +1,69 @@
+import { putAsset } from '../../../export/graph/commands/asset-commands.ts';
+import { sequence, unchanged } from '../../../export/graph/commands/change.ts';
+import { addNode } from '../../../export/graph/commands/node-commands.ts';
+import { makeNodeId } from '../../../export/graph/document-names.ts';
+import type { Asset, Project } from '../../../export/graph/project.ts';
+import type { AssetKind, NodeLibrary } from '../../../nodes/kit/definition.ts';
+import { apply } from '../document/apply.ts';
+import type { Place } from '../editor/canvas-state.ts';
+import { graphOf } from '../editor/document.ts';
+import type { Editor } from '../editor/editor.ts';
+import { revealNodes } from '../editor/ui.ts';
+import { placeFreely } from './free-places.ts';
+import { showObjects } from './show-objects.ts';
+
+/** Type of the data that a drag of an asset carries: the id of the asset. */
+export const ASSET_DRAG = 'application/x-scrim-asset';
+
+interface PlacedAsset {
+  readonly id: string;
+  readonly asset: Asset;
+  /** Name of the undo step. */
+  readonly label: string;
+}
+
+/**
+ * Adds a node that outputs an asset, and the asset unless the project has it, as one undo step. A model is also put into the scene, so that
+ * it is visible at once. Returns the node to select; null if no node outputs such assets.
+ */
+export function placeAsset(editor: Editor, { id: assetId, asset, label }: PlacedAsset, place: Place): string | null {
+  const { project, library, graph } = editor.document.getState();
+  const source = sourceOf(library, asset.kind);
+  if (source === null) {
+    apply(editor, label, putAsset(project, { id: assetId, asset }));
+    return null;
+  }
+  const id = makeNodeId(project, source.type, editor.random);
+  const change = sequence(
+    project,
+    (before) => putAsset(before, { id: assetId, asset }),
+    (before) => addNode(before, { library, graph, id, type: source.type, ...place, params: { [source.param]: assetId } }),
+    asset.kind === 'model' ? showObjects({ node: id, port: 'objects' }, place, { library, random: editor.random }) : unchanged,
+    placeFreely(project, { library, graph, hasThumbnail: editor.preferences.getState().thumbnails }),
+  );
+  if (!apply(editor, label, change)) return null;
+  return asset.kind === 'model' ? selectPlacement(editor, id, project) : id;
+}
+
+/**
+ * Scrolls to the nodes that were added with a model. Returns the Transform that places the model, or the model if no Transform was added.
+ */
+function selectPlacement(editor: Editor, model: string, before: Project): string {
+  const state = editor.document.getState();
+  const { nodes } = graphOf(state);
+  const added = Object.keys(nodes).filter((id) => before.graphs[state.graph]?.nodes[id] === undefined);
+  const outputs = Object.keys(nodes).filter((id) => nodes[id]?.type === 'output/screen');
+  if (added.length > 1) revealNodes(editor.ui, [...added, ...outputs], 'fit');
+  return added.find((id) => nodes[id]?.type === 'objects/transform') ?? model;
+}
+
+/** The first source node with an asset param of this kind. */
+function sourceOf(library: NodeLibrary, kind: AssetKind): { readonly type: string; readonly param: string } | null {
+  for (const type of library.types()) {
+    const definition = library.definition(type);
+    if (!definition || !type.startsWith('source/')) continue;
+    const param = Object.entries(definition.params).find(([, candidate]) => candidate.type === 'asset' && candidate.accept === kind);
+    if (param) return { type, param: param[0] };
+  }
+  return null;
+}

@@ -1,0 +1,117 @@
+import { BoxGeometry, type PerspectiveCamera, Vector3 } from 'three';
+import type { LightItem } from '../../nodes/kit/scene-lists.ts';
+import { createCasterStrokes } from '../../nodes/layer/shadow/strokes.ts';
+import { lookingAt, objects, sun, translation } from './scenes-kit.ts';
+import { desk, SIDES, SUN, shoot, stand, thing } from './shadow-kit.ts';
+
+/** Strokes of the shadow of a box of 0.3 m on a desk, read at points of the desk. */
+
+const { widthPx: WIDTH, heightPx: HEIGHT } = SIDES;
+const ABOVE = lookingAt([0.2, 1.6, 0.01], [0.2, 0, 0], WIDTH / HEIGHT);
+const TALL = [0.3, 0.6, 0.3] as const;
+
+function shadowOf(lights: readonly LightItem[], camera: PerspectiveCamera, contour = 0): Uint8Array {
+  const box = thing(new BoxGeometry(...TALL), { at: translation(0, TALL[1] / 2, 0) });
+  const sketch = createCasterStrokes({
+    spacingPx: { value: 7 },
+    turn: { value: 0.3 },
+    contour: { value: contour },
+    contactM: { value: 0.15 },
+  });
+  sketch.update([objects(box)]);
+  const shot = { casters: [box], receivers: [desk()], lights, method: 'map', strength: 1, camera, strokes: sketch.strokes } as const;
+  return shoot(stand, shot);
+}
+
+/** Light from the left: the shadow lies on the right of the box, from x = 0.15 m to 0.66 m. */
+const SIDEWARD = sun([-1, 1.2, 0], { shadow: SUN });
+const ACROSS = sun([-1, 1.2, 0.0001], { shadow: SUN, radiance: 1e-4 });
+
+/** Alpha at a point of the desk, from 0 to 1. */
+function inkAt(pixels: Uint8Array, camera: PerspectiveCamera, x: number, z: number): number {
+  const { x: u, y: v } = new Vector3(x, 0, z).project(camera);
+  const at = (Math.floor((v * 0.5 + 0.5) * HEIGHT) * WIDTH + Math.floor((u * 0.5 + 0.5) * WIDTH)) * 4;
+  return (pixels[at + 3] ?? 0) / 255;
+}
+
+function* places(fromX: number, toX: number): Generator<readonly [number, number]> {
+  for (let x = fromX; x < toX; x += 0.003) for (let z = -0.12; z < 0.12; z += 0.003) yield [x, z];
+}
+
+/** Mean ink in the shadow near the box and far from it, and beyond the shadow. */
+export function density() {
+  const pixels = shadowOf([SIDEWARD], ABOVE);
+  const mean = (fromX: number, toX: number): number => {
+    const all = [...places(fromX, toX)].map(([x, z]) => inkAt(pixels, ABOVE, x, z));
+    return all.reduce((sum, ink) => sum + ink, 0) / all.length;
+  };
+  return { near: mean(0.18, 0.26), far: mean(0.5, 0.6), beyond: mean(0.72, 0.85) };
+}
+
+/** Correlation of the ink at points of the desk, as seen by two cameras; and of the ink at the same pixels of both images. */
+export function anchored() {
+  const cameras = [
+    lookingAt([0.5, 1.3, 0.5], [0.4, 0, 0], WIDTH / HEIGHT),
+    lookingAt([0.25, 1.35, 0.45], [0.36, 0, 0.03], WIDTH / HEIGHT),
+  ] as const;
+  const [first, second] = cameras.map((camera) => shadowOf([SIDEWARD], camera));
+  if (!first || !second) throw new Error('There are two images.');
+  const points = [...places(0.25, 0.55)];
+  const a = points.map(([x, z]) => inkAt(first, cameras[0], x, z));
+  return {
+    onDesk: correlation(
+      a,
+      points.map(([x, z]) => inkAt(second, cameras[1], x, z)),
+    ),
+    onScreen: correlation(
+      a,
+      points.map(([x, z]) => inkAt(second, cameras[0], x, z)),
+    ),
+  };
+}
+
+function correlation(a: readonly number[], b: readonly number[]): number {
+  const mean = (values: readonly number[]): number => values.reduce((sum, value) => sum + value, 0) / values.length;
+  const [meanA, meanB] = [mean(a), mean(b)];
+  const dot = (u: readonly number[], mu: number, v: readonly number[], mv: number): number =>
+    u.reduce((sum, value, i) => sum + (value - mu) * ((v[i] ?? 0) - mv), 0);
+  return dot(a, meanA, b, meanB) / Math.sqrt(dot(a, meanA, a, meanA) * dot(b, meanB, b, meanB));
+}
+
+/** Direction of the strokes in the shadow of a light, radians from 0 to π, where it is the first light and where it is the second. */
+export function directions(): readonly number[] {
+  return [[SIDEWARD], [ACROSS, SIDEWARD]].map((lights) => {
+    const pixels = shadowOf(lights, ABOVE);
+    let [xx, xz, zz] = [0, 0, 0];
+    const step = 0.004;
+    for (const [x, z] of places(0.22, 0.55)) {
+      const dx = inkAt(pixels, ABOVE, x + step, z) - inkAt(pixels, ABOVE, x - step, z);
+      const dz = inkAt(pixels, ABOVE, x, z + step) - inkAt(pixels, ABOVE, x, z - step);
+      xx += dx * dx;
+      xz += dx * dz;
+      zz += dz * dz;
+    }
+    // The main direction of the structure tensor is across the strokes.
+    return (0.5 * Math.atan2(2 * xz, xx - zz) + 2 * Math.PI) % Math.PI;
+  });
+}
+
+/** Ink at the border of the shadow, with and without a contour. */
+export function borders(): readonly number[] {
+  return [0, 1].map((contour) => {
+    const pixels = shadowOf([SIDEWARD], ABOVE, contour);
+    let ink = 0;
+    let count = 0;
+    for (let x = 0.25; x < 0.55; x += 0.004) {
+      let most = 0;
+      for (let z = 0.13; z < 0.17; z += 0.002) most = Math.max(most, inkAt(pixels, ABOVE, x, z));
+      ink += most;
+      count++;
+    }
+    return ink / count;
+  });
+}
+
+export function error(): number {
+  return stand.gl.getError();
+}

@@ -1,0 +1,37 @@
+import { expect, test } from '@jest/globals';
+import { useModule } from '../support/browser.ts';
+
+/** Strokes of a shadow on a desk. */
+
+const page = useModule('tests/browser/shadow-strokes.page.ts');
+
+test('strokes are denser near the object, and only in its shadow', async () => {
+  const { near, far, beyond } = await page.call<Record<'near' | 'far' | 'beyond', number>>('density');
+  expect(far).toBeGreaterThan(0.15);
+  expect(near / far).toBeGreaterThan(2);
+  expect(near).toBeLessThan(0.97);
+  expect(beyond).toBe(0);
+});
+
+test('strokes stay on the desk while the camera moves', async () => {
+  const { onDesk, onScreen } = await page.call<{ onDesk: number; onScreen: number }>('anchored');
+  expect(onDesk).toBeGreaterThan(0.8);
+  expect(onScreen).toBeLessThan(0.3);
+});
+
+test('a second light has strokes in another direction', async () => {
+  const [first = 0, second = 0] = await page.call<number[]>('directions');
+  // Strokes taper, so the tensor is some degrees off.
+  expect(Math.abs(first - 0.3)).toBeLessThan(0.15);
+  expect(Math.abs(second - 1.4)).toBeLessThan(0.15);
+});
+
+test('a contour surrounds the shadow', async () => {
+  const [without = 0, contour = 0] = await page.call<number[]>('borders');
+  expect(contour).toBeGreaterThan(0.85);
+  expect(contour - without).toBeGreaterThan(0.2);
+});
+
+test('without an error of WebGL', async () => {
+  expect(await page.call('error')).toBe(0);
+});

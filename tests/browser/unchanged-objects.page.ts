@@ -1,0 +1,135 @@
+import type { Program } from '../../export/program/program.ts';
+import { createFetchAssetSource } from '../../export/runtime/assets/asset-source.ts';
+import { createPlayer, type Player } from '../../export/runtime/player.ts';
+import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
+import { setRigidInverse } from '../../export/runtime/sessions/matrix.ts';
+import { createOrbit, ORBIT_DEFAULTS } from '../../export/runtime/sessions/orbit/orbit-pose.ts';
+import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
+import type { ParamValue } from '../../nodes/kit/definition.ts';
+import type { ViewFrame } from '../../nodes/kit/session.ts';
+import { createGl, frame, HEIGHT, texture, view, WIDTH } from './runtime-kit.ts';
+
+/** Plays compiled programs frame by frame like a page does, and counts what is drawn. */
+
+interface Playing {
+  readonly gl: WebGL2RenderingContext;
+  readonly player: Player;
+  readonly room: WebGLTexture;
+  readonly draws: { count: number };
+}
+
+let playing: Playing | null = null;
+let index = 0;
+let azimuthRad = 0.3;
+let hasRoom = false;
+
+const CALLS = [
+  'drawArrays',
+  'drawElements',
+  'drawArraysInstanced',
+  'drawElementsInstanced',
+  'drawRangeElements',
+  'clear',
+  'clearBufferfv',
+] as const;
+
+/** Opens a program that looks at the origin from 2 m in a session without a camera. Files are loaded from below `assetUrl`. */
+export async function open(program: Program, assetUrl: string): Promise<void> {
+  playing?.player.dispose();
+  index = 0;
+  azimuthRad = 0.3;
+  hasRoom = false;
+  const gl = createGl({ depth: true });
+  const assets = createFetchAssetSource(new URL(assetUrl, location.href).href, (...args) => fetch(...args));
+  const canvas = gl.canvas as HTMLCanvasElement;
+  const player = createPlayer({ gl, canvas, program, modules: RUNTIMES, createScenes, assets, seed: 1, onDiagnostics: () => {} });
+  await player.ready;
+  player.setSession({ world: 'virtual', blend: 'opaque' } as never);
+  const draws = { count: 0 };
+  const context = gl as unknown as Record<string, (...args: unknown[]) => unknown>;
+  for (const name of CALLS) {
+    const call = context[name];
+    context[name] = (...args) => {
+      draws.count++;
+      return call?.apply(gl, args);
+    };
+  }
+  playing = { gl, player, room: roomTexture(gl), draws };
+}
+
+/** Draws the changes of a frame. Returns the number of calls that draw or clear. */
+export function next(widthPx = WIDTH): number {
+  const { player, draws } = opened();
+  draws.count = 0;
+  player.drawChanges(frame(index++, [seen(widthPx)]));
+  return draws.count;
+}
+
+/** Draws frames as the browser asks for them until one draws nothing. Returns the number that drew something. */
+export async function untilStill(): Promise<number> {
+  for (let frames = 0; ; frames++) {
+    if (next() === 0) return frames;
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+  }
+}
+
+export function setParam(node: string, param: string, value: ParamValue): void {
+  opened().player.setParam(node, param, value);
+}
+
+export function turnCamera(): void {
+  azimuthRad += 0.4;
+}
+
+/** Whether the session knows the depth of the room from now on. */
+export function showRoom(shows: boolean): void {
+  hasRoom = shows;
+}
+
+export function reset(): void {
+  opened().player.reset();
+}
+
+export async function loseContext(): Promise<void> {
+  const { player } = opened();
+  player.contextLost();
+  await player.restore();
+}
+
+/** A hash of the canvas as it is, and of the same frame drawn in full. */
+export function images(): { readonly kept: number; readonly drawn: number } {
+  const { player, gl } = opened();
+  const kept = hashOf(gl);
+  player.draw(frame(index - 1, [seen(WIDTH)]));
+  return { kept, drawn: hashOf(gl) };
+}
+
+function opened(): Playing {
+  if (!playing) throw new Error('Nothing is open.');
+  return playing;
+}
+
+function seen(widthPx: number): ViewFrame {
+  const depth = { texture: opened().room, widthPx: 1, heightPx: 1, uvFromViewUv: UPRIGHT, worldFromDepth: new Float32Array(16) };
+  const made = view(0, 0, widthPx, HEIGHT, hasRoom ? { depth } : {});
+  createOrbit({ ...ORBIT_DEFAULTS, targetWorld: [0, 0, 0], distanceM: 2, azimuthRad, elevationRad: 0.4 }).writeWorldFromView(
+    made.worldFromView,
+  );
+  setRigidInverse(made.viewFromWorld, made.worldFromView);
+  return made;
+}
+
+const UPRIGHT = Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
+
+function roomTexture(gl: WebGL2RenderingContext): WebGLTexture {
+  const made = texture(gl, 1, 1, [0, 0, 0, 0]);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, 1, 1, 0, gl.RED, gl.FLOAT, new Float32Array([1]));
+  return made;
+}
+
+function hashOf(gl: WebGL2RenderingContext): number {
+  gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  const bytes = new Uint8Array(WIDTH * HEIGHT * 4);
+  gl.readPixels(0, 0, WIDTH, HEIGHT, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+  return bytes.reduce((hash, byte) => (Math.imul(hash, 31) + byte) | 0, 7);
+}

@@ -1,0 +1,68 @@
+import { compareImages } from '../../export/captures/image-quality.ts';
+import { createFetchAssetSource } from '../../export/runtime/assets/asset-source.ts';
+import { type LoadedCapture, loadCapture } from '../../export/runtime/assets/capture/load-capture.ts';
+import { createGlObjects } from '../../export/runtime/gl/gl-objects.ts';
+import { readCapture } from '../../nodes/kit/capture.ts';
+import { createGl } from '../browser/scenes-kit.ts';
+import { draw } from './capture.page.ts';
+
+export interface Streamed {
+  /** Files in the order in which they were requested, with the bytes that had arrived before and the PSNR of the image against the final one. */
+  readonly steps: readonly { readonly file: string; readonly bytesBefore: number; readonly psnrDb: number | null }[];
+  readonly totalBytes: number;
+  /** Whether the final image is that of a capture that was loaded whole, byte for byte. */
+  readonly equalsWhole: boolean;
+  /** Whether a capture that is disposed while it loads leaves GL objects. */
+  readonly leaks: boolean;
+  readonly error: number;
+}
+
+/** Loads a capture of a page as the page does, and draws it from the camera of a view before each file that it requests. */
+export async function stream(baseUrl: string, file: string, view: number): Promise<Streamed> {
+  const source = createFetchAssetSource(new URL(baseUrl, location.href).href, (...args: Parameters<typeof fetch>) => fetch(...args));
+  const bytes = await source.load(file);
+  const document = readCapture(new TextDecoder().decode(bytes));
+  const target = document.views[view];
+  if (!target) throw new Error(`There is no view ${view}.`);
+  const gl = createGl(target.widthPx, target.heightPx);
+  const objects = createGlObjects(gl);
+  const { coarseMesh: _, ...withoutCoarse } = document;
+  const views = document.views.map(({ reducedFile: _, ...kept }) => kept);
+  const plain = new TextEncoder().encode(JSON.stringify({ ...withoutCoarse, views })).buffer;
+  const whole = await loadCapture(objects, plain, file, source.load, false);
+  const truth = draw(gl, whole, 'lumigraph', target).pixels;
+  whole.dispose();
+
+  const before = JSON.stringify(objects.counts());
+  const steps: { file: string; bytesBefore: number; psnrDb: number | null }[] = [];
+  let shown: LoadedCapture | null = null;
+  let loadedBytes = 0;
+  const image = (capture: LoadedCapture) => draw(gl, capture, 'lumigraph', target).pixels;
+  const quality = (capture: LoadedCapture): number =>
+    compareImages({ shown: image(capture), truth, widthPx: target.widthPx, heightPx: target.heightPx }).psnrDb;
+  const load = async (path: string): Promise<ArrayBuffer> => {
+    steps.push({ file: path, bytesBefore: loadedBytes, psnrDb: shown && quality(shown) });
+    const content = await source.load(path);
+    loadedBytes += content.byteLength;
+    return content;
+  };
+  const capture = await loadCapture(objects, bytes, file, load, false, (early) => {
+    shown = early;
+  });
+  const equalsWhole = image(capture).every((value, i) => value === truth[i]);
+  capture.dispose();
+
+  let requested = 0;
+  let early: LoadedCapture | null = null;
+  const interrupted = async (path: string): Promise<ArrayBuffer> => {
+    if (++requested === 4) early?.dispose();
+    return source.load(path);
+  };
+  await loadCapture(objects, bytes, file, interrupted, false, (value) => {
+    early = value;
+  });
+  const leaks = JSON.stringify(objects.counts()) !== before;
+  const error = gl.getError();
+  gl.getExtension('WEBGL_lose_context')?.loseContext();
+  return { steps, totalBytes: loadedBytes, equalsWhole, leaks, error };
+}

@@ -1,0 +1,150 @@
+import { join } from 'node:path';
+import { describe, expect, test } from '@jest/globals';
+import type { images } from '../browser/unchanged-objects.page.ts';
+import { useModule } from '../support/browser.ts';
+import { compileText } from '../support/compile-project.ts';
+import { type ProjectText, projectText } from '../support/project-kit.ts';
+
+const page = useModule('tests/browser/unchanged-objects.page.ts', { mounts: { '/nodes/': join(process.cwd(), 'nodes') } });
+
+const open = (text: ProjectText, assetUrl = 'nodes/source/image-file/example/') =>
+  page.call('open', compileText(projectText(text)), assetUrl);
+const next = (widthPx?: number) => page.call<number>('next', ...(widthPx === undefined ? [] : [widthPx]));
+const untilStill = () => page.call<number>('untilStill');
+const setParam = (node: string, param: string, value: unknown) => page.call('setParam', node, param, value);
+
+/** Draws the frame after a change and the next one. The canvas then has to show what a full draw would. */
+async function drawsOnce(change: string): Promise<void> {
+  expect([change, (await next()) > 0, await next()]).toEqual([change, true, 0]);
+  const { kept, drawn } = await page.call<ReturnType<typeof images>>('images');
+  expect([change, kept]).toEqual([change, drawn]);
+}
+
+/** A box in Gooch's tones on a phantom floor, with a shadow of its own layer, all of it through a filter. */
+const BOX: ProjectText = {
+  nodes: {
+    'box-a': 'objects/primitive',
+    'up-a': ['objects/transform', { positionM: [0, 0.5, 0] }],
+    'drawn-a': 'objects/apply-technique',
+    'gooch-a': 'technique/gooch',
+    'plane-a': ['objects/primitive', { shape: 'plane', sizeM: [4, 0, 4] }],
+    'floor-a': 'objects/phantom',
+    'sun-a': 'light/directional',
+    'scene-a': 'layer/scene',
+    'shadow-a': 'layer/shadow',
+    'merge-a': 'operator/over',
+    'sepia-a': 'filter/sepia',
+    'screen-a': 'output/screen',
+  },
+  wires: [
+    'box-a.objects -> up-a.objects',
+    'up-a.objects -> drawn-a.objects',
+    'gooch-a.technique -> drawn-a.technique',
+    'plane-a.objects -> floor-a.objects',
+    'drawn-a.objects -> scene-a.objects',
+    'sun-a.lights -> scene-a.lights',
+    'up-a.objects -> shadow-a.casters',
+    'floor-a.objects -> shadow-a.receivers',
+    'sun-a.lights -> shadow-a.lights',
+    'shadow-a.layer -> merge-a.bottom',
+    'scene-a.layer -> merge-a.top',
+    'merge-a.layer -> sepia-a.inputImage',
+    'sepia-a.layer -> screen-a.layer',
+  ],
+};
+
+describe('objects that nothing changes', () => {
+  test('are not drawn again, with their light, shadow and filter', async () => {
+    await open(BOX);
+    expect(await next()).toBeGreaterThan(3);
+    expect([await next(), await next()]).toEqual([0, 0]);
+    const changes: Readonly<Record<string, () => Promise<unknown>>> = {
+      'the color of the object': () => setParam('box-a', 'color', [0, 1, 0, 1]),
+      'its place': () => setParam('up-a', 'positionM', [0.3, 0.6, 0]),
+      'a param of its technique': () => setParam('gooch-a', 'highlight', 0.1),
+      'the direction of the light': () => setParam('sun-a', 'azimuthRad', 1.2),
+      'the color of the shadow': () => setParam('shadow-a', 'color', [1, 0, 0, 1]),
+      'the ambient light': () => setParam('scene-a', 'ambient', 0.9),
+      'whether it casts a shadow': () => setParam('box-a', 'castShadow', false),
+      'the filter': () => setParam('sepia-a', 'amount', 0.5),
+      'the place of the camera': () => page.call('turnCamera'),
+      'a reset': () => page.call('reset'),
+      'a full draw': () => page.call('images'),
+      'a lost context': () => page.call('loseContext'),
+    };
+    for (const [name, change] of Object.entries(changes)) {
+      await change();
+      if (name === 'a full draw') expect(await next()).toBe(0);
+      else await drawsOnce(name);
+    }
+    expect([(await next(32)) > 0, await next(32), (await next()) > 0, await next()]).toEqual([true, 0, true, 0]);
+  });
+
+  test('are drawn in each frame while the depth of the room may hide them', async () => {
+    await open({
+      nodes: {
+        'box-a': 'objects/primitive',
+        'scene-a': 'layer/scene',
+        'room-a': 'world/depth',
+        'hide-a': 'layer/depth-occlusion',
+        'screen-a': 'output/screen',
+      },
+      wires: [
+        'box-a.objects -> scene-a.objects',
+        'scene-a.layer -> hide-a.layer',
+        'room-a.depth -> hide-a.depth',
+        'hide-a.layer -> screen-a.layer',
+      ],
+    });
+    await untilStill();
+    await page.call('showRoom', true);
+    expect([(await next()) > 0, (await next()) > 0]).toEqual([true, true]);
+    await page.call('showRoom', false);
+    await drawsOnce('no room any more');
+  });
+
+  test('are drawn while an animation plays, and not while it is paused', async () => {
+    const wires = ['model-a.objects -> scene-a.objects', 'scene-a.layer -> screen-a.layer'];
+    const nodes = {
+      'model-a': ['source/model', { model: 'pin', playing: false }],
+      'scene-a': 'layer/scene',
+      'screen-a': 'output/screen',
+    } as const;
+    const assets = { pin: { path: 'assets/pinwheel.glb', kind: 'model' } } as const;
+    await open({ nodes, wires, assets }, 'nodes/source/model/example/');
+    // The first frame comes before the model.
+    await untilStill();
+    await setParam('model-a', 'playing', true);
+    expect([(await next()) > 0, (await next()) > 0, (await next()) > 0]).toEqual([true, true, true]);
+    await setParam('model-a', 'playing', false);
+    await untilStill();
+    const { kept, drawn } = await page.call<ReturnType<typeof images>>('images');
+    expect(kept).toBe(drawn);
+  });
+});
+
+describe('what the CPU computes from an image that nothing changes', () => {
+  const assets = { photo: { path: 'assets/sticker.png', kind: 'image' } } as const;
+
+  test('is computed until its result is shown', async () => {
+    await open({
+      nodes: {
+        'photo-a': ['source/image-file', { file: 'photo' }],
+        'even-a': 'filter/cpu-equalize-histogram',
+        'screen-a': 'output/screen',
+      },
+      wires: ['photo-a.layer -> even-a.inputImage', 'even-a.layer -> screen-a.layer'],
+      assets,
+    });
+    expect(await untilStill()).toBeGreaterThan(2);
+    const equalized = await page.call<ReturnType<typeof images>>('images');
+    expect(equalized.kept).toBe(equalized.drawn);
+    await setParam('even-a', 'amount', 0);
+    expect(await untilStill()).toBeGreaterThan(2);
+    const plain = await page.call<ReturnType<typeof images>>('images');
+    expect(plain.kept).toBe(plain.drawn);
+    expect(plain.kept).not.toBe(equalized.kept);
+    await page.call('reset');
+    expect(await untilStill()).toBeGreaterThan(2);
+  });
+});

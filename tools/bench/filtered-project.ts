@@ -1,0 +1,36 @@
+/** The parts of `project.scrim.json` that are changed. */
+interface ProjectText {
+  readonly graphs: {
+    readonly main: {
+      readonly nodes: Record<string, { readonly type: string; readonly version: number }>;
+      readonly wires: readonly string[];
+    };
+  };
+}
+
+/**
+ * Returns a project with a filter over all that its screen shows. Without one, the layers of the screen are blended where they are shown;
+ * with one, they have to be textures, as in most projects that filter a whole image.
+ *
+ * @param text `project.scrim.json`.
+ *
+ * @example
+ * filteredProject(await readFile('examples/sketchy-shadow/project.scrim.json', 'utf8'));
+ */
+export function filteredProject(text: string): string {
+  const project = JSON.parse(text) as ProjectText;
+  const { nodes, wires } = project.graphs.main;
+  const [screen] = Object.entries(nodes).find(([, { type }]) => type === 'output/screen') ?? [];
+  const shown = wires.find((wire) => wire.endsWith(` -> ${screen}.layer`));
+  if (shown === undefined) throw new Error('The screen of the project shows nothing.');
+  const main = {
+    ...project.graphs.main,
+    nodes: { ...nodes, 'filter-all1': { type: 'filter/sepia', version: 1 } },
+    wires: [
+      ...wires.filter((wire) => wire !== shown),
+      shown.replace(`${screen}.layer`, 'filter-all1.inputImage'),
+      `filter-all1.layer -> ${screen}.layer`,
+    ],
+  };
+  return JSON.stringify({ ...project, graphs: { ...project.graphs, main } });
+}
