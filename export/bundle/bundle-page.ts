@@ -132,7 +132,7 @@ function layOut(
   const content = [...new Map([programFile, ...assetFiles, ...decoderContent].map((file) => [file.path, file])).values()];
   const layOutPage = singleFile ? layOutSingleFile : layOutFiles;
   const licences: PageFile = { path: LICENCES_FILE, kind: 'licences', bytes: toBytes(licencesText(program.title, credits)) };
-  const { workers, panoramas, scenes } = programUse(program);
+  const { workers, panoramas, scenes, readsView } = programUse(program);
   const files = layOutPage({
     title: program.title,
     ...page,
@@ -148,6 +148,7 @@ function layOut(
       program: programFile.path,
       tiers: program.tiers,
       isFilter: !scenes && program.needs.some(({ capability, required }) => capability === 'camera-image' && required),
+      looksAround: readsView,
       controls: program.controls ?? [],
       credits,
       decoders: Object.fromEntries(decoderFiles.map(({ file, path }) => [file, path])),

@@ -1,7 +1,9 @@
 import { readdir, readFile } from 'node:fs/promises';
 import { join, resolve } from 'node:path';
 import { expect, test } from '@jest/globals';
+import { build } from 'esbuild';
 import { STILL_TYPES } from '../program/may-rest.ts';
+import { VIEW_READERS } from '../program/reads-view.ts';
 import { CAMERA_MEAN_READERS, OPTIONAL_PARTS, PANORAMA_MAKERS, SHADOW_CATCHERS } from './optional-parts.ts';
 import { DIRECTIONS, RADIAL } from './program-use.ts';
 import { LOCAL_LIGHTS } from './shrink/three-parts.ts';
@@ -42,6 +44,25 @@ test.each([
   ["kind: 'probe'", ['world/light-estimate']],
 ])('the node types with “%s” are known', async (text, types) => {
   expect(await typesWith(text)).toEqual(types);
+});
+
+test('the node types that read the pose or the projection of a view are known', async () => {
+  const files = (await readdir(join(ROOT, 'nodes'), { recursive: true })).filter((file) =>
+    /^(?!kit|generated)\w+[/\\][\w-]+[/\\]runtime\.ts$/.test(file),
+  );
+  const { outputFiles } = await build({
+    absWorkingDir: ROOT,
+    entryPoints: files.map((file) => join('nodes', file)),
+    outdir: 'unused',
+    outbase: 'nodes',
+    bundle: true,
+    write: false,
+    format: 'esm',
+    external: ['three'],
+  });
+  const readers = outputFiles.filter(({ text }) => /worldFromView|viewFromWorld|clipFromView/.test(text));
+  const types = readers.map(({ path }) => path.split(/[/\\]/).slice(-3, -1).join('/'));
+  expect(types.sort()).toEqual(VIEW_READERS);
 });
 
 test('the texts of techniques that read the direction field or the curvature are known', async () => {

@@ -19,6 +19,10 @@ function absent(...names: readonly string[]): string {
   return `${ABSENT}\nexport { ${text} };`;
 }
 
+const WRITE_IDENTITY = '(m) => { m[0] = m[5] = m[10] = m[15] = 1; }';
+
+const readsView = (use: PageUse): boolean => use.readsView;
+
 const needs = (capability: string) => (use: PageUse) => use.capabilities.has(capability as never);
 
 /** Node types that read `SessionService.cameraMean`. A test compares them with the runtimes. */
@@ -207,6 +211,69 @@ export const OPTIONAL_PARTS: readonly OptionalPart[] = [
     file: 'export/runtime/assets/asset-source.ts',
     isNeeded: ({ singleFile }) => !singleFile,
     otherwise: absent('createFetchAssetSource'),
+  },
+  {
+    file: 'export/runtime/assets/asset-store.ts',
+    isNeeded: (use) => use.assetKinds.size > 0 || hasPanoramas(use),
+    otherwise: `const loaded = Promise.resolve();
+const nothing = () => {};
+export const createAssetStore = () => ({ hold: () => ({ usable: loaded, settled: loaded, release: nothing }), serviceFor: nothing, dispose: nothing });`,
+  },
+  {
+    file: 'export/runtime/sessions/orbit/orbit-input.ts',
+    isNeeded: readsView,
+    otherwise: 'const nothing = () => {};\nexport const listenForOrbit = () => ({ settle: nothing, dispose: nothing });',
+  },
+  {
+    file: 'export/runtime/sessions/orbit/orbit-pose.ts',
+    isNeeded: readsView,
+    otherwise: `export const ORBIT_DEFAULTS = {};\nexport const createOrbit = () => ({ writeWorldFromView: ${WRITE_IDENTITY} });`,
+  },
+  {
+    file: 'export/runtime/sessions/camera/camera-viewer.ts',
+    isNeeded: readsView,
+    otherwise: `export const createCameraViewer = () => ({ writeWorldFromView: ${WRITE_IDENTITY} });`,
+  },
+  {
+    // Without it, iPhones do not ask the visitor for the motion sensor.
+    file: 'export/runtime/sessions/camera/orientation-sensor.ts',
+    isNeeded: readsView,
+    otherwise: `export const requestOrientationPermission = async () => 'absent';
+export const listenForOrientation = () => ({ present: true, dispose: () => {} });`,
+  },
+  {
+    file: 'export/runtime/sessions/input/session-input.ts',
+    isNeeded: (use) => use.input || needs('planes')(use),
+    otherwise: `export const MAX_POINTERS = 0;
+export const MAX_TAPS = 0;
+export const MAX_KEYS = 0;
+export const createSessionInput = () => ({});
+${absent('createPointer', 'addPointer', 'deriveTaps', 'rest', 'nextTap')}`,
+  },
+  {
+    file: 'export/runtime/targets/target.ts',
+    isNeeded: ({ resourceKinds }) => resourceKinds.has('target'),
+    otherwise: `export const MAX_VIEWS = 2;\n${absent('createTarget')}`,
+  },
+  {
+    file: 'export/runtime/targets/target-sizes.ts',
+    isNeeded: ({ resourceKinds }) => resourceKinds.has('target'),
+    otherwise: `const nothing = () => {};
+export const createTargetSizes = () => ({ resizeImages: nothing, resizeViews: nothing, trim: nothing });`,
+  },
+  {
+    file: 'export/runtime/targets/evaluate-size.ts',
+    isNeeded: ({ computedSizes }) => computedSizes,
+    otherwise: `export const evaluateSize = ([token], widthPx, heightPx, slots, maxPx) =>
+  Math.min(Math.max(Math.floor(token.op === 'width' ? widthPx : heightPx), 1), maxPx);`,
+  },
+  {
+    // Nodes of a program that is never replaced are found by any key.
+    file: 'export/runtime/operations/node-key.ts',
+    isNeeded: ({ takesPanorama }) => takesPanorama,
+    otherwise: `export const nodeKey = ({ id }) => id;
+export const shadowMapsKey = ({ id }) => id;
+export const isDraw = ({ kind }) => kind === 'draw';`,
   },
   {
     file: 'export/runtime/sessions/webxr/authored-room.ts',

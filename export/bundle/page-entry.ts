@@ -83,7 +83,7 @@ function shareLines(): string[] {
 }
 
 /** The text of the script with the sessions that a visitor enters: an `EnteredSessions` as a module. */
-export function sessionsEntry({ scenes, controls, input, capabilities, tiers }: PageUse): string {
+export function sessionsEntry({ scenes, controls, input, readsView, capabilities, tiers }: PageUse): string {
   const part = (isUsed: boolean, exported: string, name: string, file: string): string =>
     isUsed ? `export { ${name} as ${exported} } from './export/${file}';` : `export const ${exported} = null;`;
   return [
@@ -95,6 +95,7 @@ export function sessionsEntry({ scenes, controls, input, capabilities, tiers }: 
     part(capabilities.has('planes') && !input, 'inputs', 'SESSION_INPUTS', 'runtime/sessions/input/session-inputs.ts'),
     part(capabilities.has('planes'), 'offerRoomScan', 'offerRoomScan', 'page/room-scan.ts'),
     part(true, 'texts', 'SESSION_TEXTS', 'page/entered-sessions.ts'),
+    part(readsView && tiers.has('camera'), 'cameraHint', 'CAMERA_HINT', 'page/entered-sessions.ts'),
   ].join('\n');
 }
 

@@ -2,7 +2,8 @@ import type { Capability } from '../../nodes/kit/definition.ts';
 import type { TableType } from '../../nodes/kit/wire-types.ts';
 import { mayRest } from '../program/may-rest.ts';
 import type { Tier } from '../program/needs.ts';
-import type { NodeOperation, Operation, Program, ProgramAsset, Resource } from '../program/program.ts';
+import type { NodeOperation, Operation, Program, ProgramAsset, Resource, SizeExpression, TargetSize } from '../program/program.ts';
+import { passReadsView, VIEW_READERS } from '../program/reads-view.ts';
 
 /** The parts of Scrim that a program needs. */
 export interface ProgramUse {
@@ -16,6 +17,11 @@ export interface ProgramUse {
   readonly spatial: boolean;
   /** Whether pointers, taps or controllers are read. */
   readonly input: boolean;
+  /**
+   * Whether its image depends on the pose or the projection of the view. Where it does not, as where effects filter an image or the camera
+   * video, looking around changes nothing.
+   */
+  readonly readsView: boolean;
   /** Whether it reads panoramas. */
   readonly panoramas: boolean;
   /** Whether techniques of the program show what is behind their objects. Models may contain glass without this. */
@@ -38,6 +44,8 @@ export interface ProgramUse {
   readonly workerTypes: ReadonlySet<string>;
   readonly operationKinds: ReadonlySet<Operation['kind']>;
   readonly resourceKinds: ReadonlySet<Resource['kind']>;
+  /** Whether the size of a target is another than that of what it is relative to. */
+  readonly computedSizes: boolean;
   /** Types of the params that its shaders read from textures. */
   readonly tableTypes: ReadonlySet<TableType>;
   /** Kinds of the assets that operations refer to. */
@@ -76,14 +84,24 @@ export function programUse(program: Program): ProgramUse {
   const capabilities = new Set(program.needs.map(({ capability }) => capability));
   const spatial = capabilities.has('hit-test') || capabilities.has('anchors');
   const controls = (program.controls ?? []).length > 0;
+  const input = spatial || controls || program.readsInput === true;
+  const scenes =
+    program.operations.some((operation) => operation.kind === 'geometry' || operation.kind === 'shadow-maps' || needsScenes(operation)) ||
+    uses('model', 'environment');
+  const poses = nodes.some((node) => node.poses !== undefined);
   return {
     nodes,
     nodeTypes: [...new Set(nodes.map((node) => node.type))].sort(),
-    scenes:
-      program.operations.some((operation) => operation.kind === 'geometry' || operation.kind === 'shadow-maps' || needsScenes(operation)) ||
-      uses('model', 'environment'),
+    scenes,
     spatial,
-    input: spatial || controls || program.readsInput === true,
+    input,
+    readsView:
+      scenes ||
+      poses ||
+      program.readsInput === true ||
+      capabilities.size > (capabilities.has('camera-image') ? 1 : 0) ||
+      nodes.some(({ type }) => VIEW_READERS.includes(type)) ||
+      passes.some(passReadsView),
     panoramas: uses('environment'),
     glass: program.operations.some((operation) => 'glass' in operation && operation.glass === true),
     techniqueEdges: program.resources.some(
@@ -100,6 +118,7 @@ export function programUse(program: Program): ProgramUse {
     labels: nodes.some(({ type }) => type === 'objects/label'),
     operationKinds: new Set(program.operations.map(({ kind }) => kind)),
     resourceKinds,
+    computedSizes: program.resources.some((resource) => resource.kind === 'target' && isComputed(resource.size)),
     tableTypes: new Set(program.resources.flatMap((resource) => (resource.kind === 'table' ? [resource.of] : []))),
     assetKinds: new Set(program.assets.filter(({ id }) => assets.has(id)).map(({ kind }) => kind)),
     depthMeshes: program.assets.some(({ depthMeshes }) => depthMeshes),
@@ -110,7 +129,7 @@ export function programUse(program: Program): ProgramUse {
       program.operations.some(({ kind }) => kind === 'draw' || (RESTLESS.has(kind) && !program.resources.some(isCamera))) &&
       mayRest(program),
     pulses: resourceKinds.has('pulses') || nodes.some(({ pulses }) => pulses !== undefined),
-    poses: nodes.some(({ poses }) => poses !== undefined),
+    poses,
     capabilities,
     tiers: new Set(program.tiers.map(({ id }) => id)),
     assets,
@@ -128,6 +147,14 @@ const RESTLESS: ReadonlySet<Operation['kind']> = new Set(['draw', 'cpu', 'shadow
 /** Layers of the view domain that no pass draws come from the camera. */
 function isCamera(resource: Resource): boolean {
   return resource.kind === 'external' && resource.domain === 'view';
+}
+
+function isComputed({ width, height }: TargetSize): boolean {
+  return !isDimension(width, 'width') || !isDimension(height, 'height');
+}
+
+function isDimension([token, ...rest]: SizeExpression, op: 'width' | 'height'): boolean {
+  return rest.length === 0 && typeof token === 'object' && 'op' in token && token.op === op;
 }
 
 function needsScenes(operation: Operation): boolean {

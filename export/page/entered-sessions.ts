@@ -24,6 +24,8 @@ export interface EnteredSessions {
   /** Offers a scan of the room where the device knows none of it; null if the program reads no planes. */
   readonly offerRoomScan: OfferRoomScan | null;
   readonly texts: typeof SESSION_TEXTS;
+  /** How to look around in a camera session; null if the image does not depend on the view. */
+  readonly cameraHint: string | null;
 }
 
 /** What the page says about sessions. */
@@ -43,5 +45,7 @@ export const SESSION_TEXTS = {
     depth: 'The device measures no depth at the moment, so real objects hide nothing. Move it slowly from side to side.',
     'light-estimation': 'The device does not measure the light of the room at the moment. Default light is used.',
   } as Readonly<Partial<Record<Capability, string>>>,
-  cameraHint: 'Turn the device to look around. Drag up or down until objects stand on the floor. Pinch or scroll to zoom.',
 };
+
+/** What the page says when a camera session begins. */
+export const CAMERA_HINT = 'Turn the device to look around. Drag up or down until objects stand on the floor. Pinch or scroll to zoom.';

@@ -182,7 +182,7 @@ export function createPageController({ page, root, program, modes, createPanoram
     },
     enter: async (mode) => {
       if (sessions === null) return;
-      const { texts } = sessions;
+      const { cameraHint } = sessions;
       panel.show({ kind: 'entering', mode });
       for (const topic of ['ended', 'session']) notices.clear(topic);
       const { output, diagnostics } = await request(mode, sessions);
@@ -196,7 +196,7 @@ export function createPageController({ page, root, program, modes, createPanoram
       }
       if (mode !== 'camera') immersive = mode;
       root.setMode(mode);
-      if (mode === 'camera') notices.show('hint', { text: texts.cameraHint, tone: 'hint' });
+      if (mode === 'camera' && cameraHint !== null) notices.show('hint', { text: cameraHint, tone: 'hint' });
       if (mode !== 'vr') await step?.begin(output);
       await mounted.play(output);
     },

@@ -62,6 +62,8 @@ export interface PageConfig {
   readonly tiers: readonly Tier[];
   /** Whether the page does no more than change the image of the camera. */
   readonly isFilter: boolean;
+  /** Whether the image depends on the view, so that visitors can look around. */
+  readonly looksAround: boolean;
   /** Controls from top to bottom. */
   readonly controls: readonly Control[];
   /** Authors of the page's effects and assets. */

@@ -33,10 +33,15 @@ const LEAVE: Readonly<Record<SessionMode, string>> = { ar: 'Leave AR', camera: '
 
 /** Replaces the static content of `index.html`. Keeps the poster. */
 export function createPageRoot(options: PageRootOptions): PageRoot {
-  const { document, title, onLeave } = options;
+  const { document, title, looksAround, onLeave } = options;
   const byTouch = document.defaultView?.matchMedia(TOUCH).matches ?? false;
   const canvas = element(document, 'canvas', {
-    attributes: { tabindex: '0', role: 'img', 'aria-label': `${title}: drag ${byTouch ? '' : 'or use the arrow keys '}to look around` },
+    attributes: {
+      role: 'img',
+      ...(looksAround
+        ? { tabindex: '0', 'aria-label': `${title}: drag ${byTouch ? '' : 'or use the arrow keys '}to look around` }
+        : { 'aria-label': title }),
+    },
   });
   const panel = createStartCard(options);
   const notices = createNotices(document);

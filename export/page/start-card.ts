@@ -31,6 +31,8 @@ export interface StartCardOptions {
   readonly lacks: Readonly<Record<'camera' | 'vr' | 'orbit', readonly string[]>>;
   /** Whether the page does no more than change the image of the camera, which needs no AR. */
   readonly isFilter: boolean;
+  /** Whether the image depends on the view, so that visitors can look around. */
+  readonly looksAround: boolean;
   /** Bytes to load before the first frame. */
   readonly totalBytes: number;
   readonly onEnter: (mode: SessionMode) => void;
@@ -56,7 +58,7 @@ const LABELS: Readonly<Record<SessionMode, { readonly enter: string; readonly en
 
 /** Creates the card with the title, the description, and the session modes with what each requests and lacks. */
 export function createStartCard(options: StartCardOptions): StartCard {
-  const { document, title, description, totalBytes, lacks, isFilter } = options;
+  const { document, title, description, totalBytes, lacks, isFilter, looksAround } = options;
   const bar = element(document, 'progress', { attributes: { max: '1', 'aria-label': 'Loading' } });
   const size = element(document, 'p', { className: 'size' });
   const loading = element(document, 'div', { className: 'loading' }, bar, size);
@@ -64,7 +66,7 @@ export function createStartCard(options: StartCardOptions): StartCard {
   const ar = createModeElement(options, 'ar', arTexts(options));
   const camera = createModeElement(options, 'camera', [
     ...cameraTexts(document),
-    ...lacksElement(document, [...(isFilter ? [] : [STANDS_STILL]), ...lacks.camera]),
+    ...lacksElement(document, [...(isFilter || !looksAround ? [] : [STANDS_STILL]), ...lacks.camera]),
   ]);
   const vr = createModeElement(options, 'vr', [...vrTexts(options), ...lacksElement(document, lacks.vr)]);
   const matches = (query: string) => document.defaultView?.matchMedia(query).matches ?? false;
@@ -121,7 +123,7 @@ export function createStartCard(options: StartCardOptions): StartCard {
         return;
       }
       for (const mode of MODES) modes[mode].setOffered(offers.indexOf(mode));
-      around.hidden = state.kind !== 'ready';
+      around.hidden = state.kind !== 'ready' || !looksAround;
       aroundLacks.hidden = state.kind !== 'ready' || offers.length > 0;
     },
     focus: () => {

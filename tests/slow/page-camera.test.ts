@@ -23,13 +23,14 @@ async function open(
   options: BrowserContextOptions = {},
   prepare: (page: Page) => Promise<unknown> = async () => {},
   browser: Browser = chromium.browser,
+  url = served.url,
 ) {
   const context = await browser.newContext({ viewport: { width: 640, height: 480 }, ...options });
   const page = await context.newPage();
   opened.push(page);
   const errors = collectErrors(page);
   await prepare(page);
-  await page.goto(served.url);
+  await page.goto(url);
   const use = page.getByRole('button', { name: 'Use the camera' });
   await use.waitFor();
   return { page, errors, use };
@@ -161,6 +162,42 @@ describe('an exported page with a camera and no AR', () => {
       const corners = [8, 836].map((x) => isGreen(picture, x, 195));
       if (picture.width === 844 && corners.every(Boolean)) break;
     }
+    expect(errors).toEqual([]);
+  });
+});
+
+describe('an exported page whose image does not depend on the view', () => {
+  let filter: ServedPage;
+  beforeAll(async () => {
+    filter = await servePage({ ...DISC, needs: DISC.needs.filter(({ capability }) => capability === 'camera-image') });
+  });
+  afterAll(() => filter.close());
+
+  test('does not ask for the motion sensor, and says nothing about looking around', async () => {
+    const { page, errors, use } = await open(
+      {},
+      (opening) =>
+        opening.addInitScript(() => {
+          const asked: string[] = [];
+          Object.assign(window, { asked });
+          Object.defineProperty(DeviceOrientationEvent, 'requestPermission', {
+            value: async () => {
+              asked.push('motion');
+              return 'granted';
+            },
+          });
+        }),
+      chromium.browser,
+      filter.url,
+    );
+    expect(await page.getByText('look around').isVisible()).toBe(false);
+    await use.click();
+    await page.getByRole('button', { name: 'Stop the camera' }).waitFor();
+    const picture = await untilGreen(page);
+    const [red, , blue] = pixelAt(picture, 320, 240);
+    expect(red - blue).toBeGreaterThan(100);
+    expect(await page.getByText('Turn the device').count()).toBe(0);
+    expect(await page.evaluate(() => (window as unknown as { asked: string[] }).asked)).toEqual([]);
     expect(errors).toEqual([]);
   });
 });

@@ -1,4 +1,5 @@
 import type { LayerRef, Resource, ResourceId } from '../../program/program.ts';
+import { passReadsView } from '../../program/reads-view.ts';
 import { isPass, type ScheduledOperation, type ScheduledPass } from './scheduled.ts';
 
 /** The program as far as it matters here. `resources` are those that share textures. */
@@ -43,7 +44,7 @@ function sameForAllViews({ operations, resources, taps }: Drawn): ScheduledPass[
   const drawn = new Set<ResourceId>();
   const isSame = (id: ResourceId) => drawn.has(id) || isImage(byId.get(id));
   return operations.filter((operation): operation is ScheduledPass => {
-    if (!isPass(operation) || operation.view !== 'each' || !readsOnly(operation, isSame) || readsView(operation)) return false;
+    if (!isPass(operation) || operation.view !== 'each' || !readsOnly(operation, isSame) || passReadsView(operation)) return false;
     const target = byId.get(operation.target);
     // Kept and viewed layers have a texture for each view.
     if (target?.kind !== 'target' || target.lifetime !== 'frame' || viewed.has(target.id)) return false;
@@ -57,13 +58,6 @@ function readsOnly({ samplers }: ScheduledPass, isSame: (id: ResourceId) => bool
     if (source.kind === 'color') return isSame(source.resource);
     return source.kind === 'table' || source.kind === 'import' || source.kind === 'sound';
   });
-}
-
-/** Whether a pass reads the projection or the pose of its view. */
-function readsView({ uniforms }: ScheduledPass): boolean {
-  return uniforms.some(
-    ({ source }) => 'builtin' in source && (source.builtin === 'SCRIM_CLIP_FROM_VIEW' || source.builtin === 'SCRIM_WORLD_FROM_VIEW'),
-  );
 }
 
 function isImage(resource: Resource | undefined): boolean {
