@@ -4,7 +4,10 @@ import { expect, test } from '@jest/globals';
 import { build } from 'esbuild';
 import { STILL_TYPES } from '../program/may-rest.ts';
 import { VIEW_READERS } from '../program/reads-view.ts';
-import { CAMERA_MEAN_READERS, OPTIONAL_PARTS, PANORAMA_MAKERS, SHADOW_CATCHERS } from './optional-parts.ts';
+import { PANORAMA_MAKERS } from './optional/part.ts';
+import { CAMERA_MEAN_READERS } from './optional/runtime-parts.ts';
+import { SHADOW_CATCHERS } from './optional/scene-parts.ts';
+import { OPTIONAL_PARTS } from './optional-parts.ts';
 import { DIRECTIONS, RADIAL } from './program-use.ts';
 import { LOCAL_LIGHTS } from './shrink/three-parts.ts';
 
@@ -54,7 +57,6 @@ test('the node types that read the pose or the projection of a view are known', 
     absWorkingDir: ROOT,
     entryPoints: files.map((file) => join('nodes', file)),
     outdir: 'unused',
-    outbase: 'nodes',
     bundle: true,
     write: false,
     format: 'esm',

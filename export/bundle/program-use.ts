@@ -88,6 +88,7 @@ export function programUse(program: Program): ProgramUse {
   const scenes =
     program.operations.some((operation) => operation.kind === 'geometry' || operation.kind === 'shadow-maps' || needsScenes(operation)) ||
     uses('model', 'environment');
+  const takesPanorama = nodes.some(({ type }) => type === 'source/panorama-capture');
   const poses = nodes.some((node) => node.poses !== undefined);
   return {
     nodes,
@@ -98,6 +99,7 @@ export function programUse(program: Program): ProgramUse {
     readsView:
       scenes ||
       poses ||
+      takesPanorama ||
       program.readsInput === true ||
       capabilities.size > (capabilities.has('camera-image') ? 1 : 0) ||
       nodes.some(({ type }) => VIEW_READERS.includes(type)) ||
@@ -114,7 +116,7 @@ export function programUse(program: Program): ProgramUse {
     workers: working.length > 0,
     workerTypes: new Set(working.flatMap((operation) => ('type' in operation ? [operation.type] : []))),
     controls,
-    takesPanorama: nodes.some(({ type }) => type === 'source/panorama-capture'),
+    takesPanorama,
     labels: nodes.some(({ type }) => type === 'objects/label'),
     operationKinds: new Set(program.operations.map(({ kind }) => kind)),
     resourceKinds,
