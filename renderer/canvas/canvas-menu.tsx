@@ -12,6 +12,7 @@ import { selectedSubgraph } from '../state/graph/subgraphs.ts';
 import { compareLayer, pinLayer } from '../state/preview/viewed-layers.ts';
 import { ContextMenu } from '../ui/context-menu.tsx';
 import type { MenuItem } from '../ui/menu.tsx';
+import { borderOf } from './project-borders.ts';
 import type { CanvasWire } from './project-wires.ts';
 import type { AnyNode } from './use-canvas-view.ts';
 import { type ToCanvas, UNSNAPPED } from './use-gestures.ts';
@@ -80,6 +81,7 @@ export function useCanvasMenu(toCanvas: ToCanvas) {
       open,
       close: () => setOpen(null),
       onNode: (event: PointerPlace, node: AnyNode) => {
+        if (borderOf(node.id) !== null) return event.preventDefault();
         if (itemOf(node.id) !== null) {
           selectOnly(editor.selection, [], [], [node.id]);
           show(event, ON_WIRE_OR_ITEM.item);
@@ -90,6 +92,7 @@ export function useCanvasMenu(toCanvas: ToCanvas) {
         show(event, selectedSubgraph(editor) === null ? ON_NODE : ON_SUBGRAPH, layer === null ? {} : { layer });
       },
       onWire: (event: PointerPlace, wire: CanvasWire) => {
+        if (borderOf(wire.source) !== null || borderOf(wire.target) !== null) return event.preventDefault();
         selectOnly(editor.selection, [], wiresOfStretch(editor.document.getState(), wire.id));
         const place = toCanvas({ x: event.clientX, y: event.clientY }, UNSNAPPED);
         show(event, ON_WIRE_OR_ITEM.wire, { wire: { stretch: wire.id, place } });

@@ -12,6 +12,7 @@ import '@xyflow/react/dist/base.css';
 import { useMemo, useRef, useState } from 'react';
 import { WIRE_TYPES } from '../../nodes/kit/wire-types.ts';
 import { uiScale } from '../ui/appearance.ts';
+import { BorderView } from './border-view.tsx';
 import { Breadcrumb } from './breadcrumb.tsx';
 import { CanvasControls } from './canvas-controls.tsx';
 import { CanvasMenu, useCanvasMenu } from './canvas-menu.tsx';
@@ -37,7 +38,7 @@ import { FIT_PADDING, useRefit, useReveal } from './use-reveal.ts';
 import { useWireTarget } from './use-wire-target.ts';
 import { PendingWire, WireView } from './wire-view.tsx';
 
-const NODE_TYPES = { scrim: NodeView, frame: FrameView, note: NoteView, reroute: RerouteView };
+const NODE_TYPES = { scrim: NodeView, frame: FrameView, note: NoteView, reroute: RerouteView, border: BorderView };
 const WIRE_VIEWS = { scrim: WireView };
 const NO_WIRES: CanvasWire[] = [];
 const SNAP: [number, number] = [8, 8];
@@ -58,8 +59,8 @@ export function Canvas() {
 }
 
 function CanvasInside() {
-  const { nodes, wires, items, reroutes } = useCanvasView();
-  const all = useMemo(() => [...items, ...nodes, ...reroutes], [items, nodes, reroutes]);
+  const { nodes, wires, items, reroutes, borders } = useCanvasView();
+  const all = useMemo(() => [...items, ...nodes, ...reroutes, ...borders], [items, nodes, reroutes, borders]);
   const flow = useReactFlow<AnyNode, CanvasWire>();
   const root = useRef<HTMLDivElement>(null);
   const menu = useCanvasMenu(flow.screenToFlowPosition);

@@ -5,6 +5,7 @@ import { useEditor } from '../state/editor/editor-context.ts';
 import { itemOf } from '../state/editor/item-ids.ts';
 import { refusalOver } from '../state/graph/connect-ports.ts';
 import { portOver } from '../state/graph/drop-on-node.ts';
+import { borderOf } from './project-borders.ts';
 
 const OFFSET_PX = 16;
 
@@ -29,6 +30,7 @@ export function ConnectionHint() {
   function hintAt() {
     if (!draggedWire) return null;
     if (connection.toHandle) {
+      if (borderOf(connection.toHandle.nodeId) !== null) return null;
       const reason = connection.isValid === false && refusalOver(editor, draggedWire, connection.toHandle);
       return reason ? { text: reason.message, refused: true } : null;
     }
@@ -38,8 +40,8 @@ export function ConnectionHint() {
   }
 }
 
-/** Id of the topmost node at a place in client pixels; null if there is none. Frames, notes and reroutes do not count. */
+/** Id of the topmost node at a place in client pixels; null if there is none. Frames, notes, reroutes and borders do not count. */
 export function nodeAt({ x, y }: Place): string | null {
   const id = document.elementFromPoint(x, y)?.closest('.react-flow__node')?.getAttribute('data-id') ?? null;
-  return id === null || itemOf(id) !== null ? null : id;
+  return id === null || itemOf(id) !== null || borderOf(id) !== null ? null : id;
 }

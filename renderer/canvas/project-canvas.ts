@@ -1,6 +1,6 @@
 import type { Node, NodeHandle } from '@xyflow/react';
 import { subgraphName } from '../../export/graph/document-names.ts';
-import type { GraphNode, NodeLayout, Project, Wire } from '../../export/graph/project.ts';
+import type { ExposedPort, GraphNode, NodeLayout, Project, Wire } from '../../export/graph/project.ts';
 import { getOwn } from '../../export/graph/record.ts';
 import { CAPTURE_FILE } from '../../nodes/kit/capture.ts';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
@@ -65,13 +65,16 @@ export function createCanvasProjection(): (input: CanvasInput) => CanvasView {
   let shown: CanvasNode[] = [];
   const projectWires = createWiresProjection();
   const wiredPortsOf = memoizeLast(wiredPorts);
+  const exposedInputsOf = memoizeLast(exposedInputs);
   const projectThumbnails = createThumbnailsProjection();
   return (input) => {
     const wiredOf = wiredPortsOf(input.graph.wires);
-    const heights = projectThumbnails(input, (id) => wiredOf.get(id) ?? NO_PORTS);
+    const exposedOf = exposedInputsOf(input.graph.exposed.inputs);
+    const portsOf = (id: string) => withExposed(wiredOf.get(id) ?? NO_PORTS, exposedOf.get(id));
+    const heights = projectThumbnails(input, portsOf);
     const nextNodes = new Map<string, CachedNode>();
     for (const [id, node] of Object.entries(input.graph.nodes)) {
-      const wired = wiredOf.get(id) ?? NO_PORTS;
+      const wired = portsOf(id);
       const expanded = input.expanded.has(id);
       const layout = input.layout.nodes[id];
       const definition = input.library.definition(node.type);
@@ -106,9 +109,24 @@ interface WiredPorts {
   readonly key: string;
   readonly inputs: ReadonlySet<string>;
   readonly outputs: ReadonlySet<string>;
+  /** Exposed inputs and params of a node in a subgraph. Those without a wire have a value. */
+  readonly exposed: ReadonlySet<string>;
 }
 
-const NO_PORTS: WiredPorts = { key: '', inputs: new Set(), outputs: new Set() };
+const NO_PORTS: WiredPorts = { key: '', inputs: new Set(), outputs: new Set(), exposed: new Set() };
+
+function exposedInputs(exposed: readonly ExposedPort[]): Map<string, ReadonlySet<string>> {
+  const ids = new Set(exposed.map(({ node }) => node));
+  return new Map([...ids].map((id) => [id, new Set(exposed.filter(({ node }) => node === id).map(({ port }) => port))]));
+}
+
+/** Exposed params are shown as ports, where the wires from the border of the subgraph end. */
+function withExposed(wired: WiredPorts, exposed: ReadonlySet<string> | undefined): WiredPorts {
+  if (exposed === undefined) return wired;
+  const inputs = new Set([...wired.inputs, ...exposed]);
+  const unwired = new Set([...exposed].filter((port) => !wired.inputs.has(port)));
+  return { key: `${wired.key}|${[...exposed].sort()}`, inputs, outputs: wired.outputs, exposed: unwired };
+}
 
 function wiredPorts(wires: readonly Wire[]): Map<string, WiredPorts> {
   const sets = new Map<string, { inputs: Set<string>; outputs: Set<string> }>();
@@ -122,7 +140,10 @@ function wiredPorts(wires: readonly Wire[]): Map<string, WiredPorts> {
     at(to.node).inputs.add(to.port);
   }
   return new Map(
-    [...sets].map(([id, { inputs, outputs }]) => [id, { key: `${[...inputs].sort()}|${[...outputs].sort()}`, inputs, outputs }]),
+    [...sets].map(([id, { inputs, outputs }]) => [
+      id,
+      { key: `${[...inputs].sort()}|${[...outputs].sort()}`, inputs, outputs, exposed: NO_PORTS.exposed },
+    ]),
   );
 }
 
@@ -141,7 +162,8 @@ function canvasNode(
   const shape = definition ? nodeShape(definition, node, options) : unknownShape([...wired.inputs], [...wired.outputs]);
   const values: Record<string, string> = {};
   for (const port of shape.ports) {
-    if (port.param && !wired.inputs.has(port.name)) values[port.name] = valueText(port.param, node.params[port.name]);
+    if (port.param && (!wired.inputs.has(port.name) || wired.exposed.has(port.name)))
+      values[port.name] = valueText(port.param, node.params[port.name]);
   }
   const data: NodeData = {
     title: fileOf(node, definition, input.assets) ?? definition?.title ?? node.type,

@@ -4,16 +4,18 @@ import { createEncodingLookup } from '../../export/graph/encoding-lookup.ts';
 import { graphOf, layoutOf } from '../state/editor/document.ts';
 import { useDocument, useEditor, useNodeTypes } from '../state/editor/editor-context.ts';
 import { useNodeProblems } from '../state/problems/use-problems.ts';
+import { type BorderNode, createBordersProjection } from './project-borders.ts';
 import { type CanvasNode, type CanvasView, createCanvasProjection } from './project-canvas.ts';
 import { createItemsProjection, type ItemNode } from './project-items.ts';
 import { createReroutesProjection, type RerouteNode } from './project-reroutes.ts';
 
 /** Everything that React Flow draws as a node. */
-export type AnyNode = CanvasNode | ItemNode | RerouteNode;
+export type AnyNode = CanvasNode | ItemNode | RerouteNode | BorderNode;
 
 export interface WholeView extends CanvasView {
   readonly items: readonly ItemNode[];
   readonly reroutes: readonly RerouteNode[];
+  readonly borders: readonly BorderNode[];
 }
 
 /** The open graph as nodes and wires of React Flow. */
@@ -60,5 +62,19 @@ export function useCanvasView(): WholeView {
       }),
     [project, graph, layout, library, assets, selection, shown, hasThumbnail, dragged, problems, wireUnder, encodings],
   );
-  return useMemo(() => ({ ...view, items, reroutes }), [view, items, reroutes]);
+  const projectBorders = useMemo(createBordersProjection, []);
+  const borders = useMemo(
+    () => projectBorders({ name, graph, library, nodes: view.nodes }),
+    [projectBorders, name, graph, library, view.nodes],
+  );
+  return useMemo(
+    () => ({
+      ...view,
+      wires: borders.wires.length === 0 ? view.wires : [...view.wires, ...borders.wires],
+      items,
+      reroutes,
+      borders: borders.nodes,
+    }),
+    [view, items, reroutes, borders],
+  );
 }

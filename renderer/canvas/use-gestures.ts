@@ -23,8 +23,9 @@ import { compositeOver, dropOnWire } from '../state/graph/insert-on-wire.ts';
 import { boxOfItem, contentOf, moveAll } from '../state/graph/layout-items.ts';
 import { HEADER_HEIGHT, NODE_WIDTH } from '../state/graph/node-shape.ts';
 import { addReroute, findStretch, wiresOfStretch } from '../state/graph/reroutes.ts';
-import { openSubgraph } from '../state/graph/subgraphs.ts';
+import { canExpose, openSubgraph, setPortExposed } from '../state/graph/subgraphs.ts';
 import { nodeAt } from './connection-hint.tsx';
+import { borderOf, NEW_PORT } from './project-borders.ts';
 import type { CanvasWire } from './project-wires.ts';
 import { useCancelGesture } from './use-cancel-gesture.ts';
 import type { AnyNode } from './use-canvas-view.ts';
@@ -79,20 +80,26 @@ export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Pla
   const isValidConnection = useCallback(
     (connection: Connection | Edge) => {
       const ends = endsOf(connection);
-      return ends !== null && refusalOfEnds(editor, ends.from, ends.to) === null;
+      if (ends === null) return false;
+      const exposure = exposureOf(ends);
+      if (exposure !== null) return canExpose(editor, exposure.side, exposure.port);
+      return refusalOfEnds(editor, ends.from, ends.to) === null;
     },
     [editor],
   );
   const onConnect = useCallback(
     (connection: Connection) => {
       const ends = endsOf(connection);
-      if (ends && !canceling.current) connectPorts(editor, ends.from, ends.to);
+      if (ends === null || canceling.current) return;
+      const exposure = exposureOf(ends);
+      if (exposure === null) connectPorts(editor, ends.from, ends.to);
+      else setPortExposed(editor, exposure.side, exposure.port, true);
     },
     [editor, canceling],
   );
   const onConnectStart = useCallback(
     (_event: MouseEvent | TouchEvent, start: { nodeId: string | null; handleId: string | null; handleType: HandleType | null }) => {
-      if (start.nodeId === null || start.handleId === null) return;
+      if (start.nodeId === null || start.handleId === null || borderOf(start.nodeId) !== null) return;
       startWireAt(editor, { node: start.nodeId, port: start.handleId }, start.handleType === 'source' ? 'output' : 'input');
     },
     [editor],
@@ -102,6 +109,7 @@ export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Pla
       const { draggedWire, wireUnder } = editor.canvas.getState();
       dropWire(editor.canvas);
       if (draggedWire === null || end.isValid === true || canceling.current) return;
+      if (end.toHandle && borderOf(end.toHandle.nodeId) !== null) return;
       const client = clientOf(event);
       if (wireUnder !== null && !end.toHandle && !rewiring.current) {
         const { x, y } = toCanvas(client);
@@ -180,6 +188,13 @@ export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Pla
 function endsOf({ source, sourceHandle, target, targetHandle }: Connection | Edge) {
   if (!sourceHandle || !targetHandle) return null;
   return { from: { node: source, port: sourceHandle }, to: { node: target, port: targetHandle } };
+}
+
+/** The port that a wire from or to the border of a subgraph exposes; null for other wires. */
+function exposureOf({ from, to }: NonNullable<ReturnType<typeof endsOf>>) {
+  if (from.port === NEW_PORT && borderOf(from.node) !== null) return { side: 'inputs', port: to } as const;
+  if (to.port === NEW_PORT && borderOf(to.node) !== null) return { side: 'outputs', port: from } as const;
+  return null;
 }
 
 /** New positions of the nodes in a dragged frame. */

@@ -107,6 +107,33 @@ test('selected nodes become a subgraph, with a name, opened by a double-click, w
   await page.locator('.status-bar').getByText(/error/).waitFor({ state: 'detached' });
 });
 
+test('the borders of an open subgraph show its ports; a wire to a border exposes another one, a button hides it', async () => {
+  const { page, editor } = open;
+  await title('subgraph').dblclick();
+  const border = (side: 'inputs' | 'outputs') => page.locator(`[data-border="${side}"]`);
+  const wires = (side: 'inputs' | 'outputs') => page.locator(`.react-flow__edge[data-id^="border:${side}"]`);
+  await border('inputs').getByText('Amount').waitFor();
+  expect(await border('inputs').locator('.border-label').allTextContents()).toEqual(['Layer', 'Amount']);
+  expect(await wires('inputs').count()).toBe(2);
+  expect(await wires('outputs').count()).toBe(1);
+  await page.keyboard.press('f');
+  const blurred = editor.port('gaussian-blur-aaaa', 'layer', 'source');
+  await editor.drag(await centerOf(blurred), await centerOf(border('outputs').locator('.border-add')));
+  await border('outputs').locator('.border-label').nth(1).waitFor();
+  expect(await wires('outputs').count()).toBe(2);
+  const { 'old-film': film } = await saveGraphs(open);
+  expect(film?.exposed?.outputs).toHaveLength(2);
+  await border('outputs').locator('.border-row').nth(1).hover();
+  await border('outputs')
+    .getByRole('button', { name: /^Stop exposing/ })
+    .nth(1)
+    .click();
+  await border('outputs').locator('.border-label').nth(1).waitFor({ state: 'detached' });
+  expect((await saveGraphs(open))['old-film']?.exposed?.outputs).toHaveLength(1);
+  await page.getByRole('navigation', { name: 'Subgraphs' }).getByRole('button', { name: 'Main graph' }).click();
+  await title('subgraph').waitFor();
+});
+
 test('a subgraph is shared by copies, made independent, unpacked; undo goes through all of it', async () => {
   const { page, editor } = open;
   const before = JSON.stringify(await saveGraphs(open));

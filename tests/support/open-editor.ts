@@ -166,6 +166,7 @@ export function useOneEditor(
 export interface SavedGraph {
   readonly nodes: Readonly<Record<string, { readonly type: string; readonly params?: Readonly<Record<string, unknown>> }>>;
   readonly wires: readonly string[];
+  readonly exposed?: { readonly inputs: readonly object[]; readonly outputs: readonly object[] };
 }
 
 /** Saves by keys, and returns the graphs of the project file. */

@@ -124,6 +124,14 @@ export function exposedName(exposed: ExposedPorts, side: PortSide, address: Port
   return exposed[side].find((port) => sameAddress(port, address))?.name ?? null;
 }
 
+/** Whether a port or param of the open subgraph can be exposed: it exists, is not exposed, and has no wire where it takes only one. */
+export function canExpose(editor: Editor, side: PortSide, address: PortAddress): boolean {
+  const { project, library, graph } = editor.document.getState();
+  if (graph === MAIN_GRAPH) return false;
+  const name = freePortName(editor, address);
+  return exposePort(project, { library, graph, side, name, ...address }).patches.length > 0;
+}
+
 /** Exposes a port or param of the open subgraph, or stops exposing it. */
 export function setPortExposed(editor: Editor, side: PortSide, { node, port }: PortAddress, shown: boolean): boolean {
   const state = editor.document.getState();
@@ -132,10 +140,17 @@ export function setPortExposed(editor: Editor, side: PortSide, { node, port }: P
   if (graph === MAIN_GRAPH) return false;
   const known = exposedName(exposed, side, { node, port });
   if (!shown) return known === null || apply(editor, 'Stop exposing port', hidePort(project, { library, graph, side, name: known }));
+  const name = freePortName(editor, { node, port });
+  return apply(editor, 'Expose port', exposePort(project, { library, graph, side, name, node, port }));
+}
+
+/** A name for an exposed port that the open subgraph does not have. */
+function freePortName(editor: Editor, { port }: PortAddress): string {
+  const { exposed } = graphOf(editor.document.getState());
   const taken = new Set([...exposed.inputs, ...exposed.outputs].map(({ name }) => name));
   let name = port;
   for (let number = 2; taken.has(name); number++) name = `${port}${number}`;
-  return apply(editor, 'Expose port', exposePort(project, { library, graph, side, name, node, port }));
+  return name;
 }
 
 function freeName({ graphs }: Project, stem: string): string {
