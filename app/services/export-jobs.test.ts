@@ -2,6 +2,7 @@ import { mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promis
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
+import { encode } from 'fast-png';
 import { POSTER_SIZE } from '../../export/bundle/poster.ts';
 import { openWindow, startHost, stopHosts } from '../../tests/support/host-kit.ts';
 import { projectText } from '../../tests/support/project-kit.ts';
@@ -53,6 +54,28 @@ describe('an export by the host', () => {
     expect(CONTRACT_SIZE).toEqual(POSTER_SIZE);
     const steps = told.flatMap((event) => (event.kind === 'export-progress' && event.handle === handle ? [event.text] : []));
     expect(steps.slice(0, 3)).toEqual(['Compiling…', 'Bundling the page…', 'Writing file 1…']);
+  });
+
+  test('has the picture that the project keeps, and the given one while its file is missing', async () => {
+    const { window, handle, files } = await open();
+    const { path } = await window.call('asset.import', {
+      handle,
+      name: 'poster.png',
+      bytes: Uint8Array.from(encode({ width: 40, height: 21, data: new Uint8Array(40 * 21 * 3), channels: 3 })),
+    });
+    const keeping = (poster: string) => ({
+      ...files,
+      project: files.project.replace('"graphs"', `"page": { "poster": "${poster}" }, "graphs"`),
+    });
+    const posters = async () => (await readdir(out)).filter((file) => file.startsWith('poster-'));
+    expect(await window.call('export.run', { handle, files: keeping(path), out, poster: JPEG })).toMatchObject({ ok: true });
+    const [kept = ''] = await posters();
+    expect(kept).toMatch(/\.png$/);
+    expect(await readFile(join(out, kept))).toEqual(await readFile(join(project, path)));
+    for (const other of ['assets/none.jpg', 'project.scrim.json', '../secret.jpg']) {
+      expect(await window.call('export.run', { handle, files: keeping(other), out, poster: JPEG })).toMatchObject({ ok: true });
+      expect(await posters()).toEqual([expect.stringMatching(/\.jpg$/)]);
+    }
   });
 
   test('reports its sizes and devices, and is shown on this machine until the host ends', async () => {

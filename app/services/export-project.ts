@@ -1,6 +1,8 @@
 import { bundlePage } from '../../export/bundle/bundle-page.ts';
 import type { PosterImage } from '../../export/bundle/poster.ts';
 import type { ExportReport } from '../../export/bundle/report.ts';
+import { imageSize } from '../../export/gltf/image-size.ts';
+import type { Project } from '../../export/graph/project.ts';
 import type { Program } from '../../export/program/program.ts';
 import { type Diagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
 import type { ProjectFiles } from '../contract/contract.ts';
@@ -10,7 +12,7 @@ import { compileProject } from './compile-project.ts';
 import { type FileLayer, NODE_FILES } from './file-layer.ts';
 import type { Installation } from './installation.ts';
 import { writePageFolder } from './page-folder.ts';
-import { readAssetFile } from './read-asset.ts';
+import { readAsset, readAssetFile } from './read-asset.ts';
 
 export interface ExportJob {
   /** Real path of the project folder. */
@@ -71,7 +73,7 @@ export async function exportProject(job: ExportJob): Promise<ExportOutcome> {
   const all = [...diagnostics];
   try {
     const report = await writePageFolder(out, files, async (sink) => {
-      const poster = await posterOf(program, job);
+      const poster = await posterOf(project, program, job);
       if (poster === null && drawPoster) all.push(NO_POSTER);
       say('Bundling the page…');
       const bundled = await bundlePage({
@@ -106,7 +108,12 @@ const NO_POSTER: Diagnostic = {
   message: 'The poster of the page could not be rendered. Link previews show a neutral one.',
 };
 
-async function posterOf(program: Program, { drawPoster, interrupted }: ExportJob): Promise<PosterImage | null> {
+/** The poster that the project has chosen, if its file can be used; else a drawn one. */
+async function posterOf({ page }: Project, program: Program, { root, drawPoster, interrupted }: ExportJob): Promise<PosterImage | null> {
+  const chosen = page.poster === undefined ? null : await readAsset(root, page.poster).catch(() => null);
+  const size = chosen && imageSize(chosen);
+  const type = chosen?.[0] === 0xff ? 'jpg' : 'png';
+  if (chosen && size && size.ktx2 === null) return { type, bytes: chosen, drawn: true, widthPx: size.widthPx, heightPx: size.heightPx };
   try {
     return (await drawPoster?.(program)) ?? null;
   } catch (error) {

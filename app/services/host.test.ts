@@ -125,6 +125,9 @@ describe('a new project', () => {
     const path = join(base, 'shows', 'Tin robot');
     const opened = await window.call('project.create', { path, template: 'occlusion' });
     expect(JSON.parse(opened.files.project)).toMatchObject({ title: 'Tin robot' });
+    // Templates describe themselves, not the pages that are made of them.
+    expect(templates.find(({ name }) => name === 'occlusion')?.description).toMatch(/shadow/);
+    expect(JSON.parse(opened.files.project)).not.toHaveProperty('page');
     expect(opened.assetFiles.map((asset) => asset.path)).toEqual(['assets/robot.glb']);
     expect([opened.recovery, opened.openElsewhere]).toEqual([null, false]);
     await window.call('project.save', { handle: opened.handle, files: opened.files, revision: opened.revision, overwrite: false });

@@ -53,7 +53,9 @@ export async function createProject({ templatesDir, template, path, files }: New
   if (!known.some(({ name }) => name === template)) {
     throw refusal('SCR073', `Unknown template ${JSON.stringify(template)}.`, `Choose one of ${known.map(({ name }) => name).join(', ')}.`);
   }
-  const project: Project = { ...(await readTemplate(templatesDir, template)), title: titleFor(path) };
+  const { page, ...rest } = await readTemplate(templatesDir, template);
+  // The description is for those who choose a template, not for the visitors of a page.
+  const project: Project = { ...rest, page: { ...page, description: '' }, title: titleFor(path) };
   return fillEmptyFolder(path, files, async (root) => {
     await copyAssets(join(templatesDir, template), root, files);
     await writeAll(root, changesBetween(null, saveProject(project)), files);

@@ -6,13 +6,18 @@ export interface GltfDocument {
   readonly scenes?: readonly { readonly nodes?: readonly number[] }[];
   readonly nodes?: readonly GltfNode[];
   readonly meshes?: readonly GltfMesh[];
-  readonly animations?: readonly { readonly samplers: readonly { readonly input: number; readonly output: number }[] }[];
+  readonly animations?: readonly GltfAnimation[];
   readonly skins?: readonly { readonly inverseBindMatrices?: number }[];
   readonly accessors?: readonly GltfAccessor[];
   readonly bufferViews?: readonly GltfBufferView[];
   readonly buffers?: readonly GltfBuffer[];
   readonly images?: readonly GltfImage[];
   readonly materials?: readonly { readonly extensions?: Readonly<Record<string, unknown>> }[];
+}
+
+export interface GltfAnimation {
+  readonly name?: string;
+  readonly samplers: readonly { readonly input: number; readonly output: number }[];
 }
 
 export interface GltfNode {

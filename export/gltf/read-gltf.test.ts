@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, test } from '@jest/globals';
+import { animationNames } from './animation-names.ts';
 import type { GltfDocument } from './document.ts';
 import { readGltf } from './read-gltf.ts';
 
@@ -223,4 +224,10 @@ describe('readGltf', () => {
     const shared = [{ children: [1, 2] }, { children: [2] }, { mesh: 0 }];
     expect(() => readGltf(text({ ...TRIANGLE, scenes: [{ nodes: [0] }], nodes: shared }))).not.toThrow();
   });
+});
+
+test('animations have the names that three.js gives them, each once', () => {
+  const animations = ['Walk', undefined, 'Jump', 'Walk', ''].map((name) => ({ ...(name === undefined ? {} : { name }), samplers: [] }));
+  expect(animationNames(readGltf(text({ ...MINIMAL, animations })))).toEqual(['Walk', 'animation_1', 'Jump', 'animation_4']);
+  expect(animationNames(readGltf(text(MINIMAL)))).toEqual([]);
 });

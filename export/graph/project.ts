@@ -24,6 +24,8 @@ export interface PageInfo {
   readonly description: string;
   /** BCP 47 language tag. */
   readonly language: string;
+  /** Path of the poster, a JPEG in `assets/`; absent: each export draws one. */
+  readonly poster?: string;
 }
 
 export const MAIN_GRAPH = 'main';

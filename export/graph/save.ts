@@ -21,12 +21,12 @@ export function saveProject(project: Project): ProjectTexts & { readonly layout:
 }
 
 function saveLogic({ title, page, graphs, assets }: Project): string {
-  const pageFields = (['description', 'language'] as const).filter((key) => page[key] !== DEFAULT_PAGE[key]);
+  const pageFields = (['description', 'language', 'poster'] as const).filter((key) => page[key] !== DEFAULT_PAGE[key]);
   return printJson({
     format: PROJECT_FORMAT.format,
     version: newestVersion(PROJECT_FORMAT),
     title,
-    ...(pageFields.length > 0 && { page: Object.fromEntries(pageFields.map((key) => [key, page[key]])) }),
+    ...(pageFields.length > 0 && { page: Object.fromEntries(pageFields.map((key) => [key, page[key] ?? ''])) }),
     graphs: mapMainFirst(graphs, saveGraph),
     ...(Object.keys(assets).length > 0 && { assets: mapSorted(assets, saveAsset) }),
   });

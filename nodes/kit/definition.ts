@@ -215,6 +215,8 @@ export interface TextParam extends ParamBase {
    * outlines of what it may show (`glyphs.ts`): of these characters, or of the text itself if no wire sets it.
    */
   readonly glyphs?: { readonly of: string; readonly font: string };
+  /** The text names an animation of the model that the asset param `of` has: empty the first one, `none` none. Editors list the names. */
+  readonly animation?: { readonly of: string };
 }
 
 /** One of several options. A `uniform` choice has numbers (ISF `long`), a `structure` choice has words. Projects store the value. */

@@ -8,12 +8,14 @@ import { useEditor } from '../state/editor/editor-context.ts';
 const GRID = 8;
 
 /**
- * Decides from each wheel event whether it comes from a mouse wheel, which zooms, or a trackpad, which pans. The browser does not tell them
- * apart: wheels send large equal steps along one axis, trackpads small ones along both.
+ * Decides from each wheel event whether it comes from a mouse wheel, which zooms, or a trackpad, which pans, unless a preference says what
+ * both do. The browser does not tell them apart: wheels send large equal steps along one axis, trackpads small ones along both.
  *
  * @returns Whether scrolling pans.
  */
 export function useWheel(root: RefObject<HTMLElement | null>): boolean {
+  const { preferences } = useEditor();
+  const wheel = useStore(preferences, (state) => state.wheel);
   const [pans, setPans] = useState(false);
   useEffect(() => {
     const element = root.current;
@@ -25,7 +27,7 @@ export function useWheel(root: RefObject<HTMLElement | null>): boolean {
     element.addEventListener('wheel', look, { capture: true, passive: true });
     return () => element.removeEventListener('wheel', look, { capture: true });
   }, [root]);
-  return pans;
+  return wheel === 'auto' ? pans : wheel === 'pan';
 }
 
 const WHEEL_STEP_PX = 40;

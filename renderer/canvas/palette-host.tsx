@@ -8,6 +8,7 @@ import type { Place } from '../state/editor/canvas-state.ts';
 import { nodeOf } from '../state/editor/document.ts';
 import type { Editor } from '../state/editor/editor.ts';
 import { useEditor, useNodeTypes } from '../state/editor/editor-context.ts';
+import { rememberType } from '../state/editor/preferences.ts';
 import type { PaletteRequest } from '../state/editor/ui.ts';
 import { continuationOf } from '../state/graph/continue-after.ts';
 import { addNodeFromPalette, swapType } from '../state/graph/edit-graph.ts';
@@ -62,6 +63,7 @@ export function PaletteHost({ toCanvas, canvas }: PaletteHostProps) {
       onPoint={showCandidate}
       onClose={() => close(null)}
       onChoose={(entry) => {
+        rememberType(editor, entry.definition.type);
         const { end, wire, swap } = request;
         if (swap !== undefined) {
           swapType(editor, swap, entry.definition.type);

@@ -2,13 +2,17 @@ import { type KeyboardEvent, useEffect, useId, useMemo, useRef, useState } from 
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 import { WIRE_TYPES, type WireType } from '../../nodes/kit/wire-types.ts';
 import { uiScale } from '../ui/appearance.ts';
+import { IconButton } from '../ui/button.tsx';
 import { DocText } from '../ui/doc-text.tsx';
 import { Icon } from '../ui/icon.tsx';
 import './palette.css';
+import { useStore } from 'zustand';
+import { showKeybinding } from '../state/commands/show-keybinding.ts';
 import type { OpenEnd } from '../state/editor/canvas-state.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
+import { toggleFavorite } from '../state/editor/preferences.ts';
 import { mainType } from '../state/graph/node-shape.ts';
-import { categoryOf, type PaletteEntry, searchPalette } from '../state/graph/palette-search.ts';
+import { categoryOf, type ListedEntry, listPalette, type PaletteEntry, searchPalette } from '../state/graph/palette-search.ts';
 import { PortMark } from './port-mark.tsx';
 
 interface PaletteProps {
@@ -38,10 +42,15 @@ export function Palette({ definitions, end, at, purpose = null, onPoint, onChoos
   const [chosen, setChosen] = useState(0);
   /** Whether the person has pointed at an entry; the palette opens with the first one chosen. */
   const [pointed, setPointed] = useState(false);
-  const { clock } = useEditor();
+  const editor = useEditor();
+  const { clock } = editor;
+  const favorites = useStore(editor.preferences, (state) => state.favorites);
+  // The list stays as it is while the palette is open.
+  const [recent] = useState(() => editor.preferences.getState().recentTypes);
   const root = useRef<HTMLDivElement>(null);
   const listId = useId();
-  const entries = useMemo(() => searchPalette(definitions, query, end), [definitions, query, end]);
+  const found = useMemo(() => searchPalette(definitions, query, end), [definitions, query, end]);
+  const entries = useMemo(() => listPalette(found, query, favorites, recent), [found, query, favorites, recent]);
   const current = entries[Math.min(chosen, entries.length - 1)];
   const scale = uiScale();
   const place = {
@@ -68,11 +77,19 @@ export function Palette({ definitions, end, at, purpose = null, onPoint, onChoos
     setChosen(index);
     setPointed(true);
   };
+  const toggle = (type: string) => {
+    toggleFavorite(editor, type);
+    // The entry stays chosen although the favorites above it change.
+    const after = listPalette(found, query, editor.preferences.getState().favorites, recent);
+    const at = after.findIndex((entry) => entry.section === current?.section && entry.definition === current.definition);
+    if (at !== -1) setChosen(at);
+  };
   const onKeyDown = (event: KeyboardEvent) => {
     const last = entries.length - 1;
     if (event.key === 'ArrowDown') choose(chosen >= last ? 0 : chosen + 1);
     else if (event.key === 'ArrowUp') choose(chosen <= 0 ? last : chosen - 1);
     else if (event.key === 'Enter' && current) onChoose(current);
+    else if (event.key.toLowerCase() === 'd' && (event.ctrlKey || event.metaKey) && current) toggle(current.definition.type);
     else if (event.key === 'Escape' || event.key === 'Tab') onClose();
     else return;
     event.preventDefault();
@@ -89,7 +106,7 @@ export function Palette({ definitions, end, at, purpose = null, onPoint, onChoos
           role="combobox"
           aria-expanded="true"
           aria-controls={listId}
-          aria-activedescendant={current ? `${listId}-${current.definition.type}` : undefined}
+          aria-activedescendant={current ? `${listId}-${entries.indexOf(current)}` : undefined}
           aria-label="Search nodes"
           placeholder={purpose ?? (end ? `Nodes for this ${WIRE_TYPES[end.type].label.toLowerCase()} wire` : 'Search nodes')}
           autoComplete="off"
@@ -107,20 +124,28 @@ export function Palette({ definitions, end, at, purpose = null, onPoint, onChoos
         <div id={listId} className="palette-list scroll" role="listbox" aria-label="Node types">
           {entries.map((entry, index) => (
             <Row
-              key={entry.definition.type}
-              id={`${listId}-${entry.definition.type}`}
+              key={`${entry.section} ${entry.definition.type}`}
+              id={`${listId}-${index}`}
               entry={entry}
               index={index}
               selected={entry === current}
-              heading={query === '' && categoryOf(entry.definition) !== categoryOf(entries[index - 1]?.definition ?? entry.definition)}
-              first={query === '' && index === 0}
+              heading={query.trim() === '' && entry.section !== entries[index - 1]?.section}
+              favorite={favorites.includes(entry.definition.type)}
+              onFavor={() => toggle(entry.definition.type)}
               onPoint={() => choose(index)}
               onChoose={() => onChoose(entry)}
             />
           ))}
           {entries.length === 0 && <p className="palette-none">No node matches “{query}”.</p>}
         </div>
-        {current && <Preview definition={current.definition} />}
+        {current && (
+          <Preview
+            definition={current.definition}
+            favorite={favorites.includes(current.definition.type)}
+            keys={showKeybinding('Mod+D', editor.mac)}
+            onFavor={() => toggle(current.definition.type)}
+          />
+        )}
       </div>
     </div>
   );
@@ -128,23 +153,24 @@ export function Palette({ definitions, end, at, purpose = null, onPoint, onChoos
 
 interface RowProps {
   readonly id: string;
-  readonly entry: PaletteEntry;
+  readonly entry: ListedEntry;
   readonly index: number;
   readonly selected: boolean;
   readonly heading: boolean;
-  readonly first: boolean;
+  readonly favorite: boolean;
+  readonly onFavor: () => void;
   readonly onPoint: () => void;
   readonly onChoose: () => void;
 }
 
-function Row({ id, entry, index, selected, heading, first, onPoint, onChoose }: RowProps) {
+function Row({ id, entry, index, selected, heading, favorite, onFavor, onPoint, onChoose }: RowProps) {
   const { definition } = entry;
   const type = mainType(definition);
   return (
     <>
-      {(heading || first) && (
+      {heading && (
         <div className="palette-category" role="presentation">
-          {categoryOf(definition)}
+          {entry.section}
         </div>
       )}
       {/* The search field handles all keys; rows handle only the pointer. */}
@@ -161,15 +187,39 @@ function Row({ id, entry, index, selected, heading, first, onPoint, onChoose }: 
         {type && <PortMark type={type} />}
         <span className="palette-title">{definition.title}</span>
         <span className="palette-kind">{categoryOf(definition)}</span>
+        {/* For the pointer; the button beside the description and Ctrl+D do the same. */}
+        <span
+          className="palette-star"
+          aria-hidden="true"
+          data-on={favorite ? '' : undefined}
+          onPointerUp={(event) => {
+            event.stopPropagation();
+            onFavor();
+          }}
+        >
+          <Icon name="star" size={14} />
+        </span>
       </div>
     </>
   );
 }
 
-function Preview({ definition }: { readonly definition: NodeDefinition }) {
+interface PreviewProps {
+  readonly definition: NodeDefinition;
+  readonly favorite: boolean;
+  readonly keys: string;
+  readonly onFavor: () => void;
+}
+
+function Preview({ definition, favorite, keys, onFavor }: PreviewProps) {
   return (
     <div className="palette-preview scroll">
-      <h3>{definition.title}</h3>
+      <div className="palette-preview-head">
+        <h3>{definition.title}</h3>
+        <span className="palette-favor" data-on={favorite ? '' : undefined}>
+          <IconButton icon="star" label="Favorite" keys={keys} pressed={favorite} small onPress={onFavor} />
+        </span>
+      </div>
       <DocText text={definition.doc} />
       <Ports title="Inputs" ports={definition.inputs} />
       <Ports title="Outputs" ports={definition.outputs} />

@@ -1,4 +1,4 @@
-import { useMemo } from 'react';
+import { useEffect, useMemo, useRef, useState } from 'react';
 import { useDocument } from '../state/editor/editor-context.ts';
 import { projectColors } from '../state/params/project-colors.ts';
 import { colorFromHex, hexFromColor, type Rgba } from '../ui/color-text.ts';
@@ -21,6 +21,16 @@ export function ColorSwatches({ label, value, onChoose, onPoint }: ColorSwatches
   const colors = useMemo(() => projectColors(project, library, MOST + 1), [project, library]);
   const own = hexFromColor(value);
   const others = colors.filter((color) => color !== own).slice(0, MOST);
+  const [isPointed, setPointed] = useState(false);
+  const pointed = useRef(onPoint);
+  pointed.current = onPoint;
+  const point = (color: Rgba | null) => {
+    setPointed(color !== null);
+    onPoint(color);
+  };
+  // The swatches may go with the node, or with the last other color, while the pointer rests on one.
+  const shown = isPointed && others.length > 0;
+  useEffect(() => (shown ? () => pointed.current(null) : undefined), [shown]);
   if (others.length === 0) return null;
   return (
     <fieldset className="color-swatches" aria-label={`${label}, colors of the project`}>
@@ -34,10 +44,10 @@ export function ColorSwatches({ label, value, onChoose, onPoint }: ColorSwatches
             aria-label={`Use ${hex}`}
             data-tip={hex}
             style={{ background: hex }}
-            onPointerEnter={() => onPoint(color)}
-            onPointerLeave={() => onPoint(null)}
+            onPointerEnter={() => point(color)}
+            onPointerLeave={() => point(null)}
             onClick={() => {
-              onPoint(null);
+              point(null);
               onChoose(color);
             }}
           />

@@ -1,6 +1,8 @@
 import type { Binding } from '../../export/graph/project.ts';
 import { type ParamDefinition, paramWireType } from '../../nodes/kit/definition.ts';
+import { graphOf } from '../state/editor/document.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
+import { exposedName, setPortExposed } from '../state/graph/subgraphs.ts';
 import { copyParam, pasteParam, startExpression, unbind } from '../state/params/bind-params.ts';
 import { resetParam, setExposed } from '../state/params/edit-params.ts';
 import { ContextMenu } from '../ui/context-menu.tsx';
@@ -18,7 +20,7 @@ interface ParamMenuProps {
   readonly onFollow: () => void;
 }
 
-/** Context menu of a param: copy, paste, expression, port and reset. */
+/** Context menu of a param: copy, paste, expression, port, reset, and inside a subgraph whether its instances have the param. */
 export function ParamMenu({ node, name, param, binding, wired, at, onClose, onFollow }: ParamMenuProps) {
   const editor = useEditor();
   const type = paramWireType(param);
@@ -49,6 +51,16 @@ export function ParamMenu({ node, name, param, binding, wired, at, onClose, onFo
       label: isPort ? 'Hide the port' : 'Show as a port',
       disabled: wired || follows,
       run: () => void setExposed(editor, node, name, !isPort),
+    });
+  }
+  if (editor.document.getState().trail.length > 0) {
+    const address = { node, port: name };
+    const exposed = exposedName(graphOf(editor.document.getState()).exposed, 'inputs', address) !== null;
+    items.push({
+      kind: 'action',
+      label: 'Expose on the subgraph',
+      checked: exposed,
+      run: () => void setPortExposed(editor, 'inputs', address, !exposed),
     });
   }
   items.push(

@@ -1,6 +1,6 @@
 import { type MouseEvent, memo, useId, useRef, useState } from 'react';
 import type { Binding, PortAddress } from '../../export/graph/project.ts';
-import { type ParamDefinition, paramWireType } from '../../nodes/kit/definition.ts';
+import { type ParamDefinition, type ParamValue, paramWireType } from '../../nodes/kit/definition.ts';
 import { PortMark } from '../canvas/port-mark.tsx';
 import { useUndoGroup } from '../state/document/use-undo-group.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
@@ -11,6 +11,7 @@ import { showParamCandidate } from '../state/params/param-candidates.ts';
 import { shownUnit } from '../state/params/units.ts';
 import { boundValue } from '../state/params/value-text.ts';
 import { IconButton } from '../ui/button.tsx';
+import { AnimationPicker } from './animation-picker.tsx';
 import { ExpressionField } from './expression-field.tsx';
 import { KeyButton, TrackField } from './key-button.tsx';
 import { ParamControl, rowClass } from './param-control.tsx';
@@ -32,7 +33,6 @@ export const ParamRow = memo(function ParamRow({ node, name, param, binding, sou
   const id = useId();
   const row = useRef<HTMLFieldSetElement>(null);
   const [menuAt, setMenuAt] = useState<Point | null>(null);
-  const gesture = useUndoGroup((value) => void editParam(editor, node, name, value));
   const type = paramWireType(param);
   // Fields of a vector are too narrow for a unit, so the label shows it.
   const isVector = param.type.startsWith('vector');
@@ -87,14 +87,7 @@ export const ParamRow = memo(function ParamRow({ node, name, param, binding, sou
         ) : binding && 'track' in binding ? (
           <TrackField id={id} node={node} name={name} param={param} track={binding.track} />
         ) : (
-          <ParamControl
-            id={id}
-            param={param}
-            value={boundValue(param, binding)}
-            {...gesture}
-            onExpression={(text) => bindExpression(editor, node, name, text)}
-            onPoint={(choice) => showParamCandidate(editor, [node], name, choice)}
-          />
+          <ValueControl {...{ id, node, name, param, binding }} />
         )}
       </div>
       <span className="param-actions">
@@ -119,6 +112,37 @@ export const ParamRow = memo(function ParamRow({ node, name, param, binding, sou
     </fieldset>
   );
 });
+
+interface ValueControlProps extends Pick<ParamRowProps, 'node' | 'name' | 'param' | 'binding'> {
+  /** Element id, which the `for` of the label refers to. */
+  readonly id: string;
+}
+
+/** The control of a param that has a value. */
+function ValueControl({ id, node, name, param, binding }: ValueControlProps) {
+  const editor = useEditor();
+  const gesture = useUndoGroup((value) => void editParam(editor, node, name, value));
+  const value = boundValue(param, binding);
+  const onPoint = (choice: ParamValue | null) => showParamCandidate(editor, [node], name, choice);
+  const control = (
+    <ParamControl {...{ id, param, value, onPoint }} {...gesture} onExpression={(text) => bindExpression(editor, node, name, text)} />
+  );
+  if (param.type !== 'text' || param.animation === undefined) return control;
+  return (
+    <AnimationPicker
+      {...{ id, node, onPoint }}
+      label={param.label}
+      modelParam={param.animation.of}
+      value={String(value)}
+      onChoose={(animation) => {
+        gesture.onEdit(animation);
+        gesture.onEnd();
+      }}
+    >
+      {control}
+    </AnimationPicker>
+  );
+}
 
 interface Point {
   readonly x: number;

@@ -6,6 +6,7 @@ import { useKeys } from '../state/commands/command-item.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 import { RENDER_SIZES } from '../state/editor/preferences.ts';
 import { chosenSource, type PreviewState } from '../state/editor/preview-state.ts';
+import { keepCurrentImage } from '../state/files/poster.ts';
 import { usePreviewSync } from '../state/preview-sync/preview-sync-context.ts';
 import { IconButton } from '../ui/button.tsx';
 import { ContextMenu } from '../ui/context-menu.tsx';
@@ -46,6 +47,7 @@ export function PreviewMenu() {
   };
   const items: MenuItem[] = [
     { kind: 'action', label: 'Take screenshot', run: () => previewSync.send({ kind: 'screenshot' }) },
+    { kind: 'action', label: 'Use image as poster', run: () => void keepCurrentImage(editor) },
     { kind: 'action', label: recording ? 'Stop recording' : 'Record video', run: () => record(!recording) },
     sessionItem(sessionRecording, () => runCommand(editor, 'play.record')),
     { kind: 'line' },

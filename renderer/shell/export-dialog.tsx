@@ -6,6 +6,7 @@ import { suggestFolder } from '../state/files/suggest-folder.ts';
 import { Button } from '../ui/button.tsx';
 import { Dialog } from '../ui/dialog.tsx';
 import { ExportErrors } from './export-errors.tsx';
+import { ExportPoster, usePoster } from './export-poster.tsx';
 import { FolderField } from './folder-field.tsx';
 import './export-dialog.css';
 
@@ -17,8 +18,9 @@ export function ExportDialog({ onClose }: { readonly onClose: () => void }) {
   const exporting = useStore(editor.ui, (state) => state.exporting);
   const [path, setPath] = useState(() => editor.ui.getState().exportSettings.out || suggestFolder(editor, title, '-page'));
   const ready = exporting === null && path.trim() !== '';
+  const poster = usePoster();
   const go = () => {
-    if (ready) void exportPage(editor, { out: path.trim() });
+    if (ready) void exportPage(editor, { out: path.trim() }, poster.bytes);
   };
   return (
     <Dialog
@@ -59,6 +61,7 @@ export function ExportDialog({ onClose }: { readonly onClose: () => void }) {
         <FolderField id={id} label="Folder" path={path} example="/home/me/pages/my-effect" purpose="export" onChange={setPath} />
         <p className="dialog-note">A folder of static files for any web server. It must be new, empty, or an earlier export.</p>
       </form>
+      <ExportPoster poster={poster} busy={exporting !== null} />
       <ExportErrors onShow={onClose} />
     </Dialog>
   );

@@ -10,14 +10,14 @@ import './shortcuts-dialog.css';
 const POINTER: readonly (readonly [string, string])[] = [
   ['Select several', 'Drag on the canvas, or Shift-click'],
   ['Pan', 'Middle button, Space-drag, or two fingers'],
-  ['Zoom', 'Wheel or pinch'],
+  ['Zoom', 'Wheel or pinch. View > Wheel and trackpad sets what scrolling does'],
   ['Add a node', 'Double-click, or drop a wire on the canvas'],
   ['Insert a node into a wire', 'Drag it onto the wire, or select the wire and press Tab'],
   ['Reroute a wire', 'Double-click it and drag the point; drag the knob beside it to add wires'],
   ['Open a subgraph', 'Double-click it'],
   ['Move a frame and its contents', 'Drag its title bar'],
   ['Disconnect a wire', 'Drag its end off the port'],
-  ['Change a number', 'Drag it sideways; Shift for large, Alt for fine steps'],
+  ['Change a number', 'Drag it sideways; Shift for fine steps, Ctrl snaps'],
   ['Bind a number to an expression', 'Type = and the expression: =sin(time) * 2'],
 ];
 

@@ -118,4 +118,13 @@ test('a color of the project is shown while the pointer rests on its swatch, and
   await swatch.click();
   const { main } = await saveGraphs(opened);
   expect(main?.nodes['dots-aaaa']?.params).toMatchObject({ paperColor: [0, 0, 1, 1] });
+
+  // The swatch goes with the selection while the pointer rests on it.
+  await page.keyboard.press('Control+z');
+  await swatch.hover();
+  await editor.imageOtherThan(before);
+  await page.locator('.canvas').focus();
+  await page.keyboard.press('Control+a');
+  await swatch.waitFor({ state: 'detached' });
+  await editor.imageSameAs(before);
 });

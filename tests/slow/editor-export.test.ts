@@ -8,6 +8,7 @@ import { axeFindings } from '../support/axe.ts';
 import { expectPoster } from '../support/exported-page.ts';
 import { decodeImage } from '../support/image.ts';
 import { useOneEditor } from '../support/open-editor.ts';
+import { eventually } from '../support/patience.ts';
 
 const open = useOneEditor(
   {
@@ -152,6 +153,27 @@ test('an export that takes long can be cancelled', async () => {
     letGo();
     await page.unroute('**/api/call/export.run');
   }
+});
+
+test('a picture of the preview is kept as poster, until each export draws one again', async () => {
+  const { page, editor } = open;
+  await page.getByRole('button', { name: 'Export', exact: true }).first().click();
+  const dialog = page.getByRole('dialog', { name: 'Export the page' });
+  const poster = dialog.getByRole('img', { name: 'Poster of the page' });
+  await dialog.getByRole('button', { name: 'Keep this image' }).click();
+  await dialog.getByText('the image that is kept in the project').waitFor();
+  const kept = await poster.getAttribute('src');
+  await page.keyboard.press('Escape');
+  await page.getByRole('button', { name: 'One view' }).click();
+  await editor.settled();
+  await askFor(join(base, 'kept'));
+  expect(await result().getByRole('img', { name: 'Poster of Test' }).getAttribute('src')).toBe(kept);
+  await page.keyboard.press('Escape');
+  await page.getByRole('button', { name: 'Export', exact: true }).first().click();
+  await dialog.getByRole('button', { name: 'Draw at each export' }).click();
+  await dialog.getByRole('button', { name: 'Keep this image' }).waitFor();
+  await eventually(async () => expect(await poster.getAttribute('src')).not.toBe(kept));
+  await page.keyboard.press('Escape');
 });
 
 test('a page is exported without a picture where the graphics are lost, and the problems say so', async () => {

@@ -41,9 +41,9 @@ beforeAll(async () => {
   files = await looseModel();
 });
 
-const withFiles = (): GraphText => ({
+const withFiles = (model = files): GraphText => ({
   ...GRAPH,
-  assetFiles: Object.fromEntries(Object.entries(files).map(([name, bytes]) => [`shapes/${name}`, bytes])),
+  assetFiles: Object.fromEntries(Object.entries(model).map(([name, bytes]) => [`shapes/${name}`, bytes])),
 });
 
 function orangePixels({ data }: RgbaImage): number {
@@ -130,6 +130,35 @@ test('a model is chosen with all its files, and refused without them', async () 
       .locator('.asset-file')
       .dragTo(page.locator('.canvas'), { targetPosition: { x: x - (canvas?.x ?? 0), y: y - (canvas?.y ?? 0) } });
     await row.getByRole('button', { name: 'Go to 2 nodes with tile.glb' }).waitFor();
+  } finally {
+    await open.close();
+  }
+});
+
+test('an animation of a model is chosen from a list, which shows each on the picture', async () => {
+  const open = await openEditor(chromium.browser, withFiles(await looseModel({ large: 1, small: 0.4 })));
+  try {
+    const { page, editor } = open;
+    const large = await editor.rewind();
+    await editor.node('model').locator('.node-title').click();
+    const picker = editor.inspector.getByRole('combobox', { name: 'Animation', exact: true });
+    await eventually(async () => expect(await picker.textContent()).toBe('First: large'));
+    await picker.click();
+    const options = page.getByRole('listbox', { name: 'Animation' }).getByRole('option');
+    expect(await options.allTextContents()).toEqual(['First: large', 'None', 'large', 'small']);
+    await options.getByText('small').hover();
+    const small = await editor.imageOtherThan(large);
+    // The floor has the color of the tile, too.
+    expect(orangePixels(small)).toBeLessThan(0.75 * orangePixels(large));
+    await page.keyboard.press('Escape');
+    await editor.imageSameAs(large, 'animation-restored');
+    await picker.click();
+    await options.getByText('small').click();
+    await editor.imageSameAs(small, 'animation-chosen');
+    expect(await picker.textContent()).toBe('small');
+    await page.keyboard.press('Control+z');
+    await eventually(async () => expect(await picker.textContent()).toBe('First: large'));
+    expect(open.errors).toEqual([]);
   } finally {
     await open.close();
   }

@@ -23,8 +23,23 @@ export function setTitle(project: Project, { title }: { readonly title: string }
  * @example
  * setPage(project, { page: { language: 'de' } });
  */
-export function setPage(project: Project, { page }: { readonly page: Partial<PageInfo> }): Change {
+export function setPage(project: Project, { page }: { readonly page: Partial<Omit<PageInfo, 'poster'>> }): Change {
   return change(project, (draft) => {
     Object.assign(draft.page, page);
+  });
+}
+
+/**
+ * Chooses the poster of the exported page; null: each export draws one.
+ *
+ * @returns The change; this command is never refused.
+ *
+ * @example
+ * setPoster(project, { path: 'assets/poster.jpg' });
+ */
+export function setPoster(project: Project, { path }: { readonly path: string | null }): Change {
+  return change(project, (draft) => {
+    if (path === null) delete draft.page.poster;
+    else draft.page.poster = path;
   });
 }

@@ -35,8 +35,9 @@ export function readProject(reader: ShapeReader, json: unknown): ProjectDocument
 
 function readPage(reader: ShapeReader, json: unknown): PageInfo {
   if (json === undefined) return DEFAULT_PAGE;
-  const fields = reader.fields(json, ['page'], ['description', 'language']);
-  const text = (key: keyof PageInfo) => (fields(key) === undefined ? DEFAULT_PAGE[key] : reader.text(fields(key), ['page', key]));
+  const fields = reader.fields(json, ['page'], ['description', 'language', 'poster']);
+  const text = (key: 'description' | 'language') =>
+    fields(key) === undefined ? DEFAULT_PAGE[key] : reader.text(fields(key), ['page', key]);
   const language = text('language');
   if (!isLanguage(language)) {
     reader.problem(
@@ -44,7 +45,8 @@ function readPage(reader: ShapeReader, json: unknown): PageInfo {
       `${JSON.stringify(language)} is not a language tag. Use a BCP 47 tag such as "en", "de-CH" or "zh-Hant".`,
     );
   }
-  return { description: text('description'), language };
+  const poster = fields('poster') === undefined ? '' : reader.text(fields('poster'), ['page', 'poster']);
+  return { description: text('description'), language, ...(poster !== '' && { poster }) };
 }
 
 /** Whether the tag is well-formed by BCP 47 (RFC 5646). The parts of the tag are not looked up. */

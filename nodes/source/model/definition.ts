@@ -17,6 +17,7 @@ export const definition = defineNode({
       label: 'Animation',
       doc: 'Name of the animation to play. Empty plays the first one; "none" plays none.',
       default: '',
+      animation: { of: 'model' },
     },
     speed: {
       type: 'number',

@@ -53,6 +53,19 @@ export function switchMotion({ preferences, ui }: Editor): void {
   addToast(ui, { tone: 'info', text: motion === 'reduced' ? 'Motion: reduced.' : 'Motion: system.' });
 }
 
+const WHEEL_WORDS = {
+  auto: 'Scrolling: the mouse wheel zooms, two fingers on a trackpad pan.',
+  zoom: 'Scrolling zooms.',
+  pan: 'Scrolling pans. Hold Ctrl to zoom.',
+} as const;
+
+/** Cycles through automatic, zoom and pan. */
+export function switchWheel({ preferences, ui }: Editor): void {
+  const wheel = ({ auto: 'zoom', zoom: 'pan', pan: 'auto' } as const)[preferences.getState().wheel];
+  preferences.setState({ wheel });
+  addToast(ui, { tone: 'info', text: WHEEL_WORDS[wheel] });
+}
+
 export function dockPreview({ ui }: Editor, dock: Dock): void {
   ui.setState({ dock, previewExtent: 'panel' });
 }

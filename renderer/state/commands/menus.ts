@@ -117,6 +117,7 @@ export const MENUS: readonly { readonly label: string; readonly entries: readonl
       'line',
       'view.theme',
       'view.motion',
+      'view.wheel',
     ],
   },
   {

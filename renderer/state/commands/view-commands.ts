@@ -7,7 +7,16 @@ import { toggleSavedVersion } from '../preview/saved-version.ts';
 import { hideCamera, toggleCamera } from '../preview/untouched-camera.ts';
 import { compareSelected, pinSelected } from '../preview/viewed-layers.ts';
 import type { AppCommand } from './app-command.ts';
-import { dockPreview, nextScale, setScale, switchMotion, switchTheme, toggleBottom, togglePreviewExtent } from './command-actions.ts';
+import {
+  dockPreview,
+  nextScale,
+  setScale,
+  switchMotion,
+  switchTheme,
+  switchWheel,
+  toggleBottom,
+  togglePreviewExtent,
+} from './command-actions.ts';
 import { always, hasNodes, hasOneNode, isOpen, isUnsaved } from './command-conditions.ts';
 
 /** Commands of the View menu, but those of gizmos. */
@@ -201,4 +210,11 @@ export const VIEW_COMMANDS = {
     run: (editor) => setScale(editor, 1),
   },
   'view.motion': { label: 'Reduce motion', keywords: ['less motion', 'animation'], keys: [], enabled: always, run: switchMotion },
+  'view.wheel': {
+    label: 'Wheel and trackpad',
+    keywords: ['mouse', 'scroll', 'zoom', 'pan', 'two fingers', 'setting', 'preferences'],
+    keys: [],
+    enabled: always,
+    run: switchWheel,
+  },
 } as const satisfies Record<string, AppCommand>;

@@ -30,7 +30,17 @@ describe('preferences', () => {
     'of %s are the defaults',
     (text) => {
       const { keybindings, ...others } = loadPreferences(memory(text));
-      expect(others).toEqual({ theme: 'system', motion: 'system', scale: 1, thumbnails: true, renderSize: 'auto', recent: [] });
+      expect(others).toEqual({
+        theme: 'system',
+        motion: 'system',
+        wheel: 'auto',
+        scale: 1,
+        thumbnails: true,
+        renderSize: 'auto',
+        recent: [],
+        favorites: [],
+        recentTypes: [],
+      });
       expect(appCommandIds().some((id) => Object.hasOwn(keybindings, id))).toBe(false);
     },
   );

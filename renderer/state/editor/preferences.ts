@@ -3,6 +3,8 @@ import type { RenderSize } from '../../preview-protocol.ts';
 
 export type Theme = 'system' | 'light' | 'dark';
 export type Motion = 'system' | 'reduced';
+/** What scrolling over the graph does. `auto`: a mouse wheel zooms, two fingers on a trackpad pan. A pinch always zooms. */
+export type Wheel = 'auto' | 'zoom' | 'pan';
 
 /** Steps of the UI scale. */
 export const SCALES = [0.8, 0.9, 1, 1.1, 1.25, 1.5] as const;
@@ -18,6 +20,7 @@ export interface RecentProject {
 export interface Preferences {
   readonly theme: Theme;
   readonly motion: Motion;
+  readonly wheel: Wheel;
   /** UI scale, one of `SCALES`. */
   readonly scale: number;
   /** Whether nodes show thumbnails of their layers. */
@@ -28,6 +31,10 @@ export interface Preferences {
   readonly keybindings: Readonly<Record<string, readonly string[]>>;
   /** Recent projects, newest first. */
   readonly recent: readonly RecentProject[];
+  /** Favorite node types of the palette, in the order in which they were chosen. */
+  readonly favorites: readonly string[];
+  /** Node types that were added last, newest first. */
+  readonly recentTypes: readonly string[];
 }
 
 export type PreferencesStore = StoreApi<Preferences>;
@@ -38,11 +45,14 @@ type PreferencesHolder = { readonly preferences: PreferencesStore };
 export const DEFAULT_PREFERENCES: Preferences = {
   theme: 'system',
   motion: 'system',
+  wheel: 'auto',
   scale: 1,
   thumbnails: true,
   renderSize: 'auto',
   keybindings: {},
   recent: [],
+  favorites: [],
+  recentTypes: [],
 };
 
 const KEY = 'scrim-preferences';
@@ -50,6 +60,8 @@ const KEY = 'scrim-preferences';
 /** Stored format. `chords` is the stored name of `keybindings`. */
 type StoredPreferences = Omit<Preferences, 'keybindings'> & { readonly chords: Preferences['keybindings'] };
 const MAX_RECENT = 8;
+const MAX_RECENT_TYPES = 5;
+const MAX_FAVORITES = 100;
 
 export function createPreferences(preferences: Preferences): PreferencesStore {
   return createStore<Preferences>(() => preferences);
@@ -66,11 +78,14 @@ export function loadPreferences(storage: Pick<Storage, 'getItem'>): Preferences 
   return {
     theme: saved.theme === 'light' || saved.theme === 'dark' ? saved.theme : 'system',
     motion: saved.motion === 'reduced' ? 'reduced' : 'system',
+    wheel: saved.wheel === 'zoom' || saved.wheel === 'pan' ? saved.wheel : 'auto',
     scale: SCALES.find((scale) => scale === saved.scale) ?? 1,
     thumbnails: saved.thumbnails !== false,
     renderSize: RENDER_SIZES.find((size) => size === saved.renderSize) ?? 'auto',
     keybindings: readKeybindings(saved.chords),
     recent: Array.isArray(saved.recent) ? saved.recent.filter(isRecent).slice(0, MAX_RECENT) : [],
+    favorites: readTypes(saved.favorites, MAX_FAVORITES),
+    recentTypes: readTypes(saved.recentTypes, MAX_RECENT_TYPES),
   };
 }
 
@@ -90,6 +105,23 @@ export function rememberProject({ preferences }: PreferencesHolder, project: Rec
 
 export function forgetProject({ preferences }: PreferencesHolder, path: string): void {
   preferences.setState(({ recent }) => ({ recent: recent.filter((project) => project.path !== path) }));
+}
+
+/** Adds a node type to the favorites of the palette, or removes it. */
+export function toggleFavorite({ preferences }: PreferencesHolder, type: string): void {
+  preferences.setState(({ favorites }) => ({
+    favorites: favorites.includes(type) ? favorites.filter((other) => other !== type) : [...favorites, type].slice(-MAX_FAVORITES),
+  }));
+}
+
+export function rememberType({ preferences }: PreferencesHolder, type: string): void {
+  preferences.setState(({ recentTypes }) => ({
+    recentTypes: [type, ...recentTypes.filter((other) => other !== type)].slice(0, MAX_RECENT_TYPES),
+  }));
+}
+
+function readTypes(value: unknown, most: number): readonly string[] {
+  return Array.isArray(value) ? value.filter((type) => typeof type === 'string').slice(0, most) : [];
 }
 
 function isRecent(value: unknown): value is RecentProject {

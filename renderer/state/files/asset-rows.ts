@@ -49,7 +49,7 @@ export function listAssets({ project, library, open }: Pick<DocumentState, 'proj
     paths.has(path) ? [] : [{ id: null, path, kind: 'image', bytes: sizeOf(files, path, 'image'), uses: [], shaders }],
   );
   const rows = [...own, ...images].sort((a, b) => (a.path < b.path ? -1 : 1));
-  const covered = (path: string) => rows.some((row) => row.path === path || isPartOf(path, row));
+  const covered = (path: string) => path === project.page.poster || rows.some((row) => row.path === path || isPartOf(path, row));
   return { rows, others: files.filter(({ path }) => !covered(path)) };
 }
 

@@ -1,12 +1,14 @@
 import { describe, expect, test } from '@jest/globals';
 import { newProject } from '../../../export/graph/new-project.ts';
 import { openTestEditor, type TestEditor } from '../../../tests/support/test-editor.ts';
+import { undo } from '../document/apply.ts';
 import type { Editor } from '../editor/editor.ts';
 import { keepExports } from '../preferences/kept-exports.ts';
 import { createPosterRequests } from '../preview-sync/preview-posters.ts';
 import { handleHostEvents } from '../start.ts';
 import { cancelExport, copyExportAddress, exportPage, openExportDialog, readAddress, visitExport } from './export-page.ts';
-import { openPath } from './files.ts';
+import { filesOf, openPath } from './files.ts';
+import { followPreview, keepCurrentImage } from './poster.ts';
 
 const JPEG = Uint8Array.of(0xff, 0xd8, 0xff, 0xe0);
 
@@ -28,6 +30,31 @@ describe('an export from the editor', () => {
     expect(asked(opened)).toMatchObject({ out: '/page', poster: JPEG });
     expect(texts(editor)).toEqual(['Exported to /page.']);
     expect(editor.ui.getState().exporting).toBeNull();
+  });
+
+  test('takes the picture that the project keeps, until it is drawn at each export again', async () => {
+    const opened = await openTestEditor();
+    const { editor, host } = opened;
+    const kept = Uint8Array.of(0xff, 0xd8, 0xff, 0xe1);
+    host.answer('asset.import', () => ({ path: 'assets/poster.jpg' }));
+    host.answer('asset.read', () => ({ base64: Buffer.from(kept).toString('base64') }));
+    host.answer('asset.list', () => ({ assetFiles: [] }));
+    editor.posters.take = async () => JPEG;
+    await keepCurrentImage(editor);
+    expect(host.calls.find(({ method }) => method === 'asset.import')?.input).toMatchObject({ name: 'poster.jpg', bytes: JPEG });
+    expect(filesOf(editor).project).toContain('"poster": "assets/poster.jpg"');
+    const exported = async () => {
+      await exportPage(editor, { out: '/page' });
+      return host.calls.filter(({ method }) => method === 'export.run').at(-1)?.input;
+    };
+    expect(await exported()).toMatchObject({ poster: kept });
+    followPreview(editor);
+    expect(await exported()).toMatchObject({ poster: JPEG });
+    undo(editor);
+    expect(await exported()).toMatchObject({ poster: kept });
+    // Its file is missing.
+    host.refuse('asset.read', 'SCR004', 'There is no such file.');
+    expect(await exported()).toMatchObject({ poster: JPEG });
   });
 
   test('does without one where there is no preview, or it does not answer', async () => {

@@ -1,11 +1,11 @@
 import { HostError } from '../../../app/contract/host-error.ts';
-import { POSTER_SIZE } from '../../../app/contract/poster-size.ts';
 import { type Diagnostic, hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import type { Editor } from '../editor/editor.ts';
 import { addToast, type DialogRequest, type ExportedPage, type ExportSettings } from '../editor/ui.ts';
 import { base64Of } from './base64.ts';
 import { byteText } from './byte-text.ts';
 import { filesOf, showRefusal } from './files.ts';
+import { nextPoster } from './poster.ts';
 
 /** Opens the dialog for an export, without the errors of an earlier one. */
 export function openExportDialog({ ui }: Editor): void {
@@ -26,8 +26,14 @@ export function lastExport({ ui, document }: Editor): ExportedPage | null {
 /**
  * Exports the current project as a page, with changed settings. Returns true if it was written. Result and errors are shown in the
  * dialog of the export, if it is open.
+ *
+ * @param shown The poster that the dialog shows; null: the chosen one, or one of the current view.
  */
-export async function exportPage(editor: Editor, changed: Partial<ExportSettings>): Promise<boolean> {
+export async function exportPage(
+  editor: Editor,
+  changed: Partial<ExportSettings>,
+  shown: Uint8Array<ArrayBuffer> | null = null,
+): Promise<boolean> {
   const { open, project } = editor.document.getState();
   if (open === null || editor.ui.getState().exporting !== null) return false;
   const settings = { ...editor.ui.getState().exportSettings, ...changed };
@@ -41,7 +47,7 @@ export async function exportPage(editor: Editor, changed: Partial<ExportSettings
     const files = filesOf(editor);
     const refused = editor.preview.getState().shaderDiagnostics;
     if (hasErrors(refused)) return reportErrors(editor, refused);
-    const poster = await drawPoster(editor);
+    const poster = shown ?? (await posterOf(editor));
     if (isCancelled(editor)) return reportCanceled(editor);
     const address = readAddress(settings.address);
     const asked = { handle: open.handle, files, out, poster, singleFile, offline, address };
@@ -122,10 +128,10 @@ export function showExportProgress({ ui }: Editor, handle: string, text: string)
   if (exporting?.handle === handle && !exporting.cancelled) ui.setState({ exporting: { ...exporting, text } });
 }
 
-/** Renders the poster from the current view of the preview. Without one, the page is exported anyway. */
-async function drawPoster({ posters, ui }: Editor): Promise<Uint8Array<ArrayBuffer> | null> {
-  ui.setState(({ exporting }) => ({ exporting: exporting && { ...exporting, text: 'Rendering the poster…' } }));
-  return (await posters.take?.(POSTER_SIZE)) ?? null;
+/** The chosen poster, or one of the current view of the preview. Without one, the page is exported anyway. */
+function posterOf(editor: Editor): Promise<Uint8Array<ArrayBuffer> | null> {
+  editor.ui.setState(({ exporting }) => ({ exporting: exporting && { ...exporting, text: 'Rendering the poster…' } }));
+  return nextPoster(editor);
 }
 
 function isCancelled({ ui }: Editor): boolean {

@@ -148,6 +148,7 @@ export function additionOf(
       );
     },
     ...(added?.ids ?? [id]).map((node) => autoConnect(node, { library, graph, random })),
+    (before) => added?.light(before) ?? unchanged(before),
     fitEncodings(editor),
     (before) => (throughWire === null ? unchanged(before) : spaceOnWire(editor, id, throughWire)(before)),
     placeFreely(project, { library, graph, hasThumbnail: editor.preferences.getState().thumbnails }),

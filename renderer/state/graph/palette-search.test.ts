@@ -3,7 +3,7 @@ import { DEFINITIONS } from '../../../nodes/generated/definitions.gen.ts';
 import { categoryLabel } from '../../../nodes/kit/categories.ts';
 import { defineNode, type NodeDefinition } from '../../../nodes/kit/definition.ts';
 import type { OpenEnd } from '../editor/canvas-state.ts';
-import { searchPalette } from './palette-search.ts';
+import { listPalette, searchPalette } from './palette-search.ts';
 
 const titles = (query: string, end: OpenEnd | null = null) =>
   searchPalette(DEFINITIONS, query, end).map(({ definition }) => definition.title);
@@ -104,4 +104,18 @@ describe('searching for node types', () => {
     const numberOnly = node('x/z', 'Number only', { params: { n: { type: 'number', stage: 'uniform', label: '', doc: '', default: 0 } } });
     expect(searchPalette([numberOnly], '', { type: 'toggle', side: 'output' })[0]?.port).toBe('n');
   });
+});
+
+test('favorites come first, then what was added last, then all by category; a search finds each once', () => {
+  const listed = (query: string, favorites: readonly string[], recent: readonly string[]) =>
+    listPalette(searchPalette(DEFINITIONS, query, null), query, favorites, recent).map(
+      ({ section, definition }) => `${section}: ${definition.type}`,
+    );
+  const all = listed('', [], []);
+  expect(listed('', ['filter/sepia', 'filter/none'], ['value/number', 'filter/sepia'])).toEqual([
+    'Favorites: filter/sepia',
+    'Recent: value/number',
+    ...all,
+  ]);
+  expect(listed('sepia', ['filter/sepia'], [])).toEqual(listed('sepia', [], []));
 });

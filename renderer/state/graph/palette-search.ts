@@ -47,6 +47,31 @@ export function searchPalette(definitions: readonly NodeDefinition[], query: str
     .map(({ entry }) => entry);
 }
 
+/** An entry of the list, and the heading of its section. */
+export interface ListedEntry extends PaletteEntry {
+  readonly section: string;
+}
+
+/**
+ * The list of the palette: with a query the best matches, else the favorites, the types that were added last, and all by category.
+ */
+export function listPalette(
+  entries: readonly PaletteEntry[],
+  query: string,
+  favorites: readonly string[],
+  recent: readonly string[],
+): readonly ListedEntry[] {
+  const all = entries.map((entry) => ({ ...entry, section: categoryOf(entry.definition) }));
+  if (query.trim() !== '') return all;
+  const pick = (types: readonly string[], section: string) =>
+    types.flatMap((type): ListedEntry[] => {
+      const entry = entries.find(({ definition }) => definition.type === type);
+      return entry ? [{ ...entry, section }] : [];
+    });
+  const fresh = recent.filter((type) => !favorites.includes(type));
+  return [...pick(favorites, 'Favorites'), ...pick(fresh, 'Recent'), ...all];
+}
+
 /** The first port of the same wire type, else the first that converts without loss. */
 export function fittingPort(definition: NodeDefinition, end: OpenEnd): string | null {
   const candidates = end.side === 'output' ? inputsOf(definition) : outputsOf(definition);

@@ -1,4 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
+import { compile } from '../../../export/compiler/compile.ts';
+import { LIBRARY } from '../../../tests/support/library.ts';
 import { openTestEditor } from '../../../tests/support/test-editor.ts';
 import { undo } from '../document/apply.ts';
 import type { DraggedWire } from '../editor/canvas-state.ts';
@@ -12,6 +14,9 @@ import { searchPalette } from './palette-search.ts';
 import { recipesOf } from './recipes.ts';
 
 const AT = { x: 300, y: 200 };
+const ALL_RECIPES = recipesOf(LIBRARY);
+/** Searches for a node that gives such a wire. */
+const SOURCES: Readonly<Record<string, string>> = { objects: 'primitive', layer: 'camera video', pose: 'hit test', lights: 'directional' };
 
 /** As the palette does: what is first for a query, with a wire in hand. */
 function choose(editor: Editor, query: string, draggedWire: DraggedWire | null = null): string {
@@ -60,6 +65,62 @@ describe('a combination', () => {
     ]);
     const lights = Object.entries(graphOf(editor.document.getState()).nodes).filter(([, { type }]) => type === 'light/directional');
     expect(lights.map(([id]) => id)).toEqual([sun]);
+  });
+
+  test('of a shadow on the floor brings a light where there is none, and takes all that are there', async () => {
+    const { editor } = await openTestEditor();
+    const model = choose(editor, 'model');
+    const before = filesOf(editor);
+    choose(editor, 'shadow on floor', outOf(model, 'objects'));
+    expect(wiresOf(editor)).toContain('directional > shadow.lights');
+    undo(editor);
+    expect(filesOf(editor)).toEqual(before);
+    choose(editor, 'directional');
+    choose(editor, 'point light');
+    choose(editor, 'shadow on floor', outOf(model, 'objects'));
+    const lights = wiresOf(editor).filter((wire) => wire.endsWith('shadow.lights'));
+    expect(lights).toEqual(['directional > shadow.lights', 'point > shadow.lights']);
+  });
+
+  test.each(ALL_RECIPES)('$definition.title works once its ports are connected', async ({ definition, nodes, ports }) => {
+    const { editor } = await openTestEditor();
+    const screen = choose(editor, 'screen');
+    const [first, ...others] = Object.entries(definition.inputs).filter(([, { required }]) => required);
+    const source = first && choose(editor, SOURCES[first[1].type] ?? '');
+    const wire: DraggedWire | null = first && source ? outOf(source, first[1].type) : null;
+    addNodeFromPalette(editor, { definition, port: first?.[0] ?? null }, AT, wire);
+    /** The node in the graph that a port of the recipe belongs to. */
+    const portOf = (name: string) => {
+      const [inner = '', port = ''] = (ports[name] ?? '').split('.');
+      const { nodes: all } = graphOf(editor.document.getState());
+      return {
+        node:
+          Object.keys(all)
+            .filter((id) => all[id]?.type === nodes[inner]?.type)
+            .at(-1) ?? '',
+        port,
+      };
+    };
+    for (const [name, { type }] of others) {
+      const to = portOf(name);
+      const isConnected = graphOf(editor.document.getState()).wires.some((wired) => wired.to.node === to.node && wired.to.port === to.port);
+      if (!isConnected) expect(connect(editor, { node: choose(editor, SOURCES[type] ?? ''), port: type }, to)).toBe(true);
+    }
+    const [output = ''] = Object.keys(definition.outputs);
+    const from = portOf(output);
+    if (definition.outputs[output]?.type === 'layer') connect(editor, from, { node: screen, port: 'layer' });
+    else {
+      const scene = choose(editor, 'scene');
+      connect(editor, from, { node: scene, port: 'objects' });
+      connect(editor, { node: scene, port: 'layer' }, { node: screen, port: 'layer' });
+    }
+    const { project, library } = editor.document.getState();
+    const { output: program, diagnostics } = compile({ project, library });
+    expect(diagnostics.filter(({ severity }) => severity !== 'info')).toEqual([]);
+    const drawn = new Set(program?.operations.flatMap((operation) => ('node' in operation ? [operation.node] : [])));
+    const all = graphOf(editor.document.getState()).nodes;
+    const own = Object.values(nodes).map(({ type }) => type);
+    expect([...drawn].some((id) => own.includes(all[id]?.type ?? ''))).toBe(true);
   });
 
   test('of an occlusion that is soft where depth is uncertain masks by the confidence of the same depth', async () => {

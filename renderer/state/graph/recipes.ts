@@ -1,4 +1,4 @@
-import { type Change, sequence } from '../../../export/graph/commands/change.ts';
+import { type Change, sequence, unchanged } from '../../../export/graph/commands/change.ts';
 import { addNode } from '../../../export/graph/commands/node-commands.ts';
 import { connect } from '../../../export/graph/commands/wire-commands.ts';
 import { makeNodeId } from '../../../export/graph/document-names.ts';
@@ -23,6 +23,8 @@ export interface Recipe {
   readonly wires: readonly (readonly [from: string, to: string])[];
   /** Ports of the palette entry: for each, the port `node.port` inside the recipe. */
   readonly ports: Readonly<Record<string, string>>;
+  /** Input `node.port` that takes all lights of the graph, or a new one. */
+  readonly lit?: string;
 }
 
 interface RecipeNode extends Place {
@@ -61,7 +63,7 @@ const RECIPES: readonly RecipeData[] = [
   {
     name: 'shadow-on-floor',
     title: 'Shadow on the real floor',
-    doc: 'A layer with the shadow of objects on the real floor, to composite over the camera feed. Real objects in front of the shadow hide it. Adds a Shadow layer, a Phantom of the floor, and a Depth occlusion.',
+    doc: 'A layer with the shadow of objects on the real floor, to composite over the camera feed. Real objects in front of the shadow hide it. Adds a Shadow layer, a Phantom of the floor, a Depth occlusion and, if the graph has no light, a Directional light.',
     keywords: ['shadow catcher', 'ground', 'contact'],
     nodes: {
       shadow: { type: 'layer/shadow', x: 0, y: 0 },
@@ -76,6 +78,7 @@ const RECIPES: readonly RecipeData[] = [
       ['shadow.layer', 'clip.layer'],
     ],
     inputs: { casters: 'shadow.casters', lights: 'shadow.lights' },
+    lit: 'shadow.lights',
     outputs: { layer: 'clip.layer' },
   },
   {
@@ -198,7 +201,7 @@ function appliedTechnique({ type, title, doc, keywords = [] }: NodeDefinition): 
   };
 }
 
-function toRecipe(library: NodeLibrary, { name, title, doc, keywords, nodes, wires, inputs, outputs }: RecipeData): Recipe | null {
+function toRecipe(library: NodeLibrary, { name, title, doc, keywords, nodes, wires, inputs, outputs, lit }: RecipeData): Recipe | null {
   if (Object.values(nodes).some(({ type }) => library.definition(type) === undefined)) return null;
   const definitionOf = (address: string) => {
     const { node, port } = parse(address);
@@ -227,7 +230,7 @@ function toRecipe(library: NodeLibrary, { name, title, doc, keywords, nodes, wir
     params: {},
     lowering: { kind: 'behavior' },
   });
-  return { definition, nodes, wires, ports: { ...inputs, ...outputs } };
+  return { definition, nodes, wires, ports: { ...inputs, ...outputs }, ...(lit !== undefined && { lit }) };
 }
 
 export interface AddedRecipe {
@@ -237,12 +240,19 @@ export interface AddedRecipe {
   /** The port of an added node, by port of the recipe. */
   readonly portOf: (port: string) => PortAddress | null;
   readonly change: (project: Project) => Change;
+  /** Connects the lights of the graph, or a new one, if nothing lights the recipe yet. Comes after the wires of the person. */
+  readonly light: (project: Project) => Change;
 }
 
-export function addRecipe(
-  recipe: Recipe,
-  { library, graph, random, project, x, y }: Place & { library: NodeLibrary; graph: string; random: () => number; project: Project },
-): AddedRecipe {
+interface AddRecipe extends Place {
+  readonly library: NodeLibrary;
+  readonly graph: string;
+  readonly random: () => number;
+  readonly project: Project;
+}
+
+export function addRecipe(recipe: Recipe, context: AddRecipe): AddedRecipe {
+  const { library, graph, random, project, x, y } = context;
   const ids = new Map(Object.entries(recipe.nodes).map(([name, { type }]) => [name, makeNodeId(project, type, random)]));
   const idOf = (name: string) => ids.get(name) ?? name;
   const place = (address: string): PortAddress => {
@@ -275,7 +285,25 @@ export function addRecipe(
       return address === undefined ? null : place(address);
     },
     change: (before) => sequence(before, ...adds, ...wires),
+    light: (before) => (recipe.lit === undefined ? unchanged(before) : bringLight(before, place(recipe.lit), context)),
   };
+}
+
+function bringLight(project: Project, to: PortAddress, { library, graph, random, x, y }: AddRecipe): Change {
+  const { nodes = {}, wires = [] } = project.graphs[graph] ?? {};
+  if (wires.some((wire) => wire.to.node === to.node && wire.to.port === to.port)) return unchanged(project);
+  const lights = Object.entries(nodes).flatMap(([node, { type }]) =>
+    Object.entries(library.definition(type)?.outputs ?? {}).flatMap(([port, output]) => (output.type === 'lights' ? [{ node, port }] : [])),
+  );
+  const type = 'light/directional';
+  const id = makeNodeId(project, type, random);
+  const from = lights.length > 0 ? lights : [{ node: id, port: 'lights' }];
+  return sequence(
+    project,
+    (before) =>
+      lights.length > 0 ? unchanged(before) : addNode(before, { library, graph, id, type, x: x - COLUMN_PX, y: y + 2 * ROW_PX }),
+    ...from.map((light) => (before: Project) => connect(before, { library, graph, from: light, to })),
+  );
 }
 
 function parse(address: string): PortAddress {

@@ -1,0 +1,26 @@
+import { animationNames } from '../../../export/gltf/animation-names.ts';
+import { readGltf } from '../../../export/gltf/read-gltf.ts';
+import type { Editor } from '../editor/editor.ts';
+import { bytesOf } from './base64.ts';
+
+/** The whole file is read for the names. */
+const MAX_BYTES = 64 * 2 ** 20;
+
+export interface ModelFile {
+  readonly handle: string;
+  readonly path: string;
+  /** Size on disk, if it is known. */
+  readonly bytes: number | undefined;
+}
+
+/** The names of the animations of a model; null if the file is missing, invalid or too large to be read for them. Never rejects. */
+export async function readAnimations({ host }: Editor, { handle, path, bytes = 0 }: ModelFile): Promise<readonly string[] | null> {
+  if (bytes > MAX_BYTES) return null;
+  try {
+    const { base64 } = await host.call('asset.read', { handle, path });
+    return animationNames(readGltf(bytesOf(base64)));
+  } catch {
+    // The check of the project says what is wrong with the file.
+    return null;
+  }
+}
