@@ -131,6 +131,15 @@ test.each([
   expect(await readdir(join(project(), 'assets')).catch(() => [])).toEqual([]);
 });
 
+test('refuses depth without a surface, where it is the only geometry', async () => {
+  await rm(join(source(), 'mesh.obj'));
+  const data = new Uint16Array(8 * 6);
+  data[20] = 2000;
+  for (const name of ['a', 'b', 'c', 'd']) await put(`depth/${name}.png`, encodePng({ width: 8, height: 6, data, depth: 16, channels: 1 }));
+  await expect(run()).rejects.toMatchObject({ diagnostic: { code: 'SCR069', message: expect.stringContaining('too few neighboring') } });
+  expect(await readdir(join(project(), 'assets')).catch(() => [])).toEqual([]);
+});
+
 /** Removes all but a 360° photograph of 16 × 8 pixels. */
 async function onlyPanorama(width = 16): Promise<void> {
   await rm(source(), { recursive: true });

@@ -148,6 +148,7 @@ async function importWhole(job: CaptureJob): Promise<ImportedCapture> {
       packed.push({ file: name, ...pinhole, worldFromCamera, ...more.members });
     }
     mesh ??= fusion.mesh();
+    if (mesh.indices.length === 0) throw new CaptureError('its depth files have too few neighboring depths for a surface');
     const meshBytes = captureMeshFile(mesh);
     await write(MESH_FILE, meshBytes);
     const document: CaptureDocument = {

@@ -25,7 +25,7 @@ describeWithData('the page of a captured living room', 'captures/icl-livingroom'
       interrupted: new AbortController().signal,
     });
     const { output } = await prepareAssets([{ id: asset, kind: 'capture', path }], {
-      ...{ root: resolve('.'), compress: true, cache: null, say: () => {} },
+      ...{ root: resolve('.'), compress: true, cache: null, streams: true, say: () => {} },
       readAsset: (file) => readFile(join(base, file)),
     });
     const [prepared] = output?.assets ?? [];

@@ -92,6 +92,7 @@ export function createCaptureTextures(objects: GlObjects, document: CaptureDocum
       gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, next.indices, gl.STATIC_DRAW);
       drawDepths(objects, asset, depthPx);
       if (asset.panoramas.size > 0) drawPanoramaDepths(objects, asset, depthPx);
+      gl.bindVertexArray(null);
     },
     setPhoto: async (index, bytes, form) => {
       const bitmap = await createImageBitmap(new Blob([bytes]), {
