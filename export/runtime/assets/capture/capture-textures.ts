@@ -37,11 +37,11 @@ export function createCaptureTextures(objects: GlObjects, document: CaptureDocum
   const cameras = objects.createTexture();
   const vertexArray = objects.createVertexArray();
   const [positions, indices, colors] = [gl.createBuffer(), gl.createBuffer(), gl.createBuffer()];
-  let mesh: CaptureMesh | null = null;
   let isDisposed = false;
   const asset = {
     vertexArray,
     indexCount: 0,
+    mesh: null as CaptureMesh | null,
     photos,
     depths,
     cameras,
@@ -83,8 +83,7 @@ export function createCaptureTextures(objects: GlObjects, document: CaptureDocum
   return {
     asset,
     setMesh: (next) => {
-      mesh = next;
-      Object.assign(asset, extentOf(next, views), { indexCount: next.indices.length });
+      Object.assign(asset, extentOf(next, views), { indexCount: next.indices.length, mesh: next });
       gl.bindVertexArray(vertexArray);
       setAttribute(0, positions, next.positions);
       setAttribute(1, colors, new Uint8Array((4 * next.positions.length) / 3));
@@ -118,8 +117,8 @@ export function createCaptureTextures(objects: GlObjects, document: CaptureDocum
       asset.depthMeshes = meshes;
     },
     bake: () => {
-      if (!mesh) return;
-      const baked = bakeColors(gl, asset, mesh);
+      if (!asset.mesh) return;
+      const baked = bakeColors(gl, asset, asset.mesh);
       gl.bindVertexArray(vertexArray);
       setAttribute(1, colors, baked);
       gl.bindVertexArray(null);
