@@ -26,6 +26,7 @@ import { findDepths, readDepthM, readDepthScale } from './capture-depths.ts';
 import { resolveInside } from './confine.ts';
 import { refusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
+import { type KnownSize, measureCapture } from './measure-capture.ts';
 import { heightAboveFloorM, packDepthFiles } from './pack-depth.ts';
 import { packPhoto } from './pack-photo.ts';
 import { writePageFolder } from './page-folder.ts';
@@ -46,8 +47,9 @@ export interface CaptureJob {
   readonly maxSidePx: number;
   /** The axis of the reconstruction that points up; null: estimated. */
   readonly up: Axis | null;
-  /** Meters per unit of the reconstruction. */
+  /** Meters per unit of the reconstruction, if `known` does not give it. */
   readonly metersPerUnit: number;
+  readonly known: KnownSize;
   /** What depth meshes are made from, and what the depth files have. */
   readonly depth: DepthAnswers & {
     /** Null: depth files where they are, else the mesh. */
@@ -67,6 +69,8 @@ export interface ImportedCapture {
   /** The files that it was made from, such as `COLMAP (text)`. */
   readonly form: string;
   readonly up: Axis;
+  /** Meters per unit of the reconstruction. */
+  readonly metersPerUnit: number;
   readonly views: readonly ImportedView[];
   readonly pointCount: number;
   readonly vertexCount: number;
@@ -116,9 +120,10 @@ async function importWhole(job: CaptureJob): Promise<ImportedCapture> {
   if (!ownMesh && !hasDepth) throw new CaptureError(NO_MESH);
   if (job.depth.from === 'files' && !hasDepth) throw new CaptureError('it has no depth files with the names of the photographs');
   if (hasDepth && missing.length > 0) diagnostics.push(withoutDepth(missing.length, missing[0]?.view.name ?? ''));
-  const scale = hasDepth ? await readDepthScale(views, depths, ownMesh, job.depth, job.metersPerUnit) : null;
   const up = job.up ?? upAxis(views.map(({ view }) => view.worldFromCamera));
-  if (ownMesh) uprightMesh(ownMesh, up, job.metersPerUnit);
+  const { metersPerUnit, floorM } = measureCapture(job.known, views, ownMesh, up, job.metersPerUnit);
+  const scale = hasDepth ? await readDepthScale(views, depths, ownMesh, job.depth, metersPerUnit) : null;
+  if (ownMesh) uprightMesh(ownMesh, up, metersPerUnit, floorM);
   let mesh = ownMesh;
   const path = await freePath(root, job.name ?? basename(resolve(folder)));
   let fileBytes = 0;
@@ -137,9 +142,9 @@ async function importWhole(job: CaptureJob): Promise<ImportedCapture> {
       const { bytes, extension, pinhole } = packPhoto(await readBytes(file, MAX_PHOTO_BYTES), view.name, lens, sideOf(lens, job.maxSidePx));
       const name = `views/${String(i).padStart(3, '0')}${extension}`;
       await write(name, bytes);
-      const worldFromCamera = uprightPose(view.worldFromCamera, up, job.metersPerUnit);
+      const worldFromCamera = uprightPose(view.worldFromCamera, up, metersPerUnit, floorM);
       const path = depths[i] ?? null;
-      const map = path === null || scale === null ? null : await readDepthM(path, found, pinhole, scale, job.metersPerUnit);
+      const map = path === null || scale === null ? null : await readDepthM(path, found, pinhole, scale, metersPerUnit);
       if (map && source.form === PANORAMA_FORM) worldFromCamera[13] = heightAboveFloorM(map) ?? 0;
       const more = packDepthFiles(map, job.depth.from === 'none' ? null : ownMesh, pinhole, worldFromCamera, i, views.length);
       for (const [name, content] of more.files) await write(name, content);
@@ -168,6 +173,7 @@ async function importWhole(job: CaptureJob): Promise<ImportedCapture> {
     asset: await addToProject(job, `${path}/${CAPTURE_FILE}`),
     form: source.form,
     up,
+    metersPerUnit,
     views: views.map(reportOf),
     pointCount: source.pointCount,
     vertexCount: mesh.positions.length / 3,

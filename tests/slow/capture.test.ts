@@ -4,6 +4,7 @@ import { join, resolve } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { type CaptureJob, type ImportedCapture, importCapture } from '../../app/services/add-capture.ts';
 import { NODE_FILES } from '../../app/services/file-layer.ts';
+import { UNKNOWN_SIZE } from '../../app/services/measure-capture.ts';
 import { type Acquired, acquire } from '../support/acquisition.ts';
 import { openModule, useBrowser } from '../support/browser.ts';
 import { visitExportedPage } from '../support/exported-page.ts';
@@ -25,7 +26,16 @@ const METHODS = ['plain', 'nearest without occlusion', 'nearest', 'lumigraph', '
 
 const DEPTH: CaptureJob['depth'] = { from: 'files', unit: null, kind: null };
 const jobFor = (folder: string): CaptureJob => ({
-  ...{ folder, root: base, name: 'room', maxSidePx: 1600, up: null, metersPerUnit: 1, depth: { ...DEPTH, from: 'mesh' } },
+  ...{
+    folder,
+    root: base,
+    name: 'room',
+    maxSidePx: 1600,
+    up: null,
+    metersPerUnit: 1,
+    known: UNKNOWN_SIZE,
+    depth: { ...DEPTH, from: 'mesh' },
+  },
   ...{ files: NODE_FILES, say: () => {}, interrupted: new AbortController().signal },
 });
 
