@@ -94,6 +94,34 @@ test.each([
   expect(await readdir(join(project(), 'assets')).catch(() => [])).toEqual([]);
 });
 
+test('continues after an interrupt with the photographs that are not packed yet, and repacks a damaged one', async () => {
+  // Distorted photographs are drawn anew.
+  await put('cameras.txt', '1 SIMPLE_RADIAL 8 6 8 4 3 -0.05\n');
+  const packs: string[] = [];
+  const writeNew: FileLayer['writeNew'] = async (path, bytes) => {
+    if (path.includes('.scrim/cache')) packs.push(path);
+    await NODE_FILES.writeNew(path, bytes);
+  };
+  const files = { ...NODE_FILES, writeNew };
+  const interruption = new AbortController();
+  const say = (text: string) => text.includes('(3 of 4)') && interruption.abort();
+  const options = { name: null, maxSidePx: 1600, up: null, metersPerUnit: 1, known: UNKNOWN_SIZE, depth: DEPTH, files };
+  const job = { ...options, folder: source(), root: project() };
+  for (const [i, name] of NAMES.entries())
+    await put(`images/${name}`, encode({ width: 8, height: 6, data: new Uint8Array(192).fill(40 * i) }, 90).data);
+  const interrupted = importCapture({ ...job, say, interrupted: interruption.signal });
+  await expect(interrupted).rejects.toThrow();
+  expect([packs.length, await readdir(join(project(), 'assets')).catch(() => [])]).toEqual([3, []]);
+  await writeFile(packs[1] ?? '', (await readBytes(packs[1] ?? '', 1e6)).subarray(0, 100));
+  const { path } = await importCapture({ ...job, say: () => {}, interrupted: new AbortController().signal });
+  expect(packs.length).toBe(5);
+  const again = await importCapture({ ...job, files: NODE_FILES, say: () => {}, interrupted: new AbortController().signal });
+  for (const view of ['000', '001', '002', '003']) {
+    const [a, b] = [path, again.path].map((capture) => join(project(), capture, `../views/${view}.jpg`));
+    expect(await readBytes(a ?? '', 1e6)).toEqual(await readBytes(b ?? '', 1e6));
+  }
+});
+
 /** A place in the photographs below: the mesh is 2 units away, where a pixel is a quarter of a unit. */
 const at = (column: number, row: number, photo = 'a.jpg') => ({ photo, column, row });
 const sized = (known: Partial<KnownSize>) => run(undefined, NODE_FILES, DEPTH, { ...UNKNOWN_SIZE, ...known });

@@ -22,6 +22,7 @@ import {
   meshCounts,
 } from '../../nodes/kit/capture.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import { createAssetCache } from './asset-cache-folder.ts';
 import { findDepths, readDepthM, readDepthScale } from './capture-depths.ts';
 import { resolveInside } from './confine.ts';
 import { refusal } from './file-errors.ts';
@@ -97,6 +98,7 @@ export interface ImportedView {
 
 /**
  * Imports photographs with their cameras and mesh into `assets/NAME.capture/` of a project, whole or not at all, and adds the asset.
+ * After an interrupt, the same call continues with the photographs that are not packed yet.
  *
  * @throws SCR004, SCR060, SCR062, SCR069
  */
@@ -126,6 +128,7 @@ async function importWhole(job: CaptureJob): Promise<ImportedCapture> {
   if (ownMesh) uprightMesh(ownMesh, up, metersPerUnit, floorM);
   let mesh = ownMesh;
   const path = await freePath(root, job.name ?? basename(resolve(folder)));
+  const cache = createAssetCache(root, files);
   let fileBytes = 0;
   let depthTriangles = 0;
   await writePageFolder(await resolveInside(root, path), files, async (sink) => {
@@ -139,7 +142,13 @@ async function importWhole(job: CaptureJob): Promise<ImportedCapture> {
       const { file, lens, view } = found;
       interrupted.throwIfAborted();
       say(`Packing photographs (${i + 1} of ${views.length})…`);
-      const { bytes, extension, pinhole } = packPhoto(await readBytes(file, MAX_PHOTO_BYTES), view.name, lens, sideOf(lens, job.maxSidePx));
+      const { bytes, extension, pinhole } = await packPhoto(
+        await readBytes(file, MAX_PHOTO_BYTES),
+        view.name,
+        lens,
+        sideOf(lens, job.maxSidePx),
+        cache,
+      );
       const name = `views/${String(i).padStart(3, '0')}${extension}`;
       await write(name, bytes);
       const worldFromCamera = uprightPose(view.worldFromCamera, up, metersPerUnit, floorM);
