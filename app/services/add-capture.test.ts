@@ -95,7 +95,7 @@ test.each([
 });
 
 test('continues after an interrupt with the photographs that are not packed yet, and repacks a damaged one', async () => {
-  // Distorted photographs are drawn anew.
+  // Distorted photographs are drawn again.
   await put('cameras.txt', '1 SIMPLE_RADIAL 8 6 8 4 3 -0.05\n');
   const packs: string[] = [];
   const writeNew: FileLayer['writeNew'] = async (path, bytes) => {

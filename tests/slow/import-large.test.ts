@@ -18,7 +18,7 @@ const [WIDTH, HEIGHT] = [4000, 3000];
 /** Prints the peak of the memory of a process at its end, in KB. */
 const PEAK = 'data:text/javascript,process.on("exit",()=>process.stderr.write("peak "+process.resourceUsage().maxRSS))';
 
-/** Imports photographs of 12 megapixels, which are distorted and so are drawn anew. Returns the peak of memory in MB. */
+/** Imports photographs of 12 megapixels, which are distorted and so are drawn again. Returns the peak of memory in MB. */
 async function importMany(photograph: Buffer, count: number): Promise<number> {
   const [scan, project] = [join(base, `scan-${count}`), join(base, `project-${count}`)];
   await mkdir(join(scan, 'images'), { recursive: true });
