@@ -250,3 +250,11 @@ test('an exported page fetches the files of a capture singly, shows it, and cont
   await visitExportedPage(chromium.browser, served.folder);
   await served.close();
 });
+
+test('an exported page shows a capture with the phantom of its mesh, which share one asset', async () => {
+  const served = await serveProject(resolve('nodes/source/capture-mesh/example'));
+  const names = await readdir(join(served.folder, 'assets'));
+  expect(names.filter((name) => /^glossy-ball-mesh-\w+\.bin$/.test(name))).toHaveLength(1);
+  await visitExportedPage(chromium.browser, served.folder);
+  await served.close();
+});
