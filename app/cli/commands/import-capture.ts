@@ -70,7 +70,7 @@ export const importCaptureCommand: Command = {
       says: 'With smaller photographs, at a known scale.',
     },
     {
-      line: 'scrim import capture scans/hall --project my-room --distance IMG_12.jpg:310,842:1490,830=2.1 --floor IMG_12.jpg:900,1400',
+      line: 'scrim import capture scans/hall --project hall --distance a.jpg:310,842:1490,830=2.1 --floor a.jpg:900,1400',
       says: 'A door is 2.1 m high; the floor comes to height 0.',
     },
   ],
