@@ -8,6 +8,7 @@ import { readCapture } from '../../nodes/kit/capture.ts';
 import { projectText } from '../../tests/support/project-kit.ts';
 import { type CaptureJob, importCapture } from './add-capture.ts';
 import { type FileLayer, NODE_FILES } from './file-layer.ts';
+import { type KnownSize, UNKNOWN_SIZE } from './measure-capture.ts';
 import { readBytes } from './read-file.ts';
 
 let base = '';
@@ -39,8 +40,8 @@ afterEach(() => rm(base, { recursive: true, force: true }));
 
 const DEPTH: CaptureJob['depth'] = { from: null, unit: null, kind: null };
 
-function run(interrupted = new AbortController().signal, files: FileLayer = NODE_FILES, depth = DEPTH) {
-  const more = { name: null, maxSidePx: 1600, up: null, metersPerUnit: 1, depth, files, say: () => {} };
+function run(interrupted = new AbortController().signal, files: FileLayer = NODE_FILES, depth = DEPTH, known: KnownSize = UNKNOWN_SIZE) {
+  const more = { name: null, maxSidePx: 1600, up: null, metersPerUnit: 1, known, depth, files, say: () => {} };
   return importCapture({ folder: source(), root: project(), ...more, interrupted });
 }
 
@@ -93,6 +94,72 @@ test.each([
   expect(await readdir(join(project(), 'assets')).catch(() => [])).toEqual([]);
 });
 
+test('continues after an interrupt with the photographs that are not packed yet, and repacks a damaged one', async () => {
+  // Distorted photographs are drawn again.
+  await put('cameras.txt', '1 SIMPLE_RADIAL 8 6 8 4 3 -0.05\n');
+  const packs: string[] = [];
+  const writeNew: FileLayer['writeNew'] = async (path, bytes) => {
+    if (path.includes('.scrim/cache')) packs.push(path);
+    await NODE_FILES.writeNew(path, bytes);
+  };
+  const files = { ...NODE_FILES, writeNew };
+  const interruption = new AbortController();
+  const say = (text: string) => text.includes('(3 of 4)') && interruption.abort();
+  const options = { name: null, maxSidePx: 1600, up: null, metersPerUnit: 1, known: UNKNOWN_SIZE, depth: DEPTH, files };
+  const job = { ...options, folder: source(), root: project() };
+  for (const [i, name] of NAMES.entries())
+    await put(`images/${name}`, encode({ width: 8, height: 6, data: new Uint8Array(192).fill(40 * i) }, 90).data);
+  const interrupted = importCapture({ ...job, say, interrupted: interruption.signal });
+  await expect(interrupted).rejects.toThrow();
+  expect([packs.length, await readdir(join(project(), 'assets')).catch(() => [])]).toEqual([3, []]);
+  await writeFile(packs[1] ?? '', (await readBytes(packs[1] ?? '', 1e6)).subarray(0, 100));
+  const { path } = await importCapture({ ...job, say: () => {}, interrupted: new AbortController().signal });
+  expect(packs.length).toBe(5);
+  const again = await importCapture({ ...job, files: NODE_FILES, say: () => {}, interrupted: new AbortController().signal });
+  for (const view of ['000', '001', '002', '003']) {
+    const [a, b] = [path, again.path].map((capture) => join(project(), capture, `../views/${view}.jpg`));
+    expect(await readBytes(a ?? '', 1e6)).toEqual(await readBytes(b ?? '', 1e6));
+  }
+});
+
+/** A place in the photographs below: the mesh is 2 units away, where a pixel is a quarter of a unit. */
+const at = (column: number, row: number, photo = 'a.jpg') => ({ photo, column, row });
+const sized = (known: Partial<KnownSize>) => run(undefined, NODE_FILES, DEPTH, { ...UNKNOWN_SIZE, ...known });
+
+test('takes the scale from two points whose distance is known, and puts the floor at height 0', async () => {
+  await put('images.txt', NAMES.map((name, i) => IMAGE(i + 1, `rig/${name}`)).join(''));
+  for (const name of NAMES) await put(`images/rig/${name}`, photo(8, 6));
+  const distance = { from: at(5, 4), to: at(6, 4, 'rig/b.jpg'), meters: 0.5 };
+  const { metersPerUnit, sizeM, path } = await sized({ distance, floor: at(5, 5) });
+  expect([metersPerUnit, sizeM]).toEqual([expect.closeTo(2, 5), [expect.closeTo(2, 5), expect.closeTo(2, 5), 0]]);
+  // The y axis of the file points down.
+  const { views } = readCapture(Buffer.from(await readBytes(join(project(), path), 1e6)).toString());
+  expect(views[0]?.worldFromCamera[13]).toBeCloseTo(2 * 0.5, 5);
+});
+
+test('takes the scale from the height of a camera above the floor', async () => {
+  const { metersPerUnit, path } = await sized({ floor: at(5, 4), cameraHeightM: 1.5 });
+  expect(metersPerUnit).toBeCloseTo(6, 5);
+  const folder = join(project(), path, '..');
+  const { views, mesh } = readCapture(Buffer.from(await readBytes(join(folder, 'capture.json'), 1e6)).toString());
+  expect(views[0]?.worldFromCamera[13]).toBeCloseTo(1.5, 5);
+  // The second vertex is as high as the camera; the third is a unit below.
+  const bytes = Buffer.from(await readBytes(join(folder, mesh.file), 1e6));
+  expect([bytes.readFloatLE(16), bytes.readFloatLE(28)]).toEqual([expect.closeTo(1.5, 5), expect.closeTo(-4.5, 5)]);
+});
+
+test.each([
+  [{ floor: at(1, 5) }, 'there is no mesh at 1,5 of a.jpg'],
+  [{ floor: at(9, 1) }, '9,1 is outside of a.jpg, which has 8 × 6 pixels'],
+  [{ floor: at(5, 4, 'z.jpg') }, 'it has no photograph "z.jpg", only such as a.jpg'],
+  [{ distance: { from: at(5, 4), to: at(5, 4), meters: 1 } }, 'are the same'],
+  [{ floor: at(5, 2), cameraHeightM: 1 }, 'the camera of a.jpg is not above the point of the floor'],
+])('refuses sizes that cannot be measured: %j', async (known, reason) => {
+  await put('mesh.obj', 'v 0 0 2\nv 1 0 2\nv 0 -1 2\nv 0 1 2\nf 1 2 3\nf 1 2 4\n');
+  await expect(sized(known)).rejects.toMatchObject({ diagnostic: { code: 'SCR069', message: expect.stringContaining(reason) } });
+  expect(await readdir(join(project(), 'assets')).catch(() => [])).toEqual([]);
+});
+
 const depthPng = (width: number, height: number, level: number, depth: 8 | 16 = 16) => {
   const data = new (depth === 16 ? Uint16Array : Uint8Array)(width * height).fill(level);
   return encodePng({ width, height, data, depth, channels: 1 });
@@ -128,6 +195,15 @@ test.each([
 ])('refuses the depth %s, and writes nothing', async (path, content, reason) => {
   await put(path, content);
   await expect(run()).rejects.toMatchObject({ diagnostic: { code: 'SCR069', message: expect.stringContaining(reason) } });
+  expect(await readdir(join(project(), 'assets')).catch(() => [])).toEqual([]);
+});
+
+test('refuses depth without a surface, where it is the only geometry', async () => {
+  await rm(join(source(), 'mesh.obj'));
+  const data = new Uint16Array(8 * 6);
+  data[20] = 2000;
+  for (const name of ['a', 'b', 'c', 'd']) await put(`depth/${name}.png`, encodePng({ width: 8, height: 6, data, depth: 16, channels: 1 }));
+  await expect(run()).rejects.toMatchObject({ diagnostic: { code: 'SCR069', message: expect.stringContaining('too few neighboring') } });
   expect(await readdir(join(project(), 'assets')).catch(() => [])).toEqual([]);
 });
 

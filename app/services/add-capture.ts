@@ -22,10 +22,12 @@ import {
   meshCounts,
 } from '../../nodes/kit/capture.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import { createAssetCache } from './asset-cache-folder.ts';
 import { findDepths, readDepthM, readDepthScale } from './capture-depths.ts';
 import { resolveInside } from './confine.ts';
 import { refusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
+import { type KnownSize, measureCapture } from './measure-capture.ts';
 import { heightAboveFloorM, packDepthFiles } from './pack-depth.ts';
 import { packPhoto } from './pack-photo.ts';
 import { writePageFolder } from './page-folder.ts';
@@ -46,8 +48,9 @@ export interface CaptureJob {
   readonly maxSidePx: number;
   /** The axis of the reconstruction that points up; null: estimated. */
   readonly up: Axis | null;
-  /** Meters per unit of the reconstruction. */
+  /** Meters per unit of the reconstruction, if `known` does not give it. */
   readonly metersPerUnit: number;
+  readonly known: KnownSize;
   /** What depth meshes are made from, and what the depth files have. */
   readonly depth: DepthAnswers & {
     /** Null: depth files where they are, else the mesh. */
@@ -67,6 +70,8 @@ export interface ImportedCapture {
   /** The files that it was made from, such as `COLMAP (text)`. */
   readonly form: string;
   readonly up: Axis;
+  /** Meters per unit of the reconstruction. */
+  readonly metersPerUnit: number;
   readonly views: readonly ImportedView[];
   readonly pointCount: number;
   readonly vertexCount: number;
@@ -93,6 +98,7 @@ export interface ImportedView {
 
 /**
  * Imports photographs with their cameras and mesh into `assets/NAME.capture/` of a project, whole or not at all, and adds the asset.
+ * After an interrupt, the same call continues with the photographs that are not packed yet.
  *
  * @throws SCR004, SCR060, SCR062, SCR069
  */
@@ -116,11 +122,13 @@ async function importWhole(job: CaptureJob): Promise<ImportedCapture> {
   if (!ownMesh && !hasDepth) throw new CaptureError(NO_MESH);
   if (job.depth.from === 'files' && !hasDepth) throw new CaptureError('it has no depth files with the names of the photographs');
   if (hasDepth && missing.length > 0) diagnostics.push(withoutDepth(missing.length, missing[0]?.view.name ?? ''));
-  const scale = hasDepth ? await readDepthScale(views, depths, ownMesh, job.depth, job.metersPerUnit) : null;
   const up = job.up ?? upAxis(views.map(({ view }) => view.worldFromCamera));
-  if (ownMesh) uprightMesh(ownMesh, up, job.metersPerUnit);
+  const { metersPerUnit, floorM } = measureCapture(job.known, views, ownMesh, up, job.metersPerUnit);
+  const scale = hasDepth ? await readDepthScale(views, depths, ownMesh, job.depth, metersPerUnit) : null;
+  if (ownMesh) uprightMesh(ownMesh, up, metersPerUnit, floorM);
   let mesh = ownMesh;
   const path = await freePath(root, job.name ?? basename(resolve(folder)));
+  const cache = createAssetCache(root, files);
   let fileBytes = 0;
   let depthTriangles = 0;
   await writePageFolder(await resolveInside(root, path), files, async (sink) => {
@@ -134,12 +142,18 @@ async function importWhole(job: CaptureJob): Promise<ImportedCapture> {
       const { file, lens, view } = found;
       interrupted.throwIfAborted();
       say(`Packing photographs (${i + 1} of ${views.length})…`);
-      const { bytes, extension, pinhole } = packPhoto(await readBytes(file, MAX_PHOTO_BYTES), view.name, lens, sideOf(lens, job.maxSidePx));
+      const { bytes, extension, pinhole } = await packPhoto(
+        await readBytes(file, MAX_PHOTO_BYTES),
+        view.name,
+        lens,
+        sideOf(lens, job.maxSidePx),
+        cache,
+      );
       const name = `views/${String(i).padStart(3, '0')}${extension}`;
       await write(name, bytes);
-      const worldFromCamera = uprightPose(view.worldFromCamera, up, job.metersPerUnit);
+      const worldFromCamera = uprightPose(view.worldFromCamera, up, metersPerUnit, floorM);
       const path = depths[i] ?? null;
-      const map = path === null || scale === null ? null : await readDepthM(path, found, pinhole, scale, job.metersPerUnit);
+      const map = path === null || scale === null ? null : await readDepthM(path, found, pinhole, scale, metersPerUnit);
       if (map && source.form === PANORAMA_FORM) worldFromCamera[13] = heightAboveFloorM(map) ?? 0;
       const more = packDepthFiles(map, job.depth.from === 'none' ? null : ownMesh, pinhole, worldFromCamera, i, views.length);
       for (const [name, content] of more.files) await write(name, content);
@@ -148,6 +162,7 @@ async function importWhole(job: CaptureJob): Promise<ImportedCapture> {
       packed.push({ file: name, ...pinhole, worldFromCamera, ...more.members });
     }
     mesh ??= fusion.mesh();
+    if (mesh.indices.length === 0) throw new CaptureError('its depth files have too few neighboring depths for a surface');
     const meshBytes = captureMeshFile(mesh);
     await write(MESH_FILE, meshBytes);
     const document: CaptureDocument = {
@@ -167,6 +182,7 @@ async function importWhole(job: CaptureJob): Promise<ImportedCapture> {
     asset: await addToProject(job, `${path}/${CAPTURE_FILE}`),
     form: source.form,
     up,
+    metersPerUnit,
     views: views.map(reportOf),
     pointCount: source.pointCount,
     vertexCount: mesh.positions.length / 3,

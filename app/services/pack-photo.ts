@@ -1,5 +1,7 @@
+import { createHash } from 'node:crypto';
 import { decode as decodePng } from 'fast-png';
 import { decode as decodeJpeg, encode as encodeJpeg } from 'jpeg-js';
+import type { AssetCache } from '../../export/bundle/assets/model-cache.ts';
 import { isDistorted, type Lens } from '../../export/captures/lens.ts';
 import { type Photo, pinholeFor, resample } from '../../export/captures/undistort.ts';
 import { CaptureError, type Pinhole } from '../../nodes/kit/capture.ts';
@@ -12,22 +14,50 @@ export interface PackedPhoto {
 }
 
 const JPEG_QUALITY = 92;
+/** Part of the names of cache entries. Increase this number if the same photograph and lens give other bytes. */
+const PACKING_VERSION = 1;
+const HASH_BYTES = 32;
 
 /**
  * Removes the distortion of a photograph and reduces it. A photograph that needs neither keeps its pixels; only its metadata, such as where
  * it was taken, are removed.
  *
+ * @param cache Keeps what was drawn, so that an import that was interrupted continues where it was.
  * @throws CaptureError if it is neither a JPEG nor a PNG file, or is damaged.
  */
-export function packPhoto(file: Uint8Array, name: string, lens: Lens, maxSidePx: number): PackedPhoto {
+export async function packPhoto(
+  file: Uint8Array,
+  name: string,
+  lens: Lens,
+  maxSidePx: number,
+  cache: AssetCache | null,
+): Promise<PackedPhoto> {
   const pinhole = pinholeFor(lens, maxSidePx);
   const isKept = !isDistorted(lens) && pinhole.widthPx === lens.widthPx;
   const plain = isKept
     ? (withoutMetadata(file) ?? (isPng(file) ? { bytes: pngAsJpeg(file, name), extension: '.jpg' as const } : null))
     : null;
   if (plain) return { ...plain, pinhole };
-  const drawn = resample(decodePhoto(file, name), lens, pinhole);
-  return { bytes: encode(drawn), extension: '.jpg', pinhole };
+  const entry = `packed-${PACKING_VERSION}-${hashOf(file, JSON.stringify([lens, pinhole])).toString('hex')}`;
+  const kept = whole(await cache?.read(entry).catch(() => null));
+  if (kept) return { bytes: kept, extension: '.jpg', pinhole };
+  const bytes = encode(resample(decodePhoto(file, name), lens, pinhole));
+  // A cache that cannot be written only costs time.
+  await cache?.write(entry, Buffer.concat([hashOf(bytes), bytes])).catch(() => {});
+  return { bytes, extension: '.jpg', pinhole };
+}
+
+function hashOf(...parts: readonly (Uint8Array | string)[]): Buffer {
+  const hash = createHash('sha256');
+  for (const part of parts) hash.update(part);
+  return hash.digest();
+}
+
+/** The content of a cache entry, which begins with its hash; null if it is cut off. */
+function whole(entry: Uint8Array | null | undefined): Uint8Array | null {
+  if (!entry) return null;
+  const bytes = Uint8Array.from(entry.subarray(HASH_BYTES));
+  return hashOf(bytes).equals(entry.subarray(0, HASH_BYTES)) ? bytes : null;
 }
 
 function encode({ widthPx, heightPx, data }: Photo): Uint8Array {

@@ -1,6 +1,7 @@
 import { chmod, mkdir, mkdtemp, readdir, readFile, rm, symlink, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import process from 'node:process';
 import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
 import type { FileSink } from '../../export/bundle/bundle-page.ts';
 import { NODE_FILES } from './file-layer.ts';
@@ -40,6 +41,16 @@ describe('the folder of an exported page', () => {
     expect(await tree(base)).toEqual(FIRST);
     await writePageFolder(out, NODE_FILES, page('two'));
     expect(await tree(base)).toEqual(SECOND);
+  });
+
+  test('stays when the process ends just after it was put in place', async () => {
+    const before = new Set(process.listeners('exit'));
+    const rename: typeof NODE_FILES.rename = async (from, to) => {
+      await NODE_FILES.rename(from, to);
+      for (const listener of process.listeners('exit')) if (!before.has(listener)) listener.call(process, 0);
+    };
+    await writePageFolder(out, { ...NODE_FILES, rename }, page('one'));
+    expect(await tree(base)).toEqual(FIRST);
   });
 
   test('may be an empty one, or one behind a link', async () => {

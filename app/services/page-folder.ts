@@ -53,6 +53,8 @@ export async function writePageFolder<T>(
       return null;
     }
     await files.syncFolder(fresh);
+    // From here on, `firstMade` may contain the finished page.
+    process.off('exit', sweep);
     await swapInto(fresh, target, old, files);
     return result;
   } catch (error) {

@@ -1,6 +1,8 @@
-import { readFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { describe, expect, test } from '@jest/globals';
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { describeWithColmap, runPython } from '../../tests/support/pycolmap.ts';
 import { describeWithData } from '../../tests/support/shared-data.ts';
 import { readColmapBinary, readColmapText } from './colmap.ts';
 import { lensOf, project, unproject } from './lens.ts';
@@ -196,6 +198,75 @@ test('names what a file of COLMAP lacks', () => {
   expect(() => readColmapBinary({ cameras: new Uint8Array([9, 0, 0, 0, 0, 0, 0, 0]), images, points: null })).toThrow(
     'cameras.bin is incomplete',
   );
+});
+
+/** Writes a reconstruction of two rigs of two cameras, and prints the camera positions. The places of its points are COLMAP's projections. */
+const WRITE_MODEL = `
+import json, os, sys, pycolmap
+folder, model, params = sys.argv[1], sys.argv[2], json.loads(sys.argv[3])
+pycolmap.set_random_seed(1)
+options = pycolmap.SyntheticDatasetOptions(num_rigs=2, num_cameras_per_rig=2, num_frames_per_rig=3, num_points3D=200)
+options.camera_width, options.camera_height = 1024, 768
+options.camera_model_id, options.camera_params = getattr(pycolmap.CameraModelId, model), params
+reconstruction = pycolmap.synthesize_dataset(options)
+for form in ("text", "binary"):
+    os.makedirs(f"{folder}/{form}", exist_ok=True)
+    getattr(reconstruction, f"write_{form}")(f"{folder}/{form}")
+print(json.dumps({image.name: image.projection_center().tolist() for image in reconstruction.images.values()}))
+`;
+
+describeWithColmap('a reconstruction that COLMAP writes', () => {
+  let folder = '';
+  beforeAll(() => {
+    folder = mkdtempSync(join(tmpdir(), 'scrim-colmap-'));
+  });
+  afterAll(() => rmSync(folder, { recursive: true }));
+  const write = (model: string, params: readonly number[]) => {
+    const centers = JSON.parse(runPython(WRITE_MODEL, folder, model, JSON.stringify(params))) as Record<string, readonly number[]>;
+    const read = (form: string, ending: string) => {
+      const [cameras, images, points] = ['cameras', 'images', 'points3D'].map((name) =>
+        readFileSync(join(folder, form, `${name}.${ending}`)),
+      );
+      if (!cameras || !images) throw new Error('COLMAP wrote no model.');
+      return (ending === 'bin' ? readColmapBinary : readColmapText)({ cameras, images, points: points ?? null });
+    };
+    return { centers, text: () => read('text', 'txt'), binary: () => read('binary', 'bin') };
+  };
+
+  test.each([
+    ['SIMPLE_PINHOLE', [900, 510, 380]],
+    ['PINHOLE', [900, 910, 510, 380]],
+    ['SIMPLE_RADIAL', [900, 510, 380, -0.2]],
+    ['RADIAL', [900, 510, 380, -0.2, 0.06]],
+    ['OPENCV', [900, 910, 510, 380, -0.2, 0.06, 0.002, -0.003]],
+    ['OPENCV_FISHEYE', [600, 610, 510, 380, 0.05, -0.01, 0.003, -0.001]],
+    ['FULL_OPENCV', [900, 910, 510, 380, -0.2, 0.06, 0.002, -0.003, 0.01, 0.03, -0.02, 0.004]],
+  ])('of cameras %s has the poses and places of points that COLMAP computes', (model, params) => {
+    const { centers, text, binary } = write(model, params);
+    for (const capture of [text(), binary()]) {
+      expect(capture.views.map(({ name }) => name).sort()).toEqual(Object.keys(centers).sort());
+      expect(capture.views).toHaveLength(12);
+      expect(capture.pointCount).toBeGreaterThan(100);
+      for (const view of capture.views) {
+        const center = centers[view.name] ?? [];
+        view.worldFromCamera.slice(12, 15).forEach((x, axis) => {
+          expect(x).toBeCloseTo(center[axis] ?? Number.NaN, 9);
+        });
+        expect(view.observations.length / 5).toBeGreaterThan(50);
+        expect(reprojectionErrorPx(view, view.lens(1024, 768))).toBeLessThan(1e-6);
+      }
+    }
+  });
+
+  test.each([
+    ['FOV', [900, 910, 510, 380, 0.5]],
+    ['SIMPLE_DIVISION', [900, 510, 380, -0.1]],
+    ['EUCM', [900, 910, 510, 380, 0.6, 1.1]],
+  ])('of cameras %s is refused by name', (model, params) => {
+    const { text, binary } = write(model, params);
+    expect(text).toThrow(`the camera model ${model} is not supported`);
+    expect(binary).toThrow(`the camera model ${model} is not supported`);
+  });
 });
 
 describeWithData('real reconstructions', 'captures', (folder) => {

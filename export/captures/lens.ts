@@ -52,6 +52,12 @@ const REFUSED: Readonly<Record<number, string>> = {
   9: 'RADIAL_FISHEYE',
   10: 'THIN_PRISM_FISHEYE',
   11: 'RAD_TAN_THIN_PRISM_FISHEYE',
+  12: 'SIMPLE_DIVISION',
+  13: 'DIVISION',
+  14: 'SIMPLE_FISHEYE',
+  15: 'FISHEYE',
+  16: 'EUCM',
+  17: 'EQUIRECTANGULAR',
 };
 
 /**

@@ -27,8 +27,13 @@ function rotated(axis: Axis, x: number, y: number, z: number): readonly [number,
   return [a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z];
 }
 
-/** Turns and scales a pose, so that `up` becomes +y. The pose stays rigid: the scale moves the camera only. */
-export function uprightPose(pose: readonly number[], up: Axis, scale: number): number[] {
+/** A point after `up` has become +y. */
+export function uprightPoint(up: Axis, [x, y, z]: readonly [number, number, number]): readonly [number, number, number] {
+  return rotated(up, x, y, z);
+}
+
+/** Turns and scales a pose, so that `up` becomes +y, then lowers it by `floor`. The pose stays rigid: the scale moves the camera only. */
+export function uprightPose(pose: readonly number[], up: Axis, scale: number, floor = 0): number[] {
   const turned = [...pose];
   for (let column = 0; column < 4; column++) {
     const [x = 0, y = 0, z = 0] = pose.slice(4 * column, 4 * column + 3);
@@ -36,16 +41,15 @@ export function uprightPose(pose: readonly number[], up: Axis, scale: number): n
       turned[4 * column + row] = value * (column === 3 ? scale : 1);
     });
   }
+  turned[13] = (turned[13] ?? 0) - floor;
   return turned;
 }
 
-/** Turns and scales a mesh in place. */
-export function uprightMesh({ positions }: CaptureMesh, up: Axis, scale: number): void {
+/** Turns and scales a mesh in place, then lowers it by `floor`. */
+export function uprightMesh({ positions }: CaptureMesh, up: Axis, scale: number, floor = 0): void {
   for (let i = 0; i + 2 < positions.length; i += 3) {
     const [x = 0, y = 0, z = 0] = positions.subarray(i, i + 3);
-    positions.set(
-      rotated(up, x, y, z).map((value) => value * scale),
-      i,
-    );
+    const [right, height, back] = rotated(up, x, y, z);
+    positions.set([right * scale, height * scale - floor, back * scale], i);
   }
 }

@@ -1,3 +1,5 @@
+import type { CaptureMesh } from './capture.ts';
+
 /** How much of a photograph is loaded (`CaptureAsset.loaded`): nothing, its reduced form, the whole. */
 export const PHOTO_MISSING = 0;
 export const PHOTO_REDUCED = 1;
@@ -8,6 +10,8 @@ export interface CaptureAsset {
   /** The mesh: attribute 0 is the position, attribute 1 the plain color (RGBA in [0, 1], alpha 1). The indices are 32-bit. */
   readonly vertexArray: WebGLVertexArrayObject;
   readonly indexCount: number;
+  /** The mesh in memory. While a page loads, it is a coarse one at first. */
+  readonly mesh: CaptureMesh | null;
   /** The photographs: a 2D array with mip levels, one layer per view, each stretched to the size of the array; v up. */
   readonly photos: WebGLTexture;
   /** The depth maps of the mesh from each view: a 2D array of depth over `farM`, unfiltered. The depth of a 360° view is the distance. */

@@ -5,6 +5,7 @@ import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { Triangle, Vector3 } from 'three';
 import { importCapture } from '../../app/services/add-capture.ts';
 import { NODE_FILES } from '../../app/services/file-layer.ts';
+import { UNKNOWN_SIZE } from '../../app/services/measure-capture.ts';
 import { pointsOfDepthMesh } from '../../export/captures/depth/depth-points.ts';
 import { panoramaRays } from '../../export/captures/depth/depth-rays.ts';
 import { type CaptureDepthMeshFile, readCapture } from '../../nodes/kit/capture.ts';
@@ -29,7 +30,7 @@ describeWithData('a 360° photograph with depth', 'panoramas/rgbd360', (folder) 
   test('shows the place from an eye beside its camera nearly as well as from the camera', async () => {
     await writeProject(base, { 'project.scrim.json': projectText({ nodes: { 'screen-a1': 'output/screen' }, wires: [] }) });
     const imported = await importCapture({
-      ...{ folder, root: base, name: 'gallery', maxSidePx: 1600, up: null, metersPerUnit: 1 },
+      ...{ folder, root: base, name: 'gallery', maxSidePx: 1600, up: null, metersPerUnit: 1, known: UNKNOWN_SIZE },
       ...{ depth: { from: null, unit: null, kind: null }, files: NODE_FILES, say: () => {} },
       interrupted: new AbortController().signal,
     });

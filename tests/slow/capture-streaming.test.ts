@@ -4,6 +4,7 @@ import { basename, join, resolve } from 'node:path';
 import { expect, test } from '@jest/globals';
 import { importCapture } from '../../app/services/add-capture.ts';
 import { NODE_FILES } from '../../app/services/file-layer.ts';
+import { UNKNOWN_SIZE } from '../../app/services/measure-capture.ts';
 import { prepareAssets } from '../../export/bundle/assets/prepare-assets.ts';
 import { readCapture } from '../../nodes/kit/capture.ts';
 import { openModule, useBrowser } from '../support/browser.ts';
@@ -20,12 +21,12 @@ describeWithData('the page of a captured living room', 'captures/icl-livingroom'
     const base = await mkdtemp(join(tmpdir(), 'scrim-streaming-'));
     await writeProject(base, { 'project.scrim.json': projectText({ nodes: { 'screen-a1': 'output/screen' }, wires: [] }) });
     const { path, asset } = await importCapture({
-      ...{ folder, root: base, name: 'room', maxSidePx: 320, up: null, metersPerUnit: 1 },
+      ...{ folder, root: base, name: 'room', maxSidePx: 320, up: null, metersPerUnit: 1, known: UNKNOWN_SIZE },
       ...{ depth: { from: 'none', unit: null, kind: null }, files: NODE_FILES, say: () => {} },
       interrupted: new AbortController().signal,
     });
     const { output } = await prepareAssets([{ id: asset, kind: 'capture', path }], {
-      ...{ root: resolve('.'), compress: true, cache: null, say: () => {} },
+      ...{ root: resolve('.'), compress: true, cache: null, streams: true, say: () => {} },
       readAsset: (file) => readFile(join(base, file)),
     });
     const [prepared] = output?.assets ?? [];

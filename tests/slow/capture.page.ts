@@ -74,6 +74,18 @@ export async function rephotograph(
   return result;
 }
 
+/** PSNR in dB of a capture that is drawn as depth meshes against the lumigraph, from one camera. */
+export async function compareMethods(baseUrl: string, target: CaptureView): Promise<number> {
+  const source = createFetchAssetSource(new URL(baseUrl, location.href).href, (...args: Parameters<typeof fetch>) => fetch(...args));
+  const { widthPx, heightPx } = target;
+  const gl = createGl(widthPx, heightPx);
+  const capture = await loadCapture(createGlObjects(gl), await source.load('capture.json'), 'capture.json', source.load, true);
+  const [shown, truth] = [draw(gl, capture, 'depth-meshes', target).pixels, draw(gl, capture, 'lumigraph', target).pixels];
+  capture.dispose();
+  gl.getExtension('WEBGL_lose_context')?.loseContext();
+  return compareImages({ shown, truth, widthPx, heightPx }).psnrDb;
+}
+
 /** Draws a capture by one method from the camera of a view, at its size. */
 export function draw(gl: WebGL2RenderingContext, capture: LoadedCapture, method: Method, target: CaptureView) {
   const { shaderSource } = gl;

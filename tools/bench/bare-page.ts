@@ -61,7 +61,14 @@ export interface ScriptWeights {
 export async function weighScripts(root: string, folder: string): Promise<ScriptWeights> {
   const { program, diagnostics } = await compileProject(folder, await readProjectFiles(folder), () => ({ sourceMaps: false, fuse: true }));
   if (program === null) throw new Error(`${folder} does not compile: ${JSON.stringify(diagnostics)}`);
-  const options = { root, readAsset: (path: string) => readAssetFile(folder, path), compress: false, cache: null, say: () => {} };
+  const options = {
+    root,
+    readAsset: (path: string) => readAssetFile(folder, path),
+    compress: false,
+    cache: null,
+    streams: true,
+    say: () => {},
+  };
   const { output } = await prepareAssets(program.assets, options);
   if (output === null) throw new Error(`The assets of ${folder} cannot be read.`);
   const { decoders, models } = output;

@@ -66,7 +66,7 @@ function shade(eye: Vector, ray: Vector): Vector {
 const STEPS = 48;
 
 /** The mesh of ball and table as `mesh.bin`. */
-function meshOf(): { readonly bytes: Uint8Array; readonly vertexCount: number; readonly triangleCount: number } {
+function meshOf(steps: number): { readonly bytes: Uint8Array; readonly vertexCount: number; readonly triangleCount: number } {
   const positions: number[] = [];
   const indices: number[] = [];
   const grid = (columns: number, rows: number, at: (u: number, v: number) => Vector): void => {
@@ -80,14 +80,14 @@ function meshOf(): { readonly bytes: Uint8Array; readonly vertexCount: number; r
       }
     }
   };
-  grid(STEPS, STEPS / 2, (u, v) =>
+  grid(steps, steps / 2, (u, v) =>
     add(
       CENTER,
       [Math.sin(Math.PI * v) * Math.cos(2 * Math.PI * u), Math.cos(Math.PI * v), Math.sin(Math.PI * v) * Math.sin(2 * Math.PI * u)],
       RADIUS,
     ),
   );
-  grid(STEPS, STEPS, (u, v) => [TABLE * (2 * u - 1), 0, TABLE * (2 * v - 1)]);
+  grid(steps, steps, (u, v) => [TABLE * (2 * u - 1), 0, TABLE * (2 * v - 1)]);
   const bytes = new Uint8Array(4 * (positions.length + indices.length));
   new Float32Array(bytes.buffer, 0, positions.length).set(positions);
   new Uint32Array(bytes.buffer, 4 * positions.length).set(indices);
@@ -97,14 +97,19 @@ function meshOf(): { readonly bytes: Uint8Array; readonly vertexCount: number; r
 const ELEVATIONS = [0.35, 0.75];
 const AROUND = 10;
 
-/** The files of the capture by their paths in its folder. */
-export async function makeGlossyBall(): Promise<Readonly<Record<string, Uint8Array>>> {
-  const { bytes, ...counts } = meshOf();
+/**
+ * The files of the capture by their paths in its folder.
+ *
+ * @param around Number of cameras in each of two rings.
+ * @param steps Number of quads along each side of the mesh.
+ */
+export async function makeGlossyBall(around = AROUND, steps = STEPS): Promise<Readonly<Record<string, Uint8Array>>> {
+  const { bytes, ...counts } = meshOf(steps);
   const files: Record<string, Uint8Array> = { 'mesh.bin': bytes };
   const views: CaptureView[] = [];
   for (const [ring, elevation] of ELEVATIONS.entries()) {
-    for (let i = 0; i < AROUND; i++) {
-      const camera = cameraAround((2 * Math.PI * (i + ring / 2)) / AROUND, elevation);
+    for (let i = 0; i < around; i++) {
+      const camera = cameraAround((2 * Math.PI * (i + ring / 2)) / around, elevation);
       const file = `views/${String(views.length).padStart(3, '0')}.jpg`;
       const raw = { width: camera.widthPx, height: camera.heightPx, channels: 3 } as const;
       files[file] = await sharp(photographBall(camera), { raw }).jpeg({ quality: 85 }).toBuffer();

@@ -51,6 +51,7 @@ const LIT_ROOM_PATHS = ['nodes/light/from-panorama/example/assets/room.hdr', `ex
 /** Photos of the same room and their exposures in stops. */
 const SHOTS = { bright: 0, middle: -3.5, dark: -7 } as const;
 const CAPTURE_FOLDER = 'nodes/source/capture/example/assets/glossy-ball.capture';
+const SMALL_CAPTURE_FOLDER = 'nodes/source/capture-mesh/example/assets/glossy-ball.capture';
 const CHIME_PATHS = ['nodes/source/audio-file/example/assets/chime.wav'];
 const BALL_PATHS = ['nodes/source/video-file/example/assets/film.webm'];
 const STRIPES_PATHS = [`examples/boards/gallery/assets/${GALLERY_FILES.film}`];
@@ -119,9 +120,11 @@ async function placeBook(root: string): Promise<void> {
   await place(root, [`${assets}/night.glb`], await makeNight());
 }
 
-/** Writes the capture of the node's example. */
+/** Writes the captures of the examples of two nodes. */
 async function placeCapture(root: string): Promise<void> {
-  for (const [path, bytes] of Object.entries(await makeGlossyBall())) await place(root, [`${CAPTURE_FOLDER}/${path}`], bytes);
+  const captures = { [CAPTURE_FOLDER]: await makeGlossyBall(), [SMALL_CAPTURE_FOLDER]: await makeGlossyBall(4, 24) };
+  for (const [folder, files] of Object.entries(captures))
+    for (const [path, bytes] of Object.entries(files)) await place(root, [`${folder}/${path}`], bytes);
 }
 
 /** Generates the physics examples and their models. */

@@ -35,7 +35,11 @@ export const ACQUIRE_OPTIONS: Readonly<Record<string, Option>> = {
     value: 'A..B',
     doc: 'The part of the sphere that has cameras, in degrees above its center, as 10..60 above a table. Default: -90..90.',
   },
-  yaw: { type: 'string', value: 'DEG', doc: 'Turns the cameras of a grid, and 360° photographs, to the left. Default: 0, towards −z.' },
+  yaw: {
+    type: 'string',
+    value: 'DEG',
+    doc: 'Turns the cameras of a grid, or the middle of 360° photographs, to the left by this angle. Default: 0, which looks along −z.',
+  },
   fov: { type: 'string', value: 'DEG', doc: `Vertical field of view. Default: ${DEFAULTS.fovDeg}.` },
   size: {
     type: 'string',
@@ -60,6 +64,8 @@ export function readPlaces(call: Call): CameraPlaces {
   const extentM = vector(call, 'extent', DEFAULTS.extent);
   if (extentM.some((size) => size < 0)) throw new UsageError('--extent needs sizes of 0 or more.');
   if (shape !== 'grid' && extentM.some((size) => size === 0)) throw new UsageError('--extent of a sphere needs sizes above 0.');
+  if (shape !== 'grid' && call.text('yaw') !== null && !call.flag('around'))
+    throw new UsageError('--yaw is for grids and 360° photographs; the cameras of a sphere look at its center, or away from it.');
   const yawRad = radians(number(call, 'yaw', 0));
   return {
     shape,
@@ -82,7 +88,7 @@ function readCounts(call: Call, shape: CameraPlaces['shape']): CameraPlaces['cou
     throw new UsageError(`--count needs ${wanted}, not ${JSON.stringify(text)}.`);
   }
   if (all > CAPTURE_LIMITS.views)
-    throw new UsageError(`--count ${text} are ${all} cameras. A capture has at most ${CAPTURE_LIMITS.views}.`);
+    throw new UsageError(`--count ${text} is ${all} cameras, more than the ${CAPTURE_LIMITS.views} of a capture.`);
   return counts;
 }
 

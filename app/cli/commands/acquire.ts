@@ -22,7 +22,7 @@ export const acquireCommand: Command = {
   name: 'capture',
   usage: 'PROJECT --out DIR',
   summary: 'Take photographs of a scene for a capture',
-  doc: 'Takes photographs of what PROJECT draws, with their depth, from many cameras at once, in a headless browser: without the image of a camera, at time 0. Writes color, depth in meters and the cameras (transforms.json) to DIR, which scrim import capture reads. Transparent pixels have no depth; their colors continue those beside them. After an error nothing is written.',
+  doc: 'Takes photographs of what PROJECT draws, from many cameras, in a headless browser: at time 0, without the camera image of a device. Writes color, depth in meters and the poses of the cameras (transforms.json) to DIR, which scrim import capture reads. Transparent pixels have no depth; they get the colors of the nearest opaque ones. After an error nothing is written.',
   project: 'required',
   options: ACQUIRE_OPTIONS,
   examples: [
@@ -90,11 +90,17 @@ export const acquireCommand: Command = {
       ACQUISITION,
     );
     if (written === null) return failed(diagnostics, compiled.files);
-    if (empty.length > 0) diagnostics.push(warning(`${empty.length} of ${views.length} photographs show nothing, such as ${empty[0]}.`));
-    const text = `Took ${views.length} photographs of ${tap}.\nWrote ${join(out, 'transforms.json')}\nNext: scrim import capture ${out} --project PROJECT`;
+    if (empty.length > 0)
+      diagnostics.push(warning(`Nothing is in view in ${empty.length} of ${views.length} photographs, such as ${empty[0]}.`));
+    const text = `Took ${views.length} photographs of ${tap}.\nWrote ${join(out, 'transforms.json')}\nNext: scrim import capture ${quoted(out)} --project PROJECT`;
     return { status: 0, json: { ok: true, out, views, diagnostics }, text, diagnostics, files: compiled.files };
   },
 };
+
+/** A path as one argument of a shell. */
+function quoted(path: string): string {
+  return /^[\w./:@%+,=-]+$/.test(path) ? path : JSON.stringify(path);
+}
 
 const CHANGES =
   'What the scene shows depends on its past, such as by physics or feedback. The photographs show it at time 0, one drawn after the other.';

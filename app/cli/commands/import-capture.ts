@@ -4,6 +4,7 @@ import { AXES, type Axis } from '../../../export/captures/upright.ts';
 import { type CaptureJob, type ImportedCapture, importCapture } from '../../services/add-capture.ts';
 import { NODE_FILES } from '../../services/file-layer.ts';
 import { findProject } from '../../services/project-files.ts';
+import { readKnownSize } from '../capture/known-size.ts';
 import { type Call, type Command, UsageError } from '../command.ts';
 
 const DEPTH_WORDS: Readonly<Record<DepthKind, string>> = { z: 'along the axis of the camera', ray: 'along the rays of pixels' };
@@ -31,6 +32,21 @@ export const importCaptureCommand: Command = {
       doc: `Axis of the reconstruction that points up: ${AXES.join(', ')}. Default: the one nearest to up in the photographs.`,
     },
     unit: { type: 'string', value: 'METERS', doc: 'Meters per unit of the reconstruction. Default: 1.' },
+    distance: {
+      type: 'string',
+      value: 'PHOTO:X,Y:X,Y=METERS',
+      doc: 'The true distance of two points of the mesh, which gives the unit. X and Y are pixels from the left and top edges of a photograph that shows both.',
+    },
+    floor: {
+      type: 'string',
+      value: 'PHOTO:X,Y',
+      doc: 'A point of the floor, in pixels of a photograph that shows it. The capture is moved so that the floor is at height 0.',
+    },
+    'camera-height': {
+      type: 'string',
+      value: 'METERS',
+      doc: 'With --floor: how high the camera of that photograph was above the floor, which gives the unit.',
+    },
     depth: {
       type: 'string',
       value: 'FROM',
@@ -53,6 +69,10 @@ export const importCaptureCommand: Command = {
       line: 'scrim import capture scans/vase --project my-room --size 1024 --unit 0.35',
       says: 'With smaller photographs, at a known scale.',
     },
+    {
+      line: 'scrim import capture scans/hall --project hall --distance a.jpg:310,842:1490,830=2.1 --floor a.jpg:900,1400',
+      says: 'A door is 2.1 m high; the floor comes to height 0.',
+    },
   ],
   run: async (call, { say, interrupted }) => {
     const project = call.text('project');
@@ -63,6 +83,7 @@ export const importCaptureCommand: Command = {
       name: call.text('name'),
       maxSidePx: positive(call, 'size', DEFAULT_SIDE_PX),
       metersPerUnit: positive(call, 'unit', 1),
+      known: readKnownSize(call),
       up: axis(call),
       depth: { from: depthSource(call), unit: depthUnit(call), kind: depthKind(call) },
       files: NODE_FILES,
@@ -119,6 +140,7 @@ function textOf({
   triangleCount,
   depth,
   depthTriangles,
+  metersPerUnit,
   sizeM,
   fileBytes,
 }: ImportedCapture): string {
@@ -127,7 +149,7 @@ function textOf({
   const lines = [
     `Imported ${path} from ${form}, ${(fileBytes / 1e6).toFixed(1)} MB.`,
     `${views.length === 1 ? '1 photograph' : `${views.length} photographs`}, ${pointCount} points, a mesh of ${vertexCount} vertices and ${triangleCount} triangles.`,
-    `The mesh is ${sizeM.map((m) => m.toFixed(2)).join(' × ')} m; up is the ${up} axis of the reconstruction.`,
+    `The mesh is ${sizeM.map((m) => m.toFixed(2)).join(' × ')} m; up is the ${up} axis of the reconstruction, whose unit is ${Number(metersPerUnit.toPrecision(4))} m.`,
   ];
   if (depth !== null) {
     const unit = typeof depth.unit === 'number' ? `${depth.unit} m` : depth.unit;

@@ -70,7 +70,11 @@ test('a photograph is reduced to 640 pixels with its shape and colors, once', as
   expect([reads, kept.size]).toEqual([2, 1]);
 });
 
-test('small photographs, and PNG files, have no reduced form', async () => {
+test('small photographs, PNG files, and photographs that cannot be decoded have no reduced form', async () => {
   expect(await reducedPhoto(photo(100, 100), null)).toBeNull();
+  const arithmetic = photo(1300, 700);
+  // SOF9 in the place of SOF0: a form of JPEG that browsers may read, but not the decoder.
+  arithmetic[arithmetic.indexOf(0xc0)] = 0xc9;
+  expect(await reducedPhoto(arithmetic, null)).toBeNull();
   expect(await reducedPhoto(new Uint8Array(200_000), null)).toBeNull();
 });

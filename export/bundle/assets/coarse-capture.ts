@@ -45,18 +45,29 @@ const REDUCTION_VERSION = 1;
  * Reduces a photograph of a capture to at most 640 pixels, which take some 50 KB.
  *
  * @param photo A JPEG file; other files have no reduced form.
- * @returns A JPEG file, or null for a photograph that has at most 100 KB.
+ * @returns A JPEG file, or null for a photograph that has at most 100 KB or that the JPEG decoder cannot read.
  */
 export async function reducedPhoto(photo: Uint8Array, cache: AssetCache | null): Promise<Uint8Array | null> {
   if (photo.length <= SMALL_PHOTO_BYTES || photo[0] !== 0xff || photo[1] !== 0xd8) return null;
   const name = `photo-${REDUCTION_VERSION}-${createHash('sha256').update(photo).digest('hex')}`;
   const kept = await cache?.read(name).catch(() => null);
   if (kept) return kept;
-  const { width, height, data } = decode(photo, { useTArray: true, maxMemoryUsageInMB: 2048, maxResolutionInMP: 68 });
+  const decoded = decodedPhoto(photo);
+  if (decoded === null) return null;
+  const { width, height, data } = decoded;
   const factor = Math.ceil(Math.max(width, height) / REDUCED_SIDE_PX);
   const reduced = new Uint8Array(encode(averaged(data, width, height, factor), REDUCED_QUALITY).data);
   await cache?.write(name, reduced).catch(() => {});
   return reduced;
+}
+
+/** Null if the decoder cannot read the file, such as one with arithmetic coding, which browsers may read. */
+function decodedPhoto(photo: Uint8Array) {
+  try {
+    return decode(photo, { useTArray: true, maxMemoryUsageInMB: 2048, maxResolutionInMP: 68 });
+  } catch {
+    return null;
+  }
 }
 
 /** Each pixel is the mean of about `factor` by `factor` pixels; every pixel counts once. */

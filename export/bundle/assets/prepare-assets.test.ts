@@ -1,5 +1,7 @@
 import { resolve } from 'node:path';
 import { beforeAll, describe, expect, test } from '@jest/globals';
+import { encode } from 'jpeg-js';
+import { captureMeshFile, meshCounts, readCapture } from '../../../nodes/kit/capture.ts';
 import { plyFile, plyOf, splatAt } from '../../../tests/support/splat-files.ts';
 import { texturedModel } from '../../../tests/support/textured-model.ts';
 import { sogOf } from '../../../tools/examples/splats/write-sog.ts';
@@ -25,6 +27,7 @@ async function prepare(more: Partial<AssetOptions> = {}, assets = [BALL, PICTURE
     readAsset: async (path) => (path.endsWith('.png') ? PNG : ball),
     compress: true,
     cache: null,
+    streams: true,
     say: (text) => said.push(text),
     ...more,
   });
@@ -114,6 +117,49 @@ describe('which form a page has of its models', () => {
     ]);
     const { gpuBytes } = output.assets[0]?.report ?? { gpuBytes: { before: 0, after: 1 } };
     expect(gpuBytes.after).toBeLessThan(0.4 * gpuBytes.before);
+  });
+});
+
+describe('a capture', () => {
+  const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+  const view = {
+    file: 'views/000.jpg',
+    widthPx: 640,
+    heightPx: 480,
+    fxPx: 500,
+    fyPx: 500,
+    cxPx: 320,
+    cyPx: 240,
+    worldFromCamera: identity,
+  };
+  const mesh = { positions: Float32Array.of(0, 0, -1, 1, 0, -1, 0, 1, -1), indices: Uint32Array.of(0, 1, 2) };
+  const document = { format: 'scrim-capture', version: 1, mesh: { file: 'mesh.bin', ...meshCounts(mesh) }, views: [view] };
+  const place: ProgramAsset = { id: 'place', kind: 'capture', path: 'assets/place.capture/capture.json' };
+  // Bytes that no JPEG encoder writes, so that the photograph has 600 KB after its first lines.
+  const photo = Buffer.concat([
+    encode({ width: 640, height: 480, data: new Uint8Array(4 * 640 * 480).fill(99) }, 90).data,
+    Buffer.alloc(600_000),
+  ]);
+  const files: Readonly<Record<string, Uint8Array>> = {
+    'capture.json': Buffer.from(JSON.stringify(document)),
+    'mesh.bin': captureMeshFile(mesh),
+    '000.jpg': photo,
+  };
+  const readAsset = async (path: string) => files[path.slice(path.lastIndexOf('/') + 1)] ?? new Uint8Array();
+
+  test('has a reduced form in a page that streams, and not in a page of one file', async () => {
+    const streamed = await prepare({ readAsset }, [place]);
+    expect(streamed.diagnostics).toEqual([]);
+    const written = readCapture(new TextDecoder().decode(streamed.output.assets[0]?.bytes));
+    expect(written.coarseMesh?.triangleCount).toBe(1);
+    expect(written.views[0]?.reducedFile).toMatch(/-reduced-[0-9a-f]{10}\.jpg$/);
+    const alone = await prepare({ readAsset, streams: false }, [place]);
+    expect(readCapture(new TextDecoder().decode(alone.output.assets[0]?.bytes))).toEqual({
+      ...written,
+      coarseMesh: undefined,
+      views: [{ ...written.views[0], reducedFile: undefined }],
+    });
+    expect([alone.said, alone.output.assets[0]?.others.length]).toEqual([[], 2]);
   });
 });
 

@@ -39,6 +39,8 @@ export interface AssetOptions {
   /** Whether to compress models. Models of several files become one in any case. */
   readonly compress: boolean;
   readonly cache: AssetCache | null;
+  /** Whether the page loads files one by one, so that it shows a capture before all of it has arrived. A page of one file does not. */
+  readonly streams: boolean;
   /** Receives progress texts. */
   readonly say: (text: string) => void;
 }
@@ -139,14 +141,15 @@ async function readAsset(asset: ProgramAsset, options: AssetOptions): Promise<Re
   return { asset, bytes: model.bytes, fileBytes, others: [], capture: null };
 }
 
-/** A capture whose first image needs fewer bytes is loaded at once. */
+/** A capture whose mesh and photographs are smaller together is loaded at once: over 1.6 Mbit/s in 2.5 s. */
 const MIN_STREAMED_BYTES = 500_000;
 
 /**
- * Reads the files of a capture, and names them in its document by their paths in the page. Adds a coarse mesh and reduced photographs, which
- * the page draws while the others load.
+ * Reads the files of a capture, and names them in its document by their paths in the page. For a page that streams, adds a coarse mesh and
+ * reduced photographs, which it draws while the others load.
  */
-async function readCaptureFiles(asset: ProgramAsset, bytes: Uint8Array, { readAsset: read, cache, say }: AssetOptions): Promise<ReadAsset> {
+async function readCaptureFiles(asset: ProgramAsset, bytes: Uint8Array, options: AssetOptions): Promise<ReadAsset> {
+  const { readAsset: read, cache, streams, say } = options;
   const document = readCapture(new TextDecoder().decode(bytes));
   const folder = asset.path.slice(0, asset.path.lastIndexOf('/') + 1);
   const name = captureName(asset.path);
@@ -165,7 +168,7 @@ async function readCaptureFiles(asset: ProgramAsset, bytes: Uint8Array, { readAs
   const meshBytes = await add(document.mesh.file);
   const photos: Uint8Array[] = [];
   for (const { file } of document.views) photos.push(await add(file));
-  const isStreamed = fileBytes >= MIN_STREAMED_BYTES;
+  const isStreamed = streams && fileBytes >= MIN_STREAMED_BYTES;
   const views: CaptureView[] = [];
   for (const [i, { depth: _, depthMesh, ...view }] of document.views.entries()) {
     const photo = photos[i] ?? new Uint8Array();

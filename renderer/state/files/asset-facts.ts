@@ -25,7 +25,7 @@ export interface AssetPlace {
 /** Size of pictures in pixels, twice that on screen. */
 export const PICTURE_PX = { widthPx: 96, heightPx: 72 };
 
-/** Files above this size are not read, because the whole file is read for the picture. */
+/** Images and models above this size are not read, because the whole file is read for the picture. */
 const MAX_BYTES = 32 * 2 ** 20;
 
 /** The largest texture of most phones; captures are reduced to it. */
@@ -42,7 +42,7 @@ export async function readAssetFacts(editor: Editor, place: AssetPlace): Promise
       case 'image':
         return place.bytes <= MAX_BYTES ? await imageFacts(await readFile(editor, place, place.path)) : NO_FACTS;
       case 'model':
-        return await modelFacts(editor, place);
+        return place.bytes <= MAX_BYTES ? await modelFacts(editor, place) : NO_FACTS;
       case 'capture':
         return await captureFacts(editor, place);
       case 'video':

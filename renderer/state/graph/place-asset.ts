@@ -57,9 +57,9 @@ function selectPlacement(editor: Editor, model: string, before: Project): string
   return added.find((id) => nodes[id]?.type === 'objects/transform') ?? model;
 }
 
-/** The first source node with an asset param of this kind. */
+/** The source node with an asset param of this kind; of several, the plain one: `source/capture`, not `source/capture-mesh`. */
 function sourceOf(library: NodeLibrary, kind: AssetKind): { readonly type: string; readonly param: string } | null {
-  for (const type of library.types()) {
+  for (const type of [...library.types()].sort()) {
     const definition = library.definition(type);
     if (!definition || !type.startsWith('source/')) continue;
     const param = Object.entries(definition.params).find(([, candidate]) => candidate.type === 'asset' && candidate.accept === kind);

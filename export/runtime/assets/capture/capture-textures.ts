@@ -37,11 +37,11 @@ export function createCaptureTextures(objects: GlObjects, document: CaptureDocum
   const cameras = objects.createTexture();
   const vertexArray = objects.createVertexArray();
   const [positions, indices, colors] = [gl.createBuffer(), gl.createBuffer(), gl.createBuffer()];
-  let mesh: CaptureMesh | null = null;
   let isDisposed = false;
   const asset = {
     vertexArray,
     indexCount: 0,
+    mesh: null as CaptureMesh | null,
     photos,
     depths,
     cameras,
@@ -83,8 +83,7 @@ export function createCaptureTextures(objects: GlObjects, document: CaptureDocum
   return {
     asset,
     setMesh: (next) => {
-      mesh = next;
-      Object.assign(asset, extentOf(next, views), { indexCount: next.indices.length });
+      Object.assign(asset, extentOf(next, views), { indexCount: next.indices.length, mesh: next });
       gl.bindVertexArray(vertexArray);
       setAttribute(0, positions, next.positions);
       setAttribute(1, colors, new Uint8Array((4 * next.positions.length) / 3));
@@ -92,6 +91,7 @@ export function createCaptureTextures(objects: GlObjects, document: CaptureDocum
       gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, next.indices, gl.STATIC_DRAW);
       drawDepths(objects, asset, depthPx);
       if (asset.panoramas.size > 0) drawPanoramaDepths(objects, asset, depthPx);
+      gl.bindVertexArray(null);
     },
     setPhoto: async (index, bytes, form) => {
       const bitmap = await createImageBitmap(new Blob([bytes]), {
@@ -117,8 +117,8 @@ export function createCaptureTextures(objects: GlObjects, document: CaptureDocum
       asset.depthMeshes = meshes;
     },
     bake: () => {
-      if (!mesh) return;
-      const baked = bakeColors(gl, asset, mesh);
+      if (!asset.mesh) return;
+      const baked = bakeColors(gl, asset, asset.mesh);
       gl.bindVertexArray(vertexArray);
       setAttribute(1, colors, baked);
       gl.bindVertexArray(null);

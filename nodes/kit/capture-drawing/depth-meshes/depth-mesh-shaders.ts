@@ -33,14 +33,11 @@ void main() {
   gl_Position = clipOf(point);
 }`;
 
-/** Draws the mesh of the place in its colors. */
+/** Draws the mesh of the place. */
 export const PLACE_VERTEX = /* glsl */ `${HEAD}${NEARER}
 layout(location = 0) in vec3 position;
-layout(location = 1) in vec4 color;
-out vec3 plainColor;
 void main() {
   point = position;
-  plainColor = color.rgb;
   gl_Position = clipOf(position);
 }`;
 
@@ -54,7 +51,6 @@ const HALF_COST = '0.01';
 /** Weights are 16-bit floats in the sum: the largest is far below their limit, and the smallest keeps all bits of a color. */
 const MOST_WEIGHT = '1000.0';
 const LEAST_WEIGHT = '1.0';
-const PLACE_WEIGHT = '0.01';
 
 /** Adds a photograph: color times weight, and the weight in alpha. */
 export const VIEW_FRAGMENT = /* glsl */ `${HEAD}${CAPTURE_GLSL}
@@ -72,27 +68,22 @@ void main() {
   color = vec4(photoAt(view, point, uv, dFdx(point), dFdy(point)), 1.0) * max(weight, ${LEAST_WEIGHT});
 }`;
 
-/** Fills what no photograph shows: its weight is a small part of the smallest one of photographs. */
-export const PLACE_FRAGMENT = /* glsl */ `${HEAD}
-in vec3 plainColor;
-out vec4 color;
-void main() { color = vec4(plainColor, 1.0) * ${PLACE_WEIGHT}; }`;
-
 export const SCREEN_VERTEX = /* glsl */ `${HEAD}
 void main() {
   gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0);
 }`;
 
-/** Divides the sum by its weight, and writes the depth of the nearest surface. */
+/** Divides the sum by its weight, and writes a factor times the depth of the nearest surface. */
 export const RESOLVE_FRAGMENT = /* glsl */ `${HEAD}
 uniform highp sampler2D sum;
 uniform highp sampler2D depth;
 uniform ivec2 origin;
+uniform float depthFactor;
 out vec4 color;
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy) - origin;
   vec4 added = texelFetch(sum, at, 0);
   if (added.a <= 0.0) discard;
   color = vec4(added.rgb / added.a, 1.0);
-  gl_FragDepth = texelFetch(depth, at, 0).r;
+  gl_FragDepth = depthFactor * texelFetch(depth, at, 0).r;
 }`;

@@ -1,0 +1,39 @@
+import { defineNode } from '../../kit/definition.ts';
+import { POSITION_PARAM, ROTATION_PARAM } from '../../kit/pose-params.ts';
+import { SURFACE_CASTS_SHADOW, SURFACE_CATCHES_SHADOW } from '../../kit/surface-params.ts';
+
+export const definition = defineNode({
+  type: 'source/capture-mesh',
+  version: 1,
+  title: 'Capture mesh',
+  doc: 'Outputs the mesh of a captured place as a phantom: it hides virtual objects that are behind the captured ones, and receives their shadows. Put the layers of Scene and Shadow over that of a Capture node that has the same file, position, rotation and scale.',
+  keywords: ['proxy', 'occlusion', 'shadow catcher', 'phantom', 'photogrammetry', 'scan', 'room', 'place'],
+  inputs: {},
+  outputs: {
+    objects: {
+      type: 'objects',
+      label: 'Phantom',
+      doc: 'The mesh; nothing while it loads. Connect it to a Scene node to hide what is behind it, and to “Receivers” of a Shadow node to show shadows on it.',
+    },
+  },
+  params: {
+    file: { type: 'asset', stage: 'asset', label: 'Capture', doc: 'The capture.', default: '', accept: 'capture' },
+    positionM: POSITION_PARAM,
+    rotationRad: { ...ROTATION_PARAM, handle: 'rotation' },
+    scale: {
+      type: 'number',
+      stage: 'uniform',
+      handle: 'scale',
+      label: 'Scale',
+      doc: 'Uniform scale factor, as that of the Capture node.',
+      default: 1,
+      min: 0.01,
+      max: 10,
+      step: 0.01,
+      unit: 'ratio',
+    },
+    receiveShadow: SURFACE_CATCHES_SHADOW,
+    castShadow: SURFACE_CASTS_SHADOW,
+  },
+  lowering: { kind: 'source' },
+});

@@ -1,0 +1,21 @@
+import { spawnSync } from 'node:child_process';
+import process from 'node:process';
+import { describe, test } from '@jest/globals';
+
+/** Runs a Python script with arguments. @returns What it prints. */
+export function runPython(script: string, ...args: readonly string[]): string {
+  const { status, stdout, stderr } = spawnSync('python3', ['-c', script, ...args], { encoding: 'utf8' });
+  if (status !== 0) throw new Error(`Python failed: ${stderr}`);
+  return stdout;
+}
+
+/** Tests that run COLMAP by its package for Python. Skipped with the reason where that is missing. */
+export function describeWithColmap(name: string, tests: () => void): void {
+  if (spawnSync('python3', ['-c', 'import pycolmap']).status === 0) {
+    describe(name, tests);
+    return;
+  }
+  const reason = 'python3 has no package pycolmap (https://pypi.org/project/pycolmap)';
+  process.stderr.write(`SKIPPED ${name}: ${reason}.\n`);
+  describe(name, () => test.skip(reason, () => {}));
+}
