@@ -23,7 +23,8 @@ void vertex(inout Vertex v) {
   if (PASSINDEX == 1) v.position += v.outward * (linePx * PIXEL_M(v.position));
 }
 
-const vec3 LEVEL_AXIS = vec3(0.12, 0.98, 0.16);
+// The level direction of the direction field, too.
+const vec3 LEVEL_AXIS = vec3(0.12, 1.0, 0.16);
 
 // The part of the paper that the darkest tone of the map covers. Several layers of strokes together cover no more.
 const float DARKEST = 0.8;
@@ -85,9 +86,12 @@ float inkAlong(const in Surface s, const in vec3 along, const in float wanted) {
   vec3 levels = vec3(levelOf(place.zy), levelOf(place.xz), levelOf(place.xy));
   // The smooth normal hides the triangles; the true one leaves out sides on which strokes would be long smears.
   vec3 shares = (pow(abs(s.smoothNormal), vec3(6.0)) + 0.001) * smoothstep(0.2, 0.5, abs(s.restNormal));
+  // A face whose normal is that of a corner of the box belongs to one side more than to another, not to none.
+  shares += vec3(2e-4, 1e-4, 0.0);
   // The third side has no share left.
   shares -= min(shares.x, min(shares.y, shares.z));
-  shares /= shares.x + shares.y + shares.z;
+  float all = shares.x + shares.y + shares.z;
+  shares = all > 0.0 ? shares / all : vec3(0.0, 1.0, 0.0);
   bool hasX = shares.x > 0.0;
   bool hasZ = shares.z > 0.0;
   float first = clearAt(hasX ? place.zy : place.xz, hasX ? along.zy : along.xz, hasX ? shares.x : shares.y, wanted, hasX ? levels.x : levels.y);

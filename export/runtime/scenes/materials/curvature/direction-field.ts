@@ -15,8 +15,13 @@ const LEVEL_WEIGHT = 0.002;
 /** A surface that bends by this difference of curvatures, in one per radius of the mesh, is half certain. */
 const HALF_CERTAIN = 1;
 
-/** The strokes of a level surface run along its cuts with planes across this axis, which no face of most models has as its normal. */
-const LEVEL_AXIS = new Vector3(0.12, 1, 0.16).normalize();
+/**
+ * The strokes of a level surface run along its cuts with planes across this axis, which no face of most models has as its normal. The
+ * technique Hatching has the same, for its mapping Level.
+ */
+export const LEVEL_AXIS = [0.12, 1, 0.16] as const;
+
+const levelAxis = new Vector3(...LEVEL_AXIS).normalize();
 
 /** The system is solved to this part of its right side, or for this number of steps; more changes directions by less than a degree. */
 const PRECISION = 1e-3;
@@ -93,7 +98,7 @@ function wantedAt(vertex: number, frames: TangentFrames, { first, k1, k2 }: Curv
 }
 
 function levelAt(vertex: number, frames: TangentFrames): readonly [number, number] {
-  tangent.crossVectors(LEVEL_AXIS, normal.fromArray(frames.normals, vertex * 3));
+  tangent.crossVectors(levelAxis, normal.fromArray(frames.normals, vertex * 3));
   return doubled(vertex, frames, tangent, tangent.length());
 }
 
