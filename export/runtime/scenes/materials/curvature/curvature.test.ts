@@ -10,10 +10,13 @@ import {
   TorusGeometry,
   Vector3,
 } from 'three';
+import type { TechniqueView } from '../../../../../nodes/kit/technique-view.ts';
 import { createMeshShape } from '../../volumes/mesh-shape.ts';
 import { restVertices } from '../../volumes/pose-vertices.ts';
 import { curvatureOf } from './curvature.ts';
+import { createCurvatureNeeds } from './curvature-needs.ts';
 import { directionField, LEVEL_AXIS } from './direction-field.ts';
+import { ensureDirections } from './mesh-directions.ts';
 import { tangentFrames } from './tangent-frames.ts';
 
 /** Curvatures and directions of shapes against their formulas. */
@@ -104,6 +107,60 @@ describe('curvature', () => {
     expect(middle?.k1).toBeCloseTo(-1.2, 1);
     expect(middle?.k2).toBeCloseTo(0.4, 1);
     expect(between(middle?.first ?? new Vector3(), new Vector3(1, 0, 0))).toBeLessThan(1);
+  });
+});
+
+describe('what techniques read of a mesh', () => {
+  /** A technique that reads both, with inputs that turn each off at 0. */
+  function reader(values: Record<'radial' | 'along', { value: number }>): TechniqueView {
+    return {
+      version: 1,
+      key: 'test',
+      vertex: '',
+      fragment: 's.along s.radial',
+      passes: [{ side: 'object' }],
+      uniforms: Object.entries(values).map(([name, view]) => ({ name, kind: 'number', view })),
+      unread: [
+        { name: 'radial', uniform: 'radial', values: [0] },
+        { name: 'along', uniform: 'along', values: [0, 1] },
+      ],
+      images: [],
+    };
+  }
+  const bent = (): Mesh => new Mesh(new CylinderGeometry(0.5, 0.5, 2, 24, 12, true).rotateZ(1));
+  const alongOf = ({ geometry }: Mesh): readonly number[] => [...(geometry.attributes.scrimAlong?.array ?? [])];
+
+  test('is computed when they first read it', () => {
+    const [mesh, twin] = [bent(), bent()];
+    const values = { radial: { value: 0 }, along: { value: 1 } };
+    const needs = createCurvatureNeeds();
+    needs.add(mesh, reader(values));
+    needs.sweep();
+    needs.update();
+    expect(mesh.geometry.attributes.scrimCurvature).toBeUndefined();
+    const level = alongOf(mesh);
+    values.radial.value = 0.5;
+    needs.update();
+    expect(mesh.geometry.attributes.scrimCurvature?.count).toBe(mesh.geometry.attributes.position?.count);
+    expect(alongOf(mesh)).toEqual(level);
+    values.along.value = 2;
+    needs.update();
+    ensureDirections(twin, true);
+    expect(alongOf(mesh)).toEqual(alongOf(twin));
+    expect(alongOf(mesh)).not.toEqual(level);
+  });
+
+  test('is level and flat for meshes of more than 200,000 triangles', () => {
+    // Most of its triangles are one point.
+    const large = (): Mesh => {
+      const mesh = bent();
+      return new Mesh(mesh.geometry.setIndex([...(mesh.geometry.index?.array ?? []), ...new Array<number>(600_000).fill(0)]));
+    };
+    const [mesh, twin] = [large(), large()];
+    createCurvatureNeeds().add(mesh, reader({ radial: { value: 1 }, along: { value: 2 } }));
+    ensureDirections(twin, false);
+    expect(alongOf(mesh)).toEqual(alongOf(twin));
+    expect(mesh.geometry.attributes.scrimCurvature?.array.some((value) => value !== 0)).toBe(false);
   });
 });
 

@@ -65,13 +65,29 @@ export function directionField(shape: MeshShape, positions: Float32Array, frames
   solveField(links, diagonal, right, field);
   const directions = new Float32Array(positions.length);
   for (let vertex = 0; vertex < count; vertex++) {
-    const [x, y] = [field[vertex * 2] ?? 0, field[vertex * 2 + 1] ?? 0];
-    const [levelX, levelY] = levelAt(vertex, frames);
-    const angle = Math.hypot(x, y) > 1e-9 ? Math.atan2(y, x) / 2 : Math.atan2(levelY, levelX) / 2;
-    tangent.fromArray(frames.tangents, vertex * 3).multiplyScalar(Math.cos(angle));
-    tangent.addScaledVector(other.fromArray(frames.bitangents, vertex * 3), Math.sin(angle)).toArray(directions, vertex * 3);
+    const found = [field[vertex * 2] ?? 0, field[vertex * 2 + 1] ?? 0] as const;
+    setDirection(directions, vertex, frames, Math.hypot(...found) > 1e-9 ? found : levelAt(vertex, frames));
   }
   return directions;
+}
+
+/** The level directions of a mesh: unit tangents, three numbers each. */
+export function levelField(frames: TangentFrames): Float32Array {
+  const directions = new Float32Array(frames.normals.length);
+  for (let vertex = 0; vertex < directions.length / 3; vertex++) setDirection(directions, vertex, frames, levelAt(vertex, frames));
+  return directions;
+}
+
+/** Writes the tangent of half the angle of a complex number. */
+function setDirection(
+  into: Float32Array,
+  vertex: number,
+  { tangents, bitangents }: TangentFrames,
+  [x, y]: readonly [number, number],
+): void {
+  const angle = Math.atan2(y, x) / 2;
+  tangent.fromArray(tangents, vertex * 3).multiplyScalar(Math.cos(angle));
+  tangent.addScaledVector(other.fromArray(bitangents, vertex * 3), Math.sin(angle)).toArray(into, vertex * 3);
 }
 
 function radiusOf(positions: Float32Array): number {
