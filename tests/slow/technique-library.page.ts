@@ -9,6 +9,7 @@ import {
   morphing,
   shoot,
   skinned,
+  sphere,
   stand,
   technique,
   type Values,
@@ -39,6 +40,16 @@ export function tones(name: string, values: Values, facings: readonly number[]):
 /** How bright plates with these normals are on the whole, linear, whose light comes aslant. */
 export function tonesOfNormals(name: string, values: Values, normals: readonly (readonly [number, number, number])[]): number[] {
   return normals.map((normal) => tone(name, values, [0.8, 0, 0.6], normal));
+}
+
+/** The part of the joint between a wall and the top of a ball of bricks that is mortar. */
+export function mortarBelowTop(): number {
+  const camera = lookingAt([0, 2.1, 2.1], [0, 0, 0]);
+  const values = { variation: 0, bump: 0, mortarM: 0.02, brickM: [0.2, 0.1], brickColor: [0, 0, 0, 1], mortarColor: [1, 1, 1, 1] };
+  const pixels = shoot({ items: [drawnWith(sphere(), technique('brick', values))], suns: [], camera, ambient: 1 });
+  const row = Array.from({ length: 40 }, (_, i) => pixel(pixels, WIDTH / 2 - 20 + i, HEIGHT / 2)[1] ?? 0);
+  noError();
+  return row.filter((value) => value > 100).length / row.length;
 }
 
 /** The tone of a plate that is turned from facing z to its normal, with the eye and the light. */

@@ -63,6 +63,10 @@ describe('drawn tones', () => {
   );
 });
 
+test('bricks of the sides and the top of a ball meet in a joint', async () => {
+  expect(await page.call<number>('mortarBelowTop')).toBeGreaterThan(0.95);
+});
+
 describe('glass', () => {
   test.each([
     [1.5, 5],
