@@ -124,10 +124,7 @@ export type Resource =
 export interface TechniqueResource {
   readonly id: ResourceId;
   readonly kind: 'technique';
-  /**
-   * Index into `shaders` of a test shader, which contains the technique's text and source map. It is only compiled, to find out whether a
-   * driver accepts the text. Null in an export.
-   */
+  /** Index into `shaders` of a test shader that is only compiled, to find out whether a driver accepts the text. Null in an export. */
   readonly trial: number | null;
   /** Text for the vertex and fragment shader of the material; see `export/glsl/technique/interface.ts`. */
   readonly vertex: string;
@@ -137,6 +134,8 @@ export interface TechniqueResource {
   readonly uniforms: readonly TechniqueUniform[];
   /** Samplers of the layers that the technique reads, if any. Draws with the technique list these layers in `reads`. */
   readonly samplers?: readonly PassSampler[];
+  /** Values of uniforms with which it does not read what is computed for meshes; see `TechniqueView`. */
+  readonly unread?: readonly { readonly name: 'along' | 'radial'; readonly uniform: string; readonly values: readonly number[] }[];
   /** Images that it contains, by uniform name: base64 of a PNG with its mip levels side by side. */
   readonly pictures?: readonly { readonly name: string; readonly data: string }[];
 }

@@ -24,6 +24,11 @@ export interface TechniqueView {
   readonly passes: readonly { readonly side: 'object' | 'front' | 'back' | 'both' | 'edges'; readonly dense?: true }[];
   /** The uniforms with their live values: read them every frame. Colors are display-referred sRGB, as in params. */
   readonly uniforms: readonly TechniqueUniformView[];
+  /**
+   * When the technique does not read `s.along`, the direction field of a mesh, or `s.radial`, its curvature: while the uniform has one of the
+   * values. They take long to compute.
+   */
+  readonly unread?: readonly { readonly name: 'along' | 'radial'; readonly uniform: string; readonly values: readonly number[] }[];
   /** The layers and images that the technique reads, by the name of their uniform. */
   readonly images: readonly TechniqueImageView[];
 }

@@ -32,8 +32,8 @@ const int SMOOTH_REACH = 8;
 // Scales squares of small differences above the smallest steps of 16-bit floats.
 const float SCALE = 1000.0;
 
-// 289 = 17 squared: the largest period for which (34 x + 1) x is an exact integer in single precision.
-const float PERIOD = 289.0;
+// A prime p for which 3 does not divide p - 1, so that cubes permute the integers below it. Squares of numbers below 2 p are exact.
+const float PERIOD = 509.0;
 
 // The Kuwahara filter: eight sectors, three rings of an ellipse, three directions per sector.
 const int SECTORS = 8;
@@ -122,9 +122,10 @@ float wrap(float whole) {
   return whole - PERIOD * floor((whole + 0.5) / PERIOD);
 }
 
-// A permutation of the integers below PERIOD, for noise (McEwan et al., “Efficient computational noise in GLSL”).
+// A permutation of the integers below PERIOD, for noise. Nested, the quadratic ones modulo 289 of McEwan et al. 2012 and of Gustavson and
+// McEwan 2022 repeat after 24 and 38 pixels along a line, because they are linear modulo 17.
 float permute(float x) {
-  return wrap((34.0 * x + 1.0) * x);
+  return wrap(wrap(x * x) * x);
 }
 
 // A pseudorandom integer below PERIOD for a cell of a grid in a frame.

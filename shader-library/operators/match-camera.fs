@@ -55,7 +55,7 @@ const int HALVINGS = 12;
 const float MAX_NOISE = 0.5;
 
 // The period of the random numbers and their standard deviation, as in filters/film-grain.fs.
-const float PERIOD = 289.0;
+const float PERIOD = 509.0;
 const float SPREAD = 1.7320508;
 
 vec3 cameraAt(vec2 px) {
@@ -235,9 +235,10 @@ float wrap(float whole) {
   return whole - PERIOD * floor((whole + 0.5) / PERIOD);
 }
 
-// A permutation of the integers below PERIOD, for noise (McEwan et al., “Efficient computational noise in GLSL”).
+// A permutation of the integers below PERIOD, for noise. Nested, the quadratic ones modulo 289 of McEwan et al. 2012 and of Gustavson and
+// McEwan 2022 repeat after 24 and 38 pixels along a line, because they are linear modulo 17.
 float permute(float x) {
-  return wrap((34.0 * x + 1.0) * x);
+  return wrap(wrap(x * x) * x);
 }
 
 // A pseudorandom integer below PERIOD for a cell of a grid in a frame.

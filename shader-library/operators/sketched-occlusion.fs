@@ -54,8 +54,8 @@ const float ABSENT = -1.0;
 // Above this confidence, a step of depth is as exact as the sensor measures it.
 const float RANGE = 0.3;
 
-// 289 = 17 squared: the largest period for which (34 x + 1) x is an exact integer in single precision.
-const float PERIOD = 289.0;
+// A prime p for which 3 does not divide p - 1, so that cubes permute the integers below it. Squares of numbers below 2 p are exact.
+const float PERIOD = 509.0;
 
 #ifdef SCRIM
 float layerM(vec2 uv) { return LAYER_DEPTH(inputImage, uv); }
@@ -101,9 +101,10 @@ float wrap(float whole) {
   return whole - PERIOD * floor((whole + 0.5) / PERIOD);
 }
 
-// A permutation of the integers below PERIOD, for noise (McEwan et al., “Efficient computational noise in GLSL”).
+// A permutation of the integers below PERIOD, for noise. Nested, the quadratic ones modulo 289 of McEwan et al. 2012 and of Gustavson and
+// McEwan 2022 repeat after 24 and 38 pixels along a line, because they are linear modulo 17.
 float permute(float x) {
-  return wrap((34.0 * x + 1.0) * x);
+  return wrap(wrap(x * x) * x);
 }
 
 float randomOf(vec3 at) {

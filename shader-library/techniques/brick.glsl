@@ -1,5 +1,5 @@
 /*{
-  "DESCRIPTION": "Draws objects as brick walls: rows of bricks in half bond with mortar joints and rounded edges. The bricks follow the local axes of the object and stay in place as it moves.",
+  "DESCRIPTION": "Draws objects as brick walls: rows of bricks in half bond with mortar joints and rounded edges. The bricks follow the local axes of the object and stay in place as it moves. On round objects, the walls and the top meet in a joint.",
   "CREDIT": "Scrim. After the brick shader of Rost, OpenGL Shading Language, 2004, chapter 6; bump: Mikkelsen, Bump Mapping Unparametrized Surfaces on the GPU, 2010",
   "CATEGORIES": ["Wall", "Stone", "Masonry", "Mortar", "Procedural", "Texture", "Building"],
   "INPUTS": [
@@ -31,6 +31,18 @@ float onBrick(const in vec2 wall, const in float edgeM) {
   return inside.x * inside.y;
 }
 
+// 0 in the joint between a wall and the top, where the surface faces both sides of the bounding box equally, 1 beside it. `faces` is the
+// absolute normal.
+float besideTop(const in vec3 faces, const in float pixelM) {
+  // The rows of the other two sides are at the same heights.
+  vec2 apart = faces.xz - faces.y;
+  vec2 change = sqrt(dFdx(apart) * dFdx(apart) + dFdy(apart) * dFdy(apart));
+  // A flat face has no joint.
+  vec2 awayM = abs(apart) / max(change, 0.00001) * pixelM;
+  vec2 beside = clamp((awayM - 0.5 * mortarM) / pixelM + 0.5, 0.0, 1.0);
+  return faces.x > faces.z ? beside.x : beside.y;
+}
+
 vec4 surface(const in Surface s) {
   // The wall is the side of the bounding box that the surface faces most.
   vec3 faces = abs(s.restNormal);
@@ -41,7 +53,8 @@ vec4 surface(const in Surface s) {
   vec2 wall = vec2(dot(s.rest, along), dot(s.rest, up));
   float pixelM = max(length(fwidth(s.rest)), 0.000001);
 
-  float brick = onBrick(wall, pixelM);
+  // The rows of a wall and of the top have different directions.
+  float brick = onBrick(wall, pixelM) * besideTop(faces, pixelM);
   // From far away, joints and roughness are below a pixel, and their mean remains.
   float near = clamp(0.5 * mortarM / pixelM, 0.0, 1.0);
   vec2 id = vec2(floor((wall.x + mod(floor(wall.y / brickM.y), 2.0) * 0.5 * brickM.x) / brickM.x), floor(wall.y / brickM.y));

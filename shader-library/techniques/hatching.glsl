@@ -3,12 +3,13 @@
   "CREDIT": "Scrim. Praun, Hoppe, Webb, Finkelstein: Real-Time Hatching, SIGGRAPH 2001; directions: Rusinkiewicz, Estimating Curvatures and Their Derivatives on Triangle Meshes, 3DPVT 2004; Knöppel, Crane, Pinkall, Schröder, Globally Optimal Direction Fields, SIGGRAPH 2013",
   "CATEGORIES": ["Hatch", "Pen", "Ink", "Drawing", "Sketch", "Engraving", "NPR", "Tonal art map"],
   "SCRIM_RENAMED": [{ "mapping": { "TO": "mapping", "WAS": 0 }, "turn": { "TO": "turn", "WAS": 0.6 } }],
+  "SCRIM_UNREAD": [{ "NAME": "along", "INPUT": "mapping", "VALUES": [0, 1] }],
   "PASSES": [{ "SIDE": "object" }, { "SIDE": "back" }],
   "IMPORTED": { "lightTones": { "PATH": "pictures/hatching-light.png" }, "darkTones": { "PATH": "pictures/hatching-dark.png" } },
   "INPUTS": [
     { "NAME": "sizeM", "TYPE": "float", "LABEL": "Size", "DOC": "Size of the stroke pattern on the object before it repeats. A larger pattern has longer, wider strokes close up.", "MIN": 0.005, "MAX": 2.0, "DEFAULT": 0.16, "UNIT": "m" },
     { "NAME": "turn", "TYPE": "float", "LABEL": "Angle", "DOC": "Angle of the first strokes to their direction.", "MIN": -3.14159, "MAX": 3.14159, "DEFAULT": 0.0, "UNIT": "rad" },
-    { "NAME": "mapping", "TYPE": "long", "LABEL": "Mapping", "DOC": "The direction of strokes. Curvature: that in which the surface bends most, smoothed over the model at rest; level where nothing bends. Level: along cuts of the object nearly parallel to its floor. Picture coordinates: as the texture coordinates (UV) of the model.", "VALUES": [2, 0, 1], "LABELS": ["Curvature", "Level", "Picture coordinates"], "DEFAULT": 2 },
+    { "NAME": "mapping", "TYPE": "long", "LABEL": "Mapping", "DOC": "The direction of strokes. Curvature: that in which the surface bends most, smoothed over the model at rest; level where nothing bends and on meshes with more than 200,000 triangles. Level: along cuts of the object nearly parallel to its floor. Picture coordinates: as the texture coordinates (UV) of the model.", "VALUES": [2, 0, 1], "LABELS": ["Curvature", "Level", "Picture coordinates"], "DEFAULT": 2 },
     { "NAME": "brightness", "TYPE": "float", "LABEL": "Brightness", "DOC": "Lightens or darkens the drawing.", "MIN": -1.0, "MAX": 1.0, "DEFAULT": 0.05, "UNIT": "ratio" },
     { "NAME": "ownTone", "TYPE": "float", "LABEL": "Own tone", "DOC": "How much dark colors of the object add strokes.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" },
     { "NAME": "inkColor", "TYPE": "color", "LABEL": "Ink", "DOC": "Color of the strokes.", "DEFAULT": [0.09, 0.08, 0.12, 1.0] },
@@ -23,7 +24,8 @@ void vertex(inout Vertex v) {
   if (PASSINDEX == 1) v.position += v.outward * (linePx * PIXEL_M(v.position));
 }
 
-const vec3 LEVEL_AXIS = vec3(0.12, 0.98, 0.16);
+// The level direction of the direction field, too.
+const vec3 LEVEL_AXIS = vec3(0.12, 1.0, 0.16);
 
 // The part of the paper that the darkest tone of the map covers. Several layers of strokes together cover no more.
 const float DARKEST = 0.8;
@@ -85,9 +87,12 @@ float inkAlong(const in Surface s, const in vec3 along, const in float wanted) {
   vec3 levels = vec3(levelOf(place.zy), levelOf(place.xz), levelOf(place.xy));
   // The smooth normal hides the triangles; the true one leaves out sides on which strokes would be long smears.
   vec3 shares = (pow(abs(s.smoothNormal), vec3(6.0)) + 0.001) * smoothstep(0.2, 0.5, abs(s.restNormal));
+  // A face whose normal is that of a corner of the box belongs to one side more than to another, not to none.
+  shares += vec3(2e-4, 1e-4, 0.0);
   // The third side has no share left.
   shares -= min(shares.x, min(shares.y, shares.z));
-  shares /= shares.x + shares.y + shares.z;
+  float all = shares.x + shares.y + shares.z;
+  shares = all > 0.0 ? shares / all : vec3(0.0, 1.0, 0.0);
   bool hasX = shares.x > 0.0;
   bool hasZ = shares.z > 0.0;
   float first = clearAt(hasX ? place.zy : place.xz, hasX ? along.zy : along.xz, hasX ? shares.x : shares.y, wanted, hasX ? levels.x : levels.y);

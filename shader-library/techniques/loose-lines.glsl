@@ -2,6 +2,7 @@
   "DESCRIPTION": "Draws objects as a quick sketch: three loose strokes follow the silhouettes, creases and borders of the mesh and its suggestive contours, which are where a silhouette would appear if the eye moved a little, and are redrawn a few times a second. The first is close to the edge, the others wander. Strokes are thicker where an object is near or dark, and taper at their ends. Between the lines is a thin wash of the object's color. Meshes with more than about 80,000 triangles get one outline of hulls instead.",
   "CREDIT": "Scrim. After Curtis, Loose and Sketchy Animation, SIGGRAPH 1998; edges by McGuire and Hughes, Hardware-Determined Feature Edges, NPAR 2004; DeCarlo, Finkelstein, Rusinkiewicz, Santella, Suggestive Contours for Conveying Shape, SIGGRAPH 2003",
   "SCRIM_RENAMED": [{ "suggestive": { "TO": "suggestive", "WAS": 0 }, "grain": { "TO": "grain", "WAS": 0 } }],
+  "SCRIM_UNREAD": [{ "NAME": "radial", "INPUT": "suggestive", "VALUES": [0] }],
   "CATEGORIES": ["Sketch", "Sketchy", "Lines", "Pencil", "Drawing", "Silhouette", "Crease", "Contour", "Jitter", "Boil", "Wobble", "NPR"],
   "PASSES": [{ "SIDE": "object" }, { "SIDE": "edges" }, { "SIDE": "edges" }, { "SIDE": "edges" }, { "SIDE": "back", "DENSE": true }, { "SIDE": "back", "DENSE": true }],
   "INPUTS": [
@@ -9,7 +10,7 @@
     { "NAME": "loosePx", "TYPE": "float", "LABEL": "Looseness", "DOC": "How far strokes deviate from the edge.", "MIN": 0.0, "MAX": 24.0, "DEFAULT": 5.0, "UNIT": "px" },
     { "NAME": "waveM", "TYPE": "float", "LABEL": "Wavelength", "DOC": "Length of the waves of a stroke.", "MIN": 0.005, "MAX": 1.0, "DEFAULT": 0.06, "UNIT": "m" },
     { "NAME": "creaseRad", "TYPE": "float", "LABEL": "Creases from", "DOC": "Angle between two faces from which on their edge is a crease that gets a line.", "MIN": 0.1, "MAX": 3.2, "DEFAULT": 0.7, "UNIT": "rad" },
-    { "NAME": "suggestive", "TYPE": "float", "LABEL": "Suggestive contours", "DOC": "How many lines there are where a round surface nearly turns away from the eye, as beside a nose or between muscles: 0 draws none, 1 also the faintest.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.6, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "suggestive", "TYPE": "float", "LABEL": "Suggestive contours", "DOC": "How many lines there are where a round surface nearly turns away from the eye, as beside a nose or between muscles: 0 draws none, 1 also the faintest. Meshes with more than 200,000 triangles have none.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.6, "IDENTITY": 0.0, "UNIT": "ratio" },
     { "NAME": "overshootPx", "TYPE": "float", "LABEL": "Overshoot", "DOC": "How far strokes of creases and borders go beyond their corners.", "MIN": 0.0, "MAX": 40.0, "DEFAULT": 6.0, "IDENTITY": 0.0, "UNIT": "px" },
     { "NAME": "taper", "TYPE": "float", "LABEL": "Taper", "DOC": "How much thinner strokes get towards their ends and where the pressure of the pen is low.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.7, "IDENTITY": 0.0, "UNIT": "ratio" },
     { "NAME": "grain", "TYPE": "float", "LABEL": "Texture", "DOC": "How much the grain of the paper shows in the strokes, first at their edges.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" },

@@ -78,7 +78,10 @@ export function viewOfText(text: string, key: string, values: Values = {}, layer
     ...linked.samplers.map(({ name, input }) => ({ name, at: () => ({ ...placed, texture: layers[input] ?? null }) })),
     ...linked.pictures.map(({ name, path }) => ({ name, at: () => ({ ...placed, texture: pictures.texture(SHADERS[path] ?? '') }) })),
   ];
-  return { version: 1, key, vertex: linked.vertex, fragment: linked.fragment, passes: read.passes, uniforms, images };
+  const unread = read.unread.flatMap(({ name, input, values: unused }) =>
+    linked.uniforms.filter(({ param }) => param === input).map((uniform) => ({ name, uniform: uniform.name, values: unused })),
+  );
+  return { version: 1, key, vertex: linked.vertex, fragment: linked.fragment, passes: read.passes, uniforms, unread, images };
 }
 
 export function drawnWith(

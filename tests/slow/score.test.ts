@@ -154,6 +154,26 @@ describe('occlusion over a recording whose left half is nearer than the box', ()
   });
 });
 
+test('a Scene without occlusion counts beside one that has an occlusion', async () => {
+  const session = await writeRecording('both', { stepPx: 0, depthMm: (x) => (x < WIDTH / 2 ? 1500 : 3000) });
+  const { nodes, wires } = box({});
+  const project = await projectOf({
+    nodes: { ...nodes, 'bare-a1b2': 'layer/scene', 'both-a1b2': 'operator/over' },
+    wires: [
+      ...wires.filter((wire) => !wire.endsWith('screen-a1b2.layer')),
+      'place-a1b2.objects -> bare-a1b2.objects',
+      'over-a1b2.layer -> both-a1b2.bottom',
+      'bare-a1b2.layer -> both-a1b2.top',
+      'both-a1b2.layer -> screen-a1b2.layer',
+    ],
+  });
+  const { json } = await score(project, session);
+  expect(json.occlusion?.layers.map(({ layer, visibleIou }) => [layer, visibleIou])).toEqual([
+    ['hide-a1b2.layer', 1],
+    ['bare-a1b2.layer', 0.5],
+  ]);
+});
+
 describe('styles over a walk along a wall', () => {
   let session = '';
   beforeAll(async () => {
@@ -180,7 +200,7 @@ describe('styles over a walk along a wall', () => {
     const said = await scrim('score', project, '--session', session, '--frames', '0..1');
     expect(said.out.split('\n')).toEqual([
       'Scored 2 frames of 64 × 48 pixels.',
-      '  occlusion   not measured: no objects are in view',
+      '  occlusion   not measured: the output shows no Scene',
       expect.stringMatching(
         /^ {2}flicker {5}0\.00 of 255 per frame, the reference 0\.00; at most 0\.00, in frame 1; 97 % of the image compared$/,
       ),
@@ -188,6 +208,37 @@ describe('styles over a walk along a wall', () => {
       '  tone error  30.00 of 255',
     ]);
   });
+});
+
+test('a reference of another size is a mistake; the camera video has the size of the output', async () => {
+  const session = await writeRecording('sizes', { stepPx: 0, depthMm: () => 2000 });
+  const project = await projectOf(
+    {
+      nodes: {
+        ...filtered.nodes,
+        'image-a1b2': ['source/image-file', { file: 'picture' }],
+        'mix-a1b2': ['operator/over', { opacity: 0.5 }],
+      },
+      wires: [
+        'video-a1b2.layer -> own-a1b2.inputImage',
+        'own-a1b2.layer -> mix-a1b2.bottom',
+        'image-a1b2.layer -> mix-a1b2.top',
+        'mix-a1b2.layer -> screen-a1b2.layer',
+      ],
+      assets: { picture: { path: 'assets/picture.png', kind: 'image' } },
+    },
+    { 'shaders/own.fs': PLAIN },
+  );
+  await writeProject(project, {
+    'assets/picture.png': encode({ width: 8, height: 6, data: new Uint8Array(8 * 6 * 4).fill(255), channels: 4, depth: 8 }),
+  });
+  const { status, err } = await scrim('score', project, '--session', session, '--reference', 'image-a1b2.layer');
+  expect([status, err]).toEqual([
+    1,
+    expect.stringContaining('SCR070: The reference Image file (image-a1b2.layer) has 8 × 6 pixels, but the output has 64 × 48.'),
+  ]);
+  const small = await score(await projectOf(filtered, { 'shaders/own.fs': PLAIN }), session, '--size', '32x24');
+  expect([small.status, small.json.toneError]).toEqual([0, 0]);
 });
 
 describe('what cannot be scored', () => {

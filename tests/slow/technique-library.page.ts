@@ -1,4 +1,4 @@
-import { BoxGeometry, Matrix4, Mesh, MeshLambertMaterial, PlaneGeometry, SphereGeometry, Vector3 } from 'three';
+import { BoxGeometry, Matrix4, Mesh, MeshLambertMaterial, PlaneGeometry, Quaternion, SphereGeometry, Vector3 } from 'three';
 import { bulb, HEIGHT, lookingAt, pixel, project, room, spot, sun, translation, WIDTH } from '../browser/scenes-kit.ts';
 import {
   drawnWith,
@@ -9,6 +9,7 @@ import {
   morphing,
   shoot,
   skinned,
+  sphere,
   stand,
   technique,
   type Values,
@@ -33,21 +34,48 @@ export async function prepare(): Promise<void> {
 
 /** How bright a plate is on the whole, linear, that faces the eye, in light that comes ever more aslant. */
 export function tones(name: string, values: Values, facings: readonly number[]): number[] {
-  return facings.map((facing) => {
-    const towards = [Math.sqrt(1 - facing * facing), 0, facing] as const;
-    const plate = new Mesh(new PlaneGeometry(3, 3), matt());
-    const pixels = shoot({ items: [drawnWith(plate, technique(name, values))], suns: [sun(towards)] });
-    let sum = 0;
-    let count = 0;
-    for (let y = 20; y < HEIGHT - 20; y++) {
-      for (let x = 30; x < WIDTH - 30; x++) {
-        sum += linear(pixel(pixels, x, y)[1] ?? 0);
-        count++;
-      }
+  return facings.map((facing) => tone(name, values, [Math.sqrt(1 - facing * facing), 0, facing], [0, 0, 1]));
+}
+
+/** How bright plates with these normals are on the whole, linear, whose light comes aslant. */
+export function tonesOfNormals(name: string, values: Values, normals: readonly (readonly [number, number, number])[]): number[] {
+  return normals.map((normal) => tone(name, values, [0.8, 0, 0.6], normal));
+}
+
+/** The part of the joint between a wall and the top of a ball of bricks that is mortar. */
+export function mortarBelowTop(): number {
+  const camera = lookingAt([0, 2.1, 2.1], [0, 0, 0]);
+  const values = { variation: 0, bump: 0, mortarM: 0.02, brickM: [0.2, 0.1], brickColor: [0, 0, 0, 1], mortarColor: [1, 1, 1, 1] };
+  const pixels = shoot({ items: [drawnWith(sphere(), technique('brick', values))], suns: [], camera, ambient: 1 });
+  const row = Array.from({ length: 40 }, (_, i) => pixel(pixels, WIDTH / 2 - 20 + i, HEIGHT / 2)[1] ?? 0);
+  noError();
+  return row.filter((value) => value > 100).length / row.length;
+}
+
+/** The tone of a plate that is turned from facing z to its normal, with the eye and the light. */
+function tone(name: string, values: Values, towards: readonly number[], normal: readonly [number, number, number]): number {
+  const turn = new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...normal).normalize());
+  const turned = (vector: readonly number[]) =>
+    new Vector3()
+      .fromArray([...vector])
+      .applyQuaternion(turn)
+      .toArray();
+  const plate = new Mesh(new PlaneGeometry(3, 3).applyQuaternion(turn), matt());
+  // All corners have the very same normal.
+  const normals = plate.geometry.attributes.normal;
+  for (let i = 0; i < (normals?.count ?? 0); i++) normals?.setXYZ(i, ...new Vector3(...normal).normalize().toArray());
+  const camera = lookingAt(turned(EYE), [0, 0, 0]);
+  const pixels = shoot({ items: [drawnWith(plate, technique(name, values))], suns: [sun(turned(towards))], camera });
+  let sum = 0;
+  let count = 0;
+  for (let y = 20; y < HEIGHT - 20; y++) {
+    for (let x = 30; x < WIDTH - 30; x++) {
+      sum += linear(pixel(pixels, x, y)[1] ?? 0);
+      count++;
     }
-    noError();
-    return sum / count;
-  });
+  }
+  noError();
+  return sum / count;
 }
 
 /** A texture of the size of the view. */

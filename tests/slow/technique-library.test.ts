@@ -37,11 +37,12 @@ describe.each(NAMES)('technique/%s', (name) => {
   });
 });
 
+const BLACK_ON_WHITE = { linePx: 0, ownTone: 0, inkColor: [0, 0, 0, 1], paperColor: [1, 1, 1, 1] };
 const FACINGS = [1, 0.9, 0.75, 0.6, 0.45, 0.3, 0.15, 0.02];
 
 describe('drawn tones', () => {
   test.each([
-    ['hatching', { linePx: 0, brightness: 0, ownTone: 0, inkColor: [0, 0, 0, 1], paperColor: [1, 1, 1, 1] }],
+    ['hatching', { ...BLACK_ON_WHITE, brightness: 0 }],
     ['charcoal', { linePx: 0, ownTone: 0, charcoalColor: [0, 0, 0, 1], paperColor: [1, 1, 1, 1] }],
   ])('of %s get darker the less light falls on a surface', async (name, values) => {
     const tones = await page.call<number[]>('tones', name, values, FACINGS);
@@ -50,6 +51,20 @@ describe('drawn tones', () => {
     expect(tones[0]).toBeGreaterThan(0.75);
     expect(tones.at(-1)).toBeLessThan(0.4);
   });
+
+  test.each(['Curvature', 'Level'])(
+    'of hatching by %s are those of other surfaces where the normal is a diagonal of the box',
+    async (mapping) => {
+      const values = { ...BLACK_ON_WHITE, brightness: 0, mapping: mapping === 'Level' ? 0 : 2 };
+      const diagonals = [-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [-1, 1].map((z) => [x, y, z])));
+      const [usual = 0, ...tones] = await page.call<number[]>('tonesOfNormals', 'hatching', values, [[0.5, 1.2, 1.4], ...diagonals]);
+      for (const tone of tones) expect(Math.abs(tone - usual)).toBeLessThan(0.1);
+    },
+  );
+});
+
+test('bricks of the sides and the top of a ball meet in a joint', async () => {
+  expect(await page.call<number>('mortarBelowTop')).toBeGreaterThan(0.95);
 });
 
 describe('glass', () => {

@@ -24,11 +24,11 @@ export const LIGHTS = [
 ] as const;
 
 /** Distance between the centers of cells in meters, and how much of it a model takes. */
-const CELL_M = 1;
+export const CELL_M = 1;
 const FILL = 0.86;
 export const CELL_PX = 320;
 /** Distance of the camera from the models: so far that all cells are seen nearly from the front. */
-const AWAY_M = 12;
+export const AWAY_M = 12;
 
 /** A project that draws each model once per light, in rows, with one style. */
 export function sheetProject(models: readonly SheetModel[], { type, params = {} }: Style, version: (type: string) => number): object {

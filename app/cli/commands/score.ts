@@ -64,6 +64,7 @@ export const scoreCommand: Command = {
     if (session.output === null) return failed(session.diagnostics);
 
     const layers = scored.layers.filter(({ whole, shown }) => isTap(shown) && isTap(whole) && program.taps[whole]?.depth !== null);
+    const compared = reference ?? (scored.camera !== null && isTap(scored.camera) ? scored.camera : null);
     const { sizePx } = session.output;
     const result = await scoreFrames({
       ...session.output,
@@ -73,14 +74,14 @@ export const scoreCommand: Command = {
       job: { program, session: session.output.session, ...sizePx, subject: { kind: 'screen' } },
       sourceOf: (file) => files.sources[file.replace(/^shaders\//, '')] ?? LIBRARY.shader(file),
       layers,
-      reference: reference ?? (scored.camera !== null && isTap(scored.camera) ? scored.camera : null),
+      reference: compared,
       interrupted,
       say,
     });
     const said = [...compiled.diagnostics, ...result.diagnostics];
     if (hasErrors(said)) return failed(said, files);
     if (result.frames.length === 0) throw noDepth(named, 'none of these frames has a depth image');
-    const summary = summarize(result.frames, layers, sizePx.widthPx * sizePx.heightPx);
+    const summary = summarize(result.frames, { layers, reference: compared, pixels: sizePx.widthPx * sizePx.heightPx });
     const missed = missedLimits(summary, limits).map((message): Diagnostic => ({ code: 'SCR077', severity: 'error', message }));
     const diagnostics = [...said, ...missed];
     const ok = missed.length === 0;

@@ -30,16 +30,53 @@ export interface ScoreSummary {
   readonly contrastKept: { readonly least: number; readonly reference: number | null } | null;
   /** In steps of 8 bits. */
   readonly toneError: number | null;
+  /** Why figures are null, as the end of a sentence that begins with “because”. */
+  readonly notMeasured: Readonly<Partial<Record<Figure, string>>>;
 }
 
-/** @param pixels Number of pixels of a frame. */
-export function summarize(frames: readonly FrameScore[], layers: readonly ScoredLayer[], pixels: number): ScoreSummary {
-  return {
+export type Figure = 'occlusion' | 'flicker' | 'contrastKept' | 'toneError';
+
+/** What was compared: the layers with objects, the layer of the reference, and the number of pixels of a frame. */
+export interface Compared {
+  readonly layers: readonly ScoredLayer[];
+  readonly reference: string | null;
+  readonly pixels: number;
+}
+
+export function summarize(frames: readonly FrameScore[], { layers, reference, pixels }: Compared): ScoreSummary {
+  const figures = {
     occlusion: occlusionOf(frames, layers),
     flicker: flickerOf(frames, pixels),
     contrastKept: contrastOf(frames),
     toneError: finite(meanOf(present(frames.map(({ tone }) => tone)))),
   };
+  const reasons: Record<Figure, string> = {
+    occlusion: whyNoOcclusion(frames, layers),
+    flicker: whyNoFlicker(frames),
+    contrastKept: 'the first frame has no details',
+    toneError: whyNoTone(frames, reference),
+  };
+  const notMeasured = Object.fromEntries(Object.entries(reasons).filter(([figure]) => figures[figure as Figure] === null));
+  return { ...figures, notMeasured };
+}
+
+function whyNoOcclusion(frames: readonly FrameScore[], layers: readonly ScoredLayer[]): string {
+  if (layers.length === 0) return 'the output shows no Scene';
+  if (frames.every(({ occlusion }) => occlusion.every((counts) => counts === null)))
+    return 'no layer with objects has the size of the output';
+  return 'no objects are in view where the depth is known';
+}
+
+function whyNoFlicker(frames: readonly FrameScore[]): string {
+  if (frames.length === 1) return 'it takes two frames with depth';
+  if (frames.every(({ flicker }) => flicker === null)) return 'no two frames with depth follow each other';
+  return 'no frame sees the same surfaces as the previous one';
+}
+
+function whyNoTone(frames: readonly FrameScore[], reference: string | null): string {
+  if (reference === null) return 'the output shows no camera video; name a layer with --reference';
+  if (frames.every(({ tone }) => tone === null)) return `${reference} is not drawn`;
+  return 'virtual objects cover all of the image';
 }
 
 function present<T>(values: readonly (T | null | undefined)[]): T[] {
@@ -89,17 +126,17 @@ function leastKept([first = 0, ...others]: readonly number[]): number | null {
 }
 
 /** The summary as lines for people. */
-export function scoreLines({ occlusion, flicker, contrastKept, toneError }: ScoreSummary): string[] {
+export function scoreLines({ occlusion, flicker, contrastKept, toneError, notMeasured }: ScoreSummary): string[] {
   const beside = (value: number | null, digits: number): string => (value === null ? '' : `, the reference ${value.toFixed(digits)}`);
-  const none = (why: string): string => `not measured: ${why}`;
+  const none = (figure: Figure): string => `not measured: ${notMeasured[figure]}`;
   return [
-    `  occlusion   ${occlusion ? `IoU ${occlusion.visibleIou.toFixed(3)} of what is visible, ${occlusion.hiddenIou.toFixed(3)} of what is hidden (${(100 * occlusion.hiddenShare).toFixed(0)} % of the objects)` : none('no objects are in view')}`,
+    `  occlusion   ${occlusion ? `IoU ${occlusion.visibleIou.toFixed(3)} of what is visible, ${occlusion.hiddenIou.toFixed(3)} of what is hidden (${(100 * occlusion.hiddenShare).toFixed(0)} % of the objects)` : none('occlusion')}`,
     ...(occlusion && occlusion.layers.length > 1
       ? occlusion.layers.map((one) => `    ${one.layer}: ${one.visibleIou.toFixed(3)}, ${one.hiddenIou.toFixed(3)}`)
       : []),
-    `  flicker     ${flicker ? `${flicker.mean.toFixed(2)} of 255 per frame${beside(flicker.reference, 2)}; at most ${flicker.worst.toFixed(2)}, in frame ${flicker.worstFrame}; ${(100 * flicker.compared).toFixed(0)} % of the image compared` : none('it takes two frames with depth that see the same surfaces')}`,
-    `  contrast    ${contrastKept ? `${contrastKept.least.toFixed(2)} of the first frame kept${beside(contrastKept.reference, 2)}` : none('the first frame has no details')}`,
-    `  tone error  ${toneError === null ? none('the output shows no camera video; name a layer with --reference') : `${toneError.toFixed(2)} of 255`}`,
+    `  flicker     ${flicker ? `${flicker.mean.toFixed(2)} of 255 per frame${beside(flicker.reference, 2)}; at most ${flicker.worst.toFixed(2)}, in frame ${flicker.worstFrame}; ${(100 * flicker.compared).toFixed(0)} % of the image compared` : none('flicker')}`,
+    `  contrast    ${contrastKept ? `${contrastKept.least.toFixed(2)} of the first frame kept${beside(contrastKept.reference, 2)}` : none('contrastKept')}`,
+    `  tone error  ${toneError === null ? none('toneError') : `${toneError.toFixed(2)} of 255`}`,
   ];
 }
 
@@ -112,21 +149,27 @@ export interface Limits {
 }
 
 /** What is wrong, one sentence per limit that is missed. A limit on a figure that could not be measured is missed. */
-export function missedLimits({ occlusion, flicker, contrastKept, toneError }: ScoreSummary, limits: Limits): string[] {
-  const lowest = (name: string, value: number | undefined, limit: number | null): string[] =>
-    limit === null || (value !== undefined && value >= limit) ? [] : [`${name} is ${said(value)}, below the limit of ${limit}.`];
-  const highest = (name: string, value: number | null | undefined, limit: number | null): string[] =>
-    limit === null || (value !== undefined && value !== null && value <= limit)
-      ? []
-      : [`${name} is ${said(value)}, above the limit of ${limit}.`];
+export function missedLimits({ occlusion, flicker, contrastKept, toneError, notMeasured }: ScoreSummary, limits: Limits): string[] {
+  const missed = (figure: Figure, name: string, value: number | null | undefined, limit: number | null, isLeast: boolean): string[] => {
+    if (limit === null) return [];
+    if (value === undefined || value === null)
+      return [`${name} is not measured, so its limit of ${limit} is missed: ${notMeasured[figure]}.`];
+    const keeps = isLeast ? value >= limit : value <= limit;
+    return keeps ? [] : [`${name} is ${besideLimit(value, limit)}, ${isLeast ? 'below' : 'above'} the limit of ${limit}.`];
+  };
   return [
-    ...lowest('The IoU of what is visible', occlusion?.visibleIou, limits.minIou),
-    ...highest('The flicker', flicker?.mean, limits.maxFlicker),
-    ...lowest('The contrast kept', contrastKept?.least, limits.minContrast),
-    ...highest('The tone error', toneError, limits.maxToneError),
+    ...missed('occlusion', 'The IoU of what is visible', occlusion?.visibleIou, limits.minIou, true),
+    ...missed('flicker', 'The flicker', flicker?.mean, limits.maxFlicker, false),
+    ...missed('contrastKept', 'The contrast kept', contrastKept?.least, limits.minContrast, true),
+    ...missed('toneError', 'The tone error', toneError, limits.maxToneError, false),
   ];
 }
 
-function said(value: number | null | undefined): string {
-  return value === undefined || value === null ? 'not measured' : String(Number(value.toFixed(4)));
+/** A value with four digits, or as many as it takes to differ from its limit. */
+function besideLimit(value: number, limit: number): string {
+  for (let digits = 4; digits < 16; digits++) {
+    const rounded = Number(value.toFixed(digits));
+    if (rounded !== limit) return String(rounded);
+  }
+  return String(value);
 }

@@ -52,6 +52,8 @@ interface Opened {
 }
 
 let opened: Opened | null = null;
+/** Layers that cannot be compared with the output. */
+let unlike: readonly Diagnostic[] = [];
 let before: (Seen & { readonly room: Shot; readonly shot: Shot; readonly index: number }) | null = null;
 
 export async function open(job: ScoreJob): Promise<OpenedJob> {
@@ -63,7 +65,7 @@ export async function open(job: ScoreJob): Promise<OpenedJob> {
 
 /** All diagnostics so far. */
 export function diagnostics(): readonly Diagnostic[] {
-  return renderDiagnostics();
+  return [...renderDiagnostics(), ...unlike];
 }
 
 /** Plays a frame without measuring it. */
@@ -82,6 +84,8 @@ export async function score(index: number): Promise<FrameScore | null> {
   });
   const [seen] = frames;
   if (!room || !seen) return null;
+  unlike = otherSize(seen, job.reference);
+  if (unlike.length > 0) return null;
   const shot = { ...room, depthM: nearest(room.depthM, seen.layers) };
   const last = before?.index === index - 1 ? before : null;
   before = { ...seen, room, shot, index };
@@ -96,6 +100,14 @@ export async function score(index: number): Promise<FrameScore | null> {
     referenceContrast: reference && contrastOf(reference, radiusPx),
     tone: reference && toneError(image, reference, uncovered(seen), 2 * radiusPx),
   };
+}
+
+/** The mistake that the reference has another size than the output; empty if it has the same. */
+function otherSize({ image, reference }: Seen, tap: string | null): Diagnostic[] {
+  if (!reference || (reference.widthPx === image.widthPx && reference.heightPx === image.heightPx)) return [];
+  const [its, that] = [reference, image].map(({ widthPx, heightPx }) => `${widthPx} × ${heightPx}`);
+  const message = `The reference ${tap} has ${its} pixels, but the output has ${that}.`;
+  return [{ code: 'SCR070', severity: 'error', message, fix: 'Name a layer that has the size of the output with --reference.' }];
 }
 
 function see({ gl, player }: OpenRender, { layers, reference }: ScoreJob): Seen {

@@ -18,12 +18,12 @@ const OCCLUSIONS = { 'layer/depth-occlusion': 'layer', 'operator/sketched-occlus
 
 /**
  * What of a project can be compared with a recording, in subgraphs, too: each Depth occlusion and Sketched occlusion that the output depends
- * on, by its layer before and after, and the camera video. In a project without Depth occlusion, each Scene counts as a layer that nothing hides.
+ * on, by its layer before and after, and the camera video. Each Scene that is not before any of these counts as a layer that nothing hides.
  */
 export function scoredLayers(project: Project): ScoredLayers {
   const resolved = resolve(project, projectLibrary(LIBRARY, project.sources, createShaderStore().readDefinition)).output;
   if (resolved === null || resolved.graph.screen === null) return { layers: [], camera: null };
-  const used = usedNodes(resolved.graph, resolved.graph.screen);
+  const used = nodesBehind(resolved.graph, [resolved.graph.screen]);
   const ofType = (type: string): FlatNode[] => used.filter(({ definition }) => definition.type === type);
   const hidden = Object.entries(OCCLUSIONS).flatMap(([type, port]) =>
     ofType(type).flatMap((node) => {
@@ -31,14 +31,17 @@ export function scoredLayers(project: Project): ScoredLayers {
       return source ? [{ whole: portKey(source), shown: `${node.id}.layer` }] : [];
     }),
   );
-  const scenes = ofType('layer/scene').map(({ id }) => ({ whole: `${id}.layer`, shown: `${id}.layer` }));
+  const occluded = new Set(nodesBehind(resolved.graph, Object.keys(OCCLUSIONS).flatMap(ofType)));
+  const scenes = ofType('layer/scene')
+    .filter((node) => !occluded.has(node))
+    .map(({ id }) => ({ whole: `${id}.layer`, shown: `${id}.layer` }));
   const [camera] = ofType('source/camera-video');
-  return { layers: hidden.length > 0 ? hidden : scenes, camera: camera ? `${camera.id}.layer` : null };
+  return { layers: [...hidden, ...scenes], camera: camera ? `${camera.id}.layer` : null };
 }
 
-/** The nodes that the output depends on. */
-function usedNodes({ nodes }: FlatGraph, screen: FlatNode): FlatNode[] {
-  const used = new Set([screen]);
+/** Nodes and all that they depend on. */
+function nodesBehind({ nodes }: FlatGraph, ends: readonly FlatNode[]): FlatNode[] {
+  const used = new Set(ends);
   // A set yields what is added while it is read.
   for (const { inputs } of used) {
     for (const source of [...inputs.values()].flat()) {

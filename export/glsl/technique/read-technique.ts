@@ -55,6 +55,7 @@ export function readTechnique(source: string, file: string): Result<TechniqueSha
     pictures: readImages(header),
     imported: readImported(header),
     passes: readPasses(header),
+    unread: readUnread(header),
     renamed: readRenamed(header),
   };
   return { output: hasErrors(diagnostics) ? null : technique, diagnostics };
@@ -102,6 +103,18 @@ function readImported(header: Header): TechniqueShader['imported'] {
       return [];
     }
     return [{ name, path, ...header.place(key.offset) }];
+  });
+}
+
+function readUnread(header: Header): TechniqueShader['unread'] {
+  return items(property(header.root, 'SCRIM_UNREAD')).flatMap((node) => {
+    const name = textOf(property(node, 'NAME'));
+    const input = textOf(property(node, 'INPUT'));
+    const values = items(property(node, 'VALUES')).map(({ value }) => value);
+    if ((name === 'along' || name === 'radial') && input !== null && values.every((value) => typeof value === 'number'))
+      return [{ name, input, values }];
+    header.error(node, 'SCRIM_UNREAD lists values: { "NAME": "radial", "INPUT": "lines", "VALUES": [0] }.');
+    return [];
   });
 }
 

@@ -22,6 +22,8 @@ export interface TechniqueShader {
   readonly imported: readonly { readonly name: string; readonly path: string; readonly line: number; readonly column: number }[];
   /** At least one. */
   readonly passes: readonly TechniquePass[];
+  /** `SCRIM_UNREAD`: values of an input with which its text does not read `s.along` or `s.radial`. */
+  readonly unread: readonly { readonly name: 'along' | 'radial'; readonly input: string; readonly values: readonly number[] }[];
   /** `SCRIM_RENAMED`: names of inputs in earlier versions. */
   readonly renamed: NonNullable<NodeDefinition['renamed']>;
 }

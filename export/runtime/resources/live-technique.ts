@@ -36,14 +36,14 @@ export function createLiveTechnique(id: string): LiveTechnique {
   return {
     view,
     point: (resource, { layer, slots, images, state }) => {
-      const { vertex, fragment, passes, uniforms, samplers = [], pictures: carried = [] } = resource;
+      const { vertex, fragment, passes, uniforms, unread = [], samplers = [], pictures: carried = [] } = resource;
       const names = [...samplers, ...carried].map(({ name }) => name);
-      const next = JSON.stringify([vertex, fragment, passes, uniforms.map(({ name, type }) => [name, type]), names]);
+      const next = JSON.stringify([vertex, fragment, passes, unread, uniforms.map(({ name, type }) => [name, type]), names]);
       if (next !== text) {
         text = next;
         view.version++;
         view.key = `${id}#${view.version}`;
-        Object.assign(view, { vertex, fragment, passes });
+        Object.assign(view, { vertex, fragment, passes, unread });
       }
       const time: NumberView = {
         get value() {

@@ -66,6 +66,7 @@ const CENTERED = /* glsl */ `
   vec2 mean = vec2(0.0);
   vec3 spread = vec3(0.0);
   for (int i = 0; i < BLENDED; i++) {
+    offsets[i] = vec2(0.0);
     if (weights[i] <= 0.0) continue;
     vec3 direction = normalize(cameraAt(best[i]) - point);
     vec2 offset = vec2(dot(direction, right), dot(direction, up));

@@ -165,17 +165,17 @@ def film_grain(rgba, amount, size=1, color=0, midtones=0.5):
     """The permutation in whole numbers, which cannot round."""
     x, y, *_ = grid(rgba)
     cx, cy = (np.floor(v / size).astype(np.int64) for v in (x, y))
-    cx, cy = cx + cy // 289 * 37, cy + cx // 289 * 101
+    cx, cy = cx + cy // 509 * 37, cy + cx // 509 * 101
 
     def permute(v):
-        return (34 * v + 1) * v % 289
+        return v**3 % 509
 
     def grain(channel):
-        seeds = [permute(permute(permute(a % 289) + b) % 289) for a, b in ((cx, cy), (cy + 11, cx + 11))]
+        seeds = [permute((permute((permute(a % 509) + b) % 509)) % 509) for a, b in ((cx, cy), (cy + 11, cx + 11))]
         total = 0
         for i in (1, 2):
-            seeds = [permute((seed + 4 * channel + i) % 289) for seed in seeds]
-            total = total + sum((seed + 0.5) / 289 for seed in seeds)
+            seeds = [permute((seed + 4 * channel + i) % 509) for seed in seeds]
+            total = total + sum((seed + 0.5) / 509 for seed in seeds)
         return (total - 2) * np.sqrt(3)
 
     rgb = straight(rgba)

@@ -38,6 +38,9 @@ export function lowerTechnique(lowering: Lowering, node: FlatNode): void {
     readsBehind: linked.readsBehind,
     under: linked.readsBehind ? underOf(lowering, node) : null,
   });
+  const unread = technique.unread.flatMap(({ name, input, values }) =>
+    linked.uniforms.filter(({ param }) => param === input).map((uniform) => ({ name, uniform: uniform.name, values })),
+  );
   addResource(lowering, {
     id,
     kind: 'technique',
@@ -47,6 +50,7 @@ export function lowerTechnique(lowering: Lowering, node: FlatNode): void {
     passes: technique.passes,
     uniforms: linked.uniforms.map(({ name, type, param }) => ({ name, type, slot: lowering.slots.ofParam(node, param) })),
     ...(samplers.length > 0 ? { samplers } : {}),
+    ...(unread.length > 0 ? { unread } : {}),
     ...(images.length > 0 ? { pictures: images } : {}),
   });
 }

@@ -4,10 +4,7 @@ import type { ObjectItem } from '../../../../nodes/kit/scene-lists.ts';
 import type { TechniqueView } from '../../../../nodes/kit/technique-view.ts';
 import { type Drawable, mapMaterials, materialsOf, programFeatures } from '../proxies/drawable.ts';
 import type { ProxyPlan } from '../proxies/proxy.ts';
-import { readsDirections } from './curvature/direction-parts.ts';
-import { ensureCurvature } from './curvature/mesh-curvature.ts';
-import { ensureDirections } from './curvature/mesh-directions.ts';
-import { readsRadial } from './curvature/radial-parts.ts';
+import { createCurvatureNeeds } from './curvature/curvature-needs.ts';
 import { type EdgeGeometry, edgeGeometryOf } from './edges/edge-geometry.ts';
 import { ensureHullNormals } from './hull-normals.ts';
 import { isTransmissive } from './layer-blending.ts';
@@ -61,6 +58,7 @@ export function createTechniquePlans({ twins, occlusion, translucentShadows, onC
   const environment = createEnvironmentUniforms();
   const renderSize: IUniform<Vector2> = { value: new Vector2(1, 1) };
   const ofScene = { ...environment.uniforms, ...behind?.uniforms, a_RENDERSIZE: renderSize };
+  const curvature = createCurvatureNeeds();
   const ofTechniques = new Map<TechniqueView, { readonly key: string } & TechniqueUniforms>();
 
   const used = new Set<TechniqueView>();
@@ -114,8 +112,7 @@ export function createTechniquePlans({ twins, occlusion, translucentShadows, onC
       };
       if (found.some((technique) => technique?.passes.some((_, i) => isDrawn(technique, i)) && technique.vertex.includes(OUTWARD)))
         ensureHullNormals(master.geometry);
-      if (found.some((technique) => technique && readsDirections(technique.fragment))) ensureDirections(master);
-      if (found.some((technique) => technique && readsRadial(technique.fragment))) ensureCurvature(master);
+      for (const technique of found) if (technique) curvature.add(master, technique);
       const features = programFeatures(master);
       const draw = (passIndex: number, depthOnly: boolean): Material | Material[] =>
         mapMaterials(master, (part) => {
@@ -146,10 +143,12 @@ export function createTechniquePlans({ twins, occlusion, translucentShadows, onC
     sweep: () => {
       for (const technique of ofTechniques.keys()) if (!used.has(technique)) ofTechniques.delete(technique);
       used.clear();
+      curvature.sweep();
     },
     isUsed: () => ofTechniques.size > 0,
     light: (scene) => environment.update(scene),
     update: () => {
+      curvature.update();
       for (const { update } of ofTechniques.values()) update();
     },
     bind: (view) => {

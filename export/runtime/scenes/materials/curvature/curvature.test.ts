@@ -1,9 +1,22 @@
+import { readFileSync } from 'node:fs';
 import { describe, expect, test } from '@jest/globals';
-import { type BufferGeometry, CylinderGeometry, Mesh, PlaneGeometry, SphereGeometry, TorusGeometry, Vector3 } from 'three';
+import {
+  BufferGeometry,
+  CylinderGeometry,
+  Float32BufferAttribute,
+  Mesh,
+  PlaneGeometry,
+  SphereGeometry,
+  TorusGeometry,
+  Vector3,
+} from 'three';
+import type { TechniqueView } from '../../../../../nodes/kit/technique-view.ts';
 import { createMeshShape } from '../../volumes/mesh-shape.ts';
 import { restVertices } from '../../volumes/pose-vertices.ts';
 import { curvatureOf } from './curvature.ts';
-import { directionField } from './direction-field.ts';
+import { createCurvatureNeeds } from './curvature-needs.ts';
+import { directionField, LEVEL_AXIS } from './direction-field.ts';
+import { ensureDirections } from './mesh-directions.ts';
 import { tangentFrames } from './tangent-frames.ts';
 
 /** Curvatures and directions of shapes against their formulas. */
@@ -38,6 +51,12 @@ function graph(height: (x: number, y: number) => number): ReturnType<typeof meas
   if (!position) throw new Error('no positions');
   for (let i = 0; i < position.count; i++) position.setZ(i, height(position.getX(i), position.getY(i)));
   return measured(sheet).filter(({ at }) => Math.abs(at.x) < 0.8 && Math.abs(at.y) < 0.8);
+}
+
+/** A mesh with a second triangle of the opposite orientation on each of its triangles. */
+function doubled(geometry: BufferGeometry): BufferGeometry {
+  const index = [...(geometry.index?.array ?? [])];
+  return geometry.setIndex([...index, ...[...index].reverse()]);
 }
 
 describe('curvature', () => {
@@ -91,6 +110,60 @@ describe('curvature', () => {
   });
 });
 
+describe('what techniques read of a mesh', () => {
+  /** A technique that reads both, with inputs that turn each off at 0. */
+  function reader(values: Record<'radial' | 'along', { value: number }>): TechniqueView {
+    return {
+      version: 1,
+      key: 'test',
+      vertex: '',
+      fragment: 's.along s.radial',
+      passes: [{ side: 'object' }],
+      uniforms: Object.entries(values).map(([name, view]) => ({ name, kind: 'number', view })),
+      unread: [
+        { name: 'radial', uniform: 'radial', values: [0] },
+        { name: 'along', uniform: 'along', values: [0, 1] },
+      ],
+      images: [],
+    };
+  }
+  const bent = (): Mesh => new Mesh(new CylinderGeometry(0.5, 0.5, 2, 24, 12, true).rotateZ(1));
+  const alongOf = ({ geometry }: Mesh): readonly number[] => [...(geometry.attributes.scrimAlong?.array ?? [])];
+
+  test('is computed when they first read it', () => {
+    const [mesh, twin] = [bent(), bent()];
+    const values = { radial: { value: 0 }, along: { value: 1 } };
+    const needs = createCurvatureNeeds();
+    needs.add(mesh, reader(values));
+    needs.sweep();
+    needs.update();
+    expect(mesh.geometry.attributes.scrimCurvature).toBeUndefined();
+    const level = alongOf(mesh);
+    values.radial.value = 0.5;
+    needs.update();
+    expect(mesh.geometry.attributes.scrimCurvature?.count).toBe(mesh.geometry.attributes.position?.count);
+    expect(alongOf(mesh)).toEqual(level);
+    values.along.value = 2;
+    needs.update();
+    ensureDirections(twin, true);
+    expect(alongOf(mesh)).toEqual(alongOf(twin));
+    expect(alongOf(mesh)).not.toEqual(level);
+  });
+
+  test('is level and flat for meshes of more than 200,000 triangles', () => {
+    // Most of its triangles are one point.
+    const large = (): Mesh => {
+      const mesh = bent();
+      return new Mesh(mesh.geometry.setIndex([...(mesh.geometry.index?.array ?? []), ...new Array<number>(600_000).fill(0)]));
+    };
+    const [mesh, twin] = [large(), large()];
+    createCurvatureNeeds().add(mesh, reader({ radial: { value: 1 }, along: { value: 2 } }));
+    ensureDirections(twin, false);
+    expect(alongOf(mesh)).toEqual(alongOf(twin));
+    expect(mesh.geometry.attributes.scrimCurvature?.array.some((value) => value !== 0)).toBe(false);
+  });
+});
+
 describe('the direction field', () => {
   test('follows the circle of a cylinder and the tube of a torus, within a few degrees', () => {
     const cylinder = measured(new CylinderGeometry(0.5, 0.5, 2, 48, 24, true));
@@ -115,6 +188,28 @@ describe('the direction field', () => {
     // A sheet that is rolled up at one of its sides.
     const rolled = graph((x) => (x > 0.2 ? (x - 0.2) ** 2 : 0));
     expect(worst(rolled.map(({ direction }) => between(new Vector3(direction.x, direction.y, 0), new Vector3(1, 0, 0))))).toBeLessThan(5);
+  });
+
+  test('of a mesh with each triangle twice, once for either side, is that of one side', () => {
+    const once = measured(new TorusGeometry(1, 0.4, 24, 64));
+    const twice = measured(doubled(new TorusGeometry(1, 0.4, 24, 64)));
+    expect(worst(twice.map(({ normal }, i) => between(normal, once[i]?.normal ?? new Vector3())))).toBeLessThan(0.1);
+    expect(worst(twice.map(({ direction }, i) => between(direction, once[i]?.direction ?? new Vector3())))).toBeLessThan(1);
+    expect(worst(twice.map(({ k1 }, i) => Math.abs(k1 - (once[i]?.k1 ?? 0))))).toBeLessThan(1e-3);
+  });
+
+  test('is level about the same axis as the mapping Level of Hatching', () => {
+    const text = readFileSync(new URL('../../../../../shader-library/techniques/hatching.glsl', import.meta.url), 'utf8');
+    const [, axis = ''] = /LEVEL_AXIS = vec3\((.*)\);/.exec(text) ?? [];
+    expect(axis.split(',').map(Number)).toEqual([...LEVEL_AXIS]);
+  });
+
+  test('has a direction where triangles have no area at rest', () => {
+    const closed = new BufferGeometry().setAttribute('position', new Float32BufferAttribute([0, 0, 0, 1, 0, 0, 2, 0, 0], 3));
+    for (const { normal, direction } of measured(closed.setIndex([0, 1, 2]))) {
+      expect(normal.length()).toBeCloseTo(1);
+      expect(direction.length()).toBeCloseTo(1);
+    }
   });
 
   test('is the same in each run, and does not see a seam of texture coordinates', () => {

@@ -92,6 +92,8 @@ function eachTriangle(triangles: Uint32Array, positions: Float32Array, visit: (v
 /** Puts the frame of a vertex, turned into the plane of the triangle, into `u` and `v`. */
 function frameAt(vertex: number, normals: Float64Array, firsts: Float64Array, seconds: Float64Array): void {
   own.fromArray(normals, vertex * 3);
+  // A triangle and the same one that is seen from the other side have one plane and one curvature.
+  if (own.dot(n) < 0) own.negate();
   turnBetween(u.fromArray(firsts, vertex * 3), own, n);
   turnBetween(v.fromArray(seconds, vertex * 3), own, n);
 }

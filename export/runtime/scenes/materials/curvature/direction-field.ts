@@ -15,8 +15,13 @@ const LEVEL_WEIGHT = 0.002;
 /** A surface that bends by this difference of curvatures, in one per radius of the mesh, is half certain. */
 const HALF_CERTAIN = 1;
 
-/** The strokes of a level surface run along its cuts with planes across this axis, which no face of most models has as its normal. */
-const LEVEL_AXIS = new Vector3(0.12, 1, 0.16).normalize();
+/**
+ * The strokes of a level surface run along its cuts with planes across this axis, which no face of most models has as its normal. The
+ * technique Hatching has the same, for its mapping Level.
+ */
+export const LEVEL_AXIS = [0.12, 1, 0.16] as const;
+
+const levelAxis = new Vector3(...LEVEL_AXIS).normalize();
 
 /** The system is solved to this part of its right side, or for this number of steps; more changes directions by less than a degree. */
 const PRECISION = 1e-3;
@@ -60,13 +65,29 @@ export function directionField(shape: MeshShape, positions: Float32Array, frames
   solveField(links, diagonal, right, field);
   const directions = new Float32Array(positions.length);
   for (let vertex = 0; vertex < count; vertex++) {
-    const [x, y] = [field[vertex * 2] ?? 0, field[vertex * 2 + 1] ?? 0];
-    const [levelX, levelY] = levelAt(vertex, frames);
-    const angle = Math.hypot(x, y) > 1e-9 ? Math.atan2(y, x) / 2 : Math.atan2(levelY, levelX) / 2;
-    tangent.fromArray(frames.tangents, vertex * 3).multiplyScalar(Math.cos(angle));
-    tangent.addScaledVector(other.fromArray(frames.bitangents, vertex * 3), Math.sin(angle)).toArray(directions, vertex * 3);
+    const found = [field[vertex * 2] ?? 0, field[vertex * 2 + 1] ?? 0] as const;
+    setDirection(directions, vertex, frames, Math.hypot(...found) > 1e-9 ? found : levelAt(vertex, frames));
   }
   return directions;
+}
+
+/** The level directions of a mesh: unit tangents, three numbers each. */
+export function levelField(frames: TangentFrames): Float32Array {
+  const directions = new Float32Array(frames.normals.length);
+  for (let vertex = 0; vertex < directions.length / 3; vertex++) setDirection(directions, vertex, frames, levelAt(vertex, frames));
+  return directions;
+}
+
+/** Writes the tangent of half the angle of a complex number. */
+function setDirection(
+  into: Float32Array,
+  vertex: number,
+  { tangents, bitangents }: TangentFrames,
+  [x, y]: readonly [number, number],
+): void {
+  const angle = Math.atan2(y, x) / 2;
+  tangent.fromArray(tangents, vertex * 3).multiplyScalar(Math.cos(angle));
+  tangent.addScaledVector(other.fromArray(bitangents, vertex * 3), Math.sin(angle)).toArray(into, vertex * 3);
 }
 
 function radiusOf(positions: Float32Array): number {
@@ -93,7 +114,7 @@ function wantedAt(vertex: number, frames: TangentFrames, { first, k1, k2 }: Curv
 }
 
 function levelAt(vertex: number, frames: TangentFrames): readonly [number, number] {
-  tangent.crossVectors(LEVEL_AXIS, normal.fromArray(frames.normals, vertex * 3));
+  tangent.crossVectors(levelAxis, normal.fromArray(frames.normals, vertex * 3));
   return doubled(vertex, frames, tangent, tangent.length());
 }
 

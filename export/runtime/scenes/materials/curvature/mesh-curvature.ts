@@ -2,6 +2,7 @@ import { BufferAttribute, type Mesh, Vector3 } from 'three';
 import { createMeshShape, type MeshShape } from '../../volumes/mesh-shape.ts';
 import { restVertices } from '../../volumes/pose-vertices.ts';
 import { curvatureOf } from './curvature.ts';
+import { isTooLarge } from './mesh-limit.ts';
 import { tangentFrames } from './tangent-frames.ts';
 
 const NAME = 'scrimCurvature';
@@ -12,12 +13,19 @@ const CREASE_RAD = 0.7;
 /**
  * Adds the curvature of a mesh at rest to its geometry, once: `scrimCurvature` and `scrimCurvature2` with a principal direction and its
  * curvature each, and `scrimCurvatureChange` with the derivatives of curvature. Curvatures are in one per radius of the mesh, so that they
- * do not depend on its size.
+ * do not depend on its size. They are 0 in a mesh that is too large to compute them.
  */
 export function ensureCurvature(master: Mesh): void {
   const { geometry } = master;
   const { position } = geometry.attributes;
   if (!position || geometry.attributes[NAME]) return;
+  const names = [NAME, `${NAME}2`, `${NAME}Change`] as const;
+  if (isTooLarge(geometry)) {
+    // A surface that bends nowhere, in as few bytes as a buffer can have.
+    const flat = new BufferAttribute(new Int8Array(position.count * 4), 4);
+    for (const name of names) geometry.setAttribute(name, flat);
+    return;
+  }
   const shape = createMeshShape(geometry, () => true);
   const positions = restVertices(master, shape);
   const frames = tangentFrames(shape, positions);
@@ -33,8 +41,7 @@ export function ensureCurvature(master: Mesh): void {
     if (isCrease[from]) continue;
     for (let c = 0; c < 4; c++) texels[2][vertex * 4 + c] = (change[from * 4 + c] ?? 0) * radius * radius;
   }
-  for (const [i, name] of [NAME, `${NAME}2`, `${NAME}Change`].entries())
-    geometry.setAttribute(name, new BufferAttribute(texels[i] ?? texels[0], 4));
+  for (const [i, name] of names.entries()) geometry.setAttribute(name, new BufferAttribute(texels[i] ?? texels[0], 4));
 }
 
 const corners = [new Vector3(), new Vector3(), new Vector3()] as const;

@@ -3,7 +3,10 @@ import type { MeshShape } from '../../volumes/mesh-shape.ts';
 
 /** Normals, tangent frames and areas of the vertices of a mesh; three numbers per vector. */
 export interface TangentFrames {
-  /** Unit normals, averaged over the faces by their angle at the vertex (Thürmer and Wüthrich 1998). */
+  /**
+   * Unit normals, averaged over the faces by their angle at the vertex (Thürmer and Wüthrich 1998). Where the faces cancel each other, as in
+   * meshes that have each triangle twice, once for either side, the normal is that of the side of the vertex's first face.
+   */
   readonly normals: Float64Array;
   /** A unit tangent per vertex, and the one that completes the right-handed frame (tangent, bitangent, normal). */
   readonly tangents: Float64Array;
@@ -17,13 +20,19 @@ export interface TangentFrames {
 const corners = [new Vector3(), new Vector3(), new Vector3()] as const;
 const edges = [new Vector3(), new Vector3(), new Vector3()] as const;
 const face = new Vector3();
+const facing = new Vector3();
 const axis = new Vector3();
+
+/** A sum of normals whose squared length is below this has no direction. The angles that weight them are in radians. */
+const CANCELED = 1e-12;
 
 /**
  * @param positions Three numbers per welded vertex.
  */
 export function tangentFrames({ triangles }: MeshShape, positions: Float32Array): TangentFrames {
   const normals = new Float64Array(positions.length);
+  // The same sum, of the normals turned to the side of the first face.
+  const ofSide = new Float64Array(positions.length);
   const areas = new Float64Array(positions.length / 3);
   const cornerAreas = new Float64Array(triangles.length);
   for (let i = 0; i < triangles.length; i += 3) {
@@ -41,13 +50,19 @@ export function tangentFrames({ triangles }: MeshShape, positions: Float32Array)
       cornerAreas[i + k] = parts[k] ?? 0;
       areas[vertex] = (areas[vertex] ?? 0) + (parts[k] ?? 0);
       const [next, last] = [edges[(k + 2) % 3] ?? face, edges[(k + 1) % 3] ?? face];
-      add(normals, vertex, face, Math.PI - next.angleTo(last));
+      const angle = Math.PI - next.angleTo(last);
+      add(normals, vertex, face, angle);
+      add(ofSide, vertex, face, facing.fromArray(ofSide, vertex * 3).dot(face) < 0 ? -angle : angle);
     }
   }
   const tangents = new Float64Array(positions.length);
   const bitangents = new Float64Array(positions.length);
   for (let at = 0; at < normals.length; at += 3) {
-    face.fromArray(normals, at).normalize().toArray(normals, at);
+    face.fromArray(normals, at);
+    if (face.lengthSq() < CANCELED) face.fromArray(ofSide, at);
+    // A vertex of triangles without area at rest, which a morph target may open, has any normal.
+    if (face.lengthSq() < CANCELED) face.set(0, 1, 0);
+    face.normalize().toArray(normals, at);
     const [x, y, z] = [Math.abs(face.x), Math.abs(face.y), Math.abs(face.z)];
     // The axis that is farthest from the normal.
     axis.set(x <= y && x <= z ? 1 : 0, y < x && y <= z ? 1 : 0, z < x && z < y ? 1 : 0);
