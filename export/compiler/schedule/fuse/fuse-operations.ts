@@ -4,6 +4,7 @@ import type { PassSampler, PassUniform, Resource, ResourceId } from '../../../pr
 import { isPass, type ScheduledOperation, type ScheduledPass } from '../scheduled.ts';
 import { isWhole, type Target } from '../whole-size.ts';
 import type { FuseInput, PassGroup } from './find-groups.ts';
+import { hardEdgedLayers } from './hard-edged-layers.ts';
 import { findGroupsWithCopies, findGroupsWithoutCopies, type Recomputed } from './recompute.ts';
 import type { SeparateWire } from './separate-wire.ts';
 
@@ -24,30 +25,33 @@ const MAX_LAYERS = [Number.POSITIVE_INFINITY, 8, 4, 2, -1];
  * All layers that a fused pass reads exist at the same time, where passes of their own need one after the other. So the memory of the
  * targets may grow; then fewer passes are fused.
  *
+ * @param opaqueImages Ids of image assets without transparency.
  * @param bytesOf Memory of the targets.
  */
 export function fuseOperations(
   input: Omit<FuseInput, 'maxLayers' | 'repeated'>,
+  opaqueImages: ReadonlySet<string>,
   bytesOf: (program: Pick<Fused, 'operations' | 'resources'>) => number,
 ): Fused {
   const mostBytes = bytesOf(input);
   const { operations, resources } = input;
+  const hard = hardEdgedLayers(operations, opaqueImages);
   let fused: Fused = { operations, resources, separate: [] };
   for (const maxLayers of MAX_LAYERS) {
     for (const find of [findGroupsWithCopies, findGroupsWithoutCopies]) {
-      fused = fuseGroups(find({ ...input, maxLayers }));
+      fused = fuseGroups(find({ ...input, maxLayers }), hard);
       if (bytesOf(fused) <= mostBytes) return fused;
     }
   }
   return fused;
 }
 
-function fuseGroups({ operations, resources, groups, separate }: Recomputed): Fused {
+function fuseGroups({ operations, resources, groups, separate }: Recomputed, hard: ReadonlySet<ResourceId>): Fused {
   const fused = new Map<number, ScheduledPass>();
   const dropped = new Set<number>();
   for (const group of groups) {
     for (const place of group) dropped.add(place);
-    const pass = fuseGroup(operations, group);
+    const pass = fuseGroup(operations, group, hard);
     fused.set(group.at(-1) ?? -1, pass);
   }
   const gone = new Set([...dropped].filter((place) => !fused.has(place)).flatMap((place) => operations[place]?.writes ?? []));
@@ -58,7 +62,7 @@ function fuseGroups({ operations, resources, groups, separate }: Recomputed): Fu
   };
 }
 
-function fuseGroup(operations: readonly ScheduledOperation[], group: PassGroup): ScheduledPass {
+function fuseGroup(operations: readonly ScheduledOperation[], group: PassGroup, hard: ReadonlySet<ResourceId>): ScheduledPass {
   const passes = group.flatMap((place) => {
     const operation = operations[place];
     return operation !== undefined && isPass(operation) ? [operation] : [];
@@ -70,18 +74,20 @@ function fuseGroup(operations: readonly ScheduledOperation[], group: PassGroup):
   const uniforms = new Map<string, PassUniform>();
   const parts = passes.map((pass, i): FusedPart => {
     const from = new Map<string, number>();
+    const hardEdged = new Set<string>();
     for (const sampler of pass.samplers) {
       const drawn = sampler.source.kind === 'color' ? drawnBy.get(sampler.source.resource) : undefined;
       // What this or a later pass draws to is a persistent target, read as it was in the previous frame.
       if (drawn === undefined || drawn >= i) samplers.push({ ...sampler, name: fusedName(i, sampler.name) });
       else from.set(sampler.name, drawn);
+      if (sampler.source.kind === 'color' && hard.has(sampler.source.resource)) hardEdged.add(sampler.name);
     }
     for (const uniform of pass.uniforms) {
       const name = fusedName(i, uniform.name);
       uniforms.set(name, { ...uniform, name });
     }
     if (typeof pass.parts === 'string') throw new Error(`${pass.id} cannot be fused.`);
-    return { node: pass.node, parts: pass.parts, from };
+    return { node: pass.node, parts: pass.parts, from, hardEdged };
   });
   const shader = fusePasses(parts);
   // The size of a layer in the shader is that of the target, which perhaps no pass reads itself.
