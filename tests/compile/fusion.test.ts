@@ -308,3 +308,15 @@ describe('passes over layers whose alpha is 0 or 1', () => {
     expect(overSource(image)).toBe(1);
   });
 });
+
+test('passes read targets where they are, without the matrix that places the camera image and files', () => {
+  const nodes = {
+    'blur-a': { type: 'filter/gaussian-blur', version: 1 },
+    'sepia-a': { type: 'filter/sepia', version: 1 },
+  };
+  const wires = ['pattern-a.layer -> blur-a.inputImage', 'blur-a.layer -> sepia-a.inputImage', 'sepia-a.layer -> screen-a.layer'];
+  const { fused, separate } = twins(nodes, wires);
+  const placed = ({ shaders }: Twins['fused']) => shaders.filter(({ fragment }) => fragment.includes('scrim_place(')).length;
+  expect(placed(separate)).toBeGreaterThan(0);
+  expect(placed(fused)).toBe(0);
+});

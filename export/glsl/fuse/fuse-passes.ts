@@ -64,8 +64,8 @@ export function fusedName(index: number, name: string): string {
  *
  * @example
  * const shader = fusePasses([
- *   { node: 'sepia-1', parts: sepia, from: new Map(), hardEdged: new Set() },
- *   { node: 'invert-1', parts: invert, from: new Map([['a_inputImage', 0]]), hardEdged: new Set() },
+ *   { node: 'sepia-1', parts: sepia, from: new Map(), hardEdged: new Set(), aligned: new Set() },
+ *   { node: 'invert-1', parts: invert, from: new Map([['a_inputImage', 0]]), hardEdged: new Set(), aligned: new Set() },
  * ]);
  */
 export function fusePasses(passes: readonly FusedPart[]): LinkedShader {
@@ -169,7 +169,7 @@ function printImages(passes: readonly FusedPart[], index: number, moved: MovedLa
   const texts = parts.images.map((part) => {
     const { image, uses, reading } = part;
     const producer = from.get(image.sampler);
-    if (producer === undefined) return imageText(image, uses, reading);
+    if (producer === undefined) return imageText(image, uses, reading, pass.aligned.has(image.sampler));
     return fusedImageText(part, producer, isHardEdged(passes, producer), moved.get(movedKey(index, image.sampler)) ?? null);
   });
   return fusedName(index, texts.filter((text) => text !== '').join('\n'));

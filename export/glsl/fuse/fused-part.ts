@@ -11,4 +11,6 @@ export interface FusedPart {
   readonly from: ReadonlyMap<string, number>;
   /** Samplers of textures whose alpha is 0 or 1 in each pixel, and whose color is 0 where alpha is. */
   readonly hardEdged: ReadonlySet<string>;
+  /** Samplers of targets, which cover the view. */
+  readonly aligned: ReadonlySet<string>;
 }
