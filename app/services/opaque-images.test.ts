@@ -21,7 +21,7 @@ async function write(path: string, channels: 3 | 4, encode: (image: Sharp) => Sh
 test('JPEG files and PNG files without alpha are opaque', async () => {
   await write('photo.jpg', 3, (image) => image.jpeg());
   await write('plain.png', 3, (image) => image.png());
-  await write('grey.png', 3, (image) => image.greyscale().png());
+  await write('gray.png', 3, (image) => image.grayscale().png());
   await write('palette.png', 3, (image) => image.png({ palette: true }));
   await write('alpha.png', 4, (image) => image.png());
   await write('clear-palette.png', 4, (image) => image.png({ palette: true }));
@@ -32,7 +32,7 @@ test('JPEG files and PNG files without alpha are opaque', async () => {
   const paths = [
     'photo.jpg',
     'plain.png',
-    'grey.png',
+    'gray.png',
     'palette.png',
     'alpha.png',
     'clear-palette.png',
@@ -44,7 +44,7 @@ test('JPEG files and PNG files without alpha are opaque', async () => {
   expect(await findOpaqueImages(root, { ...assets, model: { path: 'photo.jpg', kind: 'model' } })).toEqual([
     'photo.jpg',
     'plain.png',
-    'grey.png',
+    'gray.png',
     'palette.png',
   ]);
 });
