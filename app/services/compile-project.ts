@@ -13,6 +13,7 @@ import { type Diagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
 import type { ProjectFiles } from '../contract/contract.ts';
 import { checkAssets } from './check-assets.ts';
 import { checkModels } from './check-models.ts';
+import { findOpaqueImages } from './opaque-images.ts';
 
 export interface CompiledProject {
   /** The loaded project; null if the files could not be read as a project. */
@@ -52,7 +53,8 @@ export async function compileProject(
   const loaded = loadProject(files);
   const project = loaded.output;
   if (project === null) return { project, program: null, diagnostics: loaded.diagnostics, separate: [], folded: [] };
-  const options = optionsOf(project);
+  const asked = optionsOf(project);
+  const options = asked.fuse ? { ...asked, opaqueImages: await findOpaqueImages(root, project.assets) } : asked;
   const compiled =
     apart !== null && isLarge(project) ? await compileMigrated(project, options, apart) : compile({ project, library: LIBRARY, options });
   const played = compiled.output?.assets ?? [];

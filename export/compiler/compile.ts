@@ -32,6 +32,8 @@ export interface CompileOptions {
   readonly sourceMaps?: boolean;
   /** Draw several passes by one shader where the image stays the same (docs/adr/0043): for exports and plans. */
   readonly fuse?: boolean;
+  /** Ids of image assets without transparency, whose fused passes need not divide by alpha. */
+  readonly opaqueImages?: readonly string[];
   /** Compute once what is the same in every frame while only controls of the page set params (docs/adr/0048): for exports and plans. */
   readonly fold?: boolean;
   /** Report nodes that the output does not depend on (SCR021). */
@@ -80,7 +82,7 @@ export function createCompiler(): Compiler {
   return {
     compile: ({ project, library: base, options = {} }) => {
       const { taps = [], thumbnails = [], loopBudget = false, sourceMaps = true, reportUnused = false } = options;
-      const { fuse = false, fold: folds = false } = options;
+      const { fuse = false, fold: folds = false, opaqueImages = [] } = options;
       const diagnostics: Diagnostic[] = [];
       const library = projectLibrary(base, project.sources, shaders.readDefinition);
 
@@ -92,7 +94,7 @@ export function createCompiler(): Compiler {
       if (checked.output === null || hasErrors(diagnostics)) return { output: null, diagnostics, above: [], separate: [] };
       const folding = folds ? fold(checked.output, unchangedLayers(checked.output, library, shaders)) : null;
       const used = folding?.checked ?? checked.output;
-      const scheduled = schedule(used, { library, shaders, loopBudget, fuse });
+      const scheduled = schedule(used, { library, shaders, loopBudget, fuse, opaqueImages: new Set(opaqueImages) });
       diagnostics.push(...scheduled.diagnostics);
       if (scheduled.output === null) return { output: null, diagnostics, above: shadersAbove(scheduled), separate: [] };
       const linked = link(scheduled.output, { sourceMaps });

@@ -22,3 +22,17 @@ export const ROTATION_PARAM = {
   max: [Math.PI, Math.PI, Math.PI],
   unit: 'rad',
 } as const;
+
+/** The param for a uniform scale factor. Spread it into a definition’s params. */
+export const SCALE_PARAM = {
+  type: 'number',
+  stage: 'uniform',
+  handle: 'scale',
+  label: 'Scale',
+  doc: 'Uniform scale factor.',
+  default: 1,
+  min: 0.01,
+  max: 10,
+  step: 0.01,
+  unit: 'ratio',
+} as const;

@@ -1,6 +1,15 @@
 import { describe, expect, test } from '@jest/globals';
 import { useModule } from '../support/browser.ts';
-import { chain, pairsOfChangedEffects, pairsOfEffects, passes, QUICK_PAIR_PARTS, type Twins, twins } from '../support/fusion-kit.ts';
+import {
+  chain,
+  pairsOfChangedEffects,
+  pairsOfEffects,
+  passes,
+  QUICK_PAIR_PARTS,
+  type Twins,
+  twins,
+  versionOf,
+} from '../support/fusion-kit.ts';
 import { LIBRARY } from '../support/library.ts';
 import type { StereoFrame } from './fusion.page.ts';
 import { compareTwins, expectSameGraphs, expectSameImages } from './fusion-compare.ts';
@@ -43,6 +52,22 @@ describe('a fused pass draws what the passes drew', () => {
       'luminance-variation',
     ];
     await expectOnePass(chain(types.map((type) => `filter/${type}`)));
+  });
+
+  test('of effects over an opaque image, which is not divided by its alpha', async () => {
+    const opaque =
+      '/*{ "ISFVSN": "2" }*/\nvoid main() { gl_FragColor = vec4(fract(gl_FragCoord.xy / vec2(37.0, 29.0)), isf_FragNormCoord.x, 1.0); }';
+    const types = ['sepia', 'posterize', 'vignette', 'film-grain', 'curves', 'white-balance'];
+    const nodes = Object.fromEntries(types.map((type) => [`${type}-a`, { type: `filter/${type}`, version: versionOf(`filter/${type}`) }]));
+    const path = ['opaque-a', ...types.map((type) => `${type}-a`)];
+    const wires = types.map((type, i) => `${path[i]}.layer -> ${type}-a.inputImage`);
+    const pair = twins(
+      { 'opaque-a': { type: 'generator/opaque', version: 1 }, ...nodes },
+      [...wires, 'white-balance-a.layer -> screen-a.layer'],
+      { 'opaque.fs': opaque },
+    );
+    await expectOnePass(pair);
+    expect(pair.fused.shaders.filter(({ fragment }) => fragment.includes('scrim_straight'))).toEqual([]);
   });
 
   test('of a diamond, whose layers two passes read', async () => {

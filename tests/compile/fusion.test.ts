@@ -286,3 +286,37 @@ test('`scrim plan --why` says in words which layer stays a texture, and why', ()
   const { wires } = chain(['filter/sepia', 'filter/gaussian-blur']);
   expect(describeSeparate(wires)).toContain('e-0.layer → e-1.pass0: the reader reads other pixels than the current one (elsewhere)');
 });
+
+describe('passes over layers whose alpha is 0 or 1', () => {
+  const overSource = (source: object, options = {}) => {
+    const nodes = { 'source-a': source, 'sepia-a': { type: 'filter/sepia', version: 1 }, 'grey-a': { type: 'filter/grey', version: 1 } };
+    const wires = ['source-a.layer -> sepia-a.inputImage', 'sepia-a.layer -> grey-a.inputImage', 'grey-a.layer -> screen-a.layer'];
+    const { fused } = twins(nodes, wires, {}, options);
+    const [shader] = fused.shaders.filter(({ fragment }) => fragment.includes('b1_'));
+    return shader?.fragment.match(/scrim_straight\(\w*layer\)/g)?.length ?? 0;
+  };
+  const camera = { type: 'source/camera-video', version: 1 };
+  const image = { type: 'source/image-file', version: 1, params: { file: 'photo' } };
+
+  test('do not divide by it: the camera image, and images without transparency', () => {
+    expect(overSource(camera)).toBe(0);
+    expect(overSource(image, { opaqueImages: ['photo'] })).toBe(0);
+  });
+
+  test('divide by it where it may be another: a color of the author, and other images', () => {
+    expect(overSource({ ...camera, params: { withoutImage: 'color' } })).toBe(1);
+    expect(overSource(image)).toBe(1);
+  });
+});
+
+test('passes read targets where they are, without the matrix that places the camera image and files', () => {
+  const nodes = {
+    'blur-a': { type: 'filter/gaussian-blur', version: 1 },
+    'sepia-a': { type: 'filter/sepia', version: 1 },
+  };
+  const wires = ['pattern-a.layer -> blur-a.inputImage', 'blur-a.layer -> sepia-a.inputImage', 'sepia-a.layer -> screen-a.layer'];
+  const { fused, separate } = twins(nodes, wires);
+  const placed = ({ shaders }: Twins['fused']) => shaders.filter(({ fragment }) => fragment.includes('scrim_place(')).length;
+  expect(placed(separate)).toBeGreaterThan(0);
+  expect(placed(fused)).toBe(0);
+});

@@ -4,6 +4,7 @@ import { pathToFileURL } from 'node:url';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { paint } from '../browser/glsl-kit.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
+import { pageReady } from '../support/exported-page.ts';
 import { decodeImage, encodeImage, pixelAt, type RgbaImage } from '../support/image.ts';
 import { openEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
@@ -52,7 +53,7 @@ describe('an exported page', () => {
     const page = await chromium.browser.newPage({ viewport: { width: 1280, height: 720 } });
     const errors = collectErrors(page);
     await page.goto(url);
-    await page.getByText('look around').waitFor();
+    await pageReady(page);
     await eventually(async () => {
       const picture = decodeImage(await page.screenshot());
       expect([pixelAt(picture, 500, 600), pixelAt(picture, 1200, 600)]).toEqual([

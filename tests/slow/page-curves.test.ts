@@ -1,6 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { collectErrors, useBrowser } from '../support/browser.ts';
+import { pageReady } from '../support/exported-page.ts';
 import { decodeImage, type RgbaImage } from '../support/image.ts';
 import { expectSamePixels } from '../support/pixels.ts';
 import type { ProjectText } from '../support/project-kit.ts';
@@ -42,7 +43,7 @@ async function visit({ url }: ServedExport): Promise<RgbaImage> {
   const page = await chromium.browser.newPage({ viewport: { width: 640, height: 480 } });
   const errors = collectErrors(page);
   await page.goto(url);
-  await page.getByText('look around').waitFor();
+  await pageReady(page);
   // What the page says lies over the left of the image.
   const picture = decodeImage(await page.screenshot({ clip: { x: 340, y: 20, width: 280, height: 380 } }));
   expect(errors).toEqual([]);

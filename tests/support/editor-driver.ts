@@ -118,7 +118,11 @@ export class EditorDriver {
     await search.getByText(/^[1-9]\d* of \d+$/).waitFor();
     await page.keyboard.press('Escape');
     await search.waitFor({ state: 'detached' });
-    await page.locator('.monaco-editor.focused').waitFor();
+    // The editor counts as focused while its search field is, which would take the keys that follow.
+    await page.waitForFunction(() => {
+      const focused = document.activeElement;
+      return focused?.closest('.monaco-editor') != null && focused.closest('.find-widget') === null;
+    });
     // The found text is selected.
     await page.keyboard.press('ArrowLeft');
   }

@@ -1,11 +1,16 @@
 import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { expect } from '@jest/globals';
-import type { Browser } from 'playwright-core';
+import type { Browser, Page } from 'playwright-core';
 import { collectErrors, drawPageSeldom } from './browser.ts';
 import { decodeImage } from './image.ts';
 import { countColors } from './pixels.ts';
 import { serveStatic } from './serve.ts';
+
+/** Waits until an exported page has drawn its first image. Pages whose image depends on the view then say how to look around, others do not. */
+export async function pageReady(page: Page): Promise<void> {
+  await page.waitForFunction(() => document.querySelector<HTMLElement>('.panel .loading')?.hidden === true);
+}
 
 /** Opens an exported folder like a visitor, and checks that it draws and reports no errors. */
 export async function visitExportedPage(browser: Browser, folder: string): Promise<void> {
@@ -15,7 +20,7 @@ export async function visitExportedPage(browser: Browser, folder: string): Promi
   await drawPageSeldom(page);
   try {
     await page.goto(host.origin);
-    await page.getByText('look around').waitFor();
+    await pageReady(page);
     expect(countColors(decodeImage(await page.screenshot()))).toBeGreaterThan(50);
     expect(errors).toEqual([]);
   } finally {

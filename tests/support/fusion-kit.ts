@@ -70,7 +70,9 @@ export function twins(
     },
     wires,
   };
-  const project = JSON.stringify({ format: 'scrim-project', version: 1, title: 'Test', graphs: { main: graph, ...subgraphs } });
+  const graphs = { main: graph, ...subgraphs };
+  const assets = { photo: { path: 'photo.jpg', kind: 'image' } };
+  const project = JSON.stringify({ format: 'scrim-project', version: 1, title: 'Test', graphs, assets });
   const loaded = needed(loadProject({ project, layout: null, sources: { ...PATTERNS, ...sources } }).output);
   const plain = compile({ project: loaded, library: LIBRARY, options });
   const fused = compile({ project: loaded, library: LIBRARY, options: { ...options, fuse: true } });
@@ -121,7 +123,7 @@ export function manyGraphs(plans: readonly GraphPlan[]): Twins {
   return twins(nodes, [...wires, 'pattern-a.layer -> screen-a.layer'], EXACT_SOURCES, { taps });
 }
 
-function versionOf(type: string): number {
+export function versionOf(type: string): number {
   return type in EXACT_EFFECTS ? 1 : definitionOf(type).version;
 }
 

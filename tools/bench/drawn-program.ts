@@ -27,11 +27,11 @@ export async function openProgram(browser: Browser, root: string, folder: string
 /** An opaque image with many colors. */
 export function testImage(): Uint8Array {
   const [width, height] = SIZE_PX;
-  const data = new Uint8Array(width * height * 4);
+  const data = new Uint8Array(width * height * 3);
   for (let i = 0; i < width * height; i++) {
     const x = i % width;
     const y = Math.floor(i / width);
-    data.set([(x * 255) / width, (y * 255) / height, ((x ^ y) * 7) % 256, 255], i * 4);
+    data.set([(x * 255) / width, (y * 255) / height, ((x ^ y) * 7) % 256], i * 3);
   }
-  return encode({ width, height, data, channels: 4 });
+  return encode({ width, height, data, channels: 3 });
 }

@@ -29,6 +29,8 @@ export interface ScheduleOptions {
   readonly shaders: ShaderStore;
   readonly loopBudget: boolean;
   readonly fuse: boolean;
+  /** Ids of image assets without transparency. */
+  readonly opaqueImages: ReadonlySet<string>;
 }
 
 /** The ordered operations with their resources: the program except for the indices of its shaders. */
@@ -98,7 +100,9 @@ export function schedule(checked: Checked, options: ScheduleOptions): ScheduleRe
   const taps = Object.fromEntries(viewedLayers);
   const shared = ({ operations, resources }: Targets) => shareTargets(operations, resources, viewedResources);
   const bytesOf = (made: Targets) => totalBytes({ resources: shared(made), slots, taps });
-  const fused = options.fuse ? fuseOperations({ ...plain, viewed: viewedResources, unfused }, bytesOf) : { ...plain, separate: [] };
+  const fused = options.fuse
+    ? fuseOperations({ ...plain, viewed: viewedResources, unfused }, options.opaqueImages, bytesOf)
+    : { ...plain, separate: [] };
   const resources = shared(fused);
   return {
     output: {

@@ -14,13 +14,30 @@ const ALPHA = /^[aqw]$/;
  * @example
  * keptAlpha(checkIsf(shader).checked, 0); // 'inputImage', for gl_FragColor = vec4(1.0 - color.rgb, color.a);
  */
-export function keptAlpha({ main }: CheckedShader, passIndex: number): string | null {
+export function keptAlpha(shader: CheckedShader, passIndex: number): string | null {
+  const color = lastColor(shader, passIndex);
+  return color === null ? null : imageOfAlpha(color);
+}
+
+/**
+ * Whether a pass gives each pixel an alpha of 1, as many generators do; false if it is unclear.
+ *
+ * @example
+ * givesOpaque(checkIsf(shader).checked, 0); // true, for gl_FragColor = vec4(isf_FragNormCoord, 0.0, 1.0);
+ */
+export function givesOpaque(shader: CheckedShader, passIndex: number): boolean {
+  const color = lastColor(shader, passIndex);
+  if (color?.kind !== 'call' || color.symbol !== null || color.token.text !== 'vec4') return false;
+  const alpha = color.args.at(-1);
+  return color.args.length > 1 && alpha?.kind === 'literal' && Number(alpha.token.text) === 1;
+}
+
+/** The color that the last statement of a pass gives; null if the pass may end before it. */
+function lastColor({ main }: CheckedShader, passIndex: number): Expression | null {
   const body = main.symbol?.declaration.body ?? null;
   const statements = body === null ? [] : reachableStatements(body.statements, passIndex);
   const last = statements.at(-1);
-  if (last === undefined || statements.some(mayEnd)) return null;
-  const color = assignedColor(last);
-  return color === null ? null : imageOfAlpha(color);
+  return last === undefined || statements.some(mayEnd) ? null : assignedColor(last);
 }
 
 /** Whether the shader may end in a statement before it gives its color. */

@@ -64,14 +64,14 @@ export function fusedName(index: number, name: string): string {
  *
  * @example
  * const shader = fusePasses([
- *   { node: 'sepia-1', parts: sepia, from: new Map() },
- *   { node: 'invert-1', parts: invert, from: new Map([['a_inputImage', 0]]) },
+ *   { node: 'sepia-1', parts: sepia, from: new Map(), hardEdged: new Set(), aligned: new Set() },
+ *   { node: 'invert-1', parts: invert, from: new Map([['a_inputImage', 0]]), hardEdged: new Set(), aligned: new Set() },
  * ]);
  */
 export function fusePasses(passes: readonly FusedPart[]): LinkedShader {
   const moved = movedLayers(passes);
   const isMoved = passesMoved(moved);
-  const images = passes.map((pass, i) => atPlace(printImages(pass, i, moved), isMoved.has(i)));
+  const images = passes.map((_, i) => atPlace(printImages(passes, i, moved), isMoved.has(i)));
   const outputs = passes.map((_, i) => storeText(passes, i));
   const called = [...images, ...outputs].join('\n');
   const projects = passes.some(({ parts }) => parts.projects);
@@ -141,6 +141,18 @@ function keptAlpha(passes: readonly FusedPart[], index: number): string | null {
   return `${layerName(producer)}.a`;
 }
 
+/**
+ * Whether the alpha of a pass's layer is 0 or 1 in each pixel. Rounding then leaves it as it is, and a color that is multiplied by it is the
+ * straight color already.
+ */
+function isHardEdged(passes: readonly FusedPart[], index: number): boolean {
+  const { parts, from, hardEdged } = passes[index] ?? {};
+  if (!parts?.output.clamps || parts.format !== 'rgba8') return false;
+  if (parts.keptAlpha === null) return parts.isOpaque;
+  const producer = from?.get(parts.keptAlpha);
+  return producer === undefined ? (hardEdged?.has(parts.keptAlpha) ?? false) : isHardEdged(passes, producer);
+}
+
 /** Automatic uniforms of all passes, in the table's order. The size of a fused layer is that of the target. */
 function builtinsOf(passes: readonly FusedPart[], areMoved: boolean): BuiltinUniform[] {
   const used = new Set(passes.flatMap(({ parts }) => parts.builtins));
@@ -150,21 +162,24 @@ function builtinsOf(passes: readonly FusedPart[], areMoved: boolean): BuiltinUni
   return (Object.keys(UNIFORM_TYPES) as BuiltinUniform[]).filter((name) => used.has(name));
 }
 
-function printImages({ parts, from }: FusedPart, index: number, moved: MovedLayers): string {
+function printImages(passes: readonly FusedPart[], index: number, moved: MovedLayers): string {
+  const pass = passes[index];
+  if (pass === undefined) throw new Error('There is no such pass.');
+  const { parts, from } = pass;
   const texts = parts.images.map((part) => {
     const { image, uses, reading } = part;
     const producer = from.get(image.sampler);
-    if (producer === undefined) return imageText(image, uses, reading);
-    return fusedImageText(part, producer, moved.get(movedKey(index, image.sampler)) ?? null);
+    if (producer === undefined) return imageText(image, uses, reading, pass.aligned.has(image.sampler));
+    return fusedImageText(part, producer, isHardEdged(passes, producer), moved.get(movedKey(index, image.sampler)) ?? null);
   });
   return fusedName(index, texts.filter((text) => text !== '').join('\n'));
 }
 
 /** The functions that read a layer of an earlier pass, which `computedBy` computes at another pixel. Its depth, if any, is a texture. */
-function fusedImageText({ image, uses, reading }: ImagePart, producer: number, computedBy: MovedLayer | null): string {
+function fusedImageText({ image, uses, reading }: ImagePart, producer: number, isHard: boolean, computedBy: MovedLayer | null): string {
   const texture = new Set<ImageUse>([...uses].filter((use) => use === 'depth'));
   const layer = layerName(producer);
-  const isStored = reading.premultiplied || image.kind === 'buffer';
+  const isStored = reading.premultiplied || image.kind === 'buffer' || isHard;
   return [
     ...(texture.size > 0 ? [imageText(image, texture, reading)] : []),
     ...(uses.has('size') ? [`#define ${sizeUniform(image)} RENDERSIZE`] : []),

@@ -9,4 +9,8 @@ export interface FusedPart {
    * at other pixels (`ImagePart.isHere`), it computes it there, with the earlier passes that only this layer depends on.
    */
   readonly from: ReadonlyMap<string, number>;
+  /** Samplers of textures whose alpha is 0 or 1 in each pixel, and whose color is 0 where alpha is. */
+  readonly hardEdged: ReadonlySet<string>;
+  /** Samplers of targets, which cover the view. */
+  readonly aligned: ReadonlySet<string>;
 }

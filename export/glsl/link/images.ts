@@ -85,8 +85,9 @@ export function samplerFor(image: Image, use: ImageUse): LinkedSampler | null {
  * @param uses Which functions the shader calls; only these are declared.
  * @param reading How colors are returned: `premultiplied`: as stored; otherwise alpha is divided out, except in buffers. `readsScene`:
  * colors of layers are unclamped and finite.
+ * @param isAligned Whether the texture of a layer is a target that covers the view, so that positions on both are equal.
  */
-export function imageText(image: Image, uses: ReadonlySet<ImageUse>, reading: Reading): string {
+export function imageText(image: Image, uses: ReadonlySet<ImageUse>, reading: Reading, isAligned = false): string {
   const parts: string[] = [];
   if (image.kind === 'absent') {
     if (uses.has('size')) parts.push(`const vec2 ${sizeUniform(image)} = vec2(1.0);`);
@@ -99,7 +100,7 @@ export function imageText(image: Image, uses: ReadonlySet<ImageUse>, reading: Re
   const type = image.kind === 'cube' ? 'samplerCube' : 'sampler2D';
   if (uses.has('color') || uses.has('size')) parts.push(`uniform ${type} ${image.sampler};`);
   if (uses.has('size')) parts.push(`uniform vec2 ${sizeUniform(image)};`);
-  if (uses.has('color')) parts.push(colorText(image, reading));
+  if (uses.has('color')) parts.push(colorText(image, reading, isAligned));
   if (uses.has('depth')) parts.push(depthText(image));
   return parts.join('\n');
 }
@@ -107,7 +108,7 @@ export function imageText(image: Image, uses: ReadonlySet<ImageUse>, reading: Re
 /** How a file reads colors. */
 export type Reading = Pick<IsfShader, 'premultiplied' | 'readsScene'>;
 
-function colorText(image: Image, reading: Reading): string {
+function colorText(image: Image, reading: Reading, isAligned: boolean): string {
   const { premultiplied } = reading;
   const read = `textureLod(${image.sampler}, uv, 0.0)`;
   switch (image.kind) {
@@ -121,7 +122,7 @@ function colorText(image: Image, reading: Reading): string {
     case 'cube':
       return `vec4 ${colorFunction(image)}(vec3 uv) { return ${premultiplied ? read : `scrim_straight(${read})`}; }`;
     default:
-      return inputColor(image, reading);
+      return inputColor(image, reading, isAligned);
   }
 }
 
@@ -129,8 +130,13 @@ function colorText(image: Image, reading: Reading): string {
  * Prints the function that reads the color of a layer: fitted to the view, transparent outside of the layer, with straight alpha unless the
  * file reads it as stored.
  */
-function inputColor(image: Image, { premultiplied, readsScene }: Reading): string {
+function inputColor(image: Image, { premultiplied, readsScene }: Reading, isAligned: boolean): string {
   const { sampler } = image;
+  if (isAligned) {
+    const texel = `textureLod(${sampler}, ${image.repeat ? 'fract(uv)' : 'clamp(uv, 0.0, 1.0)'}, 0.0)`;
+    const color = readsScene ? `scrim_finite(${texel})` : texel;
+    return `vec4 ${colorFunction(image)}(vec2 uv) { return ${premultiplied ? color : `scrim_straight(${color})`}; }`;
+  }
   const read = `textureLod(${sampler}, at, 0.0)`;
   return `uniform mat3 ${sampler}_uvFromViewUv;
 vec4 ${colorFunction(image)}(vec2 uv) {

@@ -32,6 +32,8 @@ export interface PassParts {
   readonly output: Output;
   /** The sampler of the layer whose alpha at the current pixel the pass outputs; null if there is none. */
   readonly keptAlpha: string | null;
+  /** Whether the text gives each pixel an alpha of 1. */
+  readonly isOpaque: boolean;
   readonly format: TargetFormat;
   /**
    * Whether the pass computes the same color when another pixel's invocation computes it: it computes no derivatives, changes no

@@ -1,7 +1,7 @@
 import type { LinkedShader } from '../../program/program.ts';
 import { countOperations } from '../access/count-operations.ts';
 import { type ImageReads, imageReads } from '../access/find-access.ts';
-import { keptAlpha } from '../access/kept-alpha.ts';
+import { givesOpaque, keptAlpha } from '../access/kept-alpha.ts';
 import { UNIFORM_TYPES } from '../isf/given-symbols.ts';
 import type { FunctionSymbol, VariableSymbol } from '../syntax/ast.ts';
 import { hashText } from './hash.ts';
@@ -84,6 +84,7 @@ export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (Func
     body: linesOf(body),
     output: outputOf(shader.premultiplied, pass.target),
     keptAlpha: alphaOf !== null && here.has(alphaOf) ? (images.get(alphaOf)?.sampler ?? null) : null,
+    isOpaque: !context.found.discards && givesOpaque(checked, pass.passIndex),
     format: pass.target.format,
     moves: reads !== null && !usesNormCoord(context.writer, body) && ![...reach.globals].some(isKept),
     operations: countOperations(checked, pass.passIndex),
@@ -134,6 +135,7 @@ function linkCopy(unit: LinkUnit, pass: PlannedPass, images: ReadonlyMap<string,
     body: linesOf(body),
     output: outputOf(unit.shader.premultiplied, pass.target),
     keptAlpha: null,
+    isOpaque: false,
     format: pass.target.format,
     moves: true,
     operations: 0,

@@ -1,5 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
-import { POSITION_PARAM, ROTATION_PARAM } from '../../kit/pose-params.ts';
+import { POSITION_PARAM, ROTATION_PARAM, SCALE_PARAM } from '../../kit/pose-params.ts';
 
 export const definition = defineNode({
   type: 'objects/transform',
@@ -17,18 +17,7 @@ export const definition = defineNode({
       doc: 'Translation in meters: x to the right, y up, z towards the viewer. The floor is at y = 0.',
     },
     rotationRad: { ...ROTATION_PARAM, handle: 'rotation' },
-    scale: {
-      type: 'number',
-      stage: 'uniform',
-      handle: 'scale',
-      label: 'Scale',
-      doc: 'Uniform scale factor. 0.01 converts a model in centimeters to meters.',
-      default: 1,
-      min: 0,
-      max: 10,
-      step: 0.01,
-      unit: 'ratio',
-    },
+    scale: { ...SCALE_PARAM, doc: 'Uniform scale factor. 0.01 converts a model in centimeters to meters.', min: 0 },
   },
   lowering: { kind: 'geometry' },
 });

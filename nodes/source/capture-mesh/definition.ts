@@ -1,5 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
-import { POSITION_PARAM, ROTATION_PARAM } from '../../kit/pose-params.ts';
+import { POSITION_PARAM, ROTATION_PARAM, SCALE_PARAM } from '../../kit/pose-params.ts';
 import { SURFACE_CASTS_SHADOW, SURFACE_CATCHES_SHADOW } from '../../kit/surface-params.ts';
 
 export const definition = defineNode({
@@ -20,18 +20,7 @@ export const definition = defineNode({
     file: { type: 'asset', stage: 'asset', label: 'Capture', doc: 'The capture.', default: '', accept: 'capture' },
     positionM: POSITION_PARAM,
     rotationRad: { ...ROTATION_PARAM, handle: 'rotation' },
-    scale: {
-      type: 'number',
-      stage: 'uniform',
-      handle: 'scale',
-      label: 'Scale',
-      doc: 'Uniform scale factor, as that of the Capture node.',
-      default: 1,
-      min: 0.01,
-      max: 10,
-      step: 0.01,
-      unit: 'ratio',
-    },
+    scale: { ...SCALE_PARAM, doc: 'Uniform scale factor, as that of the Capture node.' },
     receiveShadow: SURFACE_CATCHES_SHADOW,
     castShadow: SURFACE_CASTS_SHADOW,
   },

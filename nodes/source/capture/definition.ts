@@ -1,5 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
-import { POSITION_PARAM, ROTATION_PARAM } from '../../kit/pose-params.ts';
+import { POSITION_PARAM, ROTATION_PARAM, SCALE_PARAM } from '../../kit/pose-params.ts';
 
 export const definition = defineNode({
   type: 'source/capture',
@@ -53,18 +53,7 @@ export const definition = defineNode({
     },
     positionM: POSITION_PARAM,
     rotationRad: { ...ROTATION_PARAM, handle: 'rotation' },
-    scale: {
-      type: 'number',
-      stage: 'uniform',
-      handle: 'scale',
-      label: 'Scale',
-      doc: 'Uniform scale factor, if the capture was imported without its true size.',
-      default: 1,
-      min: 0.01,
-      max: 10,
-      step: 0.01,
-      unit: 'ratio',
-    },
+    scale: { ...SCALE_PARAM, doc: 'Uniform scale factor, if the capture was imported without its true size.' },
   },
   lowering: { kind: 'geometry', ownDrawing: {} },
 });

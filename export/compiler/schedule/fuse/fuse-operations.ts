@@ -3,7 +3,8 @@ import type { FusedPart } from '../../../glsl/fuse/fused-part.ts';
 import type { PassSampler, PassUniform, Resource, ResourceId } from '../../../program/program.ts';
 import { isPass, type ScheduledOperation, type ScheduledPass } from '../scheduled.ts';
 import { isWhole, type Target } from '../whole-size.ts';
-import type { FuseInput, PassGroup } from './find-groups.ts';
+import type { FuseInput } from './find-groups.ts';
+import { hardEdgedLayers } from './hard-edged-layers.ts';
 import { findGroupsWithCopies, findGroupsWithoutCopies, type Recomputed } from './recompute.ts';
 import type { SeparateWire } from './separate-wire.ts';
 
@@ -24,45 +25,70 @@ const MAX_LAYERS = [Number.POSITIVE_INFINITY, 8, 4, 2, -1];
  * All layers that a fused pass reads exist at the same time, where passes of their own need one after the other. So the memory of the
  * targets may grow; then fewer passes are fused.
  *
+ * @param opaqueImages Ids of image assets without transparency.
  * @param bytesOf Memory of the targets.
  */
 export function fuseOperations(
   input: Omit<FuseInput, 'maxLayers' | 'repeated'>,
+  opaqueImages: ReadonlySet<string>,
   bytesOf: (program: Pick<Fused, 'operations' | 'resources'>) => number,
 ): Fused {
   const mostBytes = bytesOf(input);
   const { operations, resources } = input;
+  const hardEdged = hardEdgedLayers(operations, opaqueImages);
   let fused: Fused = { operations, resources, separate: [] };
   for (const maxLayers of MAX_LAYERS) {
     for (const find of [findGroupsWithCopies, findGroupsWithoutCopies]) {
-      fused = fuseGroups(find({ ...input, maxLayers }));
+      fused = fuseGroups(find({ ...input, maxLayers }), hardEdged);
       if (bytesOf(fused) <= mostBytes) return fused;
     }
   }
   return fused;
 }
 
-function fuseGroups({ operations, resources, groups, separate }: Recomputed): Fused {
+/** What fusion knows about layers. */
+interface LayerFacts {
+  /** Textures whose alpha is 0 or 1 (`hardEdgedLayers`). */
+  readonly hardEdged: ReadonlySet<ResourceId>;
+  readonly targets: ReadonlySet<ResourceId>;
+}
+
+function fuseGroups({ operations, resources, groups, separate }: Recomputed, hardEdged: ReadonlySet<ResourceId>): Fused {
+  const facts = { hardEdged, targets: new Set(resources.flatMap(({ id, kind }) => (kind === 'target' ? [id] : []))) };
   const fused = new Map<number, ScheduledPass>();
   const dropped = new Set<number>();
   for (const group of groups) {
     for (const place of group) dropped.add(place);
-    const pass = fuseGroup(operations, group);
+    const passes = group.flatMap((at) => operations[at] ?? []).filter(isPass);
+    const pass = fusePass(passes, facts);
     fused.set(group.at(-1) ?? -1, pass);
   }
   const gone = new Set([...dropped].filter((place) => !fused.has(place)).flatMap((place) => operations[place]?.writes ?? []));
+  const alone = (operation: ScheduledOperation): ScheduledOperation =>
+    isPass(operation) && readsTargets(operation, facts) ? withoutPlacement(operation, facts) : operation;
   return {
-    operations: operations.flatMap((operation, place) => fused.get(place) ?? (dropped.has(place) ? [] : [operation])),
+    operations: operations.flatMap((operation, place) => fused.get(place) ?? (dropped.has(place) ? [] : [alone(operation)])),
     resources: withoutTargets(resources, gone),
     separate,
   };
 }
 
-function fuseGroup(operations: readonly ScheduledOperation[], group: PassGroup): ScheduledPass {
-  const passes = group.flatMap((place) => {
-    const operation = operations[place];
-    return operation !== undefined && isPass(operation) ? [operation] : [];
-  });
+/** Whether a pass reads a target at the position of the view. Passes that only copy are found by their text. */
+function readsTargets({ parts, copies, samplers }: ScheduledPass, facts: LayerFacts): boolean {
+  return typeof parts !== 'string' && !copies && samplers.some((sampler) => isAligned(sampler, facts));
+}
+
+function isAligned({ source, fit }: PassSampler, { targets }: LayerFacts): boolean {
+  return source.kind === 'color' && fit === 'none' && targets.has(source.resource);
+}
+
+/** A pass that stays alone, with a shader that reads targets where they are, as fused passes do. */
+function withoutPlacement(pass: ScheduledPass, facts: LayerFacts): ScheduledPass {
+  const { samplers, uniforms, shader } = fusePass([pass], facts);
+  return { ...pass, samplers, uniforms, shader };
+}
+
+function fusePass(passes: readonly ScheduledPass[], facts: LayerFacts): ScheduledPass {
   const last = passes.at(-1);
   if (last === undefined) throw new Error('A group has passes.');
   const drawnBy = new Map(passes.map(({ target }, i) => [target, i]));
@@ -81,7 +107,9 @@ function fuseGroup(operations: readonly ScheduledOperation[], group: PassGroup):
       uniforms.set(name, { ...uniform, name });
     }
     if (typeof pass.parts === 'string') throw new Error(`${pass.id} cannot be fused.`);
-    return { node: pass.node, parts: pass.parts, from };
+    const named = (holds: (sampler: PassSampler) => boolean) => new Set(pass.samplers.filter(holds).map(({ name }) => name));
+    const hardEdged = named(({ source }) => source.kind === 'color' && facts.hardEdged.has(source.resource));
+    return { node: pass.node, parts: pass.parts, from, hardEdged, aligned: named((sampler) => isAligned(sampler, facts)) };
   });
   const shader = fusePasses(parts);
   // The size of a layer in the shader is that of the target, which perhaps no pass reads itself.
