@@ -42,6 +42,20 @@ export async function bundleScripts(root: string, use: PageUse, { wholeThree = f
   return { page, sessions };
 }
 
+/** Settings of esbuild for the scripts of all pages. */
+export const PAGE_SETTINGS = {
+  bundle: true,
+  write: false,
+  minify: true,
+  platform: 'browser',
+  target: TARGET,
+  charset: 'utf8',
+  legalComments: 'eof',
+  // three.js decoders refer to files by `import.meta.url`, which classic scripts do not have. The URLs are not used.
+  define: { 'process.env.NODE_ENV': '"production"', 'import.meta.url': 'document.baseURI' },
+  logLevel: 'silent',
+} as const;
+
 async function bundle(
   root: string,
   plugins: Plugin[],
@@ -49,22 +63,13 @@ async function bundle(
   format: 'iife' | 'esm',
 ): Promise<Script> {
   const { outputFiles, metafile } = await build({
+    ...PAGE_SETTINGS,
     stdin: { ...entry, resolveDir: root, loader: 'ts' },
     absWorkingDir: root,
-    bundle: true,
-    write: false,
     metafile: true,
-    minify: true,
     format,
-    platform: 'browser',
-    target: TARGET,
-    charset: 'utf8',
-    legalComments: 'eof',
     loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
-    // three.js decoders refer to files by `import.meta.url`, which classic scripts do not have. The URLs are not used.
-    define: { 'process.env.NODE_ENV': '"production"', 'import.meta.url': 'document.baseURI' },
     plugins,
-    logLevel: 'silent',
   });
   const [file] = outputFiles;
   if (!file) throw new Error('esbuild made no script.');

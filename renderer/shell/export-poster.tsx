@@ -20,11 +20,10 @@ export function usePoster(): ShownPoster {
   const path = useDocument(({ project }) => project.page.poster);
   const [bytes, setBytes] = useState<Uint8Array<ArrayBuffer> | null>(null);
   const [reading, setReading] = useState(true);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: another path is another poster.
   useEffect(() => {
     let wanted = true;
     setReading(true);
-    void nextPoster(editor).then((next) => {
+    void nextPoster(editor, path).then((next) => {
       if (!wanted) return;
       setBytes(next);
       setReading(false);

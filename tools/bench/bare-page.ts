@@ -3,7 +3,7 @@ import { compileProject } from '../../app/services/compile-project.ts';
 import { readProjectFiles } from '../../app/services/project-files.ts';
 import { readAssetFile } from '../../app/services/read-asset.ts';
 import { prepareAssets } from '../../export/bundle/assets/prepare-assets.ts';
-import { bundleScripts } from '../../export/bundle/bundle-page-script.ts';
+import { bundleScripts, PAGE_SETTINGS } from '../../export/bundle/bundle-page-script.ts';
 import type { PageUse } from '../../export/bundle/page-entry.ts';
 import { programUse } from '../../export/bundle/program-use.ts';
 import { type Sizes, sizesOf } from '../../export/bundle/report.ts';
@@ -11,18 +11,10 @@ import { type Sizes, sizesOf } from '../../export/bundle/report.ts';
 /** Bundles the page that does what the first example does in plain three.js, as `export/bundle` bundles pages. */
 export async function bundleBarePage(root: string): Promise<Uint8Array> {
   const { outputFiles } = await build({
+    ...PAGE_SETTINGS,
     entryPoints: ['tools/bench/pages/bare.page.ts'],
     absWorkingDir: root,
-    bundle: true,
-    write: false,
-    minify: true,
     format: 'iife',
-    platform: 'browser',
-    target: 'es2022',
-    charset: 'utf8',
-    legalComments: 'eof',
-    define: { 'process.env.NODE_ENV': '"production"', 'import.meta.url': 'document.baseURI' },
-    logLevel: 'silent',
   });
   const [script] = outputFiles;
   if (!script) throw new Error('esbuild made nothing of the bare page.');

@@ -131,7 +131,7 @@ export function showExportProgress({ ui }: Editor, handle: string, text: string)
 /** The chosen poster, or one of the current view of the preview. Without one, the page is exported anyway. */
 function posterOf(editor: Editor): Promise<Uint8Array<ArrayBuffer> | null> {
   editor.ui.setState(({ exporting }) => ({ exporting: exporting && { ...exporting, text: 'Rendering the poster…' } }));
-  return nextPoster(editor);
+  return nextPoster(editor, editor.document.getState().project.page.poster);
 }
 
 function isCancelled({ ui }: Editor): boolean {

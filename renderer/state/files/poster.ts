@@ -7,15 +7,18 @@ import { bytesOf } from './base64.ts';
 import { refreshAssetFiles } from './edit-assets.ts';
 import { showRefusal } from './files.ts';
 
-/** The image that an export would use as poster, as JPEG; null if the preview shows nothing. */
-export async function nextPoster(editor: Editor): Promise<Uint8Array<ArrayBuffer> | null> {
-  return (await chosenPoster(editor)) ?? (await editor.posters.take?.(POSTER_SIZE)) ?? null;
+/**
+ * The image that an export would use as poster, as JPEG; null if the preview shows nothing.
+ *
+ * @param path The poster that the project has chosen, if any.
+ */
+export async function nextPoster(editor: Editor, path: string | undefined): Promise<Uint8Array<ArrayBuffer> | null> {
+  return (await readPoster(editor, path)) ?? (await editor.posters.take?.(POSTER_SIZE)) ?? null;
 }
 
-/** The poster that the project has chosen; null if there is none, or if its file is missing. */
-async function chosenPoster({ document, host }: Editor): Promise<Uint8Array<ArrayBuffer> | null> {
-  const { open, project } = document.getState();
-  const path = project.page.poster;
+/** A poster of the project; null without a path, or if its file is missing. */
+async function readPoster({ document, host }: Editor, path: string | undefined): Promise<Uint8Array<ArrayBuffer> | null> {
+  const { open } = document.getState();
   if (open === null || path === undefined) return null;
   try {
     return bytesOf((await host.call('asset.read', { handle: open.handle, path })).base64);

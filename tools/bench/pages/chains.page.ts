@@ -21,6 +21,7 @@ import { linkProgram } from '../../../nodes/kit/link-program.ts';
 import { ACROSS, BLUR, CURVES, INK, LUMA, POSTERIZE, SEPIA, VIGNETTE } from './chain-effects.ts';
 import { countFrame, type FrameFacts } from './frame-facts.ts';
 import { type Drawn, drawnPixels, measureFrames } from './frame-ms.ts';
+import { FULL_SCREEN } from './full-screen.ts';
 
 /** `blurred`: sepia, vignette, blur, posterize, curves. `masked`: ink, but the photo where it is bright; sepia over all. */
 export type Chain = 'blurred' | 'masked';
@@ -107,13 +108,6 @@ const HAND_PASSES: Readonly<Record<Chain, readonly HandPass[]>> = {
     },
   ],
 };
-
-const FULL_SCREEN = `#version 300 es
-out vec2 at;
-void main() {
-  at = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
-  gl_Position = vec4(at * 2.0 - 1.0, 0.0, 1.0);
-}`;
 
 async function byHand({ canvas, imageUrl }: Stage, chain: Chain): Promise<Drawn> {
   const gl = canvas.getContext('webgl2', { antialias: false, alpha: true });

@@ -5,6 +5,7 @@ import { ShaderPass } from 'three/addons/postprocessing/ShaderPass.js';
 import { TexturePass } from 'three/addons/postprocessing/TexturePass.js';
 import { linkProgram } from '../../../nodes/kit/link-program.ts';
 import { type Drawn, drawnPixel, measureFrames } from './frame-ms.ts';
+import { FULL_SCREEN } from './full-screen.ts';
 
 /** Draws the same effects over the same image as a page without Scrim would. */
 export type Contender = 'by hand' | 'by hand, any alpha' | 'postprocessing' | 'EffectComposer';
@@ -49,13 +50,6 @@ const CONTENDERS: Readonly<Record<Contender, (canvas: HTMLCanvasElement, imageUr
     postprocessing: withPostprocessing,
     EffectComposer: withEffectComposer,
   };
-
-const FULL_SCREEN = `#version 300 es
-out vec2 at;
-void main() {
-  at = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
-  gl_Position = vec4(at * 2.0 - 1.0, 0.0, 1.0);
-}`;
 
 /** The statement of a shader by hand that applies an effect to a color `c`. */
 type Step = (effect: string) => string;

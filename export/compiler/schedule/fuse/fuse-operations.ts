@@ -73,7 +73,7 @@ function fuseGroups({ operations, resources, groups, separate }: Recomputed, har
   };
 }
 
-/** Whether a pass reads a target at the position of the view. Passes that only copy are found by their text. */
+/** Whether a pass reads a target at the position of the view. Passes that only copy stay as they are: the page often leaves them out. */
 function readsTargets({ parts, copies, samplers }: ScheduledPass, facts: LayerFacts): boolean {
   return typeof parts !== 'string' && !copies && samplers.some((sampler) => isAligned(sampler, facts));
 }

@@ -1,7 +1,7 @@
 import { DIRECTION_FRAGMENT, DIRECTION_VARYINGS, DIRECTION_VERTEX, readsDirections } from './curvature/direction-parts.ts';
 import { RADIAL_FRAGMENT, RADIAL_VARYING, RADIAL_VERTEX, readsRadial } from './curvature/radial-parts.ts';
 import { environmentFragment, environmentVertex } from './technique-environment.ts';
-import { FUNCTIONS, OF_BOTH, VARYINGS, VERTEX_FUNCTIONS, WITHOUT_LIGHTS } from './wrapper-parts.ts';
+import { FUNCTIONS, OF_BOTH, VARYINGS, VERTEX_FUNCTIONS, vertexHead } from './wrapper-parts.ts';
 
 /**
  * The vertex shader of one pass of a technique. The GLSL around the technique's text defines the names of
@@ -18,12 +18,7 @@ export function techniqueVertex(text: string, fragment: string, passIndex: numbe
   const directions = readsDirections(fragment);
   const radial = readsRadial(fragment);
   return /* glsl */ `
-#define a_EYE cameraPosition
-#define a_PASSINDEX ${passIndex}
-${WITHOUT_LIGHTS}
-${OF_BOTH}
-${text}
-${FUNCTIONS}
+${vertexHead(text, passIndex)}
 #include <common>
 #include <uv_pars_vertex>
 #include <color_pars_vertex>

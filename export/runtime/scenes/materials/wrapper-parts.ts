@@ -35,3 +35,13 @@ export const VERTEX_FUNCTIONS = `// Length of a unit along each axis of the matr
 vec3 scrimScale( const in mat3 m ) {
   return vec3( length( m[ 0 ] ), length( m[ 1 ] ), length( m[ 2 ] ) );
 }`;
+
+/** What a vertex shader of a technique begins with: the names that the author's text may use, the text, and functions for both. */
+export function vertexHead(text: string, passIndex: number): string {
+  return `#define a_EYE cameraPosition
+#define a_PASSINDEX ${passIndex}
+${WITHOUT_LIGHTS}
+${OF_BOTH}
+${text}
+${FUNCTIONS}`;
+}

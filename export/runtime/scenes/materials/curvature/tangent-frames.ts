@@ -60,7 +60,7 @@ export function tangentFrames({ triangles }: MeshShape, positions: Float32Array)
   for (let at = 0; at < normals.length; at += 3) {
     face.fromArray(normals, at);
     if (face.lengthSq() < CANCELED) face.fromArray(ofSide, at);
-    // A vertex of triangles without area at rest, which a morph target may open, has any normal.
+    // Triangles without area have no normal. A morph target may give them one, but directions are computed at rest.
     if (face.lengthSq() < CANCELED) face.set(0, 1, 0);
     face.normalize().toArray(normals, at);
     const [x, y, z] = [Math.abs(face.x), Math.abs(face.y), Math.abs(face.z)];

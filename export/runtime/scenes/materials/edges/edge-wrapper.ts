@@ -1,5 +1,5 @@
 import { environmentVertex } from '../technique-environment.ts';
-import { FUNCTIONS, OF_BOTH, VARYINGS, VERTEX_FUNCTIONS, WITHOUT_LIGHTS } from '../wrapper-parts.ts';
+import { VARYINGS, VERTEX_FUNCTIONS, vertexHead } from '../wrapper-parts.ts';
 
 /**
  * The vertex shader of a pass of a technique that draws edges as lines. It reads the segments of `edge-geometry.ts` by `gl_VertexID`, poses
@@ -17,12 +17,7 @@ import { FUNCTIONS, OF_BOTH, VARYINGS, VERTEX_FUNCTIONS, WITHOUT_LIGHTS } from '
 export function techniqueEdges(text: string, fragment: string, passIndex: number): string {
   const environment = environmentVertex(fragment);
   return /* glsl */ `
-#define a_EYE cameraPosition
-#define a_PASSINDEX ${passIndex}
-${WITHOUT_LIGHTS}
-${OF_BOTH}
-${text}
-${FUNCTIONS}
+${vertexHead(text, passIndex)}
 #include <common>
 #include <morphtarget_pars_vertex>
 #include <skinning_pars_vertex>
