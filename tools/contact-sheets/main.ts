@@ -49,7 +49,12 @@ export async function main(args: readonly string[], { root }: ToolContext): Prom
   }
   const files = paths.length > 0 ? paths.map((path) => resolve(path)) : MODELS.map((path) => join(root, path));
   const models = await Promise.all(files.map(measureModel));
-  const styles = (await allStyles(root)).filter(({ name }) => only === undefined || name === only);
+  const all = await allStyles(root);
+  const styles = all.filter(({ name }) => only === undefined || name === only);
+  if (styles.length === 0) {
+    console.error(`No style is named “${only}”. Styles: ${all.map(({ name }) => name).join(', ')}.`);
+    return 2;
+  }
   const { session, widthPx, heightPx } = sheetSession(models.length);
   const folder = await mkdtemp(join(tmpdir(), 'scrim-sheets-'));
   let problems = 0;

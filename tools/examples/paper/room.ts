@@ -9,10 +9,14 @@ export const ROBOT: Readonly<Record<string, Asset>> = {
   'robot-tin1': { path: 'assets/robot.glb', kind: 'model', credit: 'Made by tools/examples/robot.ts', licence: 'MIT' },
 };
 
+export const ELEPHANT: Readonly<Record<string, Asset>> = {
+  'elephant-02': { path: 'assets/elephant.glb', kind: 'model', credit: 'Made by tools/examples/elephant.ts', licence: 'MIT' },
+};
+
 /** The robot and the elephant: a model with flat sides and edges beside one without. */
 export const PAIR: Readonly<Record<string, Asset>> = {
   ...ROBOT,
-  'elephant-02': { path: 'assets/elephant.glb', kind: 'model', credit: 'Made by tools/examples/elephant.ts', licence: 'MIT' },
+  ...ELEPHANT,
 };
 
 /** Asset table with an image of four hands in front of a wall. */

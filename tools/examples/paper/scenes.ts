@@ -1,6 +1,6 @@
 import { WORLD_IN_THE_BOOK } from './book-recipe.ts';
 import type { Recipe, RecipeNode } from './recipe.ts';
-import { elephantAndRobot, PAIR, PAIR_WIRES, PHANTOM_WIRES, phantoms, ROBOT, ROBOT_WIRES, robotOnRug, WINDOW_LIGHT } from './room.ts';
+import { ELEPHANT, elephantAndRobot, PAIR, PAIR_WIRES, PHANTOM_WIRES, phantoms, ROBOT, ROBOT_WIRES, robotOnRug, WINDOW_LIGHT } from './room.ts';
 
 const EDGES = { strength: 8, lineColor: [0.1, 0.08, 0.06, 1], paperColor: [0.97, 0.95, 0.9, 1] } as const;
 const MODEL_SCENE = {
@@ -305,4 +305,38 @@ export const SCENES: readonly Recipe[] = [
     title: 'In pen strokes',
     description: 'A robot hatched in real time: darker areas get more strokes, and the strokes stay in place as it walks.',
   }),
+  {
+    folder: 'borders-as-sketch-lines',
+    figure: '10s',
+    title: 'Borders as sketch lines',
+    description:
+      'An elephant stands behind the real table. Where the depth sensor is too coarse to say which of the two a pixel shows, the border is a sketch line instead of a cut. “Sure within” of Sketched occlusion says how much of it is drawn.',
+    nodes: {
+      model: ['source/model', 0, 0, { model: 'elephant-02' }],
+      elephant: ['objects/transform', 1, 0, { positionM: [-0.32, 0, -1.02], rotationRad: [0, 1.1, 0], scale: 1.4 }],
+      tones: ['technique/gooch', 1, 1],
+      toned: ['objects/apply-technique', 2, 0],
+      light: ['light/directional', 2, 1, WINDOW_LIGHT],
+      scene: ['layer/scene', 3, 0, { ambient: 0.4 }],
+      depth: ['world/depth', 3, 1],
+      occlusion: ['operator/sketched-occlusion', 4, 0, { surePx: 4, widthPx: 28, linePx: 3, lineColor: [0.98, 0.95, 0.88, 1] }],
+      video: ['source/camera-video', 4, 1],
+      merge: ['operator/over', 5, 0],
+      screen: ['output/screen', 6, 0],
+    },
+    wires: [
+      'model.objects -> elephant.objects',
+      'elephant.objects -> toned.objects',
+      'tones.technique -> toned.technique',
+      'toned.objects -> scene.objects',
+      'light.lights -> scene.lights',
+      'scene.layer -> occlusion.inputImage',
+      'depth.depth -> occlusion.room',
+      'depth.confidence -> occlusion.confidence',
+      'occlusion.layer -> merge.top',
+      'video.layer -> merge.bottom',
+      'merge.layer -> screen.layer',
+    ],
+    assets: ELEPHANT,
+  },
 ];
