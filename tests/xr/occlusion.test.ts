@@ -6,6 +6,7 @@ import { useBrowser } from '../support/browser.ts';
 import { pixelAt, type RgbaImage } from '../support/image.ts';
 import type { ProjectText } from '../support/project-kit.ts';
 import { type ServedExport, serveProjectText } from '../support/project-page.ts';
+import { type Eye, eyesOf } from './eyes.ts';
 import { openXrPage, readCapture, type XrPage } from './xr-page.ts';
 
 const chromium = useBrowser();
@@ -52,48 +53,11 @@ beforeAll(async () => {
 });
 afterAll(() => Promise.all([hiding.close(), plain.close()]));
 
-/** One eye: where it is, and what of the layer it has. It looks along -x, so that its right is -z. */
-interface Eye {
-  readonly position: readonly [number, number, number];
-  readonly clipFromView: readonly number[];
-  readonly left: number;
-  readonly width: number;
-}
-
 function rayOf({ clipFromView, left, width }: Eye, x: number, y: number): readonly [number, number, number] {
   const [p0 = 1, , , , , p5 = 1, , , p8 = 0, p9 = 0] = clipFromView;
   const right = ((2 * (x + 0.5 - left)) / width - 1 + p8) / p0;
   const up = (1 - (2 * (y + 0.5)) / HEIGHT + p9) / p5;
   return [-1, up, -right];
-}
-
-/** Eyes as WebXR tells them to the page, asked of the running session by the test. */
-async function eyesOf(xr: XrPage): Promise<Eye[]> {
-  const eyes = await xr.page.evaluate(async () => {
-    const session = (scrimEmulator?.current?.device as unknown as { activeSession?: XRSession })?.activeSession;
-    if (!session) throw new Error('There is no session.');
-    const space = await session.requestReferenceSpace('local-floor');
-    const told = new Promise<{ position: number[]; projection: number[] }[]>((resolve) => {
-      session.requestAnimationFrame((_time, frame) => {
-        const views = frame.getViewerPose(space)?.views ?? [];
-        resolve(
-          views.map(({ transform: { position }, projectionMatrix }) => ({
-            position: [position.x, position.y, position.z],
-            projection: [...projectionMatrix],
-          })),
-        );
-      });
-    });
-    await scrimEmulator?.current?.stepFrame();
-    return told;
-  });
-  const width = WIDTH / eyes.length;
-  return eyes.map(({ position, projection }, i) => ({
-    position: position as unknown as Eye['position'],
-    clipFromView: projection,
-    left: i * width,
-    width,
-  }));
 }
 
 const HALF_TURN = Math.SQRT1_2;
@@ -181,7 +145,7 @@ async function tallies(options: EmulatorOptions, eyeHeightM: number): Promise<Ta
   await look(xr, eyeHeightM);
   const layer = await xr.readLayer();
   const results: Tally[] = [];
-  for (const eye of await eyesOf(xr)) results.push(await tally(xr, eye, layer, silhouette));
+  for (const eye of await eyesOf(xr, WIDTH)) results.push(await tally(xr, eye, layer, silhouette));
   expect(xr.errors).toEqual([]);
   await xr.close();
   return results;
