@@ -126,7 +126,11 @@ export function createTuning(view: editor.IStandaloneCodeEditor, { onStart, onEn
       rangeOf(literal.range),
       ({ write, end }) =>
         createElement(NumberTuner, {
-          ...{ start: literal.value, min, max, step, print },
+          start: literal.value,
+          min,
+          max,
+          step,
+          print,
           onEdit: (value: number) => write(print(value)),
           onEnd: end,
           onClose: closeAndReturn,

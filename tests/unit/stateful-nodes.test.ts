@@ -236,7 +236,8 @@ function giveAt(
         const worldFromAnchor = Float32Array.from('worldFromHit' in at ? at.worldFromHit : at);
         return { id: 'anchor', state: 'tracked', worldFromAnchor, keeping: 'not-asked', evicted: 0, delete: () => {} };
       },
-      ...{ restore: () => null, forget: () => {} },
+      restore: () => null,
+      forget: () => {},
     },
     depthImage: () => null,
     answerRays: () => () => {},

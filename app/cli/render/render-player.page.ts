@@ -35,7 +35,15 @@ export function createRenderPlayer(
   if (!gl) throw new Error('The browser has no WebGL 2.');
   const fetchFile = fetch.bind(globalThis);
   const player = createPlayer({
-    ...{ gl, canvas, program, modules: RUNTIMES, createSpatial, seed: SEED, clock: createRenderClock(), held: true, onDiagnostics },
+    gl,
+    canvas,
+    program,
+    modules: RUNTIMES,
+    createSpatial,
+    seed: SEED,
+    clock: createRenderClock(),
+    held: true,
+    onDiagnostics,
     createScenes: createScenesWith({
       decoders: ALL_DECODERS,
       files: createFetchAssetSource(new URL(decodersBaseUrl, document.baseURI).href, fetchFile).load,

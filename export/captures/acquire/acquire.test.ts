@@ -10,8 +10,12 @@ import { fillEmpty } from './fill-empty.ts';
 import { transformsText } from './write-transforms.ts';
 
 const SPHERE: CameraPlaces = {
-  ...{ shape: 'outside-in', counts: [42, 1, 1], centerM: [0, 0.4, -1], extentM: [2, 2, 2] },
-  ...{ yawRad: 0, elevationRad: [-Math.PI / 2, Math.PI / 2] },
+  shape: 'outside-in',
+  counts: [42, 1, 1],
+  centerM: [0, 0.4, -1],
+  extentM: [2, 2, 2],
+  yawRad: 0,
+  elevationRad: [-Math.PI / 2, Math.PI / 2],
 };
 const at = (pose: readonly number[], column: number): readonly number[] => pose.slice(4 * column, 4 * column + 3);
 const dot = (a: readonly number[], b: readonly number[]): number => a.reduce((sum, x, i) => sum + x * (b[i] ?? 0), 0);

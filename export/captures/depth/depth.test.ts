@@ -62,8 +62,15 @@ test.each<[string, () => unknown, string]>([
 });
 
 const LENS = checkLens({
-  ...{ projection: 'perspective', widthPx: 40, heightPx: 30, fxPx: 30, fyPx: 30, cxPx: 20, cyPx: 15 },
-  ...{ radial: [], tangential: [0, 0] },
+  projection: 'perspective',
+  widthPx: 40,
+  heightPx: 30,
+  fxPx: 30,
+  fyPx: 30,
+  cxPx: 20,
+  cyPx: 15,
+  radial: [],
+  tangential: [0, 0],
 });
 const PINHOLE = pinholeFor(LENS, 40);
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];

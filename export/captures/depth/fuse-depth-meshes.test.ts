@@ -19,8 +19,12 @@ const AROUND: Pinhole = {
   projection: 'equirectangular',
 };
 const PLACES: CameraPlaces = {
-  ...{ shape: 'outside-in', counts: [8, 1, 1], centerM: [0, 0, 0], extentM: [2, 2, 2] },
-  ...{ yawRad: 0, elevationRad: [-Math.PI / 2, Math.PI / 2] },
+  shape: 'outside-in',
+  counts: [8, 1, 1],
+  centerM: [0, 0, 0],
+  extentM: [2, 2, 2],
+  yawRad: 0,
+  elevationRad: [-Math.PI / 2, Math.PI / 2],
 };
 const RADIUS = 0.3;
 

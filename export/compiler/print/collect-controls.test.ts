@@ -59,8 +59,15 @@ describe('controls', () => {
       { node: 'lamps-e6ts', param: 'distanceM', label: 'Distance', value: 2.5, kind: 'slider', min: 0.1, max: 100, step: 0.1 },
       { node: 'lamps-e6ts', param: 'ambient', label: 'Ambient light', value: 1, kind: 'slider', min: 0, max: 10, step: 0.01 },
       {
-        ...{ node: 'lamps-e6ts', param: 'rotationRad', label: 'Rotation', value: 0.5, kind: 'slider', step: 0.01, unit: 'rad' },
-        ...{ min: 0.5 - Math.PI / 6, max: 0.5 + Math.PI / 6 },
+        node: 'lamps-e6ts',
+        param: 'rotationRad',
+        label: 'Rotation',
+        value: 0.5,
+        kind: 'slider',
+        step: 0.01,
+        unit: 'rad',
+        min: 0.5 - Math.PI / 6,
+        max: 0.5 + Math.PI / 6,
       },
     ]);
   });

@@ -10,7 +10,10 @@ import { create } from './runtime.ts';
 
 const FILE = writeVoxelFile(emptyVoxels(0.05, 3));
 const IMAGE = {
-  ...{ meters: new Float32Array(4).fill(1), widthPx: 2, heightPx: 2, frame: 0 },
+  meters: new Float32Array(4).fill(1),
+  widthPx: 2,
+  heightPx: 2,
+  frame: 0,
   uvFromViewUv: Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1),
   clipFromView: Float32Array.from(new Matrix4().makePerspective(-0.1, 0.1, 0.1, -0.1, 0.1, 100).elements),
   worldFromView: Float32Array.from(new Matrix4().makeTranslation(2, 1.6, 3).elements),

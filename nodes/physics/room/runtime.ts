@@ -32,8 +32,17 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { edgeM, speed, threshold, farM, friction, restitution, surface, depth, planes, meshes, keep } = ctx.config;
   const settings = { edgeM, speed, threshold, farM, isSmooth: surface === 'smooth' };
   const room: PhysicsRoom = {
-    ...{ settings, friction, restitution, version: 0, frames: [], spent: [], edits: [] },
-    ...{ wantsFile: false, file: null, changes: 0, fileChanges: 0 },
+    settings,
+    friction,
+    restitution,
+    version: 0,
+    frames: [],
+    spent: [],
+    edits: [],
+    wantsFile: false,
+    file: null,
+    changes: 0,
+    fileChanges: 0,
   };
   // One more than can wait: the world has copied the others when it returns.
   const depthFrames = createDepthFrames(MAX_FRAMES + 1);

@@ -260,8 +260,17 @@ describe('the protocol', () => {
   test('depth moves to the worker and back without a copy', async () => {
     const { list, frame } = start(workersHere().service);
     const room: PhysicsRoom = {
-      ...{ settings: SETTINGS, friction: 0.6, restitution: 0, version: 0, frames: [], spent: [], edits: [] },
-      ...{ wantsFile: false, file: null, changes: 0, fileChanges: 0 },
+      settings: SETTINGS,
+      friction: 0.6,
+      restitution: 0,
+      version: 0,
+      frames: [],
+      spent: [],
+      edits: [],
+      wantsFile: false,
+      file: null,
+      changes: 0,
+      fileChanges: 0,
     };
     list.room = room;
     const meters = new Float32Array(16 * 12).fill(2);

@@ -74,7 +74,9 @@ export function createVoxelChunks(hasSurface: boolean): VoxelChunks {
       const found = of(vx, vy, vz);
       if (found || chunks.size >= MAX_CHUNKS) return found;
       const made: Chunk = {
-        ...{ x: vx >> 3, y: vy >> 3, z: vz >> 3 },
+        x: vx >> 3,
+        y: vy >> 3,
+        z: vz >> 3,
         weights: new Float32Array(VOXELS),
         hits: new Int32Array(VOXELS),
         seen: new Float32Array(3 * VOXELS),

@@ -56,7 +56,10 @@ export async function open(count: number, widthPx: number, heightPx: number, rea
   const focal = 1 / Math.tan(Math.PI / 6);
   const view = {
     view: { clipFromView: Float32Array.of((focal * heightPx) / widthPx, 0, 0, 0, 0, focal, 0, 0, 0, 0, -1, -1, 0, 0, -0.2, 0) },
-    ...{ viewIndex: 0, framebuffer: null, viewport: { x: 0, y: 0, widthPx, heightPx }, readsDepth },
+    viewIndex: 0,
+    framebuffer: null,
+    viewport: { x: 0, y: 0, widthPx, heightPx },
+    readsDepth,
   } as unknown as DrawView;
   const identity = Float32Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
   const eye = new Float32Array(3);

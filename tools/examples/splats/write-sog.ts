@@ -73,7 +73,9 @@ export async function sogFilesOf(splats: readonly SplatPoint[]): Promise<Map<str
     sh0: { codebook: base.codebook, files: ['sh0.webp'] },
     ...(coefficients > 0 && {
       shN: {
-        ...{ count: palette.length, bands: [3, 8, 15].indexOf(coefficients) + 1, codebook: rest.codebook },
+        count: palette.length,
+        bands: [3, 8, 15].indexOf(coefficients) + 1,
+        codebook: rest.codebook,
         files: ['shN_centroids.webp', 'shN_labels.webp'],
       },
     }),

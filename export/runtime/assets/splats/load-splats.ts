@@ -25,7 +25,13 @@ export async function loadSplats(objects: GlObjects, bytes: ArrayBuffer, path: s
   const data = upload(objects, words, WORDS, count);
   const others = degree === 0 ? null : upload(objects, harmonics, HARMONICS_WORDS[degree], count);
   return {
-    ...{ count, degree, antialiased, ranges, positions, data, harmonics: others },
+    count,
+    degree,
+    antialiased,
+    ranges,
+    positions,
+    data,
+    harmonics: others,
     findings: invalid === 0 ? [] : [leftOut(path, splats)],
     dispose: () => {
       objects.deleteTexture(data);
