@@ -61,7 +61,7 @@ export const RADIAL_VERTEX = { declarations: '', main: '' };`,
   {
     file: 'export/runtime/scenes/materials/edges/edge-geometry.ts',
     isNeeded: ({ techniqueEdges }) => techniqueEdges,
-    otherwise: 'export const edgeGeometryOf = () => null;',
+    otherwise: absent('edgeGeometryOf'),
   },
   {
     file: 'export/runtime/scenes/materials/edges/edge-wrapper.ts',
