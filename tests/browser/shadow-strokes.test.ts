@@ -13,6 +13,12 @@ test('strokes are denser near the object, and only in its shadow', async () => {
   expect(beyond).toBe(0);
 });
 
+test('below a table, strokes are denser at its foot than under its top', async () => {
+  const { foot, top } = await page.call<Record<'foot' | 'top', number>>('belowTable');
+  expect(top).toBeGreaterThan(0.15);
+  expect(foot / top).toBeGreaterThan(1.5);
+});
+
 test('strokes stay on the desk while the camera moves', async () => {
   const { onDesk, onScreen } = await page.call<{ onDesk: number; onScreen: number }>('anchored');
   expect(onDesk).toBeGreaterThan(0.8);

@@ -162,7 +162,9 @@ describe('technique/toon', () => {
 describe('an outline surrounds an open surface', () => {
   const styles = ['gooch', 'toon'] as const;
   const shapes = ['sheet', 'gutter'] as const;
-  const cases = styles.flatMap((style) => shapes.flatMap((shape) => [0.4, 2, Math.PI + 0.4].map((turnRad) => [style, shape, turnRad] as const)));
+  const cases = styles.flatMap((style) =>
+    shapes.flatMap((shape) => [0.4, 2, Math.PI + 0.4].map((turnRad) => [style, shape, turnRad] as const)),
+  );
 
   test.each(cases)('by %s: a %s, turned by %d rad', async (style, shape, turnRad) => {
     const found = await page.call<Record<'border' | 'outlined' | 'onIt' | 'error', number>>('openOutline', style, shape, turnRad);

@@ -29,18 +29,25 @@ const EYES_AND_MOUTH = [
   [195, 257, 262, 284],
 ] as const;
 
-type Box = (typeof EYES_AND_MOUTH)[number];
+type Box = readonly [left: number, right: number, top: number, bottom: number];
 
 /** Whether a pixel from the top left is darker than a value. */
 function isDarker(pixels: readonly number[], x: number, y: number, value: number): boolean {
   return (pixels[((359 - y) * 480 + x) * 4] ?? 255) < value;
 }
 
-/** Part of a box that is dark. */
-function darkPart(pixels: readonly number[], [left, right, top, bottom]: readonly [number, number, number, number]): number {
+/** Part of what is drawn in a box that is dark. */
+function darkPart(pixels: readonly number[], [left, right, top, bottom]: Box): number {
   let dark = 0;
-  for (let y = top; y < bottom; y++) for (let x = left; x < right; x++) if (isDarker(pixels, x, y, 110)) dark++;
-  return dark / ((right - left) * (bottom - top));
+  let drawn = 0;
+  for (let y = top; y < bottom; y++) {
+    for (let x = left; x < right; x++) {
+      if ((pixels[((359 - y) * 480 + x) * 4 + 3] ?? 0) < 100) continue;
+      drawn++;
+      if (isDarker(pixels, x, y, 110)) dark++;
+    }
+  }
+  return dark / drawn;
 }
 
 /** Pixels in the middle of 5 × 5 pixels of ink. */
@@ -83,14 +90,14 @@ describeWithData('lines of models', 'models', () => {
     expect(EYES_AND_MOUTH.reduce((sum, box) => sum + blotsIn(pixels, box), 0)).toBeLessThan(4);
   });
 
-  // The head of the camera has bellows, rails and knobs that are a few pixels apart. Strokes of their full width cover it: 83 % and 76 %.
+  // The head of the camera has bellows, rails and knobs that are a few pixels apart. Strokes of their full width cover it: 97 % and 90 %.
   test.each([
     ['small', { eye: [1.5, 0.9, 3], target: [0, 0, 0] }, [222, 278, 95, 125]],
     ['large', { eye: [0.6, 0.75, 1.5], target: [-0.05, 0.7, 0] }, [225, 320, 170, 240]],
   ] as const)('do not blacken a %s model of many parts', async (name, place, box) => {
     const { silhouette, found, pixels } = await drawn(`camera-${name}`, 'linesOf', '/models/AntiqueCamera.glb', place, {});
     expect(found / silhouette).toBeGreaterThan(0.95);
-    expect(darkPart(pixels, box)).toBeLessThan(0.5);
+    expect(darkPart(pixels, box)).toBeLessThan(0.6);
     expect(darkPart(pixels, box)).toBeGreaterThan(0.15);
   });
 });

@@ -76,7 +76,7 @@ export const RADIAL_VERTEX = { declarations: '', main: '' };`,
   {
     file: 'export/runtime/scenes/materials/shadow-strokes.ts',
     isNeeded: plays('layer/shadow', { drawing: 'strokes' }),
-    otherwise: absent('createStrokeUniforms', 'strokeParts'),
+    otherwise: `export const GAP = '';\n${absent('createStrokeUniforms', 'gapOf', 'strokeParts')}`,
   },
   {
     file: 'nodes/layer/shadow/strokes.ts',

@@ -1,4 +1,10 @@
-import type { MeshEdge } from './mesh-edges.ts';
+/** An edge between two vertices. */
+export interface AngledEdge {
+  readonly a: number;
+  readonly b: number;
+  /** Angle between its faces in radians; its sign has no meaning here. */
+  readonly angle: number;
+}
 
 /** Returns how far apart lines lie around a point of the mesh, in its units; infinite where there are few. */
 export type LineRoom = (x: number, y: number, z: number) => number;
@@ -23,7 +29,7 @@ interface Grid {
  * angle is a part of half a turn. So the sum of length × angle / π in a cell, divided by its side, is the number of lines that
  * cross it; the side divided by that number is their distance.
  */
-export function measureRoom(edges: readonly MeshEdge[], positions: Float32Array): LineRoom {
+export function measureRoom(edges: readonly AngledEdge[], positions: Float32Array): LineRoom {
   const low = [0, 1, 2].map((axis) => extreme(positions, axis, Math.min));
   const side = Math.max(...low.map((from, axis) => extreme(positions, axis, Math.max) - from));
   if (!(side > 0)) return () => Number.POSITIVE_INFINITY;

@@ -49,7 +49,11 @@ describe('simplifying', () => {
   test('parts that hang together nowhere removes the smallest', () => {
     const positions: number[] = [];
     for (let i = 0; i < 100; i++) positions.push(i, 0, 0, i + 0.001 * (i + 1), 0, 0, i, 0.001 * (i + 1), 0);
-    const left = simplify(Uint32Array.from({ length: 300 }, (_, i) => i), Float32Array.from(positions), 40);
+    const left = simplify(
+      Uint32Array.from({ length: 300 }, (_, i) => i),
+      Float32Array.from(positions),
+      40,
+    );
     expect(left).toHaveLength(120);
     expect(Math.min(...left)).toBe(180);
   });

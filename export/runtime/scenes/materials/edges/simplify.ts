@@ -126,7 +126,13 @@ function hasHalfEdge(triangles: Uint32Array, fan: Fans, from: number, to: number
 }
 
 /** Collapses the edges with the smallest errors, each vertex at most once, until `wanted` triangles are gone. Returns the others. */
-function collapseOnce(triangles: Uint32Array, positions: Float32Array, quadrics: Float64Array, wanted: number, isStrict: boolean): Uint32Array {
+function collapseOnce(
+  triangles: Uint32Array,
+  positions: Float32Array,
+  quadrics: Float64Array,
+  wanted: number,
+  isStrict: boolean,
+): Uint32Array {
   const count = positions.length / 3;
   const fan = fansOf(triangles, count);
   const isBorder = new Uint8Array(count);
@@ -196,7 +202,15 @@ function sorted(values: Float32Array): Uint32Array {
  *
  * @param marks A number per vertex, changed by this function; no vertex has `mark` or the next number before the call.
  */
-function pinches(triangles: Uint32Array, fan: Fans, onto: Uint32Array, from: number, to: number, marks: Uint32Array, mark: number): boolean {
+function pinches(
+  triangles: Uint32Array,
+  fan: Fans,
+  onto: Uint32Array,
+  from: number,
+  to: number,
+  marks: Uint32Array,
+  mark: number,
+): boolean {
   let shared = 0;
   for (let i = fan.start[from] ?? 0; i < (fan.start[from + 1] ?? 0); i++) {
     const t = fan.triangles[i] ?? 0;
