@@ -159,15 +159,22 @@ export function createTechniquePlans({ twins, occlusion, translucentShadows, onC
   };
 }
 
-/** The edges of a mesh and a material that they have in common, by the techniques that draw edges. */
+/** The edges of a mesh and a material that they have in common, by the techniques that draw its edges. */
 function edgesOf(master: Mesh, found: readonly (TechniqueView | null)[]): Map<TechniqueView, EdgeGeometry & { readonly part: Material }> {
   const edges = new Map<TechniqueView, EdgeGeometry & { readonly part: Material }>();
   const parts = materialsOf(master);
   for (const [i, technique] of found.entries()) {
     const part = parts[i];
-    if (!technique || !part || edges.has(technique) || !technique.passes.some(({ side }) => side === 'edges')) continue;
+    const passes = technique?.passes.filter(({ side }) => side === 'edges') ?? [];
+    if (!technique || !part || edges.has(technique) || passes.length === 0) continue;
     // A single material is that of all groups.
-    edges.set(technique, { ...edgeGeometryOf(master, (group) => !Array.isArray(master.material) || found[group] === technique), part });
+    const isUsed = (group: number): boolean => !Array.isArray(master.material) || found[group] === technique;
+    const made = edgeGeometryOf(
+      master,
+      isUsed,
+      passes.every(({ open }) => open),
+    );
+    if (made) edges.set(technique, { ...made, part });
   }
   return edges;
 }

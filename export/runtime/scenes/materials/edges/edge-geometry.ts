@@ -3,7 +3,7 @@ import { isSkinned, materialsOf } from '../../proxies/drawable.ts';
 import { collectEdges, type WeldedTriangles, weldTriangles } from '../../volumes/mesh-shape.ts';
 import { isDeformed, restVertices } from '../../volumes/pose-vertices.ts';
 import { type EdgeSegment, findSegments } from './mesh-edges.ts';
-import { simplify } from './simplify.ts';
+import { hasBorder, simplify } from './simplify.ts';
 
 /** The edges of a mesh as four vertices per segment, which the vertex shader of `edge-wrapper.ts` places. */
 export interface EdgeGeometry {
@@ -33,24 +33,26 @@ const ROOMY = 1e9;
 /** Width of the textures; `edge-wrapper.ts` reads it from the textures. */
 const WIDTH = 1024;
 
-const known = new WeakMap<BufferGeometry, Map<string, EdgeGeometry>>();
+const known = new WeakMap<BufferGeometry, Map<string, EdgeGeometry | null>>();
 
 /**
  * Returns the edges of a mesh, created at the first call and disposed with the geometry of the mesh. A mesh with too many has those of a
  * simplified mesh (ADR 53).
  *
  * @param isUsed Whether the material with this index takes part.
+ * @param ifOpen Whether a mesh without a border gives null, which saves the search.
  */
-export function edgeGeometryOf(master: Mesh, isUsed: (materialIndex: number) => boolean): EdgeGeometry {
+export function edgeGeometryOf(master: Mesh, isUsed: (materialIndex: number) => boolean, ifOpen: boolean): EdgeGeometry | null {
   const { geometry } = master;
-  const versions = known.get(geometry) ?? new Map<string, EdgeGeometry>();
+  const versions = known.get(geometry) ?? new Map<string, EdgeGeometry | null>();
   known.set(geometry, versions);
   // Instances of a geometry differ in whether they bend.
-  const key = [isDeformed(master), isSkinned(master), ...materialsOf(master).map((_, i) => isUsed(i))].join();
+  const key = [ifOpen, isDeformed(master), isSkinned(master), ...materialsOf(master).map((_, i) => isUsed(i))].join();
   const found = versions.get(key);
-  if (found) return found;
-  const made = createEdgeGeometry(master, isUsed);
+  if (found !== undefined) return found;
+  const made = createEdgeGeometry(master, isUsed, ifOpen);
   versions.set(key, made);
+  if (!made) return null;
   const dispose = (): void => {
     geometry.removeEventListener('dispose', dispose);
     versions.delete(key);
@@ -61,8 +63,11 @@ export function edgeGeometryOf(master: Mesh, isUsed: (materialIndex: number) => 
   return made;
 }
 
-function createEdgeGeometry(master: Mesh, isUsed: (materialIndex: number) => boolean): EdgeGeometry {
-  const { mesh, positions, segments, isOpen } = findLines(master, isUsed);
+function createEdgeGeometry(master: Mesh, isUsed: (materialIndex: number) => boolean, ifOpen: boolean): EdgeGeometry | null {
+  const whole = weldTriangles(master.geometry, isUsed);
+  const isOpen = hasBorder(whole.triangles, whole.vertices.length);
+  if (ifOpen && !isOpen) return null;
+  const { mesh, positions, segments } = findLines(master, whole);
   const { attributes, morphAttributes, morphTargetsRelative } = master.geometry;
   const geometry = new BufferGeometry();
   // The shader reads no attributes. three.js reads the number of vertices, for the texture of morph targets, and the bounding sphere.
@@ -75,8 +80,7 @@ function createEdgeGeometry(master: Mesh, isUsed: (materialIndex: number) => boo
 }
 
 /** The segments of a mesh, or of one with fewer triangles where they are too many. */
-function findLines(master: Mesh, isUsed: (materialIndex: number) => boolean) {
-  const whole = weldTriangles(master.geometry, isUsed);
+function findLines(master: Mesh, whole: WeldedTriangles) {
   const wholePositions = restVertices(master, whole);
   const isDense = whole.triangles.length > MAX_TRIANGLES * 3;
   for (let most = FEWER_TRIANGLES; ; most /= 2) {
@@ -85,7 +89,7 @@ function findLines(master: Mesh, isUsed: (materialIndex: number) => boolean) {
     const positions = mesh === whole ? wholePositions : restVertices(master, mesh);
     const edges = collectEdges(mesh.triangles, mesh.vertices.length);
     const segments = findSegments({ ...mesh, ...edges }, positions, isDeformed(master), MAX_SEGMENTS);
-    if (segments) return { mesh, positions, segments, isOpen: !edges.closed };
+    if (segments) return { mesh, positions, segments };
   }
 }
 

@@ -24,6 +24,18 @@ export function simplify(triangles: Uint32Array, positions: Float32Array, most: 
   return left;
 }
 
+/** Whether an edge of the triangles has no face on its other side. */
+export function hasBorder(triangles: Uint32Array, vertexCount: number): boolean {
+  const fan = fansOf(triangles, vertexCount);
+  for (let i = 0; i < triangles.length; i++) if (!hasHalfEdge(triangles, fan, endOf(triangles, i), triangles[i] ?? 0)) return true;
+  return false;
+}
+
+/** The vertex after a corner in its triangle. */
+function endOf(triangles: Uint32Array, corner: number): number {
+  return triangles[corner % 3 === 2 ? corner - 2 : corner + 1] ?? 0;
+}
+
 /** Numbers of a symmetric 4 × 4 matrix: xx, xy, xz, xw, yy, yz, yw, zz, zw, ww. */
 const PARTS = 10;
 
@@ -138,10 +150,9 @@ function collapseOnce(
   const isBorder = new Uint8Array(count);
   const open: boolean[] = [];
   const errors = new Float32Array(triangles.length);
-  const endOf = (i: number): number => triangles[i % 3 === 2 ? i - 2 : i + 1] ?? 0;
   for (let i = 0; i < triangles.length; i++) {
     const from = triangles[i] ?? 0;
-    const to = endOf(i);
+    const to = endOf(triangles, i);
     if (!hasHalfEdge(triangles, fan, to, from)) {
       isBorder[from] = 1;
       isBorder[to] = 1;
@@ -158,7 +169,7 @@ function collapseOnce(
   for (const i of sorted(errors)) {
     if (gone >= wanted) break;
     const from = triangles[i] ?? 0;
-    const to = endOf(i);
+    const to = endOf(triangles, i);
     if (isTaken[from] || isTaken[to]) continue;
     if (isStrict) {
       // A border keeps its place, and a surface does not grow together with it.
