@@ -143,8 +143,8 @@ export interface TechniqueResource {
 export interface TechniquePass {
   /** Visible sides of triangles; `object` uses the side of the object's material. `edges` draws edges as lines instead of triangles. */
   readonly side: 'object' | 'front' | 'back' | 'both' | 'edges';
-  /** Whether the pass stands for passes of edges, and is drawn only where a mesh has too many edges. */
-  readonly dense?: true;
+  /** Whether a pass of edges is drawn only for meshes with a border. */
+  readonly open?: true;
 }
 
 export interface TechniqueUniform {

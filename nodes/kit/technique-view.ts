@@ -19,9 +19,9 @@ export interface TechniqueView {
   readonly fragment: string;
   /**
    * The passes in which each object is drawn, in order, with the sides of its surface that a pass shows. `object`: those that its own
-   * material shows. `edges` draws edges as lines; a `dense` pass is drawn instead where a mesh has too many edges.
+   * material shows. `edges` draws edges as lines; an `open` pass only those of meshes with a border.
    */
-  readonly passes: readonly { readonly side: 'object' | 'front' | 'back' | 'both' | 'edges'; readonly dense?: true }[];
+  readonly passes: readonly { readonly side: 'object' | 'front' | 'back' | 'both' | 'edges'; readonly open?: true }[];
   /** The uniforms with their live values: read them every frame. Colors are display-referred sRGB, as in params. */
   readonly uniforms: readonly TechniqueUniformView[];
   /**

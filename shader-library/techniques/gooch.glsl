@@ -1,8 +1,8 @@
 /*{
-  "DESCRIPTION": "Shades objects from cool to warm tones, as technical illustrations do: surfaces that face the light are warm, others are cool, and none is black, so the shape is visible everywhere. Outlines follow the silhouettes. The strongest light sets the direction of the tones, and all light their brightness; the environment counts as a light from its brightest side. “Color of the light” gives the tones the colors of the light.",
+  "DESCRIPTION": "Shades objects from cool to warm tones, as technical illustrations do: surfaces that face the light are warm, others are cool, and none is black, so the shape is visible everywhere. Outlines follow the silhouettes, and the borders of open surfaces. The strongest light sets the direction of the tones, and all light their brightness; the environment counts as a light from its brightest side. “Color of the light” gives the tones the colors of the light.",
   "CREDIT": "Scrim. Gooch, Gooch, Shirley, Cohen: A Non-Photorealistic Lighting Model for Automatic Technical Illustration, SIGGRAPH 1998, sections 4.1 and 4.2",
   "CATEGORIES": ["Illustration", "Technical", "NPR", "Cool", "Warm", "Tone", "CAD", "Silhouette"],
-  "PASSES": [{ "SIDE": "object" }, { "SIDE": "back" }],
+  "PASSES": [{ "SIDE": "object" }, { "SIDE": "back" }, { "SIDE": "edges", "OPEN": true }],
   "INPUTS": [
     { "NAME": "coolColor", "TYPE": "color", "LABEL": "Cool", "DOC": "Color of surfaces that face away from the light.", "DEFAULT": [0.1, 0.2, 0.75, 1.0] },
     { "NAME": "warmColor", "TYPE": "color", "LABEL": "Warm", "DOC": "Color of surfaces that face the light.", "DEFAULT": [0.85, 0.7, 0.15, 1.0] },
@@ -20,8 +20,13 @@
 #include <light/strongest>
 #include <light/white>
 
+const int HULL = 1;
+// An open surface has no back that a hull could show around it.
+const int LINES = 2;
+
 void vertex(inout Vertex v) {
-  if (PASSINDEX == 1) v.position += v.outward * (linePx * PIXEL_M(v.position));
+  if (PASSINDEX == HULL) v.position += v.outward * (linePx * PIXEL_M(v.position));
+  if (PASSINDEX == LINES) v.widthPx = v.contour ? linePx : 0.0;
 }
 
 // A tone in light of a color, as bright as in white light.
@@ -32,7 +37,7 @@ vec3 toneIn(const in vec3 light, const in vec3 tone) {
 }
 
 vec4 surface(const in Surface s) {
-  if (PASSINDEX == 1) {
+  if (PASSINDEX == HULL || PASSINDEX == LINES) {
     // Without a width, the hull and the object would z-fight.
     if (linePx <= 0.0) discard;
     return vec4(lineColor.rgb, lineColor.a * s.color.a);

@@ -1,10 +1,10 @@
 /*{
-  "DESCRIPTION": "Draws objects as a quick sketch: three loose strokes follow the silhouettes, creases and borders of the mesh and its suggestive contours, which are where a silhouette would appear if the eye moved a little, and are redrawn a few times a second. The first is close to the edge, the others wander. Strokes are thicker where an object is near or dark, and taper at their ends. Between the lines is a thin wash of the object's color. Meshes with more than about 80,000 triangles get one outline of hulls instead.",
+  "DESCRIPTION": "Draws objects as a quick sketch: three loose strokes follow the silhouettes, creases and borders of the mesh and its suggestive contours, which are where a silhouette would appear if the eye moved a little, and are redrawn a few times a second. The first is close to the edge, the others wander. Strokes are thicker where an object is near or dark, and taper at their ends. Between the lines is a thin wash of the object's color. Where an object is small on screen or has many small parts, strokes are fewer, thinner and closer to their edge.",
   "CREDIT": "Scrim. After Curtis, Loose and Sketchy Animation, SIGGRAPH 1998; edges by McGuire and Hughes, Hardware-Determined Feature Edges, NPAR 2004; DeCarlo, Finkelstein, Rusinkiewicz, Santella, Suggestive Contours for Conveying Shape, SIGGRAPH 2003",
   "SCRIM_RENAMED": [{ "suggestive": { "TO": "suggestive", "WAS": 0 }, "grain": { "TO": "grain", "WAS": 0 } }],
   "SCRIM_UNREAD": [{ "NAME": "radial", "INPUT": "suggestive", "VALUES": [0] }],
   "CATEGORIES": ["Sketch", "Sketchy", "Lines", "Pencil", "Drawing", "Silhouette", "Crease", "Contour", "Jitter", "Boil", "Wobble", "NPR"],
-  "PASSES": [{ "SIDE": "object" }, { "SIDE": "edges" }, { "SIDE": "edges" }, { "SIDE": "edges" }, { "SIDE": "back", "DENSE": true }, { "SIDE": "back", "DENSE": true }],
+  "PASSES": [{ "SIDE": "object" }, { "SIDE": "edges" }, { "SIDE": "edges" }, { "SIDE": "edges" }],
   "INPUTS": [
     { "NAME": "strokePx", "TYPE": "float", "LABEL": "Stroke", "DOC": "Width of a stroke on screen.", "MIN": 0.5, "MAX": 8.0, "DEFAULT": 2.0, "STEP": 0.5, "UNIT": "px" },
     { "NAME": "loosePx", "TYPE": "float", "LABEL": "Looseness", "DOC": "How far strokes deviate from the edge.", "MIN": 0.0, "MAX": 24.0, "DEFAULT": 5.0, "UNIT": "px" },
@@ -28,16 +28,8 @@
 #include <light/white>
 #include <noise/value-3d>
 
-// The passes of a dense mesh: a hull that masks the inside of the next.
-const int MASK = 4;
-const int HULL = 5;
-
 // Strokes of silhouettes have no ends of their own; the pressure of the pen lifts it every few waves.
 const float LIFT_WAVES = 2.5;
-
-int strokeOf(const in int pass) {
-  return pass < MASK ? pass - 1 : 0;
-}
 
 // A point of the noise that is unique to a stroke and a redraw.
 vec3 momentOf(const in int stroke) {
@@ -50,26 +42,35 @@ float endPxOf(const in int stroke) {
   return overshootPx * (0.4 + 0.3 * float(stroke));
 }
 
+// A stroke is thinner where lines are closer than this many of its widths, down to this part of its width.
+const float CLEAR_WIDTHS = 3.0;
+const float THINNEST = 0.4;
+
 float depthFactor(const in vec3 position) {
   return mix(1.0, clamp(inversesqrt(max(VIEW_DEPTH(position), 0.01)), 0.4, 2.0), depthWeight);
 }
 
 void vertex(inout Vertex v) {
   if (PASSINDEX == 0) return;
-  int stroke = strokeOf(PASSINDEX);
+  int stroke = PASSINDEX - 1;
   float pixelM = PIXEL_M(v.position);
-  vec3 wander = 2.0 * valueNoise3d(v.rest / waveM + momentOf(stroke)) - 1.0;
-  float amplePx = loosePx * (stroke == 0 ? 0.2 : 0.6);
   float widthPx = strokePx * depthFactor(v.position);
-  if (PASSINDEX == MASK || PASSINDEX == HULL) {
-    v.position += (v.outward * (PASSINDEX == HULL ? widthPx : 0.0) + amplePx * wander) * pixelM;
-    return;
-  }
+  float roomPx = v.roomM / pixelM;
+  // Where lines are closer than a bundle of strokes is wide, the bundle gets narrower: else it would cover the object.
+  float room = clamp(roomPx / (loosePx + widthPx), 0.0, 1.0);
+  widthPx *= clamp(roomPx / (CLEAR_WIDTHS * widthPx), THINNEST, 1.0);
+  // There, one stroke stands for all, and valleys have none.
+  bool isSpare = stroke > 0 || (v.crease < 0.0 && !v.contour);
+  if (isSpare) widthPx *= smoothstep(0.4, 0.8, room);
+  vec3 wander = 2.0 * valueNoise3d(v.rest / waveM + momentOf(stroke)) - 1.0;
+  float amplePx = loosePx * room * (stroke == 0 ? 0.2 : 0.6);
   // The first stroke is on the edge; the others deviate from it, away from a silhouette, where the object does not hide them.
-  float awayPx = v.contour && stroke > 0 ? 0.4 * loosePx * float(stroke) : 0.0;
+  float awayPx = v.contour && stroke > 0 ? 0.4 * loosePx * room * float(stroke) : 0.0;
   v.position += (wander * amplePx + v.outward * awayPx) * pixelM;
   v.widthPx = v.contour || abs(v.crease) >= creaseRad ? widthPx * (1.0 - 0.15 * float(stroke)) : 0.0;
-  v.endPx = endPxOf(stroke);
+  v.endPx = endPxOf(stroke) * room;
+  // Edges have no texture coordinates.
+  v.uv.x = room;
 }
 
 // Half the width of a stroke at a point, as a part of its full half width.
@@ -79,7 +80,7 @@ float widthAt(const in Surface s, const in int stroke) {
   float low = stroke == 0 ? 0.55 : 0.0;
   float pressure = mix(1.0, max(low, smoothstep(0.2, 0.6, pressed)), taper);
   if (s.line.z > 0.0) {
-    float beyondM = endPxOf(stroke) * PIXEL_M(s.position);
+    float beyondM = endPxOf(stroke) * s.uv.x * PIXEL_M(s.position);
     float fromEndM = min(s.line.x, s.line.z - s.line.x) + beyondM;
     float lengthM = min(0.25 * s.line.z, 4.0 * beyondM + waveM) + beyondM;
     pressure *= mix(1.0, clamp(fromEndM / max(lengthM, 0.0001), 0.0, 1.0), taper * 0.8);
@@ -131,10 +132,7 @@ vec4 surface(const in Surface s) {
     float ink = suggestiveInk(s);
     return vec4(mix(wash, inkColor.rgb, ink * inkColor.a), mix(washColor.a, 1.0, ink * inkColor.a) * s.color.a);
   }
-  // Invisible, but it writes depth.
-  if (PASSINDEX == MASK) return vec4(0.0);
-  if (PASSINDEX == HULL) return vec4(inkColor.rgb, inkColor.a * s.color.a);
-  int stroke = strokeOf(PASSINDEX);
+  int stroke = PASSINDEX - 1;
   if (abs(s.line.y) > widthAt(s, stroke)) discard;
   return vec4(inkColor.rgb, inkColor.a * s.color.a * (1.0 - 0.2 * float(stroke)) * grainAt(s, s.line.y));
 }

@@ -1,9 +1,9 @@
 /*{
-  "DESCRIPTION": "Draws objects as a cartoon: flat steps of light and an outline. The steps darken the object's own color, or take their colors from a ramp image, from dark at its left to bright at its right.",
-  "CREDIT": "Scrim. Steps: Lake, Marshall, Harris, Blackstein, Stylized Rendering Techniques for Scalable Real-Time 3D Animation, NPAR 2000; outline by inverted hull",
+  "DESCRIPTION": "Draws objects as a cartoon: flat steps of light and an outline, also around the borders of open surfaces. The steps darken the object's own color, or take their colors from a ramp image, from dark at its left to bright at its right.",
+  "CREDIT": "Scrim. Steps: Lake, Marshall, Harris, Blackstein, Stylized Rendering Techniques for Scalable Real-Time 3D Animation, NPAR 2000; outline by inverted hull, and by lines at borders",
   "CATEGORIES": ["Cartoon", "Cel", "Comic", "Anime", "Outline", "Ramp", "NPR"],
   "SCRIM_RENAMED": [{ "outlineM": { "TO": "outlinePx", "TIMES": 750 } }],
-  "PASSES": [{ "SIDE": "object" }, { "SIDE": "back" }],
+  "PASSES": [{ "SIDE": "object" }, { "SIDE": "back" }, { "SIDE": "edges", "OPEN": true }],
   "INPUTS": [
     { "NAME": "ramp", "TYPE": "image", "LABEL": "Ramp", "DOC": "Image whose middle row colors the steps, dark to bright from left to right. Not connected: “Shadow brightness” sets the steps.", "OPTIONAL": true, "SPACE": "picture" },
     { "NAME": "levels", "TYPE": "long", "LABEL": "Levels", "DOC": "Number of steps of light.", "VALUES": [1, 2, 3, 4, 5, 6], "LABELS": ["1", "2", "3", "4", "5", "6"], "DEFAULT": 3 },
@@ -15,8 +15,13 @@
 #include <light/received>
 #include <light/white>
 
+const int HULL = 1;
+// An open surface has no back that a hull could show around it.
+const int LINES = 2;
+
 void vertex(inout Vertex v) {
-  if (PASSINDEX == 1) v.position += v.outward * (outlinePx * PIXEL_M(v.position));
+  if (PASSINDEX == HULL) v.position += v.outward * (outlinePx * PIXEL_M(v.position));
+  if (PASSINDEX == LINES) v.widthPx = v.contour ? outlinePx : 0.0;
 }
 
 vec3 stepColor(const in float level) {
@@ -27,7 +32,7 @@ vec3 stepColor(const in float level) {
 }
 
 vec4 surface(const in Surface s) {
-  if (PASSINDEX == 1) {
+  if (PASSINDEX == HULL || PASSINDEX == LINES) {
     // Without a width, the hull and the object would z-fight.
     if (outlinePx <= 0.0) discard;
     return vec4(outlineColor.rgb, outlineColor.a * s.color.a);

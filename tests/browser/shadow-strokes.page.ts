@@ -1,7 +1,8 @@
-import { BoxGeometry, type PerspectiveCamera, Vector3 } from 'three';
+import { BoxGeometry, type BufferGeometry, type PerspectiveCamera, Vector3 } from 'three';
+import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import type { LightItem } from '../../nodes/kit/scene-lists.ts';
 import { createCasterStrokes } from '../../nodes/layer/shadow/strokes.ts';
-import { lookingAt, objects, sun, translation } from './scenes-kit.ts';
+import { lookingAt, objects, sun } from './scenes-kit.ts';
 import { desk, SIDES, SUN, shoot, stand, thing } from './shadow-kit.ts';
 
 /** Strokes of the shadow of a box of 0.3 m on a desk, read at points of the desk. */
@@ -10,8 +11,16 @@ const { widthPx: WIDTH, heightPx: HEIGHT } = SIDES;
 const ABOVE = lookingAt([0.2, 1.6, 0.01], [0.2, 0, 0], WIDTH / HEIGHT);
 const TALL = [0.3, 0.6, 0.3] as const;
 
-function shadowOf(lights: readonly LightItem[], camera: PerspectiveCamera, contour = 0): Uint8Array {
-  const box = thing(new BoxGeometry(...TALL), { at: translation(0, TALL[1] / 2, 0) });
+const BOX = new BoxGeometry(...TALL).translate(0, TALL[1] / 2, 0);
+
+/** A table with one thick leg in its middle. Its cylinder contains the floor below it. */
+const TABLE = mergeGeometries([
+  new BoxGeometry(0.16, 0.7, 0.3).translate(0, 0.35, 0),
+  new BoxGeometry(0.8, 0.04, 0.8).translate(0, 0.72, 0),
+]);
+
+function shadowOf(lights: readonly LightItem[], camera: PerspectiveCamera, contour = 0, shape: BufferGeometry = BOX): Uint8Array {
+  const box = thing(shape);
   const sketch = createCasterStrokes({
     spacingPx: { value: 7 },
     turn: { value: 0.3 },
@@ -38,14 +47,22 @@ function* places(fromX: number, toX: number): Generator<readonly [number, number
   for (let x = fromX; x < toX; x += 0.003) for (let z = -0.12; z < 0.12; z += 0.003) yield [x, z];
 }
 
+/** Mean ink of an image between two distances from the middle. */
+function meanInk(pixels: Uint8Array, fromX: number, toX: number): number {
+  const all = [...places(fromX, toX)].map(([x, z]) => inkAt(pixels, ABOVE, x, z));
+  return all.reduce((sum, ink) => sum + ink, 0) / all.length;
+}
+
 /** Mean ink in the shadow near the box and far from it, and beyond the shadow. */
 export function density() {
   const pixels = shadowOf([SIDEWARD], ABOVE);
-  const mean = (fromX: number, toX: number): number => {
-    const all = [...places(fromX, toX)].map(([x, z]) => inkAt(pixels, ABOVE, x, z));
-    return all.reduce((sum, ink) => sum + ink, 0) / all.length;
-  };
-  return { near: mean(0.18, 0.26), far: mean(0.5, 0.6), beyond: mean(0.72, 0.85) };
+  return { near: meanInk(pixels, 0.18, 0.26), far: meanInk(pixels, 0.5, 0.6), beyond: meanInk(pixels, 0.72, 0.85) };
+}
+
+/** Mean ink in the shadow of a table under a light from above: at the foot of its leg, and below its top. */
+export function belowTable() {
+  const pixels = shadowOf([sun([-0.25, 1, 0], { shadow: SUN })], ABOVE, 0, TABLE);
+  return { foot: meanInk(pixels, 0.085, 0.125), top: meanInk(pixels, 0.3, 0.4) };
 }
 
 /** Correlation of the ink at points of the desk, as seen by two cameras; and of the ink at the same pixels of both images. */

@@ -13,6 +13,13 @@ test('strokes are denser near the object, and only in its shadow', async () => {
   expect(beyond).toBe(0);
 });
 
+test('below a table, strokes are denser at its foot than under its top', async () => {
+  const { foot, top } = await page.call<Record<'foot' | 'top', number>>('belowTable');
+  expect(top).toBeGreaterThan(0.15);
+  // By the distance to a cylinder around the table, both are equal.
+  expect(foot / top).toBeGreaterThan(1.25);
+});
+
 test('strokes stay on the desk while the camera moves', async () => {
   const { onDesk, onScreen } = await page.call<{ onDesk: number; onScreen: number }>('anchored');
   expect(onDesk).toBeGreaterThan(0.8);

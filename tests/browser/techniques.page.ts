@@ -1,4 +1,15 @@
-import { BoxGeometry, Matrix4, Mesh, MeshLambertMaterial, MeshStandardMaterial, PlaneGeometry, SphereGeometry, Vector3 } from 'three';
+import {
+  BoxGeometry,
+  CylinderGeometry,
+  DoubleSide,
+  Matrix4,
+  Mesh,
+  MeshLambertMaterial,
+  MeshStandardMaterial,
+  PlaneGeometry,
+  SphereGeometry,
+  Vector3,
+} from 'three';
 import type { LightItem } from '../../nodes/kit/scene-lists.ts';
 import { bulb, covered, difference, HEIGHT, item, lookingAt, pixel, project, room, sun, translation, WIDTH } from './scenes-kit.ts';
 import {
@@ -77,6 +88,39 @@ export function toonSphere(levels: number, outlinePx: number) {
   const row = Array.from({ length: WIDTH }, (_, x) => pixel(pixels, x, middle).join());
   const widths = [row, row.slice().reverse()].map((half) => half.slice(0, WIDTH / 2).filter((color) => color === '255,0,0,255').length);
   return { colors: [...counts], outside, widths, error: stand.gl.getError() };
+}
+
+const OPEN = {
+  sheet: () => new PlaneGeometry(1.4, 1),
+  /** Half a pipe. Its curved side is a silhouette in some views. */
+  gutter: () => new CylinderGeometry(0.6, 0.6, 1.2, 48, 1, true, 0, Math.PI),
+};
+
+/** Pixels at the border of an open surface that is turned about the vertical axis, and those of them beside a red outline. */
+export function openOutline(style: 'gooch' | 'toon', shape: keyof typeof OPEN, turnRad: number) {
+  const root = new Mesh(OPEN[shape](), new MeshLambertMaterial({ side: DoubleSide }));
+  const at = new Matrix4().makeRotationX(0.3).multiply(new Matrix4().makeRotationY(turnRad));
+  const red = { lineColor: [1, 0, 0, 1], linePx: 2, outlineColor: [1, 0, 0, 1], outlinePx: 2 };
+  const pixels = shoot({ items: [drawnWith(root, technique(style, red), at)] });
+  const plain = shoot({ items: [item(root, { at })] });
+  const isCovered = (x: number, y: number): boolean => (pixel(plain, x, y)[3] ?? 0) > 0;
+  const isRed = (x: number, y: number): boolean => pixel(pixels, x, y).join() === '255,0,0,255';
+  const around = [-2, -1, 0, 1, 2].flatMap((dy) => [-2, -1, 0, 1, 2].map((dx) => [dx, dy] as const));
+  let border = 0;
+  let outlined = 0;
+  let onIt = 0;
+  for (let y = 2; y < HEIGHT - 2; y++) {
+    for (let x = 2; x < WIDTH - 2; x++) {
+      if (!isCovered(x, y)) continue;
+      if (around.every(([dx, dy]) => isCovered(x + dx, y + dy))) {
+        if (isRed(x, y)) onIt++;
+      } else if (around.some(([dx, dy]) => Math.abs(dx) + Math.abs(dy) === 1 && !isCovered(x + dx, y + dy))) {
+        border++;
+        if (around.some(([dx, dy]) => isRed(x + dx, y + dy))) outlined++;
+      }
+    }
+  }
+  return { border, outlined, onIt, error: stand.gl.getError() };
 }
 
 /** How many pixels a moving object covers, and in how many poses cover others, or its technique others than its own material. */

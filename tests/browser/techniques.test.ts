@@ -159,6 +159,23 @@ describe('technique/toon', () => {
   });
 });
 
+describe('an outline surrounds an open surface', () => {
+  const styles = ['gooch', 'toon'] as const;
+  const shapes = ['sheet', 'gutter'] as const;
+  const cases = styles.flatMap((style) =>
+    shapes.flatMap((shape) => [0.4, 2, Math.PI + 0.4].map((turnRad) => [style, shape, turnRad] as const)),
+  );
+
+  test.each(cases)('by %s: a %s, turned by %d rad', async (style, shape, turnRad) => {
+    const found = await page.call<Record<'border' | 'outlined' | 'onIt' | 'error', number>>('openOutline', style, shape, turnRad);
+    expect(found.error).toBe(NO_ERROR);
+    expect(found.border).toBeGreaterThan(60);
+    expect(found.outlined / found.border).toBeGreaterThan(0.97);
+    // A sheet has no edge within.
+    if (shape === 'sheet') expect(found.onIt).toBe(0);
+  });
+});
+
 describe('a technique is drawn', () => {
   test.each(['skinned', 'morphing', 'instanced'])('on %s objects where their own materials are', async (kind) => {
     interface Moving {

@@ -1,7 +1,8 @@
 import {
   AnimationMixer,
   BoxGeometry,
-  type BufferGeometry,
+  BufferAttribute,
+  BufferGeometry,
   Color,
   FloatType,
   type Material,
@@ -13,6 +14,7 @@ import {
   PlaneGeometry,
   Scene,
   ShaderMaterial,
+  TorusKnotGeometry,
   WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
@@ -67,9 +69,47 @@ export async function linesOf(url: string, place: Place, values: Values): Promis
   return measure(root, place, values);
 }
 
-export function linesOfShape(kind: 'box' | 'sheet', place: Place, values: Values): Lines {
-  const geometry: BufferGeometry = kind === 'box' ? new BoxGeometry(1, 0.7, 0.5) : new PlaneGeometry(1, 0.7, 4, 4);
-  return measure(new Mesh(geometry, new MeshLambertMaterial()), place, values);
+/** The same of a model whose faces are divided until they are too many for lines of their edges. */
+export async function linesOfDivided(url: string, place: Place, values: Values): Promise<Lines> {
+  const root = await load(url);
+  root.traverse((object) => {
+    if (!(object instanceof Mesh)) return;
+    const { position } = object.geometry.toNonIndexed().attributes;
+    object.geometry = divided(divided(new BufferGeometry().setAttribute('position', position)));
+    object.geometry.computeVertexNormals();
+  });
+  return measure(root, place, values);
+}
+
+/** Each triangle as four. */
+function divided({ attributes: { position } }: BufferGeometry): BufferGeometry {
+  const corners = position?.array ?? [];
+  const divisions: number[] = [];
+  for (let t = 0; t < corners.length; t += 9) {
+    const [a, b, c] = [0, 3, 6].map((at) => [corners[t + at], corners[t + at + 1], corners[t + at + 2]] as number[]) as [
+      number[],
+      number[],
+      number[],
+    ];
+    const [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
+    for (const corner of [a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca]) divisions.push(...corner);
+  }
+  return new BufferGeometry().setAttribute('position', new BufferAttribute(Float32Array.from(divisions), 3));
+}
+
+function middle(a: readonly number[], b: readonly number[]): number[] {
+  return a.map((coordinate, axis) => (coordinate + (b[axis] ?? 0)) / 2);
+}
+
+const SHAPES = {
+  box: () => new BoxGeometry(1, 0.7, 0.5),
+  sheet: () => new PlaneGeometry(1, 0.7, 4, 4),
+  /** 300,000 triangles. */
+  knot: () => new TorusKnotGeometry(1, 0.3, 1000, 150),
+};
+
+export function linesOfShape(kind: keyof typeof SHAPES, place: Place, values: Values): Lines {
+  return measure(new Mesh(SHAPES[kind](), new MeshLambertMaterial()), place, values);
 }
 
 /** Geometries and textures that a box with lines leaves behind after its geometry is disposed. */

@@ -7,25 +7,30 @@ import { createRivals, racedBenches } from './rivals.ts';
 
 /**
  * Measures frames with a large ball and its shadow on a floor, with each technique of the library: milliseconds, and the ratio to the same
- * objects with their own materials.
+ * objects with their own materials. Glass is also measured on the ball alone: through a glass ball before a glass floor, the floor is
+ * drawn twice (ADR 41).
  */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   const files = await listFiles(join(root, 'shader-library', 'techniques'));
   const folder = join(root, 'examples', 'first-light');
-  const rivals = createRivals({ root, folder, base: ballProject(null), rows: 2 * files.length });
+  const rivals = createRivals({ root, folder, base: ballProject(null), rows: 2 * files.length + 2 });
+  const row = (what: string, project: object) =>
+    racedBenches(rivals, {
+      project,
+      ratio: { name: `frame, technique ${what}, against own materials`, of: ({ ours, base }) => ours / base },
+      frame: `frame, technique ${what}`,
+    });
   const raced = files.flatMap((file) => {
     const name = file.replace('.glsl', '');
-    return racedBenches(rivals, {
-      project: ballProject(`technique/${name}`),
-      ratio: { name: `frame, technique ${name}, against own materials`, of: ({ ours, base }) => ours / base },
-      frame: `frame, technique ${name}`,
-    });
+    return row(name, ballProject(`technique/${name}`));
   });
+  raced.push(...row('glass on the ball alone', ballProject('technique/glass', true)));
   return [...raced, machineLoad('techniques')];
 }
 
-function ballProject(technique: string | null): object {
-  const styled = technique === null ? 'every-0000' : 'apply-0000';
+/** @param isBallAlone Whether the floor keeps its own material. */
+function ballProject(technique: string | null, isBallAlone = false): object {
+  const styled = technique === null || isBallAlone ? 'every-0000' : 'apply-0000';
   return {
     format: 'scrim-project',
     version: 1,
@@ -45,9 +50,11 @@ function ballProject(technique: string | null): object {
           }),
         },
         wires: [
-          'ball-0000.objects -> every-0000.objects',
+          `${technique !== null && isBallAlone ? 'apply' : 'ball'}-0000.objects -> every-0000.objects`,
           'floor-0000.objects -> every-0000.objects',
-          ...(technique === null ? [] : ['every-0000.objects -> apply-0000.objects', 'style-0000.technique -> apply-0000.technique']),
+          ...(technique === null
+            ? []
+            : [`${isBallAlone ? 'ball' : 'every'}-0000.objects -> apply-0000.objects`, 'style-0000.technique -> apply-0000.technique']),
           `${styled}.objects -> scene-0000.objects`,
           'sun-0000.lights -> scene-0000.lights',
           'scene-0000.layer -> screen-0000.layer',

@@ -61,7 +61,7 @@ export const RADIAL_VERTEX = { declarations: '', main: '' };`,
   {
     file: 'export/runtime/scenes/materials/edges/edge-geometry.ts',
     isNeeded: ({ techniqueEdges }) => techniqueEdges,
-    otherwise: 'export const edgeGeometryOf = () => null;',
+    otherwise: absent('edgeGeometryOf'),
   },
   {
     file: 'export/runtime/scenes/materials/edges/edge-wrapper.ts',
@@ -76,7 +76,7 @@ export const RADIAL_VERTEX = { declarations: '', main: '' };`,
   {
     file: 'export/runtime/scenes/materials/shadow-strokes.ts',
     isNeeded: plays('layer/shadow', { drawing: 'strokes' }),
-    otherwise: absent('createStrokeUniforms', 'strokeParts'),
+    otherwise: `export const GAP = '';\n${absent('createStrokeUniforms', 'gapOf', 'strokeParts')}`,
   },
   {
     file: 'nodes/layer/shadow/strokes.ts',

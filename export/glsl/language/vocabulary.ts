@@ -80,6 +80,7 @@ export const TECHNIQUE_DOCS: ReadonlyMap<string, string> = new Map([
   ['crease', 'In passes of edges: angle between the faces, radians; 0 if they are coplanar, negative if they are concave, π at a border.'],
   ['widthPx', 'In passes of edges: width of the line, pixels. 0 leaves it out.'],
   ['endPx', 'In passes of edges: how far a stroke of creases or borders goes beyond its ends, pixels.'],
+  ['roomM', 'In passes of edges: how far apart lines lie around here, meters; very large where there are few.'],
   [
     'line',
     'In passes of edges: meters from the start of the stroke, position across the line from -1 to 1, and meters of the whole stroke, 0 for a silhouette.',
@@ -137,7 +138,7 @@ export const HEADER_KEYS: Readonly<Record<'root' | 'input' | 'pass', Readonly<Re
     WIDTH: 'Number, or expression of $WIDTH, $HEIGHT and inputs.',
     HEIGHT: 'Number, or expression of $WIDTH, $HEIGHT and inputs.',
     SIDE: 'Techniques: "front", "back", "both" or "object"; "edges" draws edges as lines.',
-    DENSE: 'Techniques: whether the pass is drawn instead of those of edges, where a mesh has too many.',
+    OPEN: 'Techniques: whether the pass of edges is drawn only for meshes with a border.',
   },
 };
 

@@ -4,11 +4,11 @@
  *
  * Positions are in meters, directions have unit length, both in world space; colors are linear-sRGB with straight alpha. `rest` is the
  * position in local space, in meters, before skinning. `outward` is the hull normal, for outlines: moving each vertex by it moves all
- * adjacent faces by one, so that no gaps open at hard edges. Passes of edges set `contour`, `crease` and `line`, and read `widthPx` and
- * `endPx`; `outward` points away from the object there. `along`, `smoothNormal` and `radial` are computed for a mesh if the text names them. `AMBIENT` is `IRRADIANCE` of the surface's own normal, divided by π. `BEHIND`
- * is what is behind the object at a view UV, as seen through glass of the roughness: premultiplied, with the coverage as alpha.
+ * adjacent faces by one, so that no gaps open at hard edges. Passes of edges set `contour`, `crease`, `roomM` and `line`, and read `widthPx` and
+ * `endPx`; `outward` points away from the object there. `along`, `smoothNormal` and `radial` are computed for a mesh if the text names them.
+ * `AMBIENT` is `IRRADIANCE` of the surface's own normal, divided by π. `BEHIND` is what is behind the object at a view UV, as seen through glass of the roughness: premultiplied, with the coverage as alpha.
  */
-export const TECHNIQUE_INTERFACE = `struct Vertex { vec3 position; vec3 normal; vec2 uv; vec4 color; vec3 rest; vec3 outward; bool contour; float crease; float widthPx; float endPx; };
+export const TECHNIQUE_INTERFACE = `struct Vertex { vec3 position; vec3 normal; vec2 uv; vec4 color; vec3 rest; vec3 outward; bool contour; float crease; float widthPx; float endPx; float roomM; };
 struct Surface { vec3 position; vec3 normal; vec3 towardsEye; vec2 uv; vec4 color; bool front; vec3 rest; vec3 restNormal; vec3 line; vec3 along; vec3 smoothNormal; vec2 radial; };
 struct Light { vec3 towards; vec3 radiance; float lit; };
 vec3 EYE;
@@ -31,7 +31,7 @@ vec4 BEHIND(const in vec2 uv, const in float roughness);
  * The structs and functions of the interface, as the printed text of both stages declares them. Only the surface may call the functions of
  * light. Where the author discards, the text sets `scrim_discarded` and returns.
  */
-export const PRINTED_STRUCTS = `struct a_Vertex { vec3 position; vec3 normal; vec2 uv; vec4 color; vec3 rest; vec3 outward; bool contour; float crease; float widthPx; float endPx; };
+export const PRINTED_STRUCTS = `struct a_Vertex { vec3 position; vec3 normal; vec2 uv; vec4 color; vec3 rest; vec3 outward; bool contour; float crease; float widthPx; float endPx; float roomM; };
 struct a_Surface { vec3 position; vec3 normal; vec3 towardsEye; vec2 uv; vec4 color; bool front; vec3 rest; vec3 restNormal; vec3 line; vec3 along; vec3 smoothNormal; vec2 radial; };
 struct a_Light { vec3 towards; vec3 radiance; float lit; };
 a_Light a_LIGHT(const in int index);

@@ -127,7 +127,7 @@ function readPasses(header: Header): readonly TechniquePass[] {
     const written = property(node, 'SIDE');
     const side = SIDES.find((one) => one === textOf(written));
     if (written !== undefined && side === undefined) header.error(written, 'SIDE must be "front", "back", "both", "object" or "edges".');
-    return { side: side ?? 'object', ...(property(node, 'DENSE')?.value === true ? { dense: true } : {}) };
+    return { side: side ?? 'object', ...(property(node, 'OPEN')?.value === true ? { open: true } : {}) };
   });
   return passes.length === 0 ? [{ side: 'object' }] : passes;
 }

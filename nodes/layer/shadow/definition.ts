@@ -124,7 +124,7 @@ export const definition = defineNode({
       type: 'number',
       stage: 'uniform',
       label: 'Contact distance',
-      doc: 'Distance from an object over which its strokes get sparser, down to half as dense.',
+      doc: 'Distance from an object, along the light, over which its strokes get sparser, down to half as dense. Point lights measure it from a cylinder around the object.',
       default: 0.3,
       min: 0.01,
       max: 5,

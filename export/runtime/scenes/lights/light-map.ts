@@ -48,6 +48,8 @@ export interface ShadowMap {
    * caster in alpha, meters along the light's axis. Null if there are no transparent casters.
    */
   readonly translucent: Texture | null;
+  /** 1 minus the depth of the last caster from the light, unfiltered; 1 where there is none. Null if it is not kept, and for `cube`. */
+  readonly last: Texture | null;
   /** Near and far distance of the shadow camera, meters. For directional lights, near is 0 and far is the whole range. */
   readonly nearM: number;
   readonly farM: number;
@@ -66,8 +68,17 @@ export interface LightMap {
   readonly shadow: object;
   readonly map: ShadowMap;
   readonly askedSizePx: number;
-  /** Draws the casters from the light. `translucentShadows` contains the transparent ones; null if there are none. */
-  render(renderer: SceneRenderer, scene: Scene, translucentShadows: Scene | null, castersWorld: readonly Sphere[]): void;
+  /**
+   * Draws the casters from the light. `translucentShadows` contains the transparent ones; null if there are none. `keepsLast`: also the last
+   * caster in each direction.
+   */
+  render(
+    renderer: SceneRenderer,
+    scene: Scene,
+    translucentShadows: Scene | null,
+    castersWorld: readonly Sphere[],
+    keepsLast: boolean,
+  ): void;
   dispose(): void;
 }
 
@@ -120,6 +131,9 @@ function createSunMap(light: DirectionalLightItem, shadow: LightShadow, limits: 
       get translucent() {
         return flat.translucent.texture();
       },
+      get last() {
+        return flat.last();
+      },
       kind: 'flat',
       mapFromWorld: fit.mapFromWorld,
       get bias() {
@@ -134,10 +148,11 @@ function createSunMap(light: DirectionalLightItem, shadow: LightShadow, limits: 
       },
       source,
     },
-    render: (renderer, scene, translucentShadows, castersWorld) => {
+    render: (renderer, scene, translucentShadows, castersWorld, keepsLast) => {
       fitShadow(fit, light.towardsLightWorld, castersWorld, shadow.areaM, flat.part.target.width);
       source.set(Math.tan((shadow.sourceRad ?? 0) / 2) / shadow.areaM, 0);
       flat.render(renderer, scene, translucentShadows, cameraOf(fit), 0, fit.farM);
+      if (keepsLast) flat.renderLast(renderer, scene, cameraOf(fit));
     },
     dispose: flat.dispose,
   };
@@ -157,6 +172,9 @@ function createConeMap(light: SpotLightItem, shadow: LocalLightShadow, limits: M
       get translucent() {
         return flat.translucent.texture();
       },
+      get last() {
+        return flat.last();
+      },
       kind: 'flat',
       mapFromWorld,
       bias: 0,
@@ -171,11 +189,12 @@ function createConeMap(light: SpotLightItem, shadow: LocalLightShadow, limits: M
       },
       source,
     },
-    render: (renderer, scene, translucentShadows, castersWorld) => {
+    render: (renderer, scene, translucentShadows, castersWorld, keepsLast) => {
       fitReach(fit, light.positionWorld, castersWorld, light.rangeM);
       aimCone(fit, light.positionWorld, light.towardsLightWorld, light.halfAngleRad, mapFromWorld);
       source.set((shadow.sourceM ?? 0) / 2, 0.5 / Math.tan(light.halfAngleRad));
       flat.render(renderer, scene, translucentShadows, cameraOf(fit), fit.nearM, fit.farM);
+      if (keepsLast) flat.renderLast(renderer, scene, cameraOf(fit));
     },
     dispose: flat.dispose,
   };
@@ -202,6 +221,7 @@ function createCubeMap(light: PointLightItem, shadow: LocalLightShadow, limits: 
       get translucent() {
         return translucent.texture();
       },
+      last: null,
       bias: 0,
       get normalBias() {
         return (shadow.biasPx * 2) / target.width;
@@ -233,6 +253,7 @@ function createCubeMap(light: PointLightItem, shadow: LocalLightShadow, limits: 
 
 // Set before it is read in every draw.
 const scratchCamera = createCamera();
+const scratchReverse = new Matrix4();
 
 function cameraOf(fit: LocalShadowFit | ShadowFit): Camera {
   scratchCamera.projectionMatrix.copy(fit.clipFromLight);
@@ -254,7 +275,11 @@ const COLOR = { format: RedFormat, minFilter: NearestFilter, magFilter: NearestF
 interface FlatTarget {
   readonly part: Pick<ShadowMap, 'target' | 'filter' | 'depths' | 'moments'>;
   readonly translucent: TranslucentShadow;
+  /** See `ShadowMap.last`. */
+  last(): Texture | null;
   render(renderer: SceneRenderer, scene: Scene, translucentShadows: Scene | null, camera: Camera, nearM: number, farM: number): void;
+  /** Draws the last caster in each direction. Changes the camera. */
+  renderLast(renderer: SceneRenderer, scene: Scene, camera: Camera): void;
   dispose(): void;
 }
 
@@ -267,16 +292,25 @@ function createFlatTarget(shadow: LightShadow | LocalLightShadow, limits: MapLim
   const target = new WebGLRenderTarget(sizePx, sizePx, { ...COLOR, ...(needsFloats(filter) ? { type: FloatType } : {}), depthTexture });
   const translucent = createTranslucentShadow(() => new WebGLRenderTarget(sizePx, sizePx, TRANSLUCENT_SHADOW));
   const moments = filter === 'vsm' ? createMoments(target.texture, sizePx) : null;
+  let last: WebGLRenderTarget | null = null;
   return {
     part: { target, filter, depths: filter === 'pcss' ? target.texture : null, moments: moments?.texture ?? null },
     translucent,
+    last: () => last?.depthTexture ?? null,
     render: (renderer, scene, translucentShadows, camera, nearM, farM) => {
       renderer.drawDepth(target, scene, camera);
       moments?.update(renderer, nearM, farM);
       translucent.render(renderer, translucentShadows, camera);
     },
+    renderLast: (renderer, scene, camera) => {
+      last ??= new WebGLRenderTarget(sizePx, sizePx, { ...COLOR, depthTexture: new DepthTexture(sizePx, sizePx, UnsignedIntType) });
+      // With near and far exchanged, the depth test keeps the farthest.
+      camera.projectionMatrix.premultiply(scratchReverse.makeScale(1, 1, -1));
+      renderer.drawDepth(last, scene, camera);
+    },
     dispose: () => {
       target.dispose();
+      last?.dispose();
       moments?.dispose();
       translucent.dispose();
     },

@@ -15,6 +15,8 @@ import { createLightMap, type LightMap, type ShadowMap, shadowOf } from './light
 export interface RenderedShadowMaps extends ShadowMaps {
   /** The shadow map of a light; null if the light casts no shadow, or comes after the maximum number of lights with shadows. */
   mapOf(light: LightItem): ShadowMap | null;
+  /** Makes flat maps keep the last caster, too, from the next update on. */
+  keepLast(): void;
 }
 
 const castsShadow = (item: ObjectItem): boolean => item.castsShadow;
@@ -52,6 +54,7 @@ export function createShadowMaps(
     for (let i = 0; i < translucentProxies.proxies.length; i++) if (translucentProxies.proxies[i]?.object.visible) return translucentScene;
     return null;
   }
+  let keepsLast = false;
   const limits = mapLimitsOf(renderer.three);
   const maps: LightMap[] = [];
   const bounds: Sphere[] = [];
@@ -114,6 +117,9 @@ export function createShadowMaps(
 
   return {
     mapOf: (light) => find(light)?.map ?? null,
+    keepLast: () => {
+      keepsLast = true;
+    },
     update: () => {
       dropUnused();
       twins.sync();
@@ -124,7 +130,8 @@ export function createShadowMaps(
       let count = 0;
       for (const list of lights) {
         for (const light of list.items) {
-          if (shadowOf(light) !== null && count++ < MAX_SHADOWS) mapFor(light)?.render(renderer, scene, translucentShadows, shown);
+          if (shadowOf(light) !== null && count++ < MAX_SHADOWS)
+            mapFor(light)?.render(renderer, scene, translucentShadows, shown, keepsLast);
         }
       }
     },

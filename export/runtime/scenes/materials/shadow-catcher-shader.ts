@@ -1,7 +1,7 @@
 import { MAX_GLOW_SPOTS } from '../../../../nodes/kit/scene-look.ts';
 import { BEHIND_TRANSLUCENT } from '../lights/translucent-shadow.ts';
 import { type CubeLight, cubeLit, cubeParts, type FlatLight, flatLit, flatParts } from './shadow-filter-shader.ts';
-import { strokeParts } from './shadow-strokes.ts';
+import { GAP, gapOf, strokeParts } from './shadow-strokes.ts';
 
 /**
  * Vertex shader of shadow catchers. They draw the surface of a phantom as a shadow: premultiplied color whose alpha is the blocked fraction
@@ -136,14 +136,15 @@ export function catcherFragment(
   strokes = false,
 ): string {
   const count = flat.length + cube.length + plain;
-  const extras = flat.filter(({ extra }) => extra >= 0).length + flat.filter(({ translucent }) => translucent >= 0).length;
+  const extras = flat.flatMap(({ extra, translucent, last }) => [extra, translucent, last]).filter((index) => index >= 0).length;
   const add = (light: number): string =>
     strokes
-      ? `all += light.x; fullPart[ ${light} ] = light.x; ownPart[ ${light} ] = unlessGrazing( light, lit ); blocked += ownPart[ ${light} ];`
+      ? `all += light.x; gapM[ ${light} ] = - 1.0; fullPart[ ${light} ] = light.x; ownPart[ ${light} ] = unlessGrazing( light, lit ); blocked += ownPart[ ${light} ];`
       : 'all += light.x; blocked += unlessGrazing( light, lit );';
-  const addPlain = (light: number): string => (strokes ? `fullPart[ ${light} ] = light.x; ownPart[ ${light} ] = 0.0;` : '');
+  const addPlain = (light: number): string =>
+    strokes ? `fullPart[ ${light} ] = light.x; ownPart[ ${light} ] = 0.0; gapM[ ${light} ] = - 1.0;` : '';
   const lines = [
-    ...flat.map((light, i) => `${arrives(i)} ${flatLit(light, i)} ${add(i)}`),
+    ...flat.map((light, i) => `${arrives(i)} ${flatLit(light, i)} ${add(i)}${strokes ? gapOf(light.last, i) : ''}`),
     ...cube.map((light, i) => `${arrives(flat.length + i)} ${cubeLit(light, i, flat.length + i)} ${add(flat.length + i)}`),
     ...Array.from(
       { length: plain },
@@ -159,6 +160,7 @@ ${glows ? GLOW : ''}
 ${strokes ? strokeParts(count) : ''}
 ${BEHIND_TRANSLUCENT}
 ${flatParts(flat, extras)}
+${strokes && flat.length > 0 ? GAP : ''}
 ${cubeParts(cube)}
 void main() {
   ${find}

@@ -79,6 +79,7 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
     glowSizes: { value: glow?.sizes ?? null },
   };
   const drawn = strokes ? createStrokeUniforms(strokes) : null;
+  if (strokes) maps?.keepLast();
   const uniforms = {
     strength: { value: 0 },
     shadowColor: { value: new Vector4() },
@@ -128,8 +129,10 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
     if (filter !== map.filter) counts.softened++;
     const translucent = addExtra(map.translucent);
     if (translucent < 0 && map.translucent !== null) counts.undimmed++;
-    if (flat[i]?.filter === filter && flat[i]?.extra === extra && flat[i]?.translucent === translucent) return;
-    flat[i] = { filter, extra, translucent };
+    const last = strokes ? addExtra(map.last) : -1;
+    const known = flat[i];
+    if (known?.filter === filter && known.extra === extra && known.translucent === translucent && known.last === last) return;
+    flat[i] = { filter, extra, translucent, last };
     outdated = true;
   }
 

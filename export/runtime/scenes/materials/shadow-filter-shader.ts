@@ -92,6 +92,8 @@ export interface FlatLight {
   readonly extra: number;
   /** Index of its translucent shadow map among the same textures; -1 without. */
   readonly translucent: number;
+  /** Index of the map of its last casters among the same textures; -1 without. */
+  readonly last: number;
 }
 
 export interface CubeLight {

@@ -28,12 +28,28 @@ export function createStrokeUniforms(strokes: ShadowStrokes): StrokeUniforms {
   };
 }
 
+/** GLSL of the distance between a receiver and the last caster before it; it follows that of flat maps. */
+export const GAP = /* glsl */ `
+// Meters along the axis of the light; negative where the last caster is behind the receiver, or the map has no data.
+float gapTo( const in sampler2D last, const in vec3 at, const in vec4 reach ) {
+  return at.x < 0.0 ? - 1.0 : metersFromLight( at.z, reach ) - metersFromLight( 1.0 - texture2D( last, at.xy ).r, reach );
+}
+`;
+
+/** GLSL statement that sets the distance of a light with a flat map, whose map of last casters has the index `last`; -1 without. */
+export function gapOf(last: number, light: number): string {
+  return last < 0 ? '' : ` gapM[ ${light} ] = gapTo( flatExtras[ ${last} ], at, flatReach[ ${light} ] );`;
+}
+
 /**
  * GLSL of the strokes of a shadow. They lie on the axis planes that the surface faces, in world space, so they stay where they are while the
  * camera moves. Their distance is a power of two of a smallest one, and every second stroke fades out before the distance doubles (Praun et
  * al. 2001), so they are equally dense on screen near and far.
  *
- * @param count Number of lights; `ownPart` and `fullPart` hold what each contributes, blocked and in all.
+ * Strokes get denser toward contact. With a flat map, the distance is that to the last caster before the receiver, along the light; else that
+ * to the nearest cylinder around an object.
+ *
+ * @param count Number of lights; `ownPart` and `fullPart` hold what each contributes, blocked and in all, and `gapM` its distance.
  */
 export function strokeParts(count: number): string {
   return /* glsl */ `
@@ -48,6 +64,7 @@ uniform float strokeHeights[ ${MAX_STROKE_CASTERS} ];
 
 float ownPart[ ${Math.max(count, 1)} ];
 float fullPart[ ${Math.max(count, 1)} ];
+float gapM[ ${Math.max(count, 1)} ];
 
 // The smallest distance between strokes, meters.
 const float FINEST_M = 0.0009765625;
@@ -58,6 +75,8 @@ const float STROKE_OFFSET = 0.2;
 const float NEXT_LIGHT = 1.1;
 // The fraction of its light at which a shadow has its contour.
 const float CONTOUR_AT = 0.35;
+// At contact, the bias of a map may place the receiver before the caster by this much, meters.
+const float TOUCH_M = 0.02;
 // Density far from all objects. Strokes at a distance of 0 are twice as dense.
 const float FAR_DENSITY = 0.5;
 
@@ -74,6 +93,10 @@ float noiseAlong( const in float at, const in int seed ) {
   return mix( randomOf( int( first ), seed ), randomOf( int( first ) + 1, seed ), part * part * ( 3.0 - 2.0 * part ) );
 }
 
+float nearness( const in float distanceM ) {
+  return exp( - distanceM / max( strokeContactM, 1e-4 ) );
+}
+
 // How near the point is to an object: 1 at its cylinder, 0 far away.
 float contactAt( const in vec3 point ) {
   float nearest = 1e6;
@@ -84,7 +107,7 @@ float contactAt( const in vec3 point ) {
     float above = max( max( - away.y, away.y - strokeHeights[ i ] ), 0.0 );
     nearest = min( nearest, length( vec2( side, above ) ) );
   }
-  return exp( - nearest / max( strokeContactM, 1e-4 ) );
+  return nearness( nearest );
 }
 
 // Ink of strokes along y of a plane, meters, that cover a part of it. \`pixelM\` is the size of a pixel across them.
@@ -135,7 +158,7 @@ float strokeInk( const in vec3 normal, const in float all ) {
   vec3 pixelY = dFdy( positionWorld );
   vec3 sides = pow( abs( normal ), vec3( 8.0 ) );
   sides /= sides.x + sides.y + sides.z;
-  float density = mix( FAR_DENSITY, 1.0, contactAt( positionWorld ) );
+  float nearCylinder = contactAt( positionWorld );
   float ink = 0.0;
   for ( int i = 0; i < ${count}; i ++ ) {
     float own = fullPart[ i ] > 0.0 ? ownPart[ i ] / fullPart[ i ] : 0.0;
@@ -143,6 +166,7 @@ float strokeInk( const in vec3 normal, const in float all ) {
     float share = all > 0.0 ? ownPart[ i ] / all : 0.0;
     float most = all > 0.0 ? fullPart[ i ] / all : 0.0;
     float angle = strokeTurn + NEXT_LIGHT * float( i );
+    float density = mix( FAR_DENSITY, 1.0, gapM[ i ] > - TOUCH_M ? nearness( max( gapM[ i ], 0.0 ) ) : nearCylinder );
     if ( share > 0.01 ) ink = 1.0 - ( 1.0 - ink ) * ( 1.0 - surfaceInk( sides, pixelX, pixelY, angle, min( 1.5 * density * sqrt( share ), 1.0 ), 4096 * i ) );
     // In pixels, from where the shadow crosses the level of the contour.
     float away = abs( own - CONTOUR_AT ) / max( steep, 0.03 );

@@ -108,7 +108,7 @@ export function createTechniquePlans({ twins, occlusion, translucentShadows, onC
       const edges = edgesOf(master, found);
       const isDrawn = (technique: TechniqueView, passIndex: number): boolean => {
         const pass = technique.passes[passIndex];
-        return pass !== undefined && pass.side !== 'edges' && !(pass.dense && edges.has(technique));
+        return pass !== undefined && pass.side !== 'edges';
       };
       if (found.some((technique) => technique?.passes.some((_, i) => isDrawn(technique, i)) && technique.vertex.includes(OUTWARD)))
         ensureHullNormals(master.geometry);
@@ -126,7 +126,8 @@ export function createTechniquePlans({ twins, occlusion, translucentShadows, onC
       for (let i = 0; i < passes; i++) {
         const renderOrder = master.renderOrder + i * PASS_AFTER_PASS;
         for (const [technique, { geometry, part, ...drawn }] of edges) {
-          if (technique.passes[i]?.side !== 'edges') continue;
+          const pass = technique.passes[i];
+          if (pass?.side !== 'edges' || (pass.open && !drawn.isOpen)) continue;
           const material = twinOf(part, features, technique, i, false, { geometry, ...drawn });
           plans.push({ material, geometry, renderOrder, isGlass: behind !== null && showsBehind(technique.fragment) });
         }
@@ -158,15 +159,21 @@ export function createTechniquePlans({ twins, occlusion, translucentShadows, onC
   };
 }
 
-/** The edges of a mesh and a material that they have in common, by the techniques that draw edges; without those that have too many. */
+/** The edges of a mesh and a material that they have in common, by the techniques that draw its edges. */
 function edgesOf(master: Mesh, found: readonly (TechniqueView | null)[]): Map<TechniqueView, EdgeGeometry & { readonly part: Material }> {
   const edges = new Map<TechniqueView, EdgeGeometry & { readonly part: Material }>();
   const parts = materialsOf(master);
   for (const [i, technique] of found.entries()) {
     const part = parts[i];
-    if (!technique || !part || edges.has(technique) || !technique.passes.some(({ side }) => side === 'edges')) continue;
+    const passes = technique?.passes.filter(({ side }) => side === 'edges') ?? [];
+    if (!technique || !part || edges.has(technique) || passes.length === 0) continue;
     // A single material is that of all groups.
-    const made = edgeGeometryOf(master, (group) => !Array.isArray(master.material) || found[group] === technique);
+    const isUsed = (group: number): boolean => !Array.isArray(master.material) || found[group] === technique;
+    const made = edgeGeometryOf(
+      master,
+      isUsed,
+      passes.every(({ open }) => open),
+    );
     if (made) edges.set(technique, { ...made, part });
   }
   return edges;

@@ -81,6 +81,7 @@ void main() {
   vertex.crease = 0.0;
   vertex.widthPx = 0.0;
   vertex.endPx = 0.0;
+  vertex.roomM = 0.0;
   scrim_uv = a_VIEW_UV( vertex.position );
   a_vertex( vertex );
   vTechniquePosition = vertex.position;

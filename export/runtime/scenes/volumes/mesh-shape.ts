@@ -1,13 +1,15 @@
 import type { BufferGeometry } from 'three';
 
-/** Triangles of a mesh over welded vertices, and their edges. */
-export interface MeshShape {
+/** Triangles over welded vertices. */
+export interface WeldedTriangles {
   /** For each welded vertex, the index of one of its vertices in the geometry. */
   readonly vertices: Uint32Array;
-  /** For each vertex of the geometry, its welded vertex. */
-  readonly weldedOf: Uint32Array;
   /** Three welded vertices per triangle, counterclockwise from outside. */
   readonly triangles: Uint32Array;
+}
+
+/** Edges of triangles. */
+export interface TriangleEdges {
   /** Two welded vertices per edge, the lower one first. */
   readonly edges: Uint32Array;
   /** Uses of edge i are in `uses` from `usesOf[i]` to before `usesOf[i + 1]`. */
@@ -18,16 +20,30 @@ export interface MeshShape {
   readonly closed: boolean;
 }
 
+/** Triangles of a mesh over welded vertices, and their edges. */
+export interface MeshShape extends WeldedTriangles, TriangleEdges {
+  /** For each vertex of the geometry, its welded vertex. */
+  readonly weldedOf: Uint32Array;
+}
+
+/** Finds the edges of a mesh, over vertices that `weldTriangles` welds. */
+export function createMeshShape(geometry: BufferGeometry, isUsed: (materialIndex: number) => boolean): MeshShape {
+  const welded = weldTriangles(geometry, isUsed);
+  return { ...welded, ...collectEdges(welded.triangles, welded.vertices.length) };
+}
+
 /**
- * Finds the edges of a mesh. Vertices are welded if position, skin and morph targets are equal: a seam in normals or UVs is not a border,
+ * Finds the triangles of a mesh. Vertices are welded if position, skin and morph targets are equal: a seam in normals or UVs is not a border,
  * but lips that only touch at rest may open.
  *
  * @param isUsed Whether the material with this index takes part; for geometries without groups the index is 0.
  */
-export function createMeshShape(geometry: BufferGeometry, isUsed: (materialIndex: number) => boolean): MeshShape {
-  const welded = weld(geometry);
-  const triangles = collectTriangles(geometry, welded.indexOf, isUsed);
-  return { vertices: welded.vertices, weldedOf: welded.indexOf, triangles, ...collectEdges(triangles, welded.vertices.length) };
+export function weldTriangles(
+  geometry: BufferGeometry,
+  isUsed: (materialIndex: number) => boolean,
+): WeldedTriangles & Pick<MeshShape, 'weldedOf'> {
+  const { vertices, indexOf } = weld(geometry);
+  return { vertices, weldedOf: indexOf, triangles: collectTriangles(geometry, indexOf, isUsed) };
 }
 
 /** Tolerance for equal positions relative to the radius of the mesh, because computed seams differ by rounding. */
@@ -78,7 +94,8 @@ function collectTriangles(geometry: BufferGeometry, indexOf: Uint32Array, isUsed
   return Uint32Array.from(triangles);
 }
 
-function collectEdges(triangles: Uint32Array, vertexCount: number): Pick<MeshShape, 'edges' | 'usesOf' | 'uses' | 'closed'> {
+/** Finds the edges of triangles over welded vertices. */
+export function collectEdges(triangles: Uint32Array, vertexCount: number): TriangleEdges {
   const usesByEdge = new Map<number, number[]>();
   for (let i = 0; i < triangles.length; i++) {
     const from = triangles[i] ?? 0;

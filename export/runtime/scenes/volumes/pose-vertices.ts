@@ -1,6 +1,6 @@
 import type { SkinnedMesh } from 'three';
 import { type Drawable, isSkinned } from '../proxies/drawable.ts';
-import type { MeshShape } from './mesh-shape.ts';
+import type { MeshShape, WeldedTriangles } from './mesh-shape.ts';
 
 /** Whether skin or morph targets may move the vertices of a mesh per frame. */
 export function isDeformed(master: Drawable): boolean {
@@ -20,7 +20,7 @@ export function poseVertices(master: Drawable, shape: MeshShape, rest: Float32Ar
 }
 
 /** Positions of the geometry at rest, three numbers per welded vertex. */
-export function restVertices({ geometry }: Drawable, { vertices }: MeshShape): Float32Array {
+export function restVertices({ geometry }: Drawable, { vertices }: WeldedTriangles): Float32Array {
   const rest = new Float32Array(vertices.length * 3);
   const { position } = geometry.attributes;
   if (!position) return rest;

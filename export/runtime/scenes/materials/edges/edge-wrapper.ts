@@ -118,6 +118,8 @@ void main() {
   vertex.crease = shape.x;
   vertex.widthPx = 1.0;
   vertex.endPx = 0.0;
+  float unitM = ( scale.x + scale.y + scale.z ) / 3.0;
+  vertex.roomM = ( isEnd ? shape.w : shape.z ) * unitM;
 
   vec3 along = ( b - a ) * sign( span.y - span.x );
   vec3 across = cross( along, cameraPosition - vertex.position );
@@ -150,7 +152,6 @@ void main() {
   vTechniqueColor = vertex.color;
   vTechniqueRest = vertex.rest;
   vTechniqueRestNormal = normalize( cross( restB - restA, scrimFetch( scrimVertices, int( corners.z ) * SCRIM_STRIDE ).xyz - restA ) + vec3( 1e-20 ) );
-  float unitM = ( scale.x + scale.y + scale.z ) / 3.0;
   vTechniqueLine = vec3( ( isEnd ? span.w : span.z ) * unitM + ( isEnd ? beyondM : - beyondM ), side, shape.y * unitM );
   vec4 worldPosition = vec4( position, 1.0 );
   vec4 mvPosition = viewMatrix * worldPosition;

@@ -1,5 +1,6 @@
 import { Vector3 } from 'three';
-import type { MeshShape } from '../../volumes/mesh-shape.ts';
+import type { TriangleEdges, WeldedTriangles } from '../../volumes/mesh-shape.ts';
+import { type LineRoom, measureRoom } from './line-room.ts';
 
 /** An edge of a mesh with its faces, by welded vertices: (a, b, c) and (b, a, d), both counterclockwise from outside. */
 export interface MeshEdge {
@@ -23,7 +24,13 @@ export interface EdgeSegment {
   readonly alongTo: number;
   /** Length of the stroke; 0 if the edge belongs to no stroke. */
   readonly stroke: number;
+  /** How far apart lines lie around the start and the end, in units of the mesh; infinite where there are few. */
+  readonly roomFrom: number;
+  readonly roomTo: number;
 }
+
+/** Triangles and their edges. */
+export type EdgedTriangles = Pick<WeldedTriangles, 'triangles'> & Pick<TriangleEdges, 'edges' | 'usesOf' | 'uses'>;
 
 /** From this angle on, an edge belongs to a stroke. */
 const FEATURE_RAD = 0.4;
@@ -52,13 +59,14 @@ const scratchFace = new Vector3();
  * @param limit Maximum number of segments.
  * @returns The segments; null if there are more than `limit`.
  */
-export function findSegments(shape: MeshShape, positions: Float32Array, bends: boolean, limit: number): readonly EdgeSegment[] | null {
+export function findSegments(shape: EdgedTriangles, positions: Float32Array, bends: boolean, limit: number): readonly EdgeSegment[] | null {
   const edges = findEdges(shape, positions).filter(({ angle }) => bends || angle > COPLANAR_RAD || angle < -FEATURE_RAD);
   if (edges.length > limit) return null;
   const longest = sizeOf(positions) / SEGMENTS_ACROSS;
   const lengthOf = ({ a, b }: MeshEdge): number =>
     scratchFrom.fromArray(positions, a * 3).distanceTo(scratchAlong.fromArray(positions, b * 3));
   const segments: EdgeSegment[] = [];
+  const room = measureRoom(edges, positions);
   const cut = (edge: MeshEdge, reversed: boolean, start: number, stroke: number): number => {
     const length = lengthOf(edge);
     const count = Math.max(1, Math.ceil(length / longest));
@@ -66,7 +74,8 @@ export function findSegments(shape: MeshShape, positions: Float32Array, bends: b
     const along = (t: number): number => (stroke === 0 ? 0 : start + length * t);
     for (let i = 0; i < count; i++) {
       const [from, to] = [i / count, (i + 1) / count];
-      segments.push({ edge, from: at(from), to: at(to), alongFrom: along(from), alongTo: along(to), stroke });
+      const [roomFrom, roomTo] = [roomAt(room, positions, edge, at(from)), roomAt(room, positions, edge, at(to))];
+      segments.push({ edge, from: at(from), to: at(to), alongFrom: along(from), alongTo: along(to), stroke, roomFrom, roomTo });
     }
     return start + length;
   };
@@ -83,6 +92,11 @@ export function findSegments(shape: MeshShape, positions: Float32Array, bends: b
   return segments.length > limit ? null : segments;
 }
 
+function roomAt(room: LineRoom, positions: Float32Array, { a, b }: MeshEdge, t: number): number {
+  const { x, y, z } = scratchNext.fromArray(positions, a * 3).lerp(scratchOpposite.fromArray(positions, b * 3), t);
+  return room(x, y, z);
+}
+
 /** Diagonal of the bounding box. */
 function sizeOf(positions: Float32Array): number {
   const low = scratchFrom.setScalar(Number.POSITIVE_INFINITY);
@@ -96,7 +110,7 @@ function sizeOf(positions: Float32Array): number {
 }
 
 /** The edges of a mesh. Of an edge with more than two faces, two that run in opposite directions count. */
-function findEdges({ triangles, edges, usesOf, uses }: MeshShape, positions: Float32Array): MeshEdge[] {
+function findEdges({ triangles, edges, usesOf, uses }: EdgedTriangles, positions: Float32Array): MeshEdge[] {
   const found: MeshEdge[] = [];
   for (let i = 0; i * 2 < edges.length; i++) {
     const all = uses.subarray(usesOf[i], usesOf[i + 1]);
