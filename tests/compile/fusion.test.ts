@@ -2,7 +2,7 @@ import { describe, expect, test } from '@jest/globals';
 import { describeSeparate } from '../../export/compiler/describe.ts';
 import { SEPARATE_REASONS } from '../../export/compiler/schedule/fuse/separate-wire.ts';
 import { totalBytes } from '../../export/compiler/target-bytes.ts';
-import { chain, passes, type Twins, twins } from '../support/fusion-kit.ts';
+import { chain, EXACT_EFFECTS, passes, type Twins, twins } from '../support/fusion-kit.ts';
 
 const INPUTS = '"INPUTS": [{ "NAME": "inputImage", "TYPE": "image" }]';
 const COPY = 'gl_FragColor = IMG_THIS_PIXEL(inputImage);';
@@ -173,6 +173,28 @@ describe('a layer stays a texture', () => {
       'grey-a.pass0 → shift-a.pass0',
       'moved',
     );
+  });
+
+  const SHIFTED = ['pattern-a.layer -> own-a.inputImage', 'own-a.layer -> shift-a.inputImage', 'shift-a.layer -> screen-a.layer'];
+  const shifted = (own: string) =>
+    twins({ 'own-a': { type: 'filter/own', version: 1 }, 'shift-a': { type: 'filter/shift', version: 1 } }, SHIFTED, {
+      'shift.fs': EXACT_EFFECTS['filter/shift'] ?? '',
+      'own.fs': own,
+    });
+
+  test('where the pass of another pixel gives its normalized position to a function, whatever its name', () => {
+    const own = (name: string) =>
+      `/*{ "ISFVSN": "2", ${INPUTS} }*/
+vec3 ${name}(vec2 p) { return fract(p.xyx * 91234.5); }
+void main() { gl_FragColor = vec4(${name}(isf_FragNormCoord), IMG_THIS_PIXEL(inputImage).a); }`;
+    expectReason(shifted(own('noise')), 'own-a.pass0 → shift-a.pass0', 'moved');
+    expectReason(shifted(own('color_at')), 'own-a.pass0 → shift-a.pass0', 'moved');
+  });
+
+  test('where the pass of another pixel reads a layer of another size, which is filtered', () => {
+    const own = `/*{ "ISFVSN": "2", ${INPUTS}, "PASSES": [{ "TARGET": "half", "WIDTH": "$WIDTH / 2" }, {}] }*/
+void main() { gl_FragColor = PASSINDEX == 0 ? IMG_THIS_PIXEL(inputImage) : IMG_THIS_PIXEL(half); }`;
+    expectReason(shifted(own), 'own-a.pass1 → shift-a.pass0', 'moved');
   });
 
   test('where neighboring pixels would be read in two steps', () => {

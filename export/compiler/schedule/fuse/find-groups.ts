@@ -163,13 +163,16 @@ function createRules({ operations, resources, viewed, unfused, repeated, maxLaye
     return imageOf(wire)?.isHere ? (group.get(wire.reader) ?? null) : `${wire.reader} ${wire.sampler.name}`;
   }
 
-  /** Whether a pass can be computed for another pixel with the same color: what it reads are pixels of layers, without filtering. */
-  function isMovable({ parts, samplers }: ScheduledPass): boolean {
+  /** Whether a pass can be computed for another pixel with the same color: what it reads are pixels of layers of its size, without filtering. */
+  function isMovable(pass: ScheduledPass): boolean {
+    const { parts, samplers } = pass;
     if (typeof parts === 'string' || !parts.moves) return false;
+    const size = JSON.stringify(sizeOf(pass));
     return samplers.every(({ name, source, fit }) => {
       if (source.kind === 'table') return true;
       const image = parts.images.find((part) => part.image.sampler === name);
-      return source.kind === 'color' && targets.has(source.resource) && fit === 'none' && image?.reads.elsewhere === 0;
+      if (source.kind !== 'color' || fit !== 'none' || image?.reads.elsewhere !== 0) return false;
+      return targets.has(source.resource) && JSON.stringify(sizes.get(source.resource)) === size;
     });
   }
 
