@@ -166,7 +166,7 @@ export interface LayerTexture {
   readonly texture: WebGLTexture | null;
   readonly widthPx: number;
   readonly heightPx: number;
-  /** The UV matrix, column-major 3×3: texture UV from view UV (view domain) or from image UV (image domain). */
+  /** The UV matrix, column-major 3×3: texture UV from view UV. In the image domain it is the identity. */
   readonly uvFromViewUv: Float32Array;
   /** An integer that changes whenever the pixels, the size or the UV matrix change. `MAY_CHANGE`: they may change in every frame. */
   readonly version: number;

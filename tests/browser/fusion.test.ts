@@ -26,6 +26,9 @@ async function expectOnePass(pair: Twins, passCount = 1): Promise<void> {
 }
 
 describe('a fused pass draws what the passes drew', () => {
+  const own = (body: string, more = '') =>
+    `/*{ "ISFVSN": "2", "INPUTS": [{ "NAME": "inputImage", "TYPE": "image" }]${more} }*/\nvoid main() { ${body} }`;
+
   test.each(QUICK_PAIR_PARTS)('of a tenth of all pairs of effects: part %d of 20', async (part) => {
     // `tests/slow/fusion-pairs.test.ts` draws the others.
     const { separate, fused } = await expectSameGraphs(page, pairsOfEffects(part));
@@ -42,9 +45,9 @@ describe('a fused pass draws what the passes drew', () => {
   test('of nine pointwise effects and their source', async () => {
     const types = [
       'sepia',
-      'posterize',
+      'chrominance-variation',
       'vignette',
-      'threshold',
+      'color-temperature',
       'film-grain',
       'gradient-map',
       'curves',
@@ -57,7 +60,7 @@ describe('a fused pass draws what the passes drew', () => {
   test('of effects over an opaque image, which is not divided by its alpha', async () => {
     const opaque =
       '/*{ "ISFVSN": "2" }*/\nvoid main() { gl_FragColor = vec4(fract(gl_FragCoord.xy / vec2(37.0, 29.0)), isf_FragNormCoord.x, 1.0); }';
-    const types = ['sepia', 'posterize', 'vignette', 'film-grain', 'curves', 'white-balance'];
+    const types = ['sepia', 'chrominance-variation', 'vignette', 'film-grain', 'curves', 'white-balance'];
     const nodes = Object.fromEntries(types.map((type) => [`${type}-a`, { type: `filter/${type}`, version: versionOf(`filter/${type}`) }]));
     const path = ['opaque-a', ...types.map((type) => `${type}-a`)];
     const wires = types.map((type, i) => `${path[i]}.layer -> ${type}-a.inputImage`);
@@ -70,19 +73,39 @@ describe('a fused pass draws what the passes drew', () => {
     expect(pair.fused.shaders.filter(({ fragment }) => fragment.includes('scrim_straight'))).toEqual([]);
   });
 
+  test('of effects that color the transparent image of a camera that is not there', async () => {
+    const lit = own('vec4 color = IMG_THIS_PIXEL(inputImage); gl_FragColor = vec4(color.rgb * 0.5 + 0.3, color.a);');
+    const nodes = {
+      'video-a': { type: 'source/camera-video', version: 1 },
+      'lit-a': { type: 'filter/lit', version: 1 },
+      'warm-a': { type: 'filter/color-temperature', version: versionOf('filter/color-temperature') },
+      'again-a': { type: 'filter/lit', version: 1 },
+      'blend-a': { type: 'operator/blend', version: versionOf('operator/blend') },
+    };
+    const wires = [
+      'video-a.layer -> lit-a.inputImage',
+      'lit-a.layer -> warm-a.inputImage',
+      'warm-a.layer -> again-a.inputImage',
+      'again-a.layer -> blend-a.top',
+      'pattern-a.layer -> blend-a.bottom',
+      'blend-a.layer -> screen-a.layer',
+    ];
+    await expectOnePass(twins(nodes, wires, { 'lit.fs': lit }));
+  });
+
   test('of a diamond, whose layers two passes read', async () => {
     const nodes = {
       'grey-a': { type: 'filter/grey', version: 1, params: { amount: 0.5 } },
       'sepia-a': { type: 'filter/sepia', version: 1 },
-      'post-a': { type: 'filter/posterize', version: 1 },
+      'pale-a': { type: 'filter/luminance-variation', version: 1 },
       'blend-a': { type: 'operator/blend', version: 1, params: { mode: 1 } },
     };
     const wires = [
       'pattern-a.layer -> grey-a.inputImage',
       'grey-a.layer -> sepia-a.inputImage',
-      'grey-a.layer -> post-a.inputImage',
+      'grey-a.layer -> pale-a.inputImage',
       'sepia-a.layer -> blend-a.top',
-      'post-a.layer -> blend-a.bottom',
+      'pale-a.layer -> blend-a.bottom',
       'blend-a.layer -> screen-a.layer',
     ];
     await expectOnePass(twins(nodes, wires));
@@ -145,7 +168,7 @@ describe('a fused pass draws what the passes drew', () => {
   });
 
   test('after a blur, whose last step takes the effects after it', async () => {
-    await expectOnePass(chain(['filter/gaussian-blur', 'filter/sepia', 'filter/posterize']), 3);
+    await expectOnePass(chain(['filter/gaussian-blur', 'filter/sepia', 'filter/grey']), 3);
   });
 
   test('of files that use the same names, sizes, `discard` and PASSINDEX', async () => {
@@ -178,8 +201,6 @@ void main() {
     await expectOnePass(twins(nodes, wires, sources));
   });
 
-  const own = (body: string, more = '') =>
-    `/*{ "ISFVSN": "2", "INPUTS": [{ "NAME": "inputImage", "TYPE": "image" }]${more} }*/\nvoid main() { ${body} }`;
   const through = (...names: readonly string[]) => [
     ...names.map((name, i) => `${i === 0 ? 'pattern' : names[i - 1]}-a.layer -> ${name}-a.inputImage`),
     `${names.at(-1)}-a.layer -> screen-a.layer`,
@@ -236,7 +257,7 @@ void main() {
       'scene-a': version('layer/scene'),
       'box-a': version('objects/primitive'),
       'over-a': { ...version('operator/over'), params: { opacity: 0 } },
-      'post-a': version('filter/posterize'),
+      'warm-a': version('filter/color-temperature'),
     };
     const wires = [
       'third-a.result -> grey-a.amount',
@@ -247,27 +268,27 @@ void main() {
       'box-a.objects -> scene-a.objects',
       'scene-a.layer -> over-a.top',
       'blend-a.layer -> over-a.bottom',
-      'over-a.layer -> post-a.inputImage',
-      'post-a.layer -> screen-a.layer',
+      'over-a.layer -> warm-a.inputImage',
+      'warm-a.layer -> screen-a.layer',
     ];
     const { separate } = twins(nodes, wires);
     const { fused } = twins(nodes, wires, {}, { fold: true });
     expect(separate.operations.map(({ kind }) => kind)).toEqual(expect.arrayContaining(['value', 'draw']));
-    expect(fused.operations.map(({ kind, id }) => `${kind} ${id}`)).toEqual(['pass post-a.pass0']);
-    expect(passes(fused)[0]?.nodes).toEqual(['pattern-a', 'pale-a', 'blend-a', 'post-a']);
+    expect(fused.operations.map(({ kind, id }) => `${kind} ${id}`)).toEqual(['pass warm-a.pass0']);
+    expect(passes(fused)[0]?.nodes).toEqual(['pattern-a', 'pale-a', 'blend-a', 'warm-a']);
     await expectSameImages(page, [{ separate, fused, wires: [] }]);
   });
 
   test('and a driver’s message about it names the node and the line of its file', async () => {
-    const { fused } = chain(['filter/sepia', 'filter/posterize']);
+    const { fused } = chain(['filter/sepia', 'filter/vignette']);
     const [pass] = passes(fused);
     expect(pass?.nodes).toEqual(['pattern-a', 'e-0', 'e-1']);
     const map = fused.shaders[pass?.shader ?? 0]?.sourceMap;
     expect(map?.nodes).toEqual(['pattern-a', 'e-0', 'e-1']);
     const lines = fused.shaders[pass?.shader ?? 0]?.fragment.split('\n') ?? [];
-    const place = map?.lines[lines.findIndex((line) => line.includes('b2_a_levels') && !line.startsWith('uniform'))];
-    expect(map?.sources[place?.[0] ?? 0]).toBe('filters/posterize.fs');
-    expect(LIBRARY.shader('filters/posterize.fs')?.split('\n')[(place?.[1] ?? 0) - 1]).toContain('levels');
+    const place = map?.lines[lines.findIndex((line) => line.includes('b2_a_amount') && !line.startsWith('uniform'))];
+    expect(map?.sources[place?.[0] ?? 0]).toBe('filters/vignette.fs');
+    expect(LIBRARY.shader('filters/vignette.fs')?.split('\n')[(place?.[1] ?? 0) - 1]).toContain('amount');
   });
 });
 

@@ -11,7 +11,16 @@ import { TESTS_FOLDER } from '../support/this-test.ts';
 
 const SIZE = { widthPx: 1280, heightPx: 720 } as const;
 const LAYER_BYTES = SIZE.widthPx * SIZE.heightPx * 4;
-const EIGHT = ['sepia', 'posterize', 'vignette', 'threshold', 'film-grain', 'curves', 'white-balance', 'luminance-variation'];
+const EIGHT = [
+  'sepia',
+  'chrominance-variation',
+  'vignette',
+  'color-temperature',
+  'film-grain',
+  'curves',
+  'white-balance',
+  'luminance-variation',
+];
 const { compile } = createCompiler();
 
 function traffic({ separate, fused }: Pick<Twins, 'separate' | 'fused'>): {
@@ -52,7 +61,7 @@ describe('a frame needs', () => {
 
   test('three passes for five effects of which one is a blur: what is before it, across, and along with what is after it', () => {
     const { apart, together } = traffic(
-      chain(['sepia', 'vignette', 'gaussian-blur', 'posterize', 'curves'].map((type) => `filter/${type}`)),
+      chain(['sepia', 'vignette', 'gaussian-blur', 'white-balance', 'curves'].map((type) => `filter/${type}`)),
     );
     expect(apart).toMatchObject({ passes: 7, targets: 2 });
     expect(together).toEqual({

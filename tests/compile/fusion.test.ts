@@ -2,7 +2,7 @@ import { describe, expect, test } from '@jest/globals';
 import { describeSeparate } from '../../export/compiler/describe.ts';
 import { SEPARATE_REASONS } from '../../export/compiler/schedule/fuse/separate-wire.ts';
 import { totalBytes } from '../../export/compiler/target-bytes.ts';
-import { chain, passes, type Twins, twins } from '../support/fusion-kit.ts';
+import { chain, EXACT_EFFECTS, passes, type Twins, twins, versionOf } from '../support/fusion-kit.ts';
 
 const INPUTS = '"INPUTS": [{ "NAME": "inputImage", "TYPE": "image" }]';
 const COPY = 'gl_FragColor = IMG_THIS_PIXEL(inputImage);';
@@ -62,7 +62,33 @@ describe('a layer stays a texture', () => {
     ];
     const pair = twins(nodes, wires);
     expectReason(pair, 'other-a.pass0 → lut-a.pass0', 'elsewhere');
-    expect(passes(pair.fused).map(({ nodes }) => nodes)).toEqual([undefined, ['pattern-a', 'lut-a', 'mask-a']]);
+    // A color table makes large steps of small ones.
+    expectReason(pair, 'pattern-a.pass0 → lut-a.pass0', 'unstable');
+    expect(passes(pair.fused).map(({ nodes }) => nodes)).toEqual([undefined, undefined, ['lut-a', 'mask-a']]);
+  });
+
+  test('where its reader makes large steps of rounding, and another reader could compute it', () => {
+    const nodes = {
+      'grey-a': { type: 'filter/grey', version: 1 },
+      'post-a': { type: 'filter/posterize', version: 1 },
+      'sepia-a': { type: 'filter/sepia', version: 1 },
+      'blend-a': { type: 'operator/blend', version: 1 },
+    };
+    const wires = [
+      'pattern-a.layer -> grey-a.inputImage',
+      'grey-a.layer -> post-a.inputImage',
+      'post-a.layer -> sepia-a.inputImage',
+      'sepia-a.layer -> blend-a.top',
+      'grey-a.layer -> blend-a.bottom',
+      'blend-a.layer -> screen-a.layer',
+    ];
+    const pair = twins(nodes, wires);
+    expectReason(pair, 'grey-a.pass0 → post-a.pass0', 'unstable');
+    expectReason(pair, 'grey-a.pass0 → blend-a.pass0', 'readers');
+    expect(passes(pair.fused).map((pass) => pass.nodes)).toEqual([
+      ['pattern-a', 'grey-a'],
+      ['post-a', 'sepia-a', 'blend-a'],
+    ]);
   });
 
   test('where two passes that stay separate read it', () => {
@@ -173,6 +199,28 @@ describe('a layer stays a texture', () => {
       'grey-a.pass0 → shift-a.pass0',
       'moved',
     );
+  });
+
+  const SHIFTED = ['pattern-a.layer -> own-a.inputImage', 'own-a.layer -> shift-a.inputImage', 'shift-a.layer -> screen-a.layer'];
+  const shifted = (own: string) =>
+    twins({ 'own-a': { type: 'filter/own', version: 1 }, 'shift-a': { type: 'filter/shift', version: 1 } }, SHIFTED, {
+      'shift.fs': EXACT_EFFECTS['filter/shift'] ?? '',
+      'own.fs': own,
+    });
+
+  test('where the pass of another pixel gives its normalized position to a function, whatever its name', () => {
+    const own = (name: string) =>
+      `/*{ "ISFVSN": "2", ${INPUTS} }*/
+vec3 ${name}(vec2 p) { return fract(p.xyx * 91234.5); }
+void main() { gl_FragColor = vec4(${name}(isf_FragNormCoord), IMG_THIS_PIXEL(inputImage).a); }`;
+    expectReason(shifted(own('noise')), 'own-a.pass0 → shift-a.pass0', 'moved');
+    expectReason(shifted(own('color_at')), 'own-a.pass0 → shift-a.pass0', 'moved');
+  });
+
+  test('where the pass of another pixel reads a layer of another size, which is filtered', () => {
+    const own = `/*{ "ISFVSN": "2", ${INPUTS}, "PASSES": [{ "TARGET": "half", "WIDTH": "$WIDTH / 2" }, {}] }*/
+void main() { gl_FragColor = PASSINDEX == 0 ? IMG_THIS_PIXEL(inputImage) : IMG_THIS_PIXEL(half); }`;
+    expectReason(shifted(own), 'own-a.pass1 → shift-a.pass0', 'moved');
   });
 
   test('where neighboring pixels would be read in two steps', () => {
@@ -307,9 +355,29 @@ describe('passes over layers whose alpha is 0 or 1', () => {
     expect(overSource({ ...camera, params: { withoutImage: 'color' } })).toBe(1);
     expect(overSource(image)).toBe(1);
   });
+
+  const EFFECTS = { 'sepia-a': 'filter/sepia', 'grey-a': 'filter/grey', 'warm-a': 'filter/color-temperature', 'dark-a': 'filter/vignette' };
+  const multiplications = (screen: readonly string[]) => {
+    const nodes = Object.fromEntries(Object.entries(EFFECTS).map(([id, type]) => [id, { type, version: versionOf(type) }]));
+    const wires = [
+      'video-a.layer -> sepia-a.inputImage',
+      'sepia-a.layer -> grey-a.inputImage',
+      'grey-a.layer -> warm-a.inputImage',
+      'warm-a.layer -> dark-a.inputImage',
+    ];
+    const blend = { 'video-a': camera, 'blend-a': { type: 'operator/blend', version: versionOf('operator/blend') } };
+    const { fused } = twins({ ...nodes, ...blend }, [...wires, ...screen]);
+    return passes(fused).map(({ shader }) => fused.shaders[shader]?.fragment.match(/\* b\d_layer\.a/g)?.length);
+  };
+
+  test('multiply by it once, where no reader needs the color of transparent pixels', () => {
+    expect(multiplications(['dark-a.layer -> screen-a.layer'])).toEqual([1]);
+    const blended = ['warm-a.layer -> blend-a.top', 'dark-a.layer -> blend-a.bottom', 'blend-a.layer -> screen-a.layer'];
+    expect(multiplications(blended)).toEqual([2]);
+  });
 });
 
-test('passes read targets where they are, without the matrix that places the camera image and files', () => {
+test('passes read targets and images of their size where they are, without the matrix that places the camera image', () => {
   const nodes = {
     'blur-a': { type: 'filter/gaussian-blur', version: 1 },
     'sepia-a': { type: 'filter/sepia', version: 1 },
@@ -319,4 +387,10 @@ test('passes read targets where they are, without the matrix that places the cam
   const placed = ({ shaders }: Twins['fused']) => shaders.filter(({ fragment }) => fragment.includes('scrim_place(')).length;
   expect(placed(separate)).toBeGreaterThan(0);
   expect(placed(fused)).toBe(0);
+  const filtered = ['source-a.layer -> sepia-a.inputImage', 'sepia-a.layer -> screen-a.layer'];
+  const over = (type: string) => twins({ 'source-a': { type, version: 1 }, 'sepia-a': nodes['sepia-a'] }, filtered).fused;
+  // The pass that fits the image to the view places it.
+  expect(passes(over('source/image-file')).map(({ id }) => id)).toEqual(['sepia-a.pass0', 'sepia-a.layer.screen0']);
+  expect(placed(over('source/image-file'))).toBe(1);
+  expect(placed(over('source/camera-video'))).toBe(1);
 });

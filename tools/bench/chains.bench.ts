@@ -150,8 +150,8 @@ const PLACES = Array.from(
 );
 
 /**
- * The share of places whose color may differ by more than a step: a step before it, a color may have been on the other side of a threshold
- * or a level. The libraries do not round.
+ * The share of places whose color may differ by more than a step: a step before it, a color may have been on the other side of a threshold.
+ * The libraries do not round.
  */
 const MOST_OTHERS: Readonly<Record<Name, number>> = {
   fused: 0,
@@ -187,11 +187,14 @@ const PHOTO = {
   'photo-a': { type: 'source/image-file', version: 1, params: { file: 'photo' } },
   'screen-a': { type: 'output/screen', version: 1 },
 };
-const FIVE = ['sepia', 'vignette', 'gaussian-blur', 'posterize', 'curves'];
+const FIVE = ['filter/sepia', 'filter/vignette', 'filter/gaussian-blur', 'filter/grey', 'filter/curves'];
 
 const BLURRED: Graph = [
-  { ...PHOTO, ...Object.fromEntries(FIVE.map((filter) => [`${filter}-a`, { type: `filter/${filter}`, version: 1 }])) },
-  [...FIVE.map((filter, i) => `${i === 0 ? 'photo' : FIVE[i - 1]}-a.layer -> ${filter}-a.inputImage`), 'curves-a.layer -> screen-a.layer'],
+  { ...PHOTO, ...Object.fromEntries(FIVE.map((type, i) => [`effect${i}-a`, { type, version: 1 }])) },
+  [
+    ...FIVE.map((_, i) => `${i === 0 ? 'photo' : `effect${i - 1}`}-a.layer -> effect${i}-a.inputImage`),
+    'effect4-a.layer -> screen-a.layer',
+  ],
 ];
 
 const MASKED: Graph = [
@@ -199,14 +202,12 @@ const MASKED: Graph = [
     ...PHOTO,
     'ink-a': { type: 'filter/difference-of-gaussians', version: 1 },
     'light-a': { type: 'filter/threshold', version: 1 },
-    'grey-a': { type: 'filter/grey', version: 1 },
     'choose-a': { type: 'operator/choose-by-mask', version: 1 },
     'sepia-a': { type: 'filter/sepia', version: 1 },
   },
   [
     'photo-a.layer -> ink-a.inputImage',
-    'photo-a.layer -> grey-a.inputImage',
-    'grey-a.layer -> light-a.inputImage',
+    'photo-a.layer -> light-a.inputImage',
     'photo-a.layer -> choose-a.inside',
     'light-a.layer -> choose-a.mask',
     'ink-a.layer -> choose-a.outside',

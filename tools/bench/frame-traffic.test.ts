@@ -6,7 +6,7 @@ const SIZE = { widthPx: 10, heightPx: 5 } as const;
 const LAYER_BYTES = 10 * 5 * 4;
 
 test('counts the layers that passes read and write, and textures that targets share once', () => {
-  const { separate, fused } = chain(['filter/sepia', 'filter/posterize', 'filter/grey']);
+  const { separate, fused } = chain(['filter/sepia', 'filter/vignette', 'filter/grey']);
   expect(frameTraffic(separate, SIZE)).toEqual({
     passes: 4,
     targets: 2,

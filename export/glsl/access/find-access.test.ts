@@ -158,6 +158,7 @@ describe('a read at the center of another pixel', () => {
     ['mirrored at any line', color(norm('vec2(size - isf_FragNormCoord.x, isf_FragNormCoord.y)'))],
     ['a mean of centers', color(pixel('(gl_FragCoord.xy + gl_FragCoord.xy + 1.0) / 2.0'))],
     ['a variable that is changed', 'void main() { vec2 p = gl_FragCoord.xy; p += shift; gl_FragColor = IMG_PIXEL(inputImage, p); }'],
+    ['a number of a matrix', color(pixel('vec2(gl_FragCoord.x, mat2(size))'))],
     ['projected', color('texture2DProj(inputImage, vec3(isf_FragNormCoord, 1.0))')],
     [
       'by way of a function with another argument elsewhere',

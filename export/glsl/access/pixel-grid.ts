@@ -67,7 +67,8 @@ function createFinder(calls: Calls, image: string): (expression: Expression) => 
 
   function find(expression: Expression): Grids {
     const numeric = numericOf(expression.type);
-    if (expression.depth > MAX_DEPTH || numeric === null || numeric.columns > 1) return [];
+    if (expression.depth > MAX_DEPTH || numeric === null) return [];
+    if (numeric.columns > 1) return filled(numeric.rows * numeric.columns, null);
     const unknown = numeric.base === 'float' ? null : 'whole';
     const grids = search(expression);
     return Array.from({ length: numeric.rows }, (_, i) => (grids.length === numeric.rows ? (grids[i] ?? unknown) : unknown));

@@ -125,7 +125,8 @@ function storeText(passes: readonly FusedPart[], index: number): string {
   const name = isLast ? 'scrim_output' : layerName(index);
   const alpha = keptAlpha(passes, index);
   if (alpha !== null) {
-    const color = `clamp(scrim_fragColor.rgb, 0.0, 1.0) * ${alpha}`;
+    const straight = 'clamp(scrim_fragColor.rgb, 0.0, 1.0)';
+    const color = isMultipliedLater(passes, index) ? straight : `${straight} * ${alpha}`;
     return `${name} = vec4(${isLast ? color : `scrim_clampedAs8(${color})`}, ${alpha});`;
   }
   if (isLast) return outputText(output);
@@ -153,6 +154,17 @@ function isHardEdged(passes: readonly FusedPart[], index: number): boolean {
   return producer === undefined ? (hardEdged?.has(parts.keptAlpha) ?? false) : isHardEdged(passes, producer);
 }
 
+/**
+ * Whether each reader of a layer whose alpha is 0 or 1 outputs that alpha, so that it multiplies with it too, or its readers do. What the
+ * layer has for a color where alpha is 0 then does not matter.
+ */
+function isMultipliedLater(passes: readonly FusedPart[], index: number): boolean {
+  if (index === passes.length - 1 || !isHardEdged(passes, index)) return false;
+  return passes.every(({ parts, from }, reader) =>
+    [...from].every(([sampler, producer]) => producer !== index || (parts.keptAlpha === sampler && keptAlpha(passes, reader) !== null)),
+  );
+}
+
 /** Automatic uniforms of all passes, in the table's order. The size of a fused layer is that of the target. */
 function builtinsOf(passes: readonly FusedPart[], areMoved: boolean): BuiltinUniform[] {
   const used = new Set(passes.flatMap(({ parts }) => parts.builtins));
@@ -169,7 +181,12 @@ function printImages(passes: readonly FusedPart[], index: number, moved: MovedLa
   const texts = parts.images.map((part) => {
     const { image, uses, reading } = part;
     const producer = from.get(image.sampler);
-    if (producer === undefined) return imageText(image, uses, reading, pass.aligned.has(image.sampler));
+    if (producer === undefined) {
+      const isAligned = pass.aligned.has(image.sampler);
+      // A color that is 0 where alpha is, and is multiplied by 1 elsewhere, is the straight one.
+      const isStraight = isAligned && pass.hardEdged.has(image.sampler);
+      return imageText(image, uses, isStraight ? { ...reading, premultiplied: true } : reading, isAligned);
+    }
     return fusedImageText(part, producer, isHardEdged(passes, producer), moved.get(movedKey(index, image.sampler)) ?? null);
   });
   return fusedName(index, texts.filter((text) => text !== '').join('\n'));

@@ -11,6 +11,6 @@ export interface FusedPart {
   readonly from: ReadonlyMap<string, number>;
   /** Samplers of textures whose alpha is 0 or 1 in each pixel, and whose color is 0 where alpha is. */
   readonly hardEdged: ReadonlySet<string>;
-  /** Samplers of targets, which cover the view. */
+  /** Samplers of textures that cover what is drawn, as targets do: positions on both are equal. */
   readonly aligned: ReadonlySet<string>;
 }

@@ -86,7 +86,7 @@ export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (Func
     keptAlpha: alphaOf !== null && here.has(alphaOf) ? (images.get(alphaOf)?.sampler ?? null) : null,
     isOpaque: !context.found.discards && givesOpaque(checked, pass.passIndex),
     format: pass.target.format,
-    moves: reads !== null && !usesNormCoord(context.writer, body) && ![...reach.globals].some(isKept),
+    moves: reads !== null && !usesNormCoord([context.writer, body], [...reach.images.keys()]) && ![...reach.globals].some(isKept),
     operations: countOperations(checked, pass.passIndex),
   };
   const read = [...reach.globals].filter(({ name, role }) => role === 'varying' && context.varyings.has(name));
@@ -162,8 +162,10 @@ function isKept({ role, written, declaration }: VariableSymbol): boolean {
 }
 
 /** Whether printed text computes with the normalized position, which reads of images and `gl_FragCoord` do not. */
-function usesNormCoord(...texts: readonly LineWriter[]): boolean {
-  return texts.some(({ lines }) => lines.some((line) => /\bscrim_uv\b/.test(line.replaceAll('_at(scrim_uv)', '').replace(FRAG_COORD, ''))));
+function usesNormCoord(texts: readonly LineWriter[], images: readonly Image[]): boolean {
+  const reads = new Set(images.map((image) => `${colorFunction(image)}(scrim_uv)`));
+  const rest = (line: string) => line.replaceAll(/\w+\(scrim_uv\)/g, (call) => (reads.has(call) ? '' : call)).replace(FRAG_COORD, '');
+  return texts.some(({ lines }) => lines.some((line) => /\bscrim_uv\b/.test(rest(line))));
 }
 
 const NO_LINES: MappedLines = { lines: [], map: [] };

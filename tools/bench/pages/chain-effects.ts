@@ -28,8 +28,6 @@ vec4 blurred(sampler2D image, vec2 at, vec2 stepUv) {
   return sum / total;
 }`;
 
-export const POSTERIZE = 'vec3 posterize(vec3 c) { return min(floor(c * 4.0 + 0.0001), 3.0) / 3.0; }';
-
 export const CURVES = `float height(sampler2D curve, float x) { return texture(curve, vec2((clamp(x, 0.0, 1.0) * 255.0 + 0.5) / 256.0, 0.5)).r; }
 vec3 graded(sampler2D curve, vec3 c) {
   vec3 all = vec3(height(curve, c.r), height(curve, c.g), height(curve, c.b));

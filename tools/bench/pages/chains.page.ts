@@ -18,12 +18,12 @@ import { EffectComposer as ThreeComposer } from 'three/addons/postprocessing/Eff
 import { ShaderPass } from 'three/addons/postprocessing/ShaderPass.js';
 import { TexturePass } from 'three/addons/postprocessing/TexturePass.js';
 import { linkProgram } from '../../../nodes/kit/link-program.ts';
-import { ACROSS, BLUR, CURVES, INK, LUMA, POSTERIZE, SEPIA, VIGNETTE } from './chain-effects.ts';
+import { ACROSS, BLUR, CURVES, INK, LUMA, SEPIA, VIGNETTE } from './chain-effects.ts';
 import { countFrame, type FrameFacts } from './frame-facts.ts';
 import { type Drawn, drawnPixels, measureFrames } from './frame-ms.ts';
 import { FULL_SCREEN } from './full-screen.ts';
 
-/** `blurred`: sepia, vignette, blur, posterize, curves. `masked`: ink, but the photo where it is bright; sepia over all. */
+/** `blurred`: sepia, vignette, blur, grayscale, curves. `masked`: ink, but the photo where it is bright; sepia over all. */
 export type Chain = 'blurred' | 'masked';
 /** Draws a chain as a page without Scrim would. */
 export type Contender = 'by hand' | 'postprocessing' | 'EffectComposer';
@@ -89,8 +89,8 @@ const HAND_PASSES: Readonly<Record<Chain, readonly HandPass[]>> = {
     },
     { functions: [BLUR], body: 'color = blurred(a, at, vec2(stepUv.x, 0.0));', reads: ['a'], to: 'b' },
     {
-      functions: [BLUR, POSTERIZE, CURVES],
-      body: 'color = vec4(graded(curve, rounded(posterize(rounded(blurred(b, at, vec2(0.0, stepUv.y)).rgb)))), 1.0);',
+      functions: [BLUR, LUMA, CURVES],
+      body: 'color = vec4(graded(curve, rounded(vec3(luma(rounded(blurred(b, at, vec2(0.0, stepUv.y)).rgb))))), 1.0);',
       reads: ['b', 'curve'],
       to: 'screen',
     },
@@ -101,7 +101,7 @@ const HAND_PASSES: Readonly<Record<Chain, readonly HandPass[]>> = {
       functions: [INK, LUMA, SEPIA],
       body: `vec3 c = texture(photo, at).rgb;
   vec3 drawn = rounded(vec3(ink(a, at, stepUv.y)));
-  float light = step(0.5, luma(rounded(vec3(luma(c)))));
+  float light = step(0.5, luma(c));
   color = vec4(sepia(rounded(mix(drawn, c, light))), 1.0);`,
       reads: ['a', 'photo'],
       to: 'screen',
@@ -227,7 +227,7 @@ async function withPostprocessing(stage: Stage, chain: Chain): Promise<Drawn> {
           [effect('Across', [BLUR], 'blurred(inputBuffer, uv, vec2(texelSize.x, 0.0))', {}, true)],
           [
             effect('Along', [BLUR], 'blurred(inputBuffer, uv, vec2(0.0, texelSize.y))', {}, true),
-            effect('Posterize', [POSTERIZE], 'vec4(posterize(inputColor.rgb), 1.0)', {}),
+            effect('Grayscale', [LUMA], 'vec4(vec3(luma(inputColor.rgb)), 1.0)', {}),
             effect('Curves', [CURVES], 'vec4(graded(curve, inputColor.rgb), 1.0)', { curve }),
           ],
         ]
@@ -265,7 +265,7 @@ void main() { vec4 c = texture2D(tDiffuse, at); gl_FragColor = ${color}; }`,
     composer.addPass(pass([VIGNETTE], 'vec4(vignette(c.rgb, at), c.a)'));
     composer.addPass(pass([BLUR], 'blurred(tDiffuse, at, vec2(stepUv.x, 0.0))'));
     composer.addPass(pass([BLUR], 'blurred(tDiffuse, at, vec2(0.0, stepUv.y))'));
-    composer.addPass(pass([POSTERIZE], 'vec4(posterize(c.rgb), c.a)'));
+    composer.addPass(pass([LUMA], 'vec4(vec3(luma(c.rgb)), c.a)'));
     composer.addPass(pass([CURVES], 'vec4(graded(curve, c.rgb), c.a)', { curve }));
     return { gl: renderer.getContext(), draw: (deltaS) => composer.render(deltaS) };
   }
@@ -273,7 +273,6 @@ void main() { vec4 c = texture2D(tDiffuse, at); gl_FragColor = ${color}; }`,
   const mask = new ThreeComposer(renderer);
   mask.renderToScreen = false;
   mask.addPass(new TexturePass(photo));
-  mask.addPass(pass([LUMA], 'vec4(vec3(luma(c.rgb)), c.a)'));
   mask.addPass(pass([LUMA], 'vec4(vec3(step(0.5, luma(c.rgb))), c.a)'));
   composer.addPass(pass([ACROSS], 'across(tDiffuse, at, stepUv.x)'));
   composer.addPass(pass([INK], 'vec4(vec3(ink(tDiffuse, at, stepUv.y)), 1.0)'));

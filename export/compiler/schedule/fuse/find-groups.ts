@@ -3,6 +3,7 @@ import type { PassSampler, Resource, ResourceId, TargetSize } from '../../../pro
 import { isPass, type ScheduledOperation, type ScheduledPass } from '../scheduled.ts';
 import { isWhole, type Target, targetSizes, VIEW_SIZE } from '../whole-size.ts';
 import type { SeparateReason, SeparateWire } from './separate-wire.ts';
+import { UNSTABLE_SHADERS } from './unstable-shaders.ts';
 
 /** Passes that become one: indices of operations, ascending. The last one gives the target. */
 export type PassGroup = readonly number[];
@@ -163,13 +164,16 @@ function createRules({ operations, resources, viewed, unfused, repeated, maxLaye
     return imageOf(wire)?.isHere ? (group.get(wire.reader) ?? null) : `${wire.reader} ${wire.sampler.name}`;
   }
 
-  /** Whether a pass can be computed for another pixel with the same color: what it reads are pixels of layers, without filtering. */
-  function isMovable({ parts, samplers }: ScheduledPass): boolean {
+  /** Whether a pass can be computed for another pixel with the same color: what it reads are pixels of layers of its size, without filtering. */
+  function isMovable(pass: ScheduledPass): boolean {
+    const { parts, samplers } = pass;
     if (typeof parts === 'string' || !parts.moves) return false;
+    const size = JSON.stringify(sizeOf(pass));
     return samplers.every(({ name, source, fit }) => {
       if (source.kind === 'table') return true;
       const image = parts.images.find((part) => part.image.sampler === name);
-      return source.kind === 'color' && targets.has(source.resource) && fit === 'none' && image?.reads.elsewhere === 0;
+      if (source.kind !== 'color' || fit !== 'none' || image?.reads.elsewhere !== 0) return false;
+      return targets.has(source.resource) && JSON.stringify(sizes.get(source.resource)) === size;
     });
   }
 
@@ -191,8 +195,10 @@ function createRules({ operations, resources, viewed, unfused, repeated, maxLaye
     if (wires.some(({ sampler }) => sampler.fit !== 'none')) return 'fitted';
     if (from.view !== to.view || JSON.stringify(sizeOf(from)) !== JSON.stringify(sizeOf(to)) || fixedBases.has(resource)) return 'size';
     if (!places.has(null) && !isMovable(from)) return 'moved';
+    if (isUnstable(to)) return 'unstable';
     if (!repeated.has(resource) && !wires.every(isReadOnce)) return 'cost';
-    if (!readers.get(resource)?.every((place) => group.has(place))) return 'readers';
+    const needsTexture = wires.some((other) => isUnstable(passAt(other.reader)));
+    if (needsTexture || !readers.get(resource)?.every((place) => group.has(place))) return 'readers';
     const members = [...group.keys()].flatMap((place) => passAt(place) ?? []);
     if (readsElsewhere(from.parts) && members.some(({ parts }) => typeof parts !== 'string' && readsElsewhere(parts)))
       return 'neighborhoods';
@@ -212,6 +218,11 @@ function basesOfParts(targets: Iterable<Target>): ReadonlySet<ResourceId> {
   const all = [...targets];
   const partial = new Set(all.flatMap(({ id, size }) => (isWhole(size) ? [] : [id])));
   return new Set(all.flatMap(({ size }) => (!isWhole(size) && partial.has(size.base) ? [size.base] : [])));
+}
+
+/** Whether a pass makes large steps of the rounding before it, which devices do differently. */
+function isUnstable(pass: ScheduledPass | null): boolean {
+  return pass !== null && typeof pass.parts !== 'string' && UNSTABLE_SHADERS.includes(pass.parts.file);
 }
 
 /** Whether a pass reads one pixel of an image, at its center. */

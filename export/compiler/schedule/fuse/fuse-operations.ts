@@ -50,11 +50,13 @@ export function fuseOperations(
 interface LayerFacts {
   /** Textures whose alpha is 0 or 1 (`hardEdgedLayers`). */
   readonly hardEdged: ReadonlySet<ResourceId>;
-  readonly targets: ReadonlySet<ResourceId>;
+  /** Targets, and images of their own size, whose textures are placed as the layers are. */
+  readonly placed: ReadonlySet<ResourceId>;
 }
 
 function fuseGroups({ operations, resources, groups, separate }: Recomputed, hardEdged: ReadonlySet<ResourceId>): Fused {
-  const facts = { hardEdged, targets: new Set(resources.flatMap(({ id, kind }) => (kind === 'target' ? [id] : []))) };
+  const placed = new Set(resources.filter(isPlaced).map(({ id }) => id));
+  const facts = { hardEdged, placed };
   const fused = new Map<number, ScheduledPass>();
   const dropped = new Set<number>();
   for (const group of groups) {
@@ -65,7 +67,7 @@ function fuseGroups({ operations, resources, groups, separate }: Recomputed, har
   }
   const gone = new Set([...dropped].filter((place) => !fused.has(place)).flatMap((place) => operations[place]?.writes ?? []));
   const alone = (operation: ScheduledOperation): ScheduledOperation =>
-    isPass(operation) && readsTargets(operation, facts) ? withoutPlacement(operation, facts) : operation;
+    isPass(operation) && readsPlaced(operation, facts) ? withoutPlacement(operation, facts) : operation;
   return {
     operations: operations.flatMap((operation, place) => fused.get(place) ?? (dropped.has(place) ? [] : [alone(operation)])),
     resources: withoutTargets(resources, gone),
@@ -73,16 +75,20 @@ function fuseGroups({ operations, resources, groups, separate }: Recomputed, har
   };
 }
 
-/** Whether a pass reads a target at the position of the view. Passes that only copy stay as they are: the page often leaves them out. */
-function readsTargets({ parts, copies, samplers }: ScheduledPass, facts: LayerFacts): boolean {
+function isPlaced(resource: Resource): boolean {
+  return resource.kind === 'target' || (resource.kind === 'external' && resource.domain === 'image');
+}
+
+/** Whether a pass reads a texture at the position of its own pixel. Passes that only copy stay as they are: the page often leaves them out. */
+function readsPlaced({ parts, copies, samplers }: ScheduledPass, facts: LayerFacts): boolean {
   return typeof parts !== 'string' && !copies && samplers.some((sampler) => isAligned(sampler, facts));
 }
 
-function isAligned({ source, fit }: PassSampler, { targets }: LayerFacts): boolean {
-  return source.kind === 'color' && fit === 'none' && targets.has(source.resource);
+function isAligned({ source, fit }: PassSampler, { placed }: LayerFacts): boolean {
+  return source.kind === 'color' && fit === 'none' && placed.has(source.resource);
 }
 
-/** A pass that stays alone, with a shader that reads targets where they are, as fused passes do. */
+/** A pass that stays alone, with a shader that reads textures where they are, as fused passes do. */
 function withoutPlacement(pass: ScheduledPass, facts: LayerFacts): ScheduledPass {
   const { samplers, uniforms, shader } = fusePass([pass], facts);
   return { ...pass, samplers, uniforms, shader };

@@ -9,6 +9,7 @@ export const SEPARATE_REASONS = {
   vertex: 'one of the two has a vertex shader of its own',
   loops: 'the preview limits the loops of one of the two',
   depth: 'the reader computes depth',
+  unstable: 'the reader turns differences in rounding between devices into large steps',
   elsewhere: 'the reader reads other pixels than the current one',
   moved: 'the reader reads another pixel, and the writer may compute another color for it than its own pass',
   fitted: 'the reader fits an image to the view',
