@@ -1,3 +1,5 @@
+import type { Photograph } from '../export/captures/acquire/take-photograph.ts';
+import type { AcquiredCamera } from '../export/captures/acquire/write-transforms.ts';
 import type { LinkedShader, Program } from '../export/program/program.ts';
 import type { Handle, ParamValue } from '../nodes/kit/definition.ts';
 import type { Diagnostic } from '../nodes/kit/diagnostics.ts';
@@ -63,6 +65,13 @@ export type ToPreview =
    */
   | { readonly kind: 'render-frame'; readonly timeS: number; readonly keep: boolean }
   | { readonly kind: 'render-end' }
+  /**
+   * Loads a program, to take photographs of a layer at time 0. The page answers `photographed` when it is ready, and does nothing else from
+   * then on.
+   */
+  | { readonly kind: 'photographs-begin'; readonly request: PhotographsRequest }
+  /** Takes a photograph. `worldFromCamera`: column-major 4×4. */
+  | { readonly kind: 'photograph'; readonly camera: AcquiredCamera; readonly worldFromCamera: readonly number[] }
   /** Draws a model alone, framed, on a transparent background. `path`: its asset. `request` is a counter that the answer repeats. */
   | {
       readonly kind: 'draw-model';
@@ -105,6 +114,12 @@ export type ToPreview =
   /** Requests copies of viewed layers of the program (`node.port`), `heightPx` tall. */
   | { readonly kind: 'thumbnails'; readonly ports: readonly string[]; readonly heightPx: number };
 
+/** Messages to hidden pages, each of which does one such work. */
+export type HiddenWork = Extract<
+  ToPreview,
+  { kind: 'render-begin' | 'render-frame' | 'render-end' | 'photographs-begin' | 'photograph' | 'draw-model' }
+>;
+
 /**
  * Size in which the preview renders: the pixels of the shorter side, that of the panel, or `auto`: 1080 pixels, and that of the panel where
  * the CPU draws. The longer side follows from the shape of the preview.
@@ -127,6 +142,11 @@ export type FrameRenderSource =
       readonly lightDirectionWorld: readonly [number, number, number] | null;
       readonly worldFromHead: readonly number[] | null;
     };
+
+export interface PhotographsRequest extends Pick<FrameRenderRequest, 'program' | 'values' | 'assetBaseUrl'> {
+  /** A layer with depth that the program keeps for viewing. */
+  readonly layer: string;
+}
 
 /** How much of the room a program gets: with the camera's image, without it, or nothing of the room. */
 export type PreviewTier = 'ar-camera' | 'ar' | 'vr';
@@ -212,6 +232,8 @@ export type FromPreview =
   | { readonly kind: 'frame-rendered'; readonly frame: Uint8Array<ArrayBuffer> | null }
   | { readonly kind: 'render-finished'; readonly file: Blob | null }
   | { readonly kind: 'render-failed'; readonly diagnostic: Diagnostic }
+  /** The answer to `photographs-begin`, with null, and to `photograph`. Failures are answered by `render-failed`. */
+  | { readonly kind: 'photographed'; readonly photograph: Photograph | null }
   /**
    * The answer to `draw-model`. `image`: null if the model cannot be loaded. `gpuBytes`: its textures with mipmaps and its geometry; null if it
    * cannot be read.

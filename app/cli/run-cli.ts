@@ -9,6 +9,7 @@ import { importCaptureCommand } from './commands/import-capture.ts';
 import { newCommand } from './commands/new.ts';
 import { openCommand } from './commands/open.ts';
 import { planCommand } from './commands/plan.ts';
+import { reconstructCommand } from './commands/reconstruct.ts';
 import { renderCommand } from './commands/render.ts';
 import { rephotographCommand } from './commands/rephotograph.ts';
 import { scoreCommand } from './commands/score.ts';
@@ -29,6 +30,7 @@ export const COMMANDS: readonly Command[] = [
   renderCommand,
   acquireCommand,
   scoreCommand,
+  reconstructCommand,
   importCaptureCommand,
   rephotographCommand,
   shaderCheckCommand,

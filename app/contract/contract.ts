@@ -81,6 +81,14 @@ const sessionFile = z.string().regex(/^(?:color\/\d{6}\.jpg|depth\/\d{6}\.png|ro
 /** Side of a rendered image in pixels. */
 const side = z.number().int().min(1).max(8192);
 
+/** The camera of all photographs of an acquisition: `AcquiredCamera`. */
+const acquiredCamera = z.discriminatedUnion('projection', [
+  z.object({ projection: z.literal('perspective'), widthPx: side, heightPx: side, fovYRad: z.number().positive().max(Math.PI) }),
+  z.object({ projection: z.literal('equirectangular'), widthPx: side, heightPx: side }),
+]);
+
+const pictureSize = z.object({ widthPx: side, heightPx: side });
+
 const thumbnailUrl = z.string().startsWith('data:image/jpeg;base64,').optional();
 
 /** The poster as JPEG of `POSTER_SIZE`; null or absent if the preview shows nothing. */
@@ -266,6 +274,44 @@ export const HOST_CONTRACT = {
   },
   /** Cancels a frame render and deletes its frames. */
   'frames.cancel': { input: z.object({ handle }), output: z.object({}) },
+  /**
+   * Begins an acquisition: photographs of the scene, which become the capture `assets/NAME.capture/`. `poses`: column-major 4×4, in the order
+   * of the photographs. One at a time per project.
+   */
+  'capture.begin': {
+    input: z.object({
+      handle,
+      name: z.string().min(1).max(80),
+      camera: acquiredCamera,
+      poses: z.array(z.array(z.number()).length(16)).min(1).max(1000),
+    }),
+    output: z.object({}),
+  },
+  /**
+   * Adds a photograph: premultiplied RGBA, and meters as 32-bit floats, little-endian; rows from the top. After an error all photographs are
+   * deleted.
+   */
+  'capture.add': {
+    input: z.object({
+      handle,
+      index: z.number().int().min(0).max(999),
+      colorSize: pictureSize,
+      rgba: z.instanceof(Uint8Array).refine(isWithinLimit, 'too large'),
+      depthSize: pictureSize,
+      meters: z.instanceof(Uint8Array).refine((bytes) => isWithinLimit(bytes) && bytes.length % 4 === 0, 'too large, or no 32-bit floats'),
+    }),
+    output: z.object({}),
+  },
+  /**
+   * Packs the photographs, reporting progress as events. `path` is that of `capture.json`, for the asset table, which the editor keeps; null if
+   * the acquisition was canceled.
+   */
+  'capture.finish': {
+    input: z.object({ handle }),
+    output: z.object({ path: projectPath.nullable(), diagnostics: z.array(diagnostic) }),
+  },
+  /** Cancels an acquisition and deletes its photographs. */
+  'capture.cancel': { input: z.object({ handle }), output: z.object({}) },
   /** Cancels the export of a project, if there is one. */
   'export.cancel': { input: z.object({ handle }), output: z.object({}) },
 } as const;
@@ -277,7 +323,7 @@ export type HostOutput<M extends HostMethod> = z.infer<(typeof HOST_CONTRACT)[M]
 /** Events that the host sends to the editor. */
 export const hostEvent = z.discriminatedUnion('kind', [
   z.object({ kind: z.literal('project-changed-outside'), handle, revision: z.string() }),
-  /** Progress of an export, as text for the user. */
+  /** Progress of an export or an acquisition, as text for the user. */
   z.object({ kind: z.literal('export-progress'), handle, text: z.string() }),
   /** Only shaders changed on disk. `text` is null if a shader was deleted; `from` is the revision before the change. */
   z.object({

@@ -62,11 +62,10 @@ export interface CaptureJob {
   readonly interrupted: AbortSignal;
 }
 
-/** What was imported. */
-export interface ImportedCapture {
+/** What was packed. */
+export interface PackedCapture {
   /** Path of the capture in the project. */
   readonly path: string;
-  readonly asset: string;
   /** The files that it was made from, such as `COLMAP (text)`. */
   readonly form: string;
   readonly up: Axis;
@@ -86,6 +85,12 @@ export interface ImportedCapture {
   readonly diagnostics: readonly Diagnostic[];
 }
 
+/** What was imported. */
+export interface ImportedCapture extends PackedCapture {
+  /** Its id in the asset table. */
+  readonly asset: string;
+}
+
 export interface ImportedView {
   readonly photo: string;
   readonly widthPx: number;
@@ -103,15 +108,24 @@ export interface ImportedView {
  * @throws SCR004, SCR060, SCR062, SCR069
  */
 export async function importCapture(job: CaptureJob): Promise<ImportedCapture> {
+  const packed = await packCapture(job);
+  return { ...packed, asset: await addToProject(job, packed.path) };
+}
+
+/**
+ * Packs photographs with their cameras and mesh into `assets/NAME.capture/` of a project, as `importCapture` does, and leaves the asset
+ * table to the caller.
+ */
+export async function packCapture(job: CaptureJob): Promise<PackedCapture> {
   try {
-    return await importWhole(job);
+    return await packWhole(job);
   } catch (error) {
     if (!(error instanceof CaptureError)) throw error;
     throw refusal('SCR069', `${job.folder} cannot be imported: ${error.message}.`);
   }
 }
 
-async function importWhole(job: CaptureJob): Promise<ImportedCapture> {
+async function packWhole(job: CaptureJob): Promise<PackedCapture> {
   const { folder, root, files, say, interrupted } = job;
   say('Reading cameras and mesh…');
   const { source, views, mesh: ownMesh, diagnostics: warnings } = await readCaptureFolder(resolve(folder));
@@ -179,7 +193,6 @@ async function importWhole(job: CaptureJob): Promise<ImportedCapture> {
   const unit = unitWarning(sizeM);
   return {
     path: `${path}/${CAPTURE_FILE}`,
-    asset: await addToProject(job, `${path}/${CAPTURE_FILE}`),
     form: source.form,
     up,
     metersPerUnit,

@@ -3,6 +3,7 @@ import { isAbsolute, join } from 'node:path';
 import type { HostEvent, HostInput, PlatformMenu } from '../contract/contract.ts';
 import type { Answer } from '../contract/host-error.ts';
 import { POSTER_SIZE } from '../contract/poster-size.ts';
+import { createAcquisitionJobs } from './acquisition-jobs.ts';
 import { resolveInside } from './confine.ts';
 import { type Content, createContent } from './content.ts';
 import type { Origins } from './content-policy.ts';
@@ -74,6 +75,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
   const clients = createClients();
   const exports = createExportJobs();
   const frames = createFrameJobs(files);
+  const acquisitions = createAcquisitionJobs(files);
   const pages = createPageServers();
   const projects = createOpenProjects({ content, previewOrigin: shell.origins.preview, files, emit, isThere: clients.isThere });
 
@@ -125,6 +127,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
     'project.close': async ({ handle }) => {
       exports.cancel(handle);
       await frames.cancel(handle);
+      await acquisitions.cancel(handle);
       projects.close(handle);
       return {};
     },
@@ -198,6 +201,24 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       await frames.cancel(handle);
       return {};
     },
+    'capture.begin': async ({ handle, name, camera, poses }, client) => {
+      await acquisitions.begin(handle, client, { root: projects.rootOf(handle), name, camera, poses });
+      return {};
+    },
+    'capture.add': async ({ handle, index, colorSize, rgba, depthSize, meters }) => {
+      const color = { ...colorSize, pixels: Uint8Array.from(rgba) };
+      const depth = { ...depthSize, meters: new Float32Array(Uint8Array.from(meters).buffer) };
+      await acquisitions.add(handle, index, { color, depth });
+      return {};
+    },
+    'capture.finish': async ({ handle }) => {
+      const packed = await acquisitions.finish(handle, (text) => emit({ kind: 'export-progress', handle, text }));
+      return { path: packed?.path ?? null, diagnostics: [...(packed?.diagnostics ?? [])] };
+    },
+    'capture.cancel': async ({ handle }) => {
+      await acquisitions.cancel(handle);
+      return {};
+    },
     'export.cancel': async ({ handle }) => {
       exports.cancel(handle);
       return {};
@@ -219,6 +240,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
         leave();
         if (clients.isThere(client)) return;
         frames.left(client);
+        acquisitions.left(client);
         projects.left(client);
       };
     },
@@ -231,6 +253,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       listeners.clear();
       exports.dispose();
       frames.dispose();
+      acquisitions.dispose();
       projects.dispose();
       await Promise.all([...calls, pages.dispose()]);
     },

@@ -104,6 +104,7 @@ export const DIAGNOSTICS = {
   SCR074: 'An internal error occurred',
   SCR075: 'The link of the session was opened a second time',
   SCR077: 'A score of the project misses its limit',
+  SCR078: 'A program of others is missing or failed',
 } as const;
 
 /** The code of a diagnostic. */

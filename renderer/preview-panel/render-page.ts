@@ -1,20 +1,21 @@
 import type { FromPreview, ToPreview } from '../preview-protocol.ts';
-import type { FrameRenderLink } from '../state/editor/editor.ts';
+import type { FrameRenderAnswer, FrameRenderLink } from '../state/editor/editor.ts';
 import { connectPreview } from './preview-link.ts';
 
-/** Opens a hidden preview page that renders frames one by one. Closing it cancels its work. */
+/** Opens a hidden preview page that renders frames or takes photographs one by one. Closing it cancels its work. */
 export function openRenderPage(document: Document, previewUrl: string): FrameRenderLink {
   const frame = hiddenFrame(document, 'Frame render');
-  let waiting: ((answer: FromPreview) => void) | null = null;
+  let waiting: ((answer: FrameRenderAnswer) => void) | null = null;
   const link = connectPreview(frame, previewUrl, (message) => {
-    if (message.kind !== 'frame-rendered' && message.kind !== 'render-finished' && message.kind !== 'render-failed') return;
-    waiting?.(message);
+    if (!isAnswer(message)) return;
+    const answer = waiting;
     waiting = null;
+    answer?.(message);
   });
   return {
     ask: (message: ToPreview) =>
       new Promise((resolve) => {
-        waiting = resolve as typeof waiting;
+        waiting = resolve;
         link.send(message);
       }),
     close: () => {
@@ -22,6 +23,18 @@ export function openRenderPage(document: Document, previewUrl: string): FrameRen
       frame.remove();
     },
   };
+}
+
+function isAnswer(message: FromPreview): message is FrameRenderAnswer {
+  switch (message.kind) {
+    case 'frame-rendered':
+    case 'render-finished':
+    case 'render-failed':
+    case 'photographed':
+      return true;
+    default:
+      return false;
+  }
 }
 
 /** Adds an invisible frame to the page. */

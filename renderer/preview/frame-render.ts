@@ -1,20 +1,8 @@
-import { createFetchAssetSource } from '../../export/runtime/assets/asset-source.ts';
-import { createRenderClock } from '../../export/runtime/clock.ts';
-import { createPlayer } from '../../export/runtime/player.ts';
-import { createLoopGuard } from '../../export/runtime/program-instance/loop-watch.ts';
-import { createScenesWith } from '../../export/runtime/scenes/create-scenes.ts';
-import { readRadiance } from '../../export/runtime/scenes/environments/read-radiance.ts';
-import { createGlass } from '../../export/runtime/scenes/glass/glass-scene.ts';
-import { ALL_DECODERS } from '../../export/runtime/scenes/models/decoders/all-decoders.ts';
-import { createSpatial } from '../../export/runtime/spatial/create-spatial.ts';
-import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import { findLampsAtOnce } from '../../nodes/kit/panorama/find-lamps.ts';
 import type { FrameRenderRequest, FromPreview, ToPreview } from '../preview-protocol.ts';
-import { previewDecoderFile } from './decoder-files.ts';
 import { createFrameEncoder, type FrameEncoder } from './frame-encoder.ts';
+import { openHeldPlayer } from './held-player.ts';
 import { createLayerGate } from './layer-gate.ts';
-import { pageFetch } from './network.ts';
 import { type OpenRenderSource, openRenderSource } from './render-source.ts';
 
 /**
@@ -25,9 +13,6 @@ export interface FrameRender {
   /** Handles a message of the editor. Returns false if it is not for the frame render. */
   receive(message: ToPreview): boolean;
 }
-
-/** The seed of the preview and of exported pages. */
-const SEED = 1;
 
 /** State of a frame render. */
 interface RenderSetup {
@@ -47,43 +32,13 @@ export function createFrameRender(send: (message: FromPreview, transfer?: Transf
   };
   const begin = async (request: FrameRenderRequest) => {
     const { program, video, widthPx, heightPx } = request;
-    const canvas = document.createElement('canvas');
-    canvas.width = widthPx;
-    canvas.height = heightPx;
-    const { antialias } = program.presentation;
-    const gl = canvas.getContext('webgl2', { alpha: true, antialias, depth: true, stencil: false });
-    if (!gl || gl.drawingBufferWidth !== widthPx || gl.drawingBufferHeight !== heightPx) {
-      throw new Error(`this computer cannot draw frames of ${widthPx} × ${heightPx}.`);
-    }
-    const createScenes = createScenesWith({
-      decoders: ALL_DECODERS,
-      files: previewDecoderFile,
-      readRadiance,
-      findLamps: findLampsAtOnce,
-      createGlass,
-    });
     const gate = createLayerGate();
-    gate.follow(program);
-    const player = createPlayer({
-      // The program is that of the preview, with layers that only its viewers and thumbnails show.
-      monitor: { begin: gate.isDrawn, end: () => {} },
-      gl,
-      canvas,
-      program,
-      modules: RUNTIMES,
-      createSpatial,
-      createScenes,
-      assets: createFetchAssetSource(request.assetBaseUrl, pageFetch),
-      seed: SEED,
-      clock: createRenderClock(),
-      held: true,
-      createLoopGuard,
+    const { canvas, gl, player } = await openHeldPlayer({
+      ...{ request, widthPx, heightPx, gate },
       onDiagnostics: (diagnostics) => {
         problems = diagnostics;
       },
     });
-    await player.ready;
-    for (const { node, param, value } of request.values) player.setParam(node, param, value);
     const { output: source, diagnostics } = await openRenderSource(request.source, gl, program, player);
     const [broken] = [...diagnostics, ...problems].filter(({ severity }) => severity === 'error');
     if (broken) return send({ kind: 'render-failed', diagnostic: broken });

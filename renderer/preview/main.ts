@@ -2,6 +2,7 @@ import { createBrowserClock } from '../../export/runtime/clock.ts';
 import { waitForEditor } from './connect.ts';
 import { createModelDrawer } from './draw-model.ts';
 import { createFrameRender } from './frame-render.ts';
+import { createPhotographs } from './photographs.ts';
 import { createPreviewController } from './preview-controller.ts';
 
 async function main(): Promise<void> {
@@ -12,9 +13,11 @@ async function main(): Promise<void> {
   const controller = createPreviewController({ parent: document.body, screen, sensorHint, clock: createBrowserClock(), send: editor.send });
   window.addEventListener('resize', controller.resized);
   const frameRender = createFrameRender(editor.send);
+  const photographs = createPhotographs(editor.send);
   const models = createModelDrawer(editor.send);
   editor.listen((message) => {
-    if (!frameRender.receive(message) && !models.receive(message)) controller.receive(message);
+    if ([frameRender, photographs, models].some((work) => work.receive(message))) return;
+    controller.receive(message);
   });
   editor.send({ kind: 'ready' });
 }

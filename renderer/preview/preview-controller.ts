@@ -6,7 +6,7 @@ import { showLayer } from '../../export/runtime/present/show-layer.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
 import { watchDrags } from '../drag-watch.ts';
-import type { FromPreview, PreviewRange, PreviewSource, ToPreview } from '../preview-protocol.ts';
+import type { FromPreview, HiddenWork, PreviewRange, PreviewSource, ToPreview } from '../preview-protocol.ts';
 import { createCaptures } from './captures.ts';
 import { coalesce } from './coalesce.ts';
 import { createGizmo } from './gizmo/gizmo.ts';
@@ -42,7 +42,7 @@ export interface PreviewControllerOptions {
 }
 
 export interface PreviewController {
-  /** Handles a message of the editor. Messages of frame renders are handled by `FrameRender`. */
+  /** Handles a message of the editor. Those of `HiddenWork` are handled by others. */
   receive(message: ToPreview): void;
   /** Called when the window was resized. */
   resized(): void;
@@ -376,14 +376,9 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
         case 'transport':
           transport(message.action);
           return;
-        // Frames and pictures of models are rendered by pages of their own.
-        case 'render-begin':
-        case 'render-frame':
-        case 'render-end':
-        case 'draw-model':
-          return;
         default:
-          message satisfies never;
+          // Pages of their own render frames, take photographs and draw models.
+          message satisfies HiddenWork;
       }
     },
     resized: clock.wake,

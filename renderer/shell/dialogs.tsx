@@ -10,6 +10,7 @@ import { FindDialog } from './find-dialog.tsx';
 import { LibraryNameDialog, LibraryRemoveDialog } from './library-dialogs.tsx';
 import { NewDialog } from './new-dialog.tsx';
 import { OpenDialog } from './open-dialog.tsx';
+import { PhotographDialog } from './photograph-dialog.tsx';
 import { RenderDialog } from './render-dialog.tsx';
 import { SaveAsDialog } from './save-as-dialog.tsx';
 import { ShadertoyDialog } from './shadertoy-dialog.tsx';
@@ -34,6 +35,8 @@ export function Dialogs() {
       return <ExportedDialog onClose={close} />;
     case 'render':
       return <RenderDialog onClose={close} />;
+    case 'photograph':
+      return <PhotographDialog onClose={close} />;
     case 'unsaved':
       return <UnsavedDialog proceed={dialog.proceed} onClose={close} />;
     case 'recovery':

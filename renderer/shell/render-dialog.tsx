@@ -1,12 +1,12 @@
-import { type ReactNode, useId, useState } from 'react';
+import { useId, useState } from 'react';
 import { useStore } from 'zustand';
 import { type FrameTimes, timeOfFrame } from '../../nodes/kit/frame-times.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 import { lastFrame, playedRange } from '../state/preview/playback.ts';
 import { type FrameRenderOptions, planFrames, ROOM_RATE_HZ, rateOf, renderFrames } from '../state/preview/render-frames.ts';
 import { FormDialog } from '../ui/form-dialog.tsx';
+import { ChoiceField, TextField } from '../ui/form-fields.tsx';
 import { FolderField } from './folder-field.tsx';
-import './render-dialog.css';
 
 const RATES_HZ = [24, 25, 30, 50, 60];
 const MOST_PX = 8192;
@@ -45,25 +45,25 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
       onClose={onClose}
       wide
     >
-      <Choice label="Format" value={what} onChange={(value) => setWhat(value === 'video' ? 'video' : 'pictures')}>
+      <ChoiceField label="Format" value={what} onChange={(value) => setWhat(value === 'video' ? 'video' : 'pictures')}>
         <option value="pictures">Images (PNG)</option>
         <option value="video">Video</option>
-      </Choice>
-      <div className="render-row">
-        <WholeNumber label="First frame" text={range.from} wrong={from === null} onChange={(text) => setRange({ ...range, from: text })} />
-        <WholeNumber label="Last frame" text={range.to} wrong={to === null} onChange={(text) => setRange({ ...range, to: text })} />
-        <Choice label="Frame rate (fps)" value={rate} onChange={setRate}>
+      </ChoiceField>
+      <div className="form-row">
+        <TextField label="First frame" text={range.from} wrong={from === null} onChange={(text) => setRange({ ...range, from: text })} />
+        <TextField label="Last frame" text={range.to} wrong={to === null} onChange={(text) => setRange({ ...range, to: text })} />
+        <ChoiceField label="Frame rate (fps)" value={rate} onChange={setRate}>
           {frames && <option value="own">Same as recording ({rateOf(frames)})</option>}
           {RATES_HZ.map((hz) => (
             <option key={hz} value={hz}>
               {hz}
             </option>
           ))}
-        </Choice>
+        </ChoiceField>
       </div>
-      <div className="render-row">
-        <WholeNumber label="Width" text={size.width} wrong={widthPx === null} onChange={(text) => setSize({ ...size, width: text })} />
-        <WholeNumber label="Height" text={size.height} wrong={heightPx === null} onChange={(text) => setSize({ ...size, height: text })} />
+      <div className="form-row">
+        <TextField label="Width" text={size.width} wrong={widthPx === null} onChange={(text) => setSize({ ...size, width: text })} />
+        <TextField label="Height" text={size.height} wrong={heightPx === null} onChange={(text) => setSize({ ...size, height: text })} />
       </div>
       {what === 'pictures' && (
         <FolderField id={`${id}-folder`} label="Folder" path={out} example="/home/me/frames/my-effect" purpose="render" onChange={setOut} />
@@ -77,49 +77,6 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
           : 'Choose a new or empty folder, or one with previously rendered frames.'}
       </p>
     </FormDialog>
-  );
-}
-
-interface ChoiceProps {
-  readonly label: string;
-  readonly value: string;
-  readonly onChange: (value: string) => void;
-  readonly children: ReactNode;
-}
-
-function Choice({ label, value, onChange, children }: ChoiceProps) {
-  const id = useId();
-  return (
-    <div className="render-field">
-      <label htmlFor={id}>{label}</label>
-      <select id={id} className="select" value={value} onChange={(event) => onChange(event.target.value)}>
-        {children}
-      </select>
-    </div>
-  );
-}
-
-interface WholeNumberProps {
-  readonly label: string;
-  readonly text: string;
-  readonly wrong: boolean;
-  readonly onChange: (text: string) => void;
-}
-
-function WholeNumber({ label, text, wrong, onChange }: WholeNumberProps) {
-  const id = useId();
-  return (
-    <div className="render-field">
-      <label htmlFor={id}>{label}</label>
-      <input
-        id={id}
-        className="field"
-        inputMode="numeric"
-        value={text}
-        aria-invalid={wrong}
-        onChange={(event) => onChange(event.target.value)}
-      />
-    </div>
   );
 }
 

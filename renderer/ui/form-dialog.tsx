@@ -11,12 +11,14 @@ interface FormDialogProps {
   readonly onGo: () => void;
   readonly onClose: () => void;
   readonly wide?: boolean;
+  /** `large` makes the dialog larger than other dialogs. */
+  readonly size?: 'large';
   /** Labels and fields. */
   readonly children: ReactNode;
 }
 
 /** A dialog with a form. */
-export function FormDialog({ title, action, ready, onGo, onClose, wide = false, children }: FormDialogProps) {
+export function FormDialog({ title, action, ready, onGo, onClose, wide = false, size, children }: FormDialogProps) {
   const go = () => {
     if (ready) onGo();
   };
@@ -24,6 +26,7 @@ export function FormDialog({ title, action, ready, onGo, onClose, wide = false, 
     <Dialog
       title={title}
       wide={wide}
+      {...(size && { size })}
       onClose={onClose}
       actions={
         <>

@@ -89,6 +89,10 @@ export function createFakeHost(
     'frames.add': () => ({}),
     'frames.finish': () => ({ out: '/frames', pictures: 1 }),
     'frames.cancel': () => ({}),
+    'capture.begin': () => ({}),
+    'capture.add': () => ({}),
+    'capture.finish': () => ({ path: 'assets/scene.capture/capture.json', diagnostics: [] }),
+    'capture.cancel': () => ({}),
     ...handlers,
   };
   return {

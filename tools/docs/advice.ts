@@ -99,4 +99,6 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
     'Start Scrim again; it offers to restore unsaved work. An address of `scrim open` works once. For a new tab of the same browser, open the editor’s address without the part after `#`.',
   SCR077:
     'Change the style or the occlusion until the figure is better, or change the limit of `scrim score`. The figures of each frame are in the output of `--json`.',
+  SCR078:
+    'Scrim runs some programs of others where they are installed, such as COLMAP. The message names the place to get it, or the log file with everything that it printed. An option of the command, or an environment variable, names its executable file.',
 };

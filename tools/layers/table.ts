@@ -157,6 +157,7 @@ export const LAYERS: readonly Layer[] = [
     name: 'preview protocol',
     files: ['renderer/preview-protocol.ts', 'renderer/keybinding.ts', 'renderer/drag-watch.ts'],
     imports: ['kit', 'program'],
+    types: ['captures'],
   },
   {
     name: 'preview',
@@ -165,6 +166,7 @@ export const LAYERS: readonly Layer[] = [
       ...NODE_KIT,
       'program',
       'gltf',
+      'captures',
       'preview protocol',
       'runtime',
       'recorded session format',
@@ -192,6 +194,7 @@ export const LAYERS: readonly Layer[] = [
       'graph',
       'glsl',
       'gltf',
+      'captures',
       'compiler',
       'program',
       'preview protocol',

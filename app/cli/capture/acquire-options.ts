@@ -1,16 +1,20 @@
+import { ACQUISITION_DEFAULTS, FOV_DEG } from '../../../export/captures/acquire/acquisition-defaults.ts';
 import type { CameraPlaces } from '../../../export/captures/acquire/camera-places.ts';
 import type { AcquiredCamera } from '../../../export/captures/acquire/write-transforms.ts';
 import { CAPTURE_LIMITS } from '../../../nodes/kit/capture.ts';
+import type { DepthFormat } from '../../services/write-acquisition.ts';
 import { type Call, type Option, UsageError } from '../command.ts';
 import { readSize } from '../render/render-options.ts';
 
 export const SHAPES: readonly CameraPlaces['shape'][] = ['grid', 'inside-out', 'outside-in'];
-const DEPTH_FORMATS = ['pfm', 'png'] as const;
-export type DepthFormat = (typeof DEPTH_FORMATS)[number];
+const DEPTH_FORMATS: readonly DepthFormat[] = ['pfm', 'png'];
 
-const DEFAULTS = { count: { grid: '3x3x1', sphere: '24' }, extent: '2', center: '0,1,0', fovDeg: 60 } as const;
-const SIZE = { widthPx: 1024, heightPx: 768 };
-const AROUND_SIZE = { widthPx: 2048, heightPx: 1024 };
+const { size: SIZE, aroundSize: AROUND_SIZE, fovDeg: DEFAULT_FOV_DEG } = ACQUISITION_DEFAULTS;
+const DEFAULTS = {
+  count: { grid: ACQUISITION_DEFAULTS.grid.join('x'), sphere: String(ACQUISITION_DEFAULTS.sphere) },
+  extent: String(ACQUISITION_DEFAULTS.extentM),
+  center: ACQUISITION_DEFAULTS.centerM.join(','),
+};
 
 export const ACQUIRE_OPTIONS: Readonly<Record<string, Option>> = {
   out: { type: 'string', value: 'DIR', doc: 'Folder for images/, depth/, transforms.json and acquisition.json.' },
@@ -40,7 +44,7 @@ export const ACQUIRE_OPTIONS: Readonly<Record<string, Option>> = {
     value: 'DEG',
     doc: 'Turns the cameras of a grid, or the middle of 360° photographs, to the left by this angle. Default: 0, which looks along −z.',
   },
-  fov: { type: 'string', value: 'DEG', doc: `Vertical field of view. Default: ${DEFAULTS.fovDeg}.` },
+  fov: { type: 'string', value: 'DEG', doc: `Vertical field of view. Default: ${DEFAULT_FOV_DEG}.` },
   size: {
     type: 'string',
     value: 'WxH',
@@ -57,7 +61,7 @@ export const ACQUIRE_OPTIONS: Readonly<Record<string, Option>> = {
 
 /** @throws UsageError */
 export function readPlaces(call: Call): CameraPlaces {
-  const named = call.text('shape') ?? 'outside-in';
+  const named = call.text('shape') ?? ACQUISITION_DEFAULTS.shape;
   const shape = SHAPES.find((known) => known === named);
   if (!shape) throw new UsageError(`--shape needs one of ${SHAPES.join(', ')}, not ${JSON.stringify(named)}.`);
   if (shape === 'grid' && call.text('elevation') !== null) throw new UsageError('--elevation is for spheres; a grid has none.');
@@ -109,8 +113,9 @@ export function readCamera(call: Call): AcquiredCamera {
     if (widthPx !== 2 * heightPx) throw new UsageError(`--size ${widthPx}x${heightPx}: 360° photographs are twice as wide as high.`);
     return { projection: 'equirectangular', widthPx, heightPx };
   }
-  const fovDeg = number(call, 'fov', DEFAULTS.fovDeg);
-  if (!(fovDeg >= 1 && fovDeg <= 150)) throw new UsageError(`--fov needs an angle from 1 to 150, not ${fovDeg}.`);
+  const fovDeg = number(call, 'fov', DEFAULT_FOV_DEG);
+  if (!(fovDeg >= FOV_DEG.least && fovDeg <= FOV_DEG.most))
+    throw new UsageError(`--fov needs an angle from ${FOV_DEG.least} to ${FOV_DEG.most}, not ${fovDeg}.`);
   return { projection: 'perspective', ...(size ?? SIZE), fovYRad: radians(fovDeg) };
 }
 

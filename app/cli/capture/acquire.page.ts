@@ -1,10 +1,6 @@
 import type { ShaderError } from '../../../export/runtime/gl/program-cache.ts';
-import type { Player } from '../../../export/runtime/player.ts';
-import { readColor, readDepth } from '../../../export/runtime/readback.ts';
-import { setFrustum, setRigidInverse } from '../../../export/runtime/sessions/matrix.ts';
-import { coverCanvas, createSessionFrame } from '../../../export/runtime/sessions/session-frame.ts';
+import { createPhotographer, type Photographer } from '../../../export/runtime/photographer.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
-import type { Session } from '../../../nodes/kit/session.ts';
 import { createRenderPlayer, type PlayedProgram } from '../render/render-player.page.ts';
 
 /** What is photographed: a layer with depth, as `node.port`. */
@@ -31,24 +27,7 @@ export interface PhotographHead {
   readonly depth: readonly [widthPx: number, heightPx: number];
 }
 
-/** The cameras of an acquisition belong to no device: no image of the world, no input, no light. */
-const SESSION: Session = {
-  kind: 'orbit',
-  capabilities: new Set(),
-  world: 'none',
-  blend: 'opaque',
-  start: () => {},
-  end: async () => {},
-};
-
-interface Opened {
-  readonly gl: WebGL2RenderingContext;
-  readonly player: Player;
-  readonly tap: string;
-}
-
-const frame = createSessionFrame();
-let opened: Opened | null = null;
+let photographer: Photographer | null = null;
 let problems: readonly Diagnostic[] = [];
 
 /** Opens an acquisition. */
@@ -57,24 +36,14 @@ export async function open(job: AcquireJob): Promise<OpenedAcquisition> {
     problems = diagnostics;
   });
   const { shaderErrors } = await player.ready;
-  player.setSession(SESSION);
-  opened = { gl, player, tap: job.tap };
+  photographer = createPhotographer(gl, player, job.tap);
   return { shaderErrors, diagnostics: problems };
 }
 
 /** Draws the scene for a camera at time 0, when all of its assets have loaded, and sends color and depth. */
-export async function photograph({ worldFromCamera, tangents: [x, y] }: PhotographCamera): Promise<PhotographHead> {
-  if (!opened) throw new Error('Nothing is open.');
-  const { gl, player, tap } = opened;
-  const view = coverCanvas(frame, gl);
-  setFrustum(view.clipFromView, -x, x, -y, y, view.nearM, view.farM);
-  view.worldFromView.set(worldFromCamera);
-  setRigidInverse(view.viewFromWorld, view.worldFromView);
-  await player.drawSettled(frame);
-  frame.index++;
-  const color = readColor(player.inspect(tap), 0);
-  const depth = readDepth(player.inspect(tap), 0);
-  if (!color || !depth) throw new Error(`Layer ${tap} was not drawn.`);
+export async function photograph({ worldFromCamera, tangents }: PhotographCamera): Promise<PhotographHead> {
+  if (!photographer) throw new Error('Nothing is open.');
+  const { color, depth } = await photographer.take(worldFromCamera, tangents);
   await fetch('picture', { method: 'POST', body: new Blob([color.pixels, depth.meters]) });
   return { color: [color.widthPx, color.heightPx], depth: [depth.widthPx, depth.heightPx] };
 }

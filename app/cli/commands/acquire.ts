@@ -1,19 +1,16 @@
 import { join } from 'node:path';
-import { encode as encodePng } from 'fast-png';
 import { cameraPoses } from '../../../export/captures/acquire/camera-places.ts';
-import { fillEmpty } from '../../../export/captures/acquire/fill-empty.ts';
-import { type AcquiredView, transformsText } from '../../../export/captures/acquire/write-transforms.ts';
-import { writePfm } from '../../../export/captures/depth/write-pfm.ts';
 import { isHistoryDependent } from '../../../export/program/history-dependence.ts';
 import { type Diagnostic, hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import { LIBRARY } from '../../services/compile-project.ts';
-import { encodeDepth } from '../../services/encode-png.ts';
 import { NODE_FILES } from '../../services/file-layer.ts';
 import { type FolderMark, writePageFolder } from '../../services/page-folder.ts';
+import { createAcquisitionWriter } from '../../services/write-acquisition.ts';
 import { ACQUIRE_OPTIONS, readCamera, readDepthFormat, readPlaces } from '../capture/acquire-options.ts';
 import { acquireViews } from '../capture/acquire-views.ts';
 import { type Command, failed, type Outcome, UsageError } from '../command.ts';
 import { compileFolder } from '../compile-folder.ts';
+import { quoted } from '../quoted.ts';
 import { findDeepLayer, screenLayer } from '../render/render-options.ts';
 
 const ACQUISITION: FolderMark = { file: 'acquisition.json', format: 'scrim-acquisition', words: 'an earlier acquisition' };
@@ -52,8 +49,6 @@ export const acquireCommand: Command = {
     if (layer.output === null) return failed(layer.diagnostics, compiled.files);
 
     const poses = cameraPoses(places, camera.projection === 'equirectangular');
-    const views: AcquiredView[] = [];
-    const empty: string[] = [];
     const diagnostics: Diagnostic[] = [...compiled.diagnostics];
     if (isHistoryDependent(program)) diagnostics.push(warning(CHANGES));
     const written = await writePageFolder(
@@ -65,42 +60,31 @@ export const acquireCommand: Command = {
           await sink.write(path, bytes);
           files.push({ path });
         };
+        const acquisition = createAcquisitionWriter(write, { camera, poses, depthFormat });
         const problems = await acquireViews({
           ...{ root: installation.root, projectRoot: compiled.root, program, tap, camera, poses, say, interrupted },
           sourceOf: (file) => compiled.files.sources[file.replace(/^shaders\//, '')] ?? LIBRARY.shader(file),
-          onPhotograph: async (index, { color, depth }) => {
-            const stem = String(index).padStart(4, '0');
-            const [file, depthFile] = [`images/${stem}.png`, `depth/${stem}.${depthFormat}`];
-            const { widthPx: width, heightPx: height } = color;
-            const data = fillEmpty(color.pixels, width, height);
-            await write(file, encodePng({ width, height, data, channels: 4, depth: 8 }));
-            await write(depthFile, depthFormat === 'png' ? encodeDepth(depth) : writePfm({ ...depth, values: depth.meters }));
-            if (!depth.meters.some((meters) => meters > 0)) empty.push(file);
-            views.push({ file, depthFile, worldFromCamera: poses[index] ?? [] });
-          },
+          onPhotograph: acquisition.add,
         });
+        const { views, empty } = acquisition;
         diagnostics.push(...problems);
         if (empty.length === views.length && !hasErrors(diagnostics)) diagnostics.push(nothingSeen(tap));
         if (hasErrors(diagnostics)) return null;
-        await write('transforms.json', new TextEncoder().encode(transformsText(camera, views)));
+        await acquisition.finish();
         const report = { format: ACQUISITION.format, version: 1, layer: tap, places, camera, files };
         await sink.write(ACQUISITION.file, new TextEncoder().encode(`${JSON.stringify(report, null, 1)}\n`));
-        return true;
+        return { views, empty };
       },
       ACQUISITION,
     );
     if (written === null) return failed(diagnostics, compiled.files);
+    const { views, empty } = written;
     if (empty.length > 0)
       diagnostics.push(warning(`Nothing is in view in ${empty.length} of ${views.length} photographs, such as ${empty[0]}.`));
     const text = `Took ${views.length} photographs of ${tap}.\nWrote ${join(out, 'transforms.json')}\nNext: scrim import capture ${quoted(out)} --project PROJECT`;
     return { status: 0, json: { ok: true, out, views, diagnostics }, text, diagnostics, files: compiled.files };
   },
 };
-
-/** A path as one argument of a shell. */
-function quoted(path: string): string {
-  return /^[\w./:@%+,=-]+$/.test(path) ? path : JSON.stringify(path);
-}
 
 const CHANGES =
   'What the scene shows depends on its past, such as by physics or feedback. The photographs show it at time 0, one drawn after the other.';

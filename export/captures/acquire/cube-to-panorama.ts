@@ -7,7 +7,10 @@ export interface Face {
 }
 
 /** A 360° photograph: premultiplied RGBA, and distances from the camera in meters. */
-export type Panorama = Face;
+export interface Panorama extends Face {
+  readonly pixels: Uint8Array<ArrayBuffer>;
+  readonly meters: Float32Array<ArrayBuffer>;
+}
 
 /**
  * The rotations of the six cameras, column-major 4×4, from the axes of the panorama: ahead (−z), behind, right, left, up, down. The order is

@@ -19,6 +19,7 @@ export const MENUS: readonly { readonly label: string; readonly entries: readonl
       'file.export',
       'file.exported',
       'file.render',
+      'file.photograph',
     ],
   },
   {

@@ -1,6 +1,6 @@
 import type { Host } from '../../../app/contract/contract.ts';
 import type { EditorClock } from '../../clock.ts';
-import type { FromPreview, ToPreview } from '../../preview-protocol.ts';
+import type { FromPreview, HiddenWork, ToPreview } from '../../preview-protocol.ts';
 import { type CandidateStore, createCandidateState } from './candidate-state.ts';
 import { type CanvasStore, createCanvasState } from './canvas-state.ts';
 import type { Clipping } from './clipping.ts';
@@ -29,11 +29,12 @@ export interface ImageSize {
   readonly heightPx: number;
 }
 
-/** A page that renders frames one by one. It answers each message before the next is sent. */
+export type FrameRenderQuestion = Exclude<HiddenWork, { kind: 'draw-model' }>;
+export type FrameRenderAnswer = Extract<FromPreview, { kind: 'frame-rendered' | 'render-finished' | 'render-failed' | 'photographed' }>;
+
+/** A page that renders frames or takes photographs one by one. It answers each message before the next is sent. */
 export interface FrameRenderLink {
-  ask(
-    message: Extract<ToPreview, { kind: 'render-begin' | 'render-frame' | 'render-end' }>,
-  ): Promise<Extract<FromPreview, { kind: 'frame-rendered' | 'render-finished' | 'render-failed' }>>;
+  ask(message: FrameRenderQuestion): Promise<FrameRenderAnswer>;
   close(): void;
 }
 
@@ -71,7 +72,7 @@ export interface Editor {
   readonly thumbnails: ThumbnailWatchers;
   /** Sends playback messages to the preview; does nothing without a preview. */
   readonly transport: { post: (message: ToPreview) => void };
-  /** Opens a page for a frame render; null if that is not possible. */
+  /** Opens a page for a frame render or photographs; null if that is not possible. */
   readonly renderPage: { open: (() => FrameRenderLink) | null };
   /** Draws pictures of models; null if that is not possible. */
   readonly models: { draw: DrawModel | null };

@@ -62,6 +62,8 @@ export type DialogRequest =
   /** Shows the last exported page. */
   | { readonly kind: 'exported' }
   | { readonly kind: 'render' }
+  /** Photographs of the scene, for a capture. */
+  | { readonly kind: 'photograph' }
   /** Asks about unsaved changes that an action would discard; `proceed` continues the action. */
   | { readonly kind: 'unsaved'; readonly proceed: () => void }
   | { readonly kind: 'recovery'; readonly files: ProjectFiles }
@@ -109,7 +111,7 @@ export interface Exporting {
   /** Progress text. */
   readonly text: string;
   readonly cancelled: boolean;
-  /** A frame render, which the editor draws itself. Absent for an export, which the host writes. */
+  /** A frame render or an acquisition, which the editor draws itself. Absent for an export, which the host writes. */
   readonly frames?: true;
 }
 
@@ -159,7 +161,7 @@ export interface UiState {
   readonly codePosition: CodePosition | null;
   /** Whether a shader text is being typed. New problems are shown once typing pauses. */
   readonly typing: boolean;
-  /** The export or frame render in progress. */
+  /** The export, frame render or acquisition in progress. */
   readonly exporting: Exporting | null;
   /** Diagnostics of the last export. */
   readonly exportDiagnostics: readonly Diagnostic[];

@@ -13,6 +13,8 @@ export interface ViewerState {
   /** Whether the pixel probe is on. */
   readonly probing: boolean;
   readonly probed: PreviewProbe | null;
+  /** The layer that the dialog for photographs takes; null while it is closed. */
+  readonly photographed: string | null;
   /** What the eyedropper picks a pixel for; null if it is closed. */
   readonly picking: PickRequest | null;
 }
@@ -40,6 +42,7 @@ const NOTHING: ViewerState = {
   beforeCamera: null,
   probing: false,
   probed: null,
+  photographed: null,
   picking: null,
 };
 

@@ -113,7 +113,7 @@ export async function cancelExport(editor: Editor): Promise<void> {
   const { exporting } = editor.ui.getState();
   if (exporting === null || exporting.cancelled) return;
   editor.ui.setState({ exporting: { ...exporting, text: 'Canceling…', cancelled: true } });
-  // A frame render checks `cancelled` between two frames.
+  // A frame render or an acquisition watches `cancelled` itself.
   if (exporting.frames) return;
   try {
     await editor.host.call('export.cancel', { handle: exporting.handle });

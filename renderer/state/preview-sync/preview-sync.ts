@@ -217,7 +217,8 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
       case 'key':
         gizmoSync.receive(message);
         return;
-      // Only pages that render frames or pictures of models send these.
+      // Only pages that render frames, photographs or pictures of models send these.
+      case 'photographed':
       case 'frame-rendered':
       case 'render-finished':
       case 'render-failed':

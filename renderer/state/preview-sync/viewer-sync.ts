@@ -8,8 +8,8 @@ const THUMBNAIL_HEIGHT_PX = 192;
 /** While the canvas is panned, thumbnails appear and disappear. Waits for a pause before recompiling. */
 const PAUSE_MS = 200;
 
-/** Parts of the viewer that the preview shows or reads. */
-const SHOWN = ['left', 'right', 'split', 'probing'] as const;
+/** Parts of the viewer that the preview shows or reads, or that the program must have. */
+const SHOWN = ['left', 'right', 'split', 'probing', 'photographed'] as const;
 
 /** Keeps program and preview in sync with the viewer, the thumbnails and the performance overlay. */
 export interface ViewerSync {

@@ -1,11 +1,11 @@
 import { isHistoryDependent } from '../../../export/program/history-dependence.ts';
-import { type Diagnostic, hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import { type FrameTimes, timeOfFrame } from '../../../nodes/kit/frame-times.ts';
 import type { FrameRenderRequest, FrameRenderSource, PreviewSource } from '../../preview-protocol.ts';
-import type { Editor, FrameRenderLink } from '../editor/editor.ts';
+import type { Editor, FrameRenderQuestion } from '../editor/editor.ts';
 import { chosenSource, type FrameRange, towardsLight } from '../editor/preview-state.ts';
-import { addToast, toastDiagnostic } from '../editor/ui.ts';
+import { addToast } from '../editor/ui.ts';
 import { showRefusal } from '../files/files.ts';
+import { cancellation, isCancelled, readyProgram, showFailure, showProgress, unwrap } from './drawn-work.ts';
 import { previewSource } from './preview-source.ts';
 
 /** Options of a frame render. */
@@ -90,8 +90,7 @@ function explainSources({ ui }: Editor): void {
 /** Renders frames of the current project in a separate page. Returns true if they were written. */
 export async function renderFrames(editor: Editor, options: FrameRenderOptions): Promise<boolean> {
   const { open } = editor.document.getState();
-  const { frames, shaderDiagnostics } = editor.preview.getState();
-  const { program, programRevision, laterValues, diagnostics } = editor.compile.getState();
+  const { frames } = editor.preview.getState();
   if (open === null || editor.ui.getState().exporting !== null) return false;
   const source = previewSource(editor);
   const over = source && frameRenderSource(editor, source, options.frameRateHz);
@@ -99,26 +98,15 @@ export async function renderFrames(editor: Editor, options: FrameRenderOptions):
     explainSources(editor);
     return false;
   }
-  if (programRevision !== editor.document.getState().revision && editor.compile.getState().busy) {
-    addToast(editor.ui, { tone: 'info', text: 'The project is still compiling. Try again in a moment.' });
-    return false;
-  }
-  if (program === null || hasErrors(diagnostics) || hasErrors(shaderDiagnostics)) {
-    addToast(editor.ui, {
-      tone: 'error',
-      text: 'The project has problems. Fix them, then render again.',
-      detail: 'The Problems panel lists them.',
-    });
-    editor.ui.setState({ bottom: 'problems' });
-    return false;
-  }
+  const ready = readyProgram(editor, 'The project has problems. Fix them, then render again.');
+  if (ready === null) return false;
+  const { program, values } = ready;
   const link = editor.renderPage.open?.();
   if (!link) return false;
   const { handle } = open;
   const { what, widthPx, heightPx, frameRateHz, out } = options;
   const rateHz = over.kind === 'room' ? over.frameRateHz : (frameRateHz ?? (frames ? rateOf(frames) : 0));
   const video = what === 'video' ? { frameRateHz: rateHz } : null;
-  const values = laterValues.map(({ node, param, value }) => ({ node, param, value }));
   const request: FrameRenderRequest = { program, values, source: over, assetBaseUrl: open.assetBaseUrl, widthPx, heightPx, video };
   const plan =
     over.kind === 'room' || frames === null
@@ -159,8 +147,7 @@ export async function renderFrames(editor: Editor, options: FrameRenderOptions):
   } catch (error) {
     // The host ends the work of a project that is closed.
     if (editor.document.getState().open?.handle !== handle) return reportCanceled(editor);
-    if (error instanceof FrameRenderError) toastDiagnostic(editor.ui, error.diagnostic);
-    else showRefusal(editor, error);
+    showFailure(editor, error);
     return false;
   } finally {
     stopped.dispose();
@@ -194,48 +181,11 @@ function frameRenderSource({ preview }: Editor, source: PreviewSource, frameRate
   }
 }
 
-/** A failure of the render page. */
-class FrameRenderError extends Error {
-  readonly diagnostic: Diagnostic;
-
-  constructor(diagnostic: Diagnostic) {
-    super(diagnostic.message);
-    this.diagnostic = diagnostic;
-  }
-}
-
-type FrameRenderQuestion = Parameters<FrameRenderLink['ask']>[0];
-type FrameRenderAnswer = Awaited<ReturnType<FrameRenderLink['ask']>>;
-
-function unwrap(answer: FrameRenderAnswer | null): Exclude<FrameRenderAnswer, { kind: 'render-failed' }> | null {
-  if (answer?.kind === 'render-failed') throw new FrameRenderError(answer.diagnostic);
-  return answer;
-}
-
-/** Resolves when the user cancels, also during a frame. */
-function cancellation({ ui }: Editor) {
-  let dispose = () => {};
-  const promise = new Promise<null>((resolve) => {
-    dispose = ui.subscribe(({ exporting }) => {
-      if (exporting?.cancelled) resolve(null);
-    });
-  });
-  return { promise, dispose };
-}
-
 function saveVideo(editor: Editor, file: Blob): void {
   const { title } = editor.document.getState().project;
   const name = `${title.trim() === '' ? 'Video' : title}.${file.type === 'video/mp4' ? 'mp4' : 'webm'}`;
   editor.keepFile(file, name);
   addToast(editor.ui, { tone: 'success', text: `Saved ${name} to your downloads.` });
-}
-
-function showProgress({ ui }: Editor, text: string): void {
-  ui.setState(({ exporting }) => ({ exporting: exporting && !exporting.cancelled ? { ...exporting, text } : exporting }));
-}
-
-function isCancelled({ ui }: Editor): boolean {
-  return ui.getState().exporting?.cancelled === true;
 }
 
 function reportCanceled({ ui }: Editor): false {

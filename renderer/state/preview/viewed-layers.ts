@@ -7,7 +7,7 @@ import { addToast } from '../editor/ui.ts';
 import { resetViewer, type ViewerStore } from '../editor/viewer.ts';
 
 /** The layer that is connected to the Output node of the main graph. */
-function screenLayer({ project }: DocumentState): string | null {
+export function screenLayer({ project }: Pick<DocumentState, 'project'>): string | null {
   const main = graphOf({ project, graph: MAIN_GRAPH });
   const wire = main.wires.filter(({ to }) => main.nodes[to.node]?.type === 'output/screen').at(-1);
   return wire ? `${wire.from.node}.${wire.from.port}` : null;
@@ -15,8 +15,8 @@ function screenLayer({ project }: DocumentState): string | null {
 
 /** The layers that the program must keep for viewing, besides thumbnails. */
 export function viewedLayers(editor: Pick<Editor, 'viewer' | 'document'>): readonly string[] {
-  const { left, right } = editor.viewer.getState();
-  const layers = [left, right, probedLayer(editor)];
+  const { left, right, photographed } = editor.viewer.getState();
+  const layers = [left, right, photographed, probedLayer(editor)];
   return [...new Set(layers.flatMap((layer) => layer ?? []))].sort();
 }
 

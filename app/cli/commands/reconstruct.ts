@@ -1,0 +1,55 @@
+import { realFolder } from '../../services/confine.ts';
+import { COLMAP, findTool } from '../../services/reconstruct/outside-tools.ts';
+import { reconstruct } from '../../services/reconstruct/reconstruct-photographs.ts';
+import { type Call, type Command, UsageError } from '../command.ts';
+import { quoted } from '../quoted.ts';
+
+export const reconstructCommand: Command = {
+  name: 'reconstruct',
+  usage: 'FOLDER',
+  summary: 'Find the cameras of photographs, with COLMAP',
+  doc: `Runs COLMAP (${COLMAP.url}) on the photographs in FOLDER or FOLDER/images, and writes their cameras to FOLDER/sparse. Where COLMAP was built with CUDA, it also computes depth and a mesh (FOLDER/dense). scrim import capture reads both. Everything that COLMAP prints is in FOLDER/.scrim-reconstruction/colmap.log. After an interrupt, the same command continues with the step that was interrupted.`,
+  project: 'required',
+  operand: { word: 'FOLDER', doc: 'the folder with the photographs' },
+  options: {
+    colmap: {
+      type: 'string',
+      value: 'PATH',
+      doc: `The executable file of COLMAP. Default: that of the environment variable ${COLMAP.setting}, else colmap in PATH.`,
+    },
+    lenses: {
+      type: 'string',
+      value: 'one|many',
+      doc: 'Whether one camera with one focal length took all photographs. Default: one.',
+    },
+    dense: { type: 'string', value: 'yes|no', doc: 'Whether to compute depth and a mesh. Default: where COLMAP was built with CUDA.' },
+  },
+  examples: [
+    { line: 'scrim reconstruct scans/kitchen', says: 'Finds the cameras of scans/kitchen/images.' },
+    { line: 'scrim reconstruct scans/kitchen --colmap /opt/colmap/bin/colmap --dense no', says: 'With a certain COLMAP, without depth.' },
+  ],
+  run: async (call, { say, interrupted }) => {
+    const oneCamera = choice(call, 'lenses', ['one', 'many']) !== 'many';
+    const dense = choice(call, 'dense', ['yes', 'no']);
+    const colmap = await findTool(COLMAP, call.text('colmap'));
+    const folder = await realFolder(call.project);
+    const result = await reconstruct({ folder, colmap, oneCamera, dense: dense && dense === 'yes', say, interrupted });
+    const { photographs, found, mesh, kept } = result;
+    const lines = [
+      `Found the cameras of ${found} of ${photographs} photographs.`,
+      ...(kept.length > 0 ? [`Already done: ${kept.join(', ')}.`] : []),
+      mesh === null
+        ? 'There is no mesh yet: COLMAP needs CUDA for depth. Put a mesh of another tool into the folder as mesh.ply, or depth into depth/.'
+        : `Wrote the mesh ${mesh}.`,
+      `Next: scrim import capture ${quoted(mesh === null ? call.project : `${call.project}/dense/0`)} --project PROJECT`,
+    ];
+    return { status: 0, json: { ok: true, ...result }, text: lines.join('\n'), diagnostics: [] };
+  },
+};
+
+function choice<T extends string>(call: Call, option: string, words: readonly T[]): T | null {
+  const text = call.text(option);
+  const found = words.find((word) => word === text);
+  if (text !== null && !found) throw new UsageError(`--${option} needs ${words.join(' or ')}, not ${JSON.stringify(text)}.`);
+  return found ?? null;
+}

@@ -1,0 +1,62 @@
+import { constants } from 'node:fs';
+import { access, stat } from 'node:fs/promises';
+import { delimiter, isAbsolute, join, resolve } from 'node:path';
+import process from 'node:process';
+import { refusal } from '../file-errors.ts';
+
+/** A program of others that Scrim runs where it is installed. */
+export interface OutsideTool {
+  readonly title: string;
+  /** Names of its executable file. */
+  readonly commands: readonly string[];
+  /** Environment variable with the path of its executable file. */
+  readonly setting: string;
+  /** Where to get it. */
+  readonly url: string;
+}
+
+export const COLMAP: OutsideTool = {
+  title: 'COLMAP',
+  commands: ['colmap'],
+  setting: 'SCRIM_COLMAP',
+  url: 'https://colmap.github.io/install.html',
+};
+
+/**
+ * Finds a tool: at the path of an option, else at that of its setting, else in the folders of PATH.
+ *
+ * @param given The path of an option; null if there is none.
+ * @returns An absolute path.
+ * @throws SCR078 with the place to get it if it is nowhere, or not at the path that was named
+ */
+export async function findTool({ title, commands, setting, url }: OutsideTool, given: string | null): Promise<string> {
+  const named = given ?? (process.env[setting] || null);
+  if (named !== null) {
+    const path = resolve(named);
+    if (await isExecutable(path)) return path;
+    throw refusal(
+      'SCR078',
+      `${title} cannot be run: ${path} is no executable file.`,
+      `Name the executable file of ${title}, or install it: ${url}`,
+    );
+  }
+  const endings = process.platform === 'win32' ? ['.exe', '.bat'] : [''];
+  for (const folder of (process.env.PATH ?? '').split(delimiter)) {
+    // A relative folder would find files of whatever folder this process was started in.
+    if (!isAbsolute(folder)) continue;
+    for (const name of commands.flatMap((command) => endings.map((ending) => command + ending))) {
+      const path = join(folder, name);
+      if (await isExecutable(path)) return path;
+    }
+  }
+  throw refusal('SCR078', `${title} is not installed: it is in no folder of PATH.`, `Get it from ${url}, or set ${setting} to its path.`);
+}
+
+async function isExecutable(path: string): Promise<boolean> {
+  try {
+    await access(path, constants.X_OK);
+    return (await stat(path)).isFile();
+  } catch {
+    return false;
+  }
+}

@@ -1,0 +1,93 @@
+import { spawn } from 'node:child_process';
+import { appendFile } from 'node:fs/promises';
+import { basename } from 'node:path';
+import process from 'node:process';
+import { createInterface } from 'node:readline';
+import { refusal } from '../file-errors.ts';
+
+export interface ToolRun {
+  /** Absolute path of the executable file. */
+  readonly tool: string;
+  /** Passed as they are: no shell reads them. */
+  readonly args: readonly string[];
+  /** Everything that the tool prints is appended to this file. */
+  readonly log: string;
+  /** Called with each line that the tool prints. */
+  readonly onLine: (line: string) => void;
+  readonly interrupted: AbortSignal;
+}
+
+/** Time for a tool to end by itself after it was asked to. */
+const GRACE_MS = 2000;
+/** Lines that are kept for the message of a failure. */
+const KEPT_LINES = 3;
+
+/**
+ * Runs a tool until it ends.
+ *
+ * @returns What it printed.
+ * @throws SCR078 with its last lines if it fails; the reason of the signal after it was ended on an interrupt
+ */
+export async function runTool({ tool, args, log, onLine, interrupted }: ToolRun): Promise<readonly string[]> {
+  interrupted.throwIfAborted();
+  let written: Promise<void> = appendFile(log, `\n$ ${[tool, ...args].map((part) => JSON.stringify(part)).join(' ')}\n`);
+  const isWindows = process.platform === 'win32';
+  // A group of its own, so that the processes that the tool starts end with it.
+  const child = spawn(tool, [...args], {
+    stdio: ['ignore', 'pipe', 'pipe'],
+    detached: !isWindows,
+    // Tools with windows need no screen.
+    env: { ...process.env, QT_QPA_PLATFORM: 'offscreen' },
+  });
+  const end = (signal: 'SIGTERM' | 'SIGKILL'): void => {
+    if (child.pid === undefined) return;
+    try {
+      if (isWindows) child.kill(signal);
+      else process.kill(-child.pid, signal);
+    } catch {
+      // It has ended already.
+    }
+  };
+  const endAtOnce = () => end('SIGKILL');
+  let killer: NodeJS.Timeout | undefined;
+  const cancel = () => {
+    end('SIGTERM');
+    killer = setTimeout(endAtOnce, GRACE_MS);
+  };
+  interrupted.addEventListener('abort', cancel, { once: true });
+  process.once('exit', endAtOnce);
+  const lines: string[] = [];
+  const read = async (stream: NodeJS.ReadableStream): Promise<void> => {
+    for await (const line of createInterface({ input: stream })) {
+      written = written.then(() => appendFile(log, `${line}\n`));
+      lines.push(line);
+      onLine(line);
+    }
+  };
+  try {
+    const ended = new Promise<number | string | null>((resolve, reject) => {
+      child.on('error', reject);
+      child.on('close', (code, signal) => resolve(signal ?? code));
+    });
+    const [status] = await Promise.all([ended, read(child.stdout), read(child.stderr)]);
+    await written;
+    interrupted.throwIfAborted();
+    if (status === 0) return lines;
+    const last = lines.filter((line) => line.trim() !== '').slice(-KEPT_LINES);
+    const how = typeof status === 'number' ? `with status ${status}` : `by ${status}`;
+    throw refusal(
+      'SCR078',
+      `${basename(tool)} ${args[0] ?? ''} ended ${how}: ${last.join(' ').trim() || 'it printed nothing'}`,
+      `Read ${log}.`,
+    );
+  } catch (error) {
+    if (error instanceof Error && 'syscall' in error) {
+      throw refusal('SCR078', `${tool} does not start: ${error.message}.`, 'Install it anew, or name another file.');
+    }
+    throw error;
+  } finally {
+    clearTimeout(killer);
+    interrupted.removeEventListener('abort', cancel);
+    process.off('exit', endAtOnce);
+  }
+}
