@@ -10,6 +10,8 @@ export interface CaptureAsset {
   /** The mesh: attribute 0 is the position, attribute 1 the plain color (RGBA in [0, 1], alpha 1). The indices are 32-bit. */
   readonly vertexArray: WebGLVertexArrayObject;
   readonly indexCount: number;
+  /** The buffers of the mesh, for vertex arrays with more attributes. Their contents change with `mesh`, the buffers do not. */
+  readonly buffers: { readonly positions: WebGLBuffer; readonly colors: WebGLBuffer; readonly indices: WebGLBuffer };
   /** The mesh in memory. While a page loads, it is a coarse one at first. */
   readonly mesh: CaptureMesh | null;
   /** The photographs: a 2D array with mip levels, one layer per view, each stretched to the size of the array; v up. */
