@@ -42,8 +42,14 @@ export interface CaptureAsset {
   readonly depthMeshes: CaptureDepthMeshes | null;
 }
 
-/** The depth meshes of all views: attribute 0 is column and row in half pixels (two 16-bit whole numbers), attribute 1 the depth in meters. */
-export interface CaptureDepthMeshes {
+/** The depth meshes of all views. */
+export interface CaptureDepthMeshes extends CaptureViewMeshes {
+  /** The surfaces that the photographs do not show, behind near things: attribute 2 is their color. Null if no view has any. */
+  readonly hidden: CaptureViewMeshes | null;
+}
+
+/** Meshes by view: attribute 0 is column and row in half pixels (two 16-bit whole numbers), attribute 1 the depth in meters. */
+export interface CaptureViewMeshes {
   readonly vertexArray: WebGLVertexArrayObject;
   /** By view: the size of its map, and its part of the indices, which are 32-bit. Null for a view without depth mesh. */
   readonly views: readonly ({

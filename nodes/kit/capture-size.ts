@@ -9,6 +9,7 @@ const DEPTH_BYTES_PER_PIXEL = 4;
 const VERTEX_BYTES = 16;
 const TRIANGLE_BYTES = 12;
 const DEPTH_VERTEX_BYTES = 8;
+const HIDDEN_VERTEX_BYTES = 12;
 /** A normal, and the weights of two eyes (`updateFrames`). */
 const WEIGHT_BYTES = 4 + 2 * 16;
 /** The camera of a view. */
@@ -60,7 +61,10 @@ export function captureSize(document: CaptureDocument, { maxSidePx, depthMeshes:
   const limit = mostBytes ?? Infinity;
   const wholeMesh = coarseMesh === undefined || bytesOf(mesh, perVertex) <= MOST_MESH * limit;
   const meshBytes = bytesOf(wholeMesh ? mesh : coarseMesh, perVertex);
-  const depthMeshBytes = views.reduce((sum, { depthMesh }) => sum + (depthMesh ? bytesOf(depthMesh, DEPTH_VERTEX_BYTES) : 0), 0);
+  const sumOf = (bytes: (view: CaptureDocument['views'][number]) => number): number => views.reduce((sum, view) => sum + bytes(view), 0);
+  const depthMeshBytes =
+    sumOf(({ depthMesh }) => (depthMesh ? bytesOf(depthMesh, DEPTH_VERTEX_BYTES) : 0)) +
+    sumOf(({ hiddenMesh }) => (hiddenMesh ? bytesOf(hiddenMesh, HIDDEN_VERTEX_BYTES) : 0));
   const depthMeshes = drawn && depthMeshBytes > 0 && meshBytes + depthMeshBytes <= MOST_MESHES * limit;
   const geometryBytes = meshBytes + (depthMeshes ? depthMeshBytes : 0) + (mostBytes === undefined ? 0 : VIEW_BYTES * views.length);
   const sizeAt = (scale: number) => {

@@ -4,8 +4,8 @@
  */
 export interface CaptureDocument {
   readonly format: 'scrim-capture';
-  /** Version 2 has depth maps or depth meshes. */
-  readonly version: 1 | 2;
+  /** Version 2 has depth maps or depth meshes; version 3 has hidden meshes. */
+  readonly version: 1 | 2 | 3;
   readonly mesh: CaptureMeshFile;
   readonly views: readonly CaptureView[];
   /** A coarse form of the mesh, which pages draw until the other files are there. Exports make it; projects do not contain it. */
@@ -55,6 +55,10 @@ export interface CaptureView extends Pinhole {
   readonly reducedFile?: string;
   readonly depth?: CaptureDepthFile;
   readonly depthMesh?: CaptureDepthMeshFile;
+  /**
+   * What the photograph does not show: the surface behind its near things. As `depthMesh`, and the colors of the vertices follow: RGBA, 8 bits.
+   */
+  readonly hiddenMesh?: CaptureDepthMeshFile;
 }
 
 /**
@@ -110,18 +114,23 @@ export function readCapture(text: string): CaptureDocument {
   }
   const { format, version, mesh, views, coarseMesh, phoneGpuBytes } = record(json, 'the document');
   if (format !== 'scrim-capture') throw new CaptureError('it is not a capture: its "format" is not "scrim-capture"');
-  if (version !== 1 && version !== 2) {
-    throw new CaptureError(`it has version ${String(version)}, but only versions 1 and 2 can be read`);
+  if (version !== 1 && version !== 2 && version !== 3) {
+    throw new CaptureError(`it has version ${String(version)}, but only versions 1 to 3 can be read`);
   }
   if (!Array.isArray(views) || views.length === 0) throw new CaptureError('it has no views');
   if (views.length > CAPTURE_LIMITS.views) throw new CaptureError(`it has ${views.length} views, more than ${CAPTURE_LIMITS.views}`);
   const checked = views.map((view, i) => readView(view, `view ${i + 1}`));
   const names = new Set<string>();
-  for (const file of checked.flatMap((view) => [view.file, ...[view.depth, view.depthMesh].flatMap((more) => more?.file ?? [])])) {
+  for (const file of checked.flatMap((view) => [
+    view.file,
+    ...[view.depth, view.depthMesh, view.hiddenMesh].flatMap((more) => more?.file ?? []),
+  ])) {
     if (names.has(file)) throw new CaptureError(`two views have the file "${file}"`);
     names.add(file);
   }
-  const depthTriangles = checked.reduce((sum, { depthMesh }) => sum + (depthMesh?.triangleCount ?? 0), 0);
+  const depthTriangles = checked
+    .flatMap(({ depthMesh, hiddenMesh }) => [depthMesh, hiddenMesh])
+    .reduce((sum, mesh) => sum + (mesh?.triangleCount ?? 0), 0);
   if (depthTriangles > MOST_DEPTH_TRIANGLES) {
     throw new CaptureError(`its depth meshes have ${depthTriangles} triangles, more than ${MOST_DEPTH_TRIANGLES}`);
   }
@@ -249,6 +258,7 @@ function readView(value: unknown, where: string): CaptureView {
     ...(view.reducedFile === undefined ? {} : { reducedFile: path(view.reducedFile, where) }),
     ...(view.depth === undefined ? {} : { depth: readDepthFile(view.depth, `the depth of ${where}`) }),
     ...(view.depthMesh === undefined ? {} : { depthMesh: readDepthMeshFile(view.depthMesh, `the depth mesh of ${where}`) }),
+    ...(view.hiddenMesh === undefined ? {} : { hiddenMesh: readDepthMeshFile(view.hiddenMesh, `the hidden mesh of ${where}`) }),
   };
 }
 

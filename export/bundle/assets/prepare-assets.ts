@@ -171,7 +171,7 @@ async function readCaptureFiles(asset: ProgramAsset, bytes: Uint8Array, options:
   for (const { file } of document.views) photos.push(await add(file));
   const isStreamed = streams && fileBytes >= MIN_STREAMED_BYTES;
   const views: CaptureView[] = [];
-  for (const [i, { depth: _, depthMesh, ...view }] of document.views.entries()) {
+  for (const [i, { depth: _, depthMesh, hiddenMesh, ...view }] of document.views.entries()) {
     const photo = photos[i] ?? new Uint8Array();
     if (isStreamed) say(`Reducing the photographs of ${asset.path} (${i + 1} of ${document.views.length})…`);
     const reduced = isStreamed ? await reducedPhoto(photo, cache) : null;
@@ -180,6 +180,7 @@ async function readCaptureFiles(asset: ProgramAsset, bytes: Uint8Array, options:
       file: put(view.file, photo),
       ...(reduced ? { reducedFile: put(view.file.replace(/\.\w+$/, '-reduced.jpg'), reduced) } : {}),
       ...(asset.depthMeshes && depthMesh ? { depthMesh: { ...depthMesh, file: put(depthMesh.file, await add(depthMesh.file)) } } : {}),
+      ...(asset.depthMeshes && hiddenMesh ? { hiddenMesh: { ...hiddenMesh, file: put(hiddenMesh.file, await add(hiddenMesh.file)) } } : {}),
     });
   }
   if (asset.depthMeshes && !views.some(({ depthMesh }) => depthMesh)) throw new CaptureError('it has no depth meshes. Import it again');
