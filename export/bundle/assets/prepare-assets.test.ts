@@ -163,6 +163,25 @@ describe('a capture', () => {
     });
     expect([alone.said, alone.output.assets[0]?.others.length]).toEqual([[], 2]);
   });
+
+  test('has its depth meshes and hidden meshes only in a page that draws them', async () => {
+    const counts = { widthPx: 640, heightPx: 480, vertexCount: 3, triangleCount: 1 };
+    const depthMesh = { file: 'depth-meshes/000.bin', ...counts };
+    const hiddenMesh = { file: 'hidden-meshes/000-hidden.bin', ...counts };
+    const withMeshes = { ...document, version: 3, views: [{ ...view, depthMesh, hiddenMesh }] };
+    const more: typeof files = {
+      ...{ ...files, 'capture.json': Buffer.from(JSON.stringify(withMeshes)) },
+      ...{ '000.bin': Buffer.alloc(36), '000-hidden.bin': Buffer.alloc(48) },
+    };
+    const read = async (path: string) => more[path.slice(path.lastIndexOf('/') + 1)] ?? new Uint8Array();
+    const drawn = await prepare({ readAsset: read, streams: false }, [{ ...place, depthMeshes: true }]);
+    const [{ depthMesh: depth, hiddenMesh: hidden } = {}] = readCapture(new TextDecoder().decode(drawn.output.assets[0]?.bytes)).views;
+    const paths = drawn.output.assets[0]?.others.map(({ path, bytes }) => [path.slice('assets/'.length), bytes.length]) ?? [];
+    expect(paths).toEqual(expect.arrayContaining([depth?.file, hidden?.file].map((file, i) => [file, i === 0 ? 36 : 48])));
+    const plain = await prepare({ readAsset: read, streams: false }, [place]);
+    expect(plain.output.assets[0]?.others).toHaveLength(2);
+    expect(new TextDecoder().decode(plain.output.assets[0]?.bytes)).not.toMatch(/depthMesh|hiddenMesh/);
+  });
 });
 
 describe('splats', () => {
