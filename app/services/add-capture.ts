@@ -29,7 +29,7 @@ import { refusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
 import { type KnownSize, measureCapture } from './measure-capture.ts';
 import { heightAboveFloorM, packDepthFiles } from './pack-depth.ts';
-import { packPhoto } from './pack-photo.ts';
+import { decodePhoto, packPhoto } from './pack-photo.ts';
 import { writePageFolder } from './page-folder.ts';
 import { ASSETS_FOLDER, revisionOf } from './project-files.ts';
 import { type FoundView, PANORAMA_FORM, readCaptureFolder } from './read-capture-folder.ts';
@@ -169,7 +169,9 @@ async function packWhole(job: CaptureJob): Promise<PackedCapture> {
       const path = depths[i] ?? null;
       const map = path === null || scale === null ? null : await readDepthM(path, found, pinhole, scale, metersPerUnit);
       if (map && source.form === PANORAMA_FORM) worldFromCamera[13] = heightAboveFloorM(map) ?? 0;
-      const more = packDepthFiles(map, job.depth.from === 'none' ? null : ownMesh, pinhole, worldFromCamera, i, views.length);
+      // What one photograph does not show, the mesh of the place does, in the colors of others.
+      const photo = ownMesh ? null : () => decodePhoto(bytes, view.name);
+      const more = packDepthFiles(map, job.depth.from === 'none' ? null : ownMesh, photo, pinhole, worldFromCamera, i, views.length);
       for (const [name, content] of more.files) await write(name, content);
       depthTriangles += more.members.depthMesh?.triangleCount ?? 0;
       if (!ownMesh && more.fused) fusion.add(more.fused);
@@ -181,7 +183,11 @@ async function packWhole(job: CaptureJob): Promise<PackedCapture> {
     await write(MESH_FILE, meshBytes);
     const document: CaptureDocument = {
       format: 'scrim-capture',
-      version: packed.some(({ projection, depth, depthMesh }) => projection ?? depth ?? depthMesh) ? 2 : 1,
+      version: packed.some(({ hiddenMesh }) => hiddenMesh)
+        ? 3
+        : packed.some(({ projection, depth, depthMesh }) => projection ?? depth ?? depthMesh)
+          ? 2
+          : 1,
       mesh: { file: MESH_FILE, ...meshCounts(mesh) },
       views: packed,
     };

@@ -4,12 +4,14 @@ import { type DepthMap, isKnown, scaledPinhole } from '../../export/captures/dep
 import { type DepthMesh, makeDepthMesh } from '../../export/captures/depth/depth-mesh.ts';
 import { raysOf } from '../../export/captures/depth/depth-rays.ts';
 import type { FusedView } from '../../export/captures/depth/fuse-depth-meshes.ts';
+import { hiddenSurface } from '../../export/captures/depth/hidden-surface.ts';
+import type { Photo } from '../../export/captures/undistort.ts';
 import { CAPTURE_LIMITS, type CaptureMesh, type CaptureView, MOST_DEPTH_TRIANGLES, type Pinhole } from '../../nodes/kit/capture.ts';
 
 /** The files of the depth of one view by their names, and what its document says of them. */
 export interface PackedDepth {
   readonly files: readonly (readonly [name: string, content: Uint8Array])[];
-  readonly members: Pick<CaptureView, 'depth' | 'depthMesh'>;
+  readonly members: Pick<CaptureView, 'depth' | 'depthMesh' | 'hiddenMesh'>;
   /** The depth mesh, to be joined with those of other views; null without it. */
   readonly fused: FusedView | null;
 }
@@ -19,6 +21,9 @@ const MAX_DRAWN_SIDE_PX = 1024;
 /** A depth mesh has at most this many triangles, which are less than a tenth of a map of 1,024 × 768 pixels. */
 const MAX_TRIANGLES = 150_000;
 const MAX_TRIANGLES_AROUND = 400_000;
+/** What is hidden behind near things is smooth. */
+const HIDDEN_TOLERANCE = 0.02;
+const MAX_HIDDEN_TRIANGLES = 60_000;
 /** Depths beyond this are stored as unknown, so that 16 bits resolve the others, meters. */
 const MOST_DEPTH_M = 1000;
 const LEVELS = 65535;
@@ -30,11 +35,13 @@ const MOST_TRIANGLES = Math.min(MOST_DEPTH_TRIANGLES, CAPTURE_LIMITS.triangles);
  *
  * @param map Depth in meters; null: it is drawn from `mesh`.
  * @param mesh The mesh of the place in meters; null: no depth mesh is made without a map.
+ * @param photo Reads the photograph, to paint what it does not show; null: nothing does.
  * @param viewCount Number of views that share the limit of triangles.
  */
 export function packDepthFiles(
   map: DepthMap | null,
   mesh: CaptureMesh | null,
+  photo: (() => Photo) | null,
   pinhole: Pinhole,
   worldFromCamera: readonly number[],
   index: number,
@@ -60,7 +67,46 @@ export function packDepthFiles(
   files.push([file, meshBytes(made)]);
   const counts = { vertexCount: made.depths.length, triangleCount: made.indices.length / 3 };
   const depthMesh = { file, widthPx: seen.widthPx, heightPx: seen.heightPx, ...counts };
-  return { files, members: { ...members, depthMesh }, fused: { made, map: seen, camera, worldFromCamera } };
+  members = { ...members, depthMesh };
+  const share = Math.min(MAX_HIDDEN_TRIANGLES, Math.floor((MOST_DEPTH_TRIANGLES - MOST_TRIANGLES) / viewCount));
+  const hidden = photo && packHidden(seen, camera, photo(), share);
+  if (hidden) {
+    const { bytes, ...hiddenCounts } = hidden;
+    const hiddenMesh = { file: `hidden-meshes/${number}.bin`, widthPx: seen.widthPx, heightPx: seen.heightPx, ...hiddenCounts };
+    files.push([hiddenMesh.file, bytes]);
+    members = { ...members, hiddenMesh };
+  }
+  return { files, members, fused: { made, map: seen, camera, worldFromCamera } };
+}
+
+/** The mesh of what a photograph does not show, with colors; null if nothing is hidden. */
+function packHidden(map: DepthMap, camera: Pinhole, photo: Photo, most: number) {
+  const { widthPx, heightPx } = map;
+  const rays = raysOf(camera);
+  const found = hiddenSurface(map, rays, colorsFor(photo, widthPx, heightPx), camera.fxPx);
+  const made = makeDepthMesh(found.map, rays, most, HIDDEN_TOLERANCE);
+  const vertexCount = made.depths.length;
+  if (made.indices.length === 0) return null;
+  const colors = new Uint8Array(4 * vertexCount);
+  for (let i = 0; i < vertexCount; i++) {
+    const [x, y] = [((made.places[2 * i] ?? 1) - 1) / 2, ((made.places[2 * i + 1] ?? 1) - 1) / 2];
+    const at = 4 * (y * widthPx + x);
+    colors.set(found.colors.subarray(at, at + 4), 4 * i);
+  }
+  return { bytes: Buffer.concat([meshBytes(made), colors]), vertexCount, triangleCount: made.indices.length / 3 };
+}
+
+/** The photograph in the size of a depth map: the pixel in the middle of each. */
+function colorsFor({ widthPx, heightPx, data }: Photo, width: number, height: number): Uint8Array {
+  const colors = new Uint8Array(4 * width * height);
+  for (let row = 0; row < height; row++) {
+    const from = Math.floor(((row + 0.5) * heightPx) / height) * widthPx;
+    for (let column = 0; column < width; column++) {
+      const at = 4 * (from + Math.floor(((column + 0.5) * widthPx) / width));
+      colors.set(data.subarray(at, at + 4), 4 * (row * width + column));
+    }
+  }
+  return colors;
 }
 
 function packMap({ widthPx, heightPx, values }: DepthMap): { readonly bytes: Uint8Array; readonly metersPerLevel: number } {

@@ -76,7 +76,13 @@ function isJpeg(file: Uint8Array): boolean {
   return file[0] === 0xff && file[1] === 0xd8;
 }
 
-function decodePhoto(file: Uint8Array, name: string): Photo {
+/**
+ * Reads the pixels of a JPEG or PNG file.
+ *
+ * @param name The name of the photograph, for messages.
+ * @throws CaptureError
+ */
+export function decodePhoto(file: Uint8Array, name: string): Photo {
   try {
     if (isJpeg(file)) {
       const { width, height, data } = decodeJpeg(file, { useTArray: true, maxMemoryUsageInMB: 2048, maxResolutionInMP: 68 });

@@ -52,6 +52,8 @@ export interface ProgramUse {
   readonly assetKinds: ReadonlySet<ProgramAsset['kind']>;
   /** Whether it draws depth meshes of captures. */
   readonly depthMeshes: boolean;
+  /** Whether it draws captures with weights per vertex. */
+  readonly vertexWeights: boolean;
   /** Whether its shaders import images. */
   readonly importsImages: boolean;
   /** Whether a pass is drawn once per frame, whatever the number of views. */
@@ -124,6 +126,7 @@ export function programUse(program: Program): ProgramUse {
     tableTypes: new Set(program.resources.flatMap((resource) => (resource.kind === 'table' ? [resource.of] : []))),
     assetKinds: new Set(program.assets.filter(({ id }) => assets.has(id)).map(({ kind }) => kind)),
     depthMeshes: program.assets.some(({ depthMeshes }) => depthMeshes),
+    vertexWeights: nodes.some(({ type, config }) => type === 'source/capture' && Number(config.updateFrames) > 0),
     importsImages: imported.length > 0,
     passesOnce: passes.some(({ view }) => view === 'once'),
     mayRest: !program.operations.some(({ kind }) => RESTLESS.has(kind)) && !program.resources.some(isCamera),

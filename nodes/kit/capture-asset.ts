@@ -10,6 +10,8 @@ export interface CaptureAsset {
   /** The mesh: attribute 0 is the position, attribute 1 the plain color (RGBA in [0, 1], alpha 1). The indices are 32-bit. */
   readonly vertexArray: WebGLVertexArrayObject;
   readonly indexCount: number;
+  /** The buffers of the mesh, for vertex arrays with more attributes. Their contents change with `mesh`, the buffers do not. */
+  readonly buffers: { readonly positions: WebGLBuffer; readonly colors: WebGLBuffer; readonly indices: WebGLBuffer };
   /** The mesh in memory. While a page loads, it is a coarse one at first. */
   readonly mesh: CaptureMesh | null;
   /** The photographs: a 2D array with mip levels, one layer per view, each stretched to the size of the array; v up. */
@@ -40,8 +42,14 @@ export interface CaptureAsset {
   readonly depthMeshes: CaptureDepthMeshes | null;
 }
 
-/** The depth meshes of all views: attribute 0 is column and row in half pixels (two 16-bit whole numbers), attribute 1 the depth in meters. */
-export interface CaptureDepthMeshes {
+/** The depth meshes of all views. */
+export interface CaptureDepthMeshes extends CaptureViewMeshes {
+  /** The surfaces that the photographs do not show, behind near things: attribute 2 is their color. Null if no view has any. */
+  readonly hidden: CaptureViewMeshes | null;
+}
+
+/** Meshes by view: attribute 0 is column and row in half pixels (two 16-bit whole numbers), attribute 1 the depth in meters. */
+export interface CaptureViewMeshes {
   readonly vertexArray: WebGLVertexArrayObject;
   /** By view: the size of its map, and its part of the indices, which are 32-bit. Null for a view without depth mesh. */
   readonly views: readonly ({

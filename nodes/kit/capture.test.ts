@@ -17,6 +17,7 @@ test('reads depth, depth meshes and 360° cameras', () => {
 
 test.each([
   [{ depthMesh: { ...DEPTH_MESH, file: '../000.bin' } }, 'the depth mesh of view 1 is not a path inside the capture'],
+  [{ hiddenMesh: { ...DEPTH_MESH, file: '..' } }, 'the hidden mesh of view 1 is not a path inside the capture'],
   [{ depth: { ...DEPTH, file: '/etc/passwd' } }, 'the depth of view 1 is not a path inside the capture'],
   [{ depth: { ...DEPTH, file: 'views/000.jpg' } }, 'two views have the file "views/000.jpg"'],
   [{ depth: { ...DEPTH, metersPerLevel: 0 } }, 'the unit of the depth of view 1 is not above 0'],

@@ -4,12 +4,14 @@
  */
 export interface CaptureDocument {
   readonly format: 'scrim-capture';
-  /** Version 2 has depth maps or depth meshes. */
-  readonly version: 1 | 2;
+  /** Version 2 has depth maps or depth meshes; version 3 has hidden meshes. */
+  readonly version: 1 | 2 | 3;
   readonly mesh: CaptureMeshFile;
   readonly views: readonly CaptureView[];
   /** A coarse form of the mesh, which pages draw until the other files are there. Exports make it; projects do not contain it. */
   readonly coarseMesh?: CaptureMeshFile;
+  /** The most bytes that pages use on the GPU of a phone or headset. Exports set it; projects do not contain it. */
+  readonly phoneGpuBytes?: number;
 }
 
 /** The file of the mesh: positions as 32-bit floats in meters, then the corners of triangles as 32-bit indices, little-endian. */
@@ -53,6 +55,10 @@ export interface CaptureView extends Pinhole {
   readonly reducedFile?: string;
   readonly depth?: CaptureDepthFile;
   readonly depthMesh?: CaptureDepthMeshFile;
+  /**
+   * What the photograph does not show: the surface behind its near things. As `depthMesh`, and the colors of the vertices follow: RGBA, 8 bits.
+   */
+  readonly hiddenMesh?: CaptureDepthMeshFile;
 }
 
 /**
@@ -106,20 +112,25 @@ export function readCapture(text: string): CaptureDocument {
   } catch {
     throw new CaptureError('it is not valid JSON');
   }
-  const { format, version, mesh, views, coarseMesh } = record(json, 'the document');
+  const { format, version, mesh, views, coarseMesh, phoneGpuBytes } = record(json, 'the document');
   if (format !== 'scrim-capture') throw new CaptureError('it is not a capture: its "format" is not "scrim-capture"');
-  if (version !== 1 && version !== 2) {
-    throw new CaptureError(`it has version ${String(version)}, but only versions 1 and 2 can be read`);
+  if (version !== 1 && version !== 2 && version !== 3) {
+    throw new CaptureError(`it has version ${String(version)}, but only versions 1 to 3 can be read`);
   }
   if (!Array.isArray(views) || views.length === 0) throw new CaptureError('it has no views');
   if (views.length > CAPTURE_LIMITS.views) throw new CaptureError(`it has ${views.length} views, more than ${CAPTURE_LIMITS.views}`);
   const checked = views.map((view, i) => readView(view, `view ${i + 1}`));
   const names = new Set<string>();
-  for (const file of checked.flatMap((view) => [view.file, ...[view.depth, view.depthMesh].flatMap((more) => more?.file ?? [])])) {
+  for (const file of checked.flatMap((view) => [
+    view.file,
+    ...[view.depth, view.depthMesh, view.hiddenMesh].flatMap((more) => more?.file ?? []),
+  ])) {
     if (names.has(file)) throw new CaptureError(`two views have the file "${file}"`);
     names.add(file);
   }
-  const depthTriangles = checked.reduce((sum, { depthMesh }) => sum + (depthMesh?.triangleCount ?? 0), 0);
+  const depthTriangles = checked
+    .flatMap(({ depthMesh, hiddenMesh }) => [depthMesh, hiddenMesh])
+    .reduce((sum, mesh) => sum + (mesh?.triangleCount ?? 0), 0);
   if (depthTriangles > MOST_DEPTH_TRIANGLES) {
     throw new CaptureError(`its depth meshes have ${depthTriangles} triangles, more than ${MOST_DEPTH_TRIANGLES}`);
   }
@@ -129,6 +140,7 @@ export function readCapture(text: string): CaptureDocument {
     mesh: readMeshFile(mesh, 'the mesh'),
     views: checked,
     ...(coarseMesh === undefined ? {} : { coarseMesh: readMeshFile(coarseMesh, 'the coarse mesh') }),
+    ...(phoneGpuBytes === undefined ? {} : { phoneGpuBytes: number(phoneGpuBytes, 'the memory on phones', true) }),
   };
 }
 
@@ -198,45 +210,6 @@ export function isInside(path: string): boolean {
   return path.length <= 512 && path.split('/').every((part) => part !== '' && part !== '.' && part !== '..' && !/[\\:\0]/.test(part));
 }
 
-/** Memory for photographs on the GPU, with mip levels. Larger photographs are all reduced to fit. */
-const MAX_PHOTO_GPU_BYTES = 128 * 2 ** 20;
-const PHOTO_BYTES_PER_PIXEL = 4 * (4 / 3);
-const MAX_DEPTH_SIDE_PX = 512;
-const DEPTH_BYTES_PER_PIXEL = 4;
-/** Position and color of a vertex; three indices. */
-const VERTEX_BYTES = 16;
-const TRIANGLE_BYTES = 12;
-
-/** The size of the texture arrays of a capture in pixels, and the bytes that it takes on the GPU. */
-export interface CaptureSize {
-  readonly photoPx: readonly [width: number, height: number];
-  readonly depthPx: readonly [width: number, height: number];
-  readonly gpuBytes: number;
-}
-
-/**
- * The size of a capture on the GPU.
- *
- * @param maxSidePx The largest texture.
- *
- * @example
- * const { gpuBytes } = captureSize(document, 4096);
- */
-export function captureSize({ views, mesh }: CaptureDocument, maxSidePx: number): CaptureSize {
-  const widthPx = Math.max(...views.map((view) => view.widthPx));
-  const heightPx = Math.max(...views.map((view) => view.heightPx));
-  const fits = Math.sqrt(MAX_PHOTO_GPU_BYTES / (views.length * widthPx * heightPx * PHOTO_BYTES_PER_PIXEL));
-  const reduce = (scale: number) => [Math.max(1, Math.floor(widthPx * scale)), Math.max(1, Math.floor(heightPx * scale))] as const;
-  const photoPx = reduce(Math.min(1, fits, maxSidePx / Math.max(widthPx, heightPx)));
-  const depthPx = reduce(Math.min(MAX_DEPTH_SIDE_PX, Math.max(...photoPx)) / Math.max(widthPx, heightPx));
-  const perView = photoPx[0] * photoPx[1] * PHOTO_BYTES_PER_PIXEL + depthPx[0] * depthPx[1] * DEPTH_BYTES_PER_PIXEL;
-  return {
-    photoPx,
-    depthPx,
-    gpuBytes: Math.round(views.length * perView + mesh.vertexCount * VERTEX_BYTES + mesh.triangleCount * TRIANGLE_BYTES),
-  };
-}
-
 /** Largest difference of the axes of a pose from orthogonal unit vectors. */
 const RIGID_TOLERANCE = 1e-3;
 
@@ -285,6 +258,7 @@ function readView(value: unknown, where: string): CaptureView {
     ...(view.reducedFile === undefined ? {} : { reducedFile: path(view.reducedFile, where) }),
     ...(view.depth === undefined ? {} : { depth: readDepthFile(view.depth, `the depth of ${where}`) }),
     ...(view.depthMesh === undefined ? {} : { depthMesh: readDepthMeshFile(view.depthMesh, `the depth mesh of ${where}`) }),
+    ...(view.hiddenMesh === undefined ? {} : { hiddenMesh: readDepthMeshFile(view.hiddenMesh, `the hidden mesh of ${where}`) }),
   };
 }
 

@@ -19,6 +19,8 @@ export interface Sight {
   readonly psnrDb: number;
   /** The part of the picture that is drawn. */
   readonly covered: number;
+  /** Pixels that only hidden meshes show: their part of the picture, and their PSNR; that of them in black; that of all others. */
+  readonly hidden: { readonly part: number; readonly psnrDb: number; readonly blackDb: number; readonly restDb: number } | null;
   /** Data URLs: what is drawn, and what the model looks like. */
   readonly shown: string;
   readonly truth: string;
@@ -42,6 +44,9 @@ export async function lookAround(
   const gl = createGl(widthPx, heightPx);
   const capture = await loadCapture(createGlObjects(gl), await load('capture.json'), 'capture.json', load, true);
   const drawing = method === 'depth-meshes' ? createDepthMeshDrawing(gl, capture) : createCaptureDrawing(gl, capture, method, 2);
+  const { depthMeshes } = capture;
+  const withoutHidden = depthMeshes?.hidden ? { ...capture, depthMeshes: { ...depthMeshes, hidden: null } } : null;
+  const seen = withoutHidden && method === 'depth-meshes' ? createDepthMeshDrawing(gl, withoutHidden) : null;
   const scene = new Scene();
   const { scene: model } = await new GLTFLoader().loadAsync(new URL(modelUrl, location.href).href);
   model.traverse((object) => {
@@ -70,16 +75,41 @@ export async function lookAround(
       Float32Array.from(camera.matrixWorldInverse.elements),
     );
     const forward = camera.matrixWorld.elements.slice(8, 11).map((x) => -x);
-    setPassState(gl, null, null, 0, 0, widthPx, heightPx);
-    gl.clearColor(0, 0, 0, 0);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    const target = { framebuffer: null, viewport: { x: 0, y: 0, widthPx, heightPx } };
-    drawing.draw(clipFromCapture, Float32Array.from(camera.position.toArray()), Float32Array.from(forward), target);
-    const shown = readBack(gl);
+    const shoot = (by: typeof drawing): Uint8ClampedArray => {
+      setPassState(gl, null, null, 0, 0, widthPx, heightPx);
+      gl.clearColor(0, 0, 0, 0);
+      gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+      const target = { framebuffer: null, viewport: { x: 0, y: 0, widthPx, heightPx } };
+      by.draw(clipFromCapture, Float32Array.from(camera.position.toArray()), Float32Array.from(forward), target);
+      return readBack(gl);
+    };
+    const shown = shoot(drawing);
+    const holes = seen && shoot(seen);
     if (gl.getError() !== 0) throw new Error('GL reports an error.');
     const { psnrDb, covered } = compareImages({ shown, truth, widthPx, heightPx });
-    return { psnrDb, covered, shown: pictureUrl(shown, widthPx, heightPx), truth: pictureUrl(truth, widthPx, heightPx) };
+    const hidden = holes && qualityOfFilled(shown, holes, truth);
+    return { psnrDb, covered, hidden, shown: pictureUrl(shown, widthPx, heightPx), truth: pictureUrl(truth, widthPx, heightPx) };
   });
+}
+
+/** Compares the pixels that `holes` lacks. Others must be the same. */
+function qualityOfFilled(shown: Uint8ClampedArray, holes: Uint8ClampedArray, truth: Uint8ClampedArray): Sight['hidden'] {
+  let [square, black, count] = [0, 0, 0];
+  const { psnrDb: restDb } = compareImages({ shown: holes, truth, ...SIZE });
+  for (let at = 0; at < shown.length; at += 4) {
+    if (holes[at + 3] !== 0) {
+      if ([0, 1, 2, 3].some((c) => shown[at + c] !== holes[at + c])) throw new Error('A hidden mesh covers what a photograph shows.');
+      continue;
+    }
+    if (shown[at + 3] === 0) continue;
+    count++;
+    for (let c = 0; c < 3; c++) {
+      square += ((shown[at + c] ?? 0) - (truth[at + c] ?? 0)) ** 2;
+      black += (truth[at + c] ?? 0) ** 2;
+    }
+  }
+  const toDb = (sum: number): number => 10 * Math.log10((255 * 255) / (sum / (3 * count)));
+  return count === 0 ? null : { part: (4 * count) / shown.length, psnrDb: toDb(square), blackDb: toDb(black), restDb };
 }
 
 function readBack(gl: WebGL2RenderingContext): Uint8ClampedArray {

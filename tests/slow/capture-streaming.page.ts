@@ -7,8 +7,16 @@ import { createGl } from '../browser/scenes-kit.ts';
 import { draw } from './capture.page.ts';
 
 export interface Streamed {
-  /** Files in the order in which they were requested, with the bytes that had arrived before and the PSNR of the image against the final one. */
-  readonly steps: readonly { readonly file: string; readonly bytesBefore: number; readonly psnrDb: number | null }[];
+  /**
+   * Files in the order in which they were requested, with the bytes that had arrived before, the PSNR of the image against the final one, and
+   * the seconds since the first request, without those in which the test draws and compares.
+   */
+  readonly steps: readonly {
+    readonly file: string;
+    readonly bytesBefore: number;
+    readonly psnrDb: number | null;
+    readonly timeS: number;
+  }[];
   readonly totalBytes: number;
   /** Whether the final image is that of a capture that was loaded whole, byte for byte. */
   readonly equalsWhole: boolean;
@@ -34,18 +42,23 @@ export async function stream(baseUrl: string, file: string, view: number): Promi
   whole.dispose();
 
   const before = JSON.stringify(objects.counts());
-  const steps: { file: string; bytesBefore: number; psnrDb: number | null }[] = [];
+  const steps: { file: string; bytesBefore: number; psnrDb: number | null; timeS: number }[] = [];
+  let startMs = performance.now();
   let shown: LoadedCapture | null = null;
   let loadedBytes = 0;
   const image = (capture: LoadedCapture) => draw(gl, capture, 'lumigraph', target).pixels;
   const quality = (capture: LoadedCapture): number =>
     compareImages({ shown: image(capture), truth, widthPx: target.widthPx, heightPx: target.heightPx }).psnrDb;
   const load = async (path: string): Promise<ArrayBuffer> => {
-    steps.push({ file: path, bytesBefore: loadedBytes, psnrDb: shown && quality(shown) });
+    const timeS = (performance.now() - startMs) / 1000;
+    const psnrDb = shown && quality(shown);
+    startMs = performance.now() - 1000 * timeS;
+    steps.push({ file: path, bytesBefore: loadedBytes, psnrDb, timeS });
     const content = await source.load(path);
     loadedBytes += content.byteLength;
     return content;
   };
+  startMs = performance.now();
   const capture = await loadCapture(objects, bytes, file, load, false, (early) => {
     shown = early;
   });

@@ -2,6 +2,7 @@ import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { basename, join, resolve } from 'node:path';
 import { expect, test } from '@jest/globals';
+import type { Page } from 'playwright-core';
 import { importCapture } from '../../app/services/add-capture.ts';
 import { NODE_FILES } from '../../app/services/file-layer.ts';
 import { UNKNOWN_SIZE } from '../../app/services/measure-capture.ts';
@@ -13,6 +14,17 @@ import { describeWithData } from '../support/shared-data.ts';
 import type { Streamed } from './capture-streaming.page.ts';
 
 const chromium = useBrowser();
+
+/** Limits the network of a page to 1.6 Mbit/s with 100 ms per request. Files in the cache are loaded again. */
+async function slowDown(page: Page): Promise<void> {
+  const session = await page.context().newCDPSession(page);
+  await session.send('Network.enable');
+  await session.send('Network.setCacheDisabled', { cacheDisabled: true });
+  await session.send('Network.emulateNetworkConditions', {
+    ...{ offline: false, latency: 100, downloadThroughput: 200_000, uploadThroughput: 200_000 },
+  });
+}
+
 /** The camera that the visitor stands at: not the one in the middle. */
 const VIEW = 2;
 
@@ -39,6 +51,7 @@ describeWithData('the page of a captured living room', 'captures/icl-livingroom'
     expect(mesh.triangleCount).toBe(60_000);
 
     const module = await openModule(chromium.browser, 'tests/slow/capture-streaming.page.ts', { mounts: { '/page/': page } });
+    if (process.env.SCRIM_ALL_VIEWS) await slowDown(module.page);
     const { steps, totalBytes, equalsWhole, leaks, error } = await module.call<Streamed>('stream', '/page/', prepared.path, VIEW);
     expect(module.errors).toEqual([]);
     await module.close();

@@ -13,7 +13,7 @@ import { create } from '../../nodes/source/capture/runtime.ts';
 import { createGl, createLayer, drawView } from '../browser/scenes-kit.ts';
 import { fakeContext } from '../support/node-context.ts';
 
-export type Method = 'plain' | 'nearest' | 'lumigraph' | 'depth-meshes' | 'nearest without occlusion';
+export type Method = 'plain' | 'nearest' | 'lumigraph' | 'lumigraph per vertex' | 'depth-meshes' | 'nearest without occlusion';
 
 export interface Rephotograph {
   /** PSNR of each method in dB over the pixels that the mesh covers. */
@@ -94,7 +94,10 @@ export function draw(gl: WebGL2RenderingContext, capture: LoadedCapture, method:
   }
   const handle = { kind: 'capture', value: capture, settled: Promise.resolve(), release: () => {} } as const;
   const service = { capture: () => handle } as Partial<AssetService> as AssetService;
-  const params = { file: 'place', method: method === 'nearest without occlusion' ? 'nearest' : method };
+  const params = {
+    ...{ file: 'place', method: method.replace(' without occlusion', '').replace(' per vertex', '') },
+    updateFrames: method === 'lumigraph per vertex' ? 1 : 0,
+  };
   const node = create(fakeContext(definition, { params, services: { gl, assets: service } }).ctx);
   const layer = createLayer(gl, target.widthPx, target.heightPx);
   layer.clear();

@@ -22,7 +22,7 @@ afterAll(() => rm(base, { recursive: true, force: true }));
 
 /** Views that are measured in each run. */
 const VIEWS = [4, 8];
-const METHODS = ['plain', 'nearest without occlusion', 'nearest', 'lumigraph', 'depth-meshes'] as const;
+const METHODS = ['plain', 'nearest without occlusion', 'nearest', 'lumigraph', 'lumigraph per vertex', 'depth-meshes'] as const;
 
 const DEPTH: CaptureJob['depth'] = { from: 'files', unit: null, kind: null };
 const jobFor = (folder: string): CaptureJob => ({
@@ -88,6 +88,8 @@ describeWithData('a captured living room', 'captures/icl-livingroom', (folder) =
     expect(mean('lumigraph') - mean('plain')).toBeGreaterThan(3);
     expect(mean('lumigraph') - mean('nearest without occlusion')).toBeGreaterThan(2.8);
     expect(mean('lumigraph') - mean('nearest')).toBeGreaterThan(0.3);
+    // Its mesh is fine enough for weights per vertex.
+    expect(mean('lumigraph per vertex') - mean('lumigraph')).toBeGreaterThan(-0.3);
     expect(mean('depth-meshes') - mean('plain')).toBeGreaterThan(2.5);
     expect(mean('depth-meshes') - mean('nearest without occlusion')).toBeGreaterThan(2.5);
     expect(mean('depth-meshes') - mean('nearest')).toBeGreaterThan(-0.3);

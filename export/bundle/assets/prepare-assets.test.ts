@@ -152,6 +152,8 @@ describe('a capture', () => {
     expect(streamed.diagnostics).toEqual([]);
     const written = readCapture(new TextDecoder().decode(streamed.output.assets[0]?.bytes));
     expect(written.coarseMesh?.triangleCount).toBe(1);
+    expect(written.phoneGpuBytes).toBe(128e6);
+    expect(streamed.output.assets[0]?.report.gpuBytes.onPhones).toBeLessThan(128e6);
     expect(written.views[0]?.reducedFile).toMatch(/-reduced-[0-9a-f]{10}\.jpg$/);
     const alone = await prepare({ readAsset, streams: false }, [place]);
     expect(readCapture(new TextDecoder().decode(alone.output.assets[0]?.bytes))).toEqual({
@@ -160,6 +162,25 @@ describe('a capture', () => {
       views: [{ ...written.views[0], reducedFile: undefined }],
     });
     expect([alone.said, alone.output.assets[0]?.others.length]).toEqual([[], 2]);
+  });
+
+  test('has its depth meshes and hidden meshes only in a page that draws them', async () => {
+    const counts = { widthPx: 640, heightPx: 480, vertexCount: 3, triangleCount: 1 };
+    const depthMesh = { file: 'depth-meshes/000.bin', ...counts };
+    const hiddenMesh = { file: 'hidden-meshes/000-hidden.bin', ...counts };
+    const withMeshes = { ...document, version: 3, views: [{ ...view, depthMesh, hiddenMesh }] };
+    const more: typeof files = {
+      ...{ ...files, 'capture.json': Buffer.from(JSON.stringify(withMeshes)) },
+      ...{ '000.bin': Buffer.alloc(36), '000-hidden.bin': Buffer.alloc(48) },
+    };
+    const read = async (path: string) => more[path.slice(path.lastIndexOf('/') + 1)] ?? new Uint8Array();
+    const drawn = await prepare({ readAsset: read, streams: false }, [{ ...place, depthMeshes: true }]);
+    const [{ depthMesh: depth, hiddenMesh: hidden } = {}] = readCapture(new TextDecoder().decode(drawn.output.assets[0]?.bytes)).views;
+    const paths = drawn.output.assets[0]?.others.map(({ path, bytes }) => [path.slice('assets/'.length), bytes.length]) ?? [];
+    expect(paths).toEqual(expect.arrayContaining([depth?.file, hidden?.file].map((file, i) => [file, i === 0 ? 36 : 48])));
+    const plain = await prepare({ readAsset: read, streams: false }, [place]);
+    expect(plain.output.assets[0]?.others).toHaveLength(2);
+    expect(new TextDecoder().decode(plain.output.assets[0]?.bytes)).not.toMatch(/depthMesh|hiddenMesh/);
   });
 });
 

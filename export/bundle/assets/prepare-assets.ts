@@ -7,11 +7,11 @@ import {
   CaptureError,
   type CaptureView,
   captureMeshFile,
-  captureSize,
   meshCounts,
   readCapture,
   readCaptureMesh,
 } from '../../../nodes/kit/capture.ts';
+import { captureSize, PHONE_CAPTURE_GPU_BYTES } from '../../../nodes/kit/capture-size.ts';
 import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
 import { openSog } from '../../../nodes/kit/splats/sog-archive.ts';
 import { SPLAT_FILE_ENDING, writeSplatFile } from '../../../nodes/kit/splats/splat-file.ts';
@@ -66,7 +66,8 @@ export interface ReportedAsset {
   readonly kind: ProgramAsset['kind'];
   readonly form: Form;
   readonly fileBytes: BeforeAfter;
-  readonly gpuBytes: BeforeAfter;
+  /** `onPhones`: what a capture takes on phones and headsets, where it has a limit. */
+  readonly gpuBytes: BeforeAfter & { readonly onPhones?: number };
 }
 
 export interface BeforeAfter {
@@ -170,7 +171,7 @@ async function readCaptureFiles(asset: ProgramAsset, bytes: Uint8Array, options:
   for (const { file } of document.views) photos.push(await add(file));
   const isStreamed = streams && fileBytes >= MIN_STREAMED_BYTES;
   const views: CaptureView[] = [];
-  for (const [i, { depth: _, depthMesh, ...view }] of document.views.entries()) {
+  for (const [i, { depth: _, depthMesh, hiddenMesh, ...view }] of document.views.entries()) {
     const photo = photos[i] ?? new Uint8Array();
     if (isStreamed) say(`Reducing the photographs of ${asset.path} (${i + 1} of ${document.views.length})…`);
     const reduced = isStreamed ? await reducedPhoto(photo, cache) : null;
@@ -179,6 +180,7 @@ async function readCaptureFiles(asset: ProgramAsset, bytes: Uint8Array, options:
       file: put(view.file, photo),
       ...(reduced ? { reducedFile: put(view.file.replace(/\.\w+$/, '-reduced.jpg'), reduced) } : {}),
       ...(asset.depthMeshes && depthMesh ? { depthMesh: { ...depthMesh, file: put(depthMesh.file, await add(depthMesh.file)) } } : {}),
+      ...(asset.depthMeshes && hiddenMesh ? { hiddenMesh: { ...hiddenMesh, file: put(hiddenMesh.file, await add(hiddenMesh.file)) } } : {}),
     });
   }
   if (asset.depthMeshes && !views.some(({ depthMesh }) => depthMesh)) throw new CaptureError('it has no depth meshes. Import it again');
@@ -186,8 +188,9 @@ async function readCaptureFiles(asset: ProgramAsset, bytes: Uint8Array, options:
   const mesh = { ...document.mesh, file: put(document.mesh.file, meshBytes) };
   const coarse = isStreamed ? await coarseMesh(whole) : null;
   const first = coarse ? { ...meshCounts(coarse), file: put('coarse-mesh.bin', captureMeshFile(coarse)) } : mesh;
-  const renamed: CaptureDocument = { ...document, mesh, views, ...(isStreamed ? { coarseMesh: first } : {}) };
-  return { asset, bytes: new TextEncoder().encode(JSON.stringify(renamed)), fileBytes, others, capture: document };
+  const limit = { phoneGpuBytes: PHONE_CAPTURE_GPU_BYTES };
+  const renamed: CaptureDocument = { ...document, ...limit, mesh, views, ...(isStreamed ? { coarseMesh: first } : {}) };
+  return { asset, bytes: new TextEncoder().encode(JSON.stringify(renamed)), fileBytes, others, capture: renamed };
 }
 
 /** Packs the splats of a PLY file for the GPU. A SOG file is smaller than that, and stays as it is. */
@@ -242,9 +245,13 @@ function prepare(
   const plain = fileName(asset.path).replace(/\.gltf$/i, '.glb');
   const name = capture ? `${captureName(asset.path)}.json` : splats ? plain.replace(/\.\w+$/, splats.ending) : plain;
   const path = hashedName(`assets/${name}`, bytes);
+  const captureGpu = (mostBytes: number | undefined): number => {
+    const use = { maxSidePx: CAPTURE_LIMITS.sidePx, depthMeshes: asset.depthMeshes === true, mostBytes };
+    return capture ? captureSize(capture, use).gpuBytes : 0;
+  };
   const gpu = (content: Uint8Array) => {
     if (splats) return splats.gpuBytes;
-    if (capture) return captureSize(capture, CAPTURE_LIMITS.sidePx).gpuBytes;
+    if (capture) return captureGpu(undefined);
     return asset.kind === 'model' ? gpuBytesOf(content) : imagesGpuBytes(content);
   };
   const report = {
@@ -253,7 +260,10 @@ function prepare(
     kind: asset.kind,
     form,
     fileBytes: { before: fileBytes, after: others.reduce((sum, other) => sum + other.bytes.length, bytes.length) },
-    gpuBytes: { before: gpu(original), after: gpu(bytes) },
+    gpuBytes: {
+      ...{ before: gpu(original), after: gpu(bytes) },
+      ...(capture ? { onPhones: captureGpu(capture.phoneGpuBytes) } : {}),
+    },
   };
   const copyright = asset.kind === 'model' ? (readGltf(original).document.asset?.copyright ?? '') : '';
   return { asset, path, bytes, others, copyright, report };

@@ -28,6 +28,11 @@ export const ASSET_PARTS: readonly OptionalPart[] = [
     otherwise: absent('createDepthMeshDrawing'),
   },
   {
+    file: 'nodes/kit/capture-drawing/windowed/windowed-drawing.ts',
+    isNeeded: ({ vertexWeights }) => vertexWeights,
+    otherwise: absent('createWindowedDrawing'),
+  },
+  {
     file: 'export/runtime/assets/splats/load-splats.ts',
     isNeeded: ({ assetKinds }) => assetKinds.has('splats'),
     otherwise: absent('loadSplats'),

@@ -5,8 +5,8 @@ import type { DrawView } from '../runtime.ts';
 import { createNearestViews } from './nearest-views.ts';
 import { fragmentOf, type Method, MOST_VIEWS, VERTEX } from './shaders.ts';
 
-/** Where a capture is drawn. */
-export type CaptureTarget = Pick<DrawView, 'framebuffer' | 'viewport'>;
+/** Where a capture is drawn. A drawing that keeps something from frame to frame keeps it for each `viewIndex`; absent: 0. */
+export type CaptureTarget = Pick<DrawView, 'framebuffer' | 'viewport'> & { readonly viewIndex?: number };
 
 /** Draws a capture by one method. */
 export interface CaptureDrawing {
@@ -48,15 +48,20 @@ export function createCaptureDrawing(gl: WebGL2RenderingContext, capture: Captur
       gl.uniform3fv(eyeAt, eye);
       gl.uniform1iv(views, nearest.views);
       gl.uniform1i(viewCount, nearest.count);
-      gl.enable(gl.DEPTH_TEST);
-      gl.depthFunc(gl.LEQUAL);
-      gl.depthMask(true);
-      gl.bindVertexArray(capture.vertexArray);
-      gl.drawElements(gl.TRIANGLES, capture.indexCount, gl.UNSIGNED_INT, 0);
-      gl.bindVertexArray(null);
-      gl.depthFunc(gl.LESS);
-      gl.disable(gl.DEPTH_TEST);
+      drawTriangles(gl, capture.vertexArray, capture.indexCount);
     },
     dispose: () => gl.deleteProgram(program),
   };
+}
+
+/** Draws the triangles of a mesh by the active program, with depth. */
+export function drawTriangles(gl: WebGL2RenderingContext, vertexArray: WebGLVertexArrayObject, indexCount: number): void {
+  gl.enable(gl.DEPTH_TEST);
+  gl.depthFunc(gl.LEQUAL);
+  gl.depthMask(true);
+  gl.bindVertexArray(vertexArray);
+  gl.drawElements(gl.TRIANGLES, indexCount, gl.UNSIGNED_INT, 0);
+  gl.bindVertexArray(null);
+  gl.depthFunc(gl.LESS);
+  gl.disable(gl.DEPTH_TEST);
 }

@@ -19,13 +19,18 @@ void main() {
   gl_Position = clipFromCapture * vec4(position, 1.0);
 }`;
 
-const HEAD = /* glsl */ `#version 300 es
+/** What all shaders know that read photographs. */
+export const VIEWS_HEAD = /* glsl */ `#version 300 es
 precision highp float;
+precision highp int;
 precision highp sampler2DArray;
 ${CAPTURE_GLSL}
 uniform vec3 eye;
 uniform int views[${MOST_VIEWS}];
 uniform int viewCount;
+`;
+
+const HEAD = /* glsl */ `${VIEWS_HEAD}
 in vec3 point;
 in vec3 plainColor;
 out vec4 color;
@@ -80,21 +85,19 @@ const CENTERED = /* glsl */ `
   for (int i = 0; i < BLENDED; i++) weights[i] *= max(1e-3, 1.0 - dot(slope, offsets[i]));`;
 
 /**
- * Unstructured lumigraph rendering (Buehler et al. 2001; Dupont de Dinechin and Paljic 2020, §3.1), per pixel: of the photographs that see
- * the point, the best by angle and distance, with weights that fall to 0 at the next best one.
+ * Unstructured lumigraph rendering (Buehler et al. 2001; Dupont de Dinechin and Paljic 2020, §3.1): `chooseViews` finds, of the photographs
+ * that see a point, the best by angle and distance, with weights that fall to 0 at the next best one.
+ *
+ * @param blended Number of photographs.
+ * @param feathers Whether weights fall to 0 at the edges of photographs, too.
  */
-function lumigraph(blended: number): string {
-  return /* glsl */ `${HEAD}
+export function choiceOfViews(blended: number, feathers: boolean): string {
+  return /* glsl */ `
 const int BLENDED = ${blended};
-void main() {
-  vec3 dx = dFdx(point);
-  vec3 dy = dFdy(point);
-  vec3 toEye = eye - point;
-  vec3 normal = cross(dx, dy);
-  normal *= sign(dot(normal, toEye));
+/** A best view of -1 has the weight 0. */
+void chooseViews(vec3 point, vec3 normal, vec3 toEye, out int best[BLENDED + 1], out float weights[BLENDED]) {
   float costs[BLENDED + 1];
   float seen[BLENDED + 1];
-  int best[BLENDED + 1];
   for (int i = 0; i <= BLENDED; i++) {
     costs[i] = 1.0;
     best[i] = -1;
@@ -109,7 +112,7 @@ void main() {
     if (weight <= 0.0 || dot(normal, toCamera) <= 0.0) continue;
     float cost = costOf(toEye, toCamera);
     if (cost >= costs[BLENDED]) continue;
-    weight *= seenBy(view, uv, p.z);
+    weight ${feathers ? '*' : ''}= seenBy(view, uv, p.z);
     if (weight <= 0.0) continue;
     int at = BLENDED;
     for (; at > 0 && costs[at - 1] > cost; at--) {
@@ -123,9 +126,23 @@ void main() {
   }
   // With fewer photographs than one more than are blended, it is 1.
   float threshold = costs[BLENDED];
-  float weights[BLENDED];
   for (int i = 0; i < BLENDED; i++) weights[i] = best[i] < 0 ? 0.0 : seen[i] * (max(0.0, 1.0 - costs[i] / threshold) + 1e-4);
   ${blended > 2 ? CENTERED : ''}
+}`;
+}
+
+/** The lumigraph with weights for each pixel. */
+function lumigraph(blended: number): string {
+  return /* glsl */ `${HEAD}${choiceOfViews(blended, true)}
+void main() {
+  vec3 dx = dFdx(point);
+  vec3 dy = dFdy(point);
+  vec3 toEye = eye - point;
+  vec3 normal = cross(dx, dy);
+  normal *= sign(dot(normal, toEye));
+  int best[BLENDED + 1];
+  float weights[BLENDED];
+  chooseViews(point, normal, toEye, best, weights);
   vec4 sum = vec4(0.0);
   for (int i = 0; i < BLENDED; i++) {
     if (weights[i] <= 0.0) continue;

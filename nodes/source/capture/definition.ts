@@ -3,7 +3,7 @@ import { POSITION_PARAM, ROTATION_PARAM, SCALE_PARAM } from '../../kit/pose-para
 
 export const definition = defineNode({
   type: 'source/capture',
-  version: 1,
+  version: 2,
   title: 'Capture',
   doc: 'Draws a captured place: photographs projected on the mesh of what they show, so that one can walk around in it. `scrim import capture` makes the asset from a folder of photographs with cameras and a mesh. The layer has depth, so virtual objects stand in the place.',
   keywords: ['photogrammetry', 'image-based rendering', 'lumigraph', 'colmap', 'scan', 'photographs', 'room', 'place'],
@@ -51,9 +51,22 @@ export const definition = defineNode({
       step: 1,
       unit: 'none',
     },
+    updateFrames: {
+      type: 'number',
+      stage: 'structure',
+      label: 'Frames per update',
+      doc: 'For slow devices and fine meshes (lumigraph). 0: each pixel chooses its photographs, in each frame. Above 0: each vertex of the mesh does, and keeps its choice; all choose again within so many frames while the eye moves, and none while it rests. Renders wait for all.',
+      default: 0,
+      min: 0,
+      max: 60,
+      step: 1,
+      unit: 'none',
+    },
     positionM: POSITION_PARAM,
     rotationRad: { ...ROTATION_PARAM, handle: 'rotation' },
     scale: { ...SCALE_PARAM, doc: 'Uniform scale factor, if the capture was imported without its true size.' },
   },
+  // Version 1 had no “Frames per update”.
+  migrations: [(params) => params],
   lowering: { kind: 'geometry', ownDrawing: {} },
 });

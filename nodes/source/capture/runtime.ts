@@ -1,16 +1,19 @@
 import { type CaptureDrawing, createCaptureDrawing } from '../../kit/capture-drawing/capture-drawing.ts';
 import { createDepthMeshDrawing } from '../../kit/capture-drawing/depth-meshes/depth-mesh-drawing.ts';
+import { createWindowedDrawing } from '../../kit/capture-drawing/windowed/windowed-drawing.ts';
 import { multiplyMatrices } from '../../kit/matrices.ts';
 import { setFromAngles } from '../../kit/rigid.ts';
 import type { DrawView, NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
-  const { method, blended } = ctx.config;
+  const { method } = ctx.config;
+  const blended = Math.round(ctx.config.blended);
+  const updateFrames = Math.round(ctx.config.updateFrames);
   const { positionM, rotationRad, scale } = ctx.params;
   const id = ctx.assetIds.file;
   const handle = id === null ? null : ctx.assets.capture(id);
-  const { gl } = ctx;
+  const { gl, clock } = ctx;
   let drawing: CaptureDrawing | null = null;
   let drawsDepthMeshes = false;
   const rigid = new Float32Array(16);
@@ -32,7 +35,10 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
         drawing = createDepthMeshDrawing(gl, capture);
         drawsDepthMeshes = true;
       }
-      drawing ??= createCaptureDrawing(gl, capture, method === 'depth-meshes' ? 'lumigraph' : method, Math.round(blended));
+      drawing ??=
+        method === 'lumigraph' && updateFrames > 0
+          ? createWindowedDrawing(gl, capture, blended, updateFrames, clock)
+          : createCaptureDrawing(gl, capture, method === 'depth-meshes' ? 'lumigraph' : method, blended);
       const factor = Math.max(scale.value, 1e-6);
       setFromAngles(rigid, positionM.value, rotationRad.value);
       for (let i = 0; i < 16; i++) worldFromCapture[i] = (rigid[i] ?? 0) * (i < 12 ? factor : 1);

@@ -1,5 +1,6 @@
 import { imageSize } from '../../../export/gltf/image-size.ts';
-import { captureSize, readCapture } from '../../../nodes/kit/capture.ts';
+import { readCapture } from '../../../nodes/kit/capture.ts';
+import { captureSize } from '../../../nodes/kit/capture-size.ts';
 import type { AssetKind } from '../../../nodes/kit/definition.ts';
 import type { Editor } from '../editor/editor.ts';
 import { bytesOf } from './base64.ts';
@@ -80,7 +81,7 @@ async function modelFacts({ models }: Editor, { assetBaseUrl, path }: AssetPlace
 async function captureFacts(editor: Editor, place: AssetPlace): Promise<AssetFacts> {
   const text = new TextDecoder().decode(await readFile(editor, place, place.path));
   const capture = readCapture(text);
-  const { gpuBytes } = captureSize(capture, MAX_TEXTURE_PX);
+  const { gpuBytes } = captureSize(capture, { maxSidePx: MAX_TEXTURE_PX, depthMeshes: false });
   const view = capture.views[Math.floor(capture.views.length / 2)];
   const folder = place.path.slice(0, place.path.lastIndexOf('/') + 1);
   return { picture: view ? await drawImage(await readFile(editor, place, folder + view.file)) : null, gpuBytes };

@@ -1,5 +1,6 @@
-import { type CaptureDocument, type CaptureMesh, type CaptureView, captureSize } from '../../../../nodes/kit/capture.ts';
+import type { CaptureDocument, CaptureMesh, CaptureView } from '../../../../nodes/kit/capture.ts';
 import { type CaptureAsset, type CaptureDepthMeshes, PHOTO_MISSING, PHOTO_WHOLE } from '../../../../nodes/kit/capture-asset.ts';
+import type { CaptureSize } from '../../../../nodes/kit/capture-size.ts';
 import type { GlObjects } from '../../gl/gl-objects.ts';
 import { prepareUpload } from '../../gl/upload.ts';
 import { bakeColors } from './bake-colors.ts';
@@ -27,19 +28,22 @@ export interface CaptureTextures {
 }
 
 /** Allocates the textures of a capture: photographs, depth maps, cameras. */
-export function createCaptureTextures(objects: GlObjects, document: CaptureDocument): CaptureTextures {
-  const { gl, limits } = objects;
-  const { views } = document;
-  const { photoPx, depthPx } = captureSize(document, limits.maxTextureSizePx);
+export function createCaptureTextures(
+  objects: GlObjects,
+  { views }: CaptureDocument,
+  { photoPx, depthPx }: Pick<CaptureSize, 'photoPx' | 'depthPx'>,
+): CaptureTextures {
+  const { gl } = objects;
   const [widthPx, heightPx] = photoPx;
   const photos = objects.createTexture();
   const depths = objects.createTexture();
   const cameras = objects.createTexture();
   const vertexArray = objects.createVertexArray();
-  const [positions, indices, colors] = [gl.createBuffer(), gl.createBuffer(), gl.createBuffer()];
+  const buffers = { positions: gl.createBuffer(), colors: gl.createBuffer(), indices: gl.createBuffer() };
   let isDisposed = false;
   const asset = {
     vertexArray,
+    buffers,
     indexCount: 0,
     mesh: null as CaptureMesh | null,
     photos,
@@ -73,7 +77,7 @@ export function createCaptureTextures(objects: GlObjects, document: CaptureDocum
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, row, 4, 1, gl.RGBA, gl.FLOAT, texels);
   };
   views.forEach(setCamera);
-  const setAttribute = (place: number, buffer: WebGLBuffer | null, data: ArrayBufferView): void => {
+  const setAttribute = (place: number, buffer: WebGLBuffer, data: ArrayBufferView): void => {
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
     gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
     gl.enableVertexAttribArray(place);
@@ -85,9 +89,9 @@ export function createCaptureTextures(objects: GlObjects, document: CaptureDocum
     setMesh: (next) => {
       Object.assign(asset, extentOf(next, views), { indexCount: next.indices.length, mesh: next });
       gl.bindVertexArray(vertexArray);
-      setAttribute(0, positions, next.positions);
-      setAttribute(1, colors, new Uint8Array((4 * next.positions.length) / 3));
-      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, indices);
+      setAttribute(0, buffers.positions, next.positions);
+      setAttribute(1, buffers.colors, new Uint8Array((4 * next.positions.length) / 3));
+      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffers.indices);
       gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, next.indices, gl.STATIC_DRAW);
       drawDepths(objects, asset, depthPx);
       if (asset.panoramas.size > 0) drawPanoramaDepths(objects, asset, depthPx);
@@ -120,7 +124,7 @@ export function createCaptureTextures(objects: GlObjects, document: CaptureDocum
       if (!asset.mesh) return;
       const baked = bakeColors(gl, asset, asset.mesh);
       gl.bindVertexArray(vertexArray);
-      setAttribute(1, colors, baked);
+      setAttribute(1, buffers.colors, baked);
       gl.bindVertexArray(null);
     },
     finish: () => {
@@ -135,7 +139,7 @@ export function createCaptureTextures(objects: GlObjects, document: CaptureDocum
       isDisposed = true;
       for (const texture of [photos, depths, cameras]) objects.deleteTexture(texture);
       objects.deleteVertexArray(vertexArray);
-      for (const buffer of [positions, indices, colors]) gl.deleteBuffer(buffer);
+      for (const buffer of Object.values(buffers)) gl.deleteBuffer(buffer);
     },
   };
 }

@@ -1,5 +1,6 @@
 import { CaptureError, type CaptureMeshFile, readCapture, readCaptureMesh } from '../../../../nodes/kit/capture.ts';
 import { type CaptureAsset, PHOTO_MISSING, PHOTO_REDUCED, PHOTO_WHOLE } from '../../../../nodes/kit/capture-asset.ts';
+import { captureSize } from '../../../../nodes/kit/capture-size.ts';
 import type { GlObjects } from '../../gl/gl-objects.ts';
 import { createCaptureTextures } from './capture-textures.ts';
 import { loadDepthMeshes } from './load-depth-meshes.ts';
@@ -8,6 +9,8 @@ export interface LoadedCapture extends CaptureAsset {
   dispose(): void;
 }
 
+/** Devices whose first pointer is a finger or a controller, and whose GPUs share their memory with all else. */
+const PHONES = '(pointer: coarse)';
 /** Photographs that are loaded before the mesh: as many as most pixels of an image need. */
 const VIEWS_BEFORE_MESH = 4;
 
@@ -16,6 +19,9 @@ const VIEWS_BEFORE_MESH = 4;
  *
  * A capture with a coarse mesh is shown as soon as that and one photograph are there. The other photographs follow, those that suit the eye
  * best first, each reduced at first. The mesh comes after the first few. In the end, the capture is the same as one that is loaded whole.
+ *
+ * On phones and headsets, a capture of a page takes at most `phoneGpuBytes`: photographs are smaller, depth meshes left out, or the mesh stays
+ * the coarse one.
  *
  * @param bytes `capture.json`.
  * @param path Its path, to which the other files are relative.
@@ -39,7 +45,12 @@ export async function loadCapture(
   if (views.length > layers) throw new CaptureError(`it has ${views.length} views, but the graphics of this device hold ${layers}`);
   const folder = path.slice(0, path.lastIndexOf('/') + 1);
   const file = (name: string): Promise<ArrayBuffer> => load(folder + name);
-  const textures = createCaptureTextures(objects, document);
+  const isOnPhone = document.phoneGpuBytes !== undefined && globalThis.matchMedia(PHONES).matches;
+  const size = captureSize(document, {
+    ...{ maxSidePx: objects.limits.maxTextureSizePx, depthMeshes },
+    mostBytes: isOnPhone ? document.phoneGpuBytes : undefined,
+  });
+  const textures = createCaptureTextures(objects, document, size);
   const disposals = [textures.dispose];
   let isShown = false;
   const capture: LoadedCapture = Object.assign(textures.asset, {
@@ -72,7 +83,7 @@ export async function loadCapture(
         bake();
       }
     }
-    if (coarseMesh?.file !== mesh.file) {
+    if (coarseMesh?.file !== mesh.file && size.wholeMesh) {
       await setMesh(mesh);
       if (isShown) bake();
     }
@@ -80,7 +91,8 @@ export async function loadCapture(
     if (isDisposed()) return capture;
     textures.finish();
     textures.bake();
-    if (depthMeshes) {
+    // Without any, it says so.
+    if (depthMeshes && (size.depthMeshes || !isOnPhone)) {
       const meshes = await loadDepthMeshes(objects, views, file);
       if (isDisposed()) meshes.dispose();
       else {

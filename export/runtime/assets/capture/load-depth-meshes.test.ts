@@ -45,6 +45,22 @@ test('joins the meshes of all views into one', async () => {
   expect(count()).toBe(0);
 });
 
+test('loads what is hidden into an array of its own, whose files have a color per vertex', async () => {
+  const { objects, count } = fakeObjects();
+  const hidden = { ...FILE, file: 'hidden-meshes/001.bin' };
+  const views = [view(FILE), { ...view({ ...FILE, file: 'depth-meshes/001.bin' }), hiddenMesh: hidden }];
+  const colored = (bytes: ArrayBuffer, colors: number): ArrayBuffer =>
+    Uint8Array.of(...new Uint8Array(bytes), ...new Array(colors).fill(9)).buffer;
+  const load = (colors: number) => async (file: string) => (file === hidden.file ? colored(meshOf(), colors) : meshOf());
+  const loaded = await loadDepthMeshes(objects, views, load(12));
+  expect(loaded.hidden?.views.map((each) => each && [each.firstIndex, each.indexCount])).toEqual([null, [0, 3]]);
+  expect(count()).toBe(2);
+  loaded.dispose();
+  expect(count()).toBe(0);
+  await expect(loadDepthMeshes(objects, views, load(8))).rejects.toThrow('hidden-meshes/001.bin has 44 bytes instead of 48');
+  expect(count()).toBe(0);
+});
+
 test.each<[string, () => ArrayBuffer, string]>([
   ['that was cut', () => meshOf().slice(0, 30), 'has 30 bytes instead of 36'],
   ['with a depth that is not a number', () => meshOf({ depth: Number.NaN }), 'a depth in depth-meshes/000.bin is not above 0'],

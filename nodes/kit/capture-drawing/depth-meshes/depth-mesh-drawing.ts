@@ -1,10 +1,19 @@
-import type { CaptureAsset } from '../../capture-asset.ts';
+import type { CaptureAsset, CaptureViewMeshes } from '../../capture-asset.ts';
 import { createCaptureUse } from '../../capture-glsl.ts';
 import { linkProgram } from '../../link-program.ts';
 import { setPassState } from '../../pass-state.ts';
 import { type CaptureDrawing, createCaptureDrawing } from '../capture-drawing.ts';
 import { createNearestViews } from '../nearest-views.ts';
-import { DEPTH_FRAGMENT, PLACE_VERTEX, RESOLVE_FRAGMENT, SCREEN_VERTEX, VIEW_FRAGMENT, VIEW_VERTEX } from './depth-mesh-shaders.ts';
+import {
+  DEPTH_FRAGMENT,
+  HIDDEN_FRAGMENT,
+  HIDDEN_VERTEX,
+  PLACE_VERTEX,
+  RESOLVE_FRAGMENT,
+  SCREEN_VERTEX,
+  VIEW_FRAGMENT,
+  VIEW_VERTEX,
+} from './depth-mesh-shaders.ts';
 import { createSumBuffer } from './sum-buffer.ts';
 
 /** Number of photographs whose depth meshes are drawn: the nearest ones to the eye. */
@@ -18,7 +27,7 @@ const SOFTNESS = 0.02;
  * Draws the depth meshes of the nearest photographs (Dupont de Dinechin and Paljic 2020, §3.2; Overbeck et al. 2018). The depth of all is
  * drawn first. Then each mesh is drawn a little nearer, so that whatever is close behind the nearest surface passes the depth test, and adds
  * its color with a weight. At the end the sum is divided by the weights, and gets the depth of the nearest surface. What none of these
- * meshes shows is drawn as a lumigraph, from more photographs.
+ * meshes shows is drawn as a lumigraph, from more photographs. What no photograph shows has the hidden meshes.
  *
  * @example
  * const drawing = createDepthMeshDrawing(gl, capture);
@@ -30,19 +39,27 @@ export function createDepthMeshDrawing(gl: WebGL2RenderingContext, capture: Capt
   const nearest = createNearestViews(capture, MOST_MESHES);
   const depth = { view: createStage(gl, VIEW_VERTEX, DEPTH_FRAGMENT), place: createStage(gl, PLACE_VERTEX, DEPTH_FRAGMENT) };
   const color = createStage(gl, VIEW_VERTEX, VIEW_FRAGMENT);
+  const hidden = depthMeshes?.hidden ? { meshes: depthMeshes.hidden, stage: createStage(gl, HIDDEN_VERTEX, HIDDEN_FRAGMENT) } : null;
   const rest = createCaptureDrawing(gl, capture, 'lumigraph', BLENDED);
   const resolve = linkProgram(gl, SCREEN_VERTEX, RESOLVE_FRAGMENT);
   const origin = gl.getUniformLocation(resolve, 'origin');
   const depthFactor = gl.getUniformLocation(resolve, 'depthFactor');
+  const hasHidden = gl.getUniformLocation(resolve, 'hasHidden');
   const sources = ['sum', 'depth'].map((name) => gl.getUniformLocation(resolve, name));
 
-  const drawMeshes = (stage: Stage, clipFromCapture: Float32Array, eye: Float32Array, nearer: number): void => {
-    if (!depthMeshes) return;
+  const drawMeshes = (
+    stage: Stage,
+    meshes: CaptureViewMeshes | null,
+    clipFromCapture: Float32Array,
+    eye: Float32Array,
+    nearer: number,
+  ): void => {
+    if (!meshes) return;
     stage.use(capture, clipFromCapture, eye, nearer);
-    gl.bindVertexArray(depthMeshes.vertexArray);
+    gl.bindVertexArray(meshes.vertexArray);
     for (let i = 0; i < nearest.count; i++) {
       const index = nearest.views[i] ?? 0;
-      const mesh = depthMeshes.views[index];
+      const mesh = meshes.views[index];
       if (!mesh) continue;
       gl.uniform1i(stage.view, index);
       gl.uniform2f(stage.mapSize, 2 * mesh.widthPx, 2 * mesh.heightPx);
@@ -62,6 +79,7 @@ export function createDepthMeshDrawing(gl: WebGL2RenderingContext, capture: Capt
     gl.useProgram(resolve);
     gl.uniform2i(origin, x, y);
     gl.uniform1f(depthFactor, factor);
+    gl.uniform1i(hasHidden, hidden ? 1 : 0);
     bindSource(gl, 0, buffer.sum, sources[0]);
     bindSource(gl, 1, buffer.depth, sources[1]);
     gl.bindVertexArray(null);
@@ -81,14 +99,23 @@ export function createDepthMeshDrawing(gl: WebGL2RenderingContext, capture: Capt
       gl.clearDepth(1);
       gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
       gl.colorMask(false, false, false, false);
-      drawMeshes(depth.view, clipFromCapture, eye, 0);
+      if (hidden) gl.depthRange(0, 0.5);
+      drawMeshes(depth.view, depthMeshes, clipFromCapture, eye, 0);
       drawPlace(clipFromCapture, eye);
       gl.colorMask(true, true, true, true);
       gl.depthMask(false);
       gl.enable(gl.BLEND);
       gl.blendEquation(gl.FUNC_ADD);
       gl.blendFunc(gl.ONE, gl.ONE);
-      drawMeshes(color, clipFromCapture, eye, SOFTNESS);
+      drawMeshes(color, depthMeshes, clipFromCapture, eye, SOFTNESS);
+      if (hidden) {
+        gl.disable(gl.BLEND);
+        gl.depthMask(true);
+        // Behind all else, so that they show only where nothing is.
+        gl.depthRange(0.5, 1);
+        drawMeshes(hidden.stage, hidden.meshes, clipFromCapture, eye, 0);
+        gl.depthRange(0, 1);
+      }
 
       setPassState(gl, framebuffer, null, x, y, widthPx, heightPx);
       // At first as near as possible, so that the lumigraph costs only what the depth meshes leave.
@@ -106,7 +133,7 @@ export function createDepthMeshDrawing(gl: WebGL2RenderingContext, capture: Capt
     dispose: () => {
       buffer.dispose();
       rest.dispose();
-      for (const { program } of [depth.view, depth.place, color]) gl.deleteProgram(program);
+      for (const { program } of [depth.view, depth.place, color, ...(hidden ? [hidden.stage] : [])]) gl.deleteProgram(program);
       gl.deleteProgram(resolve);
     },
   };

@@ -20,10 +20,12 @@ vec4 clipOf(vec3 at) {
 }
 `;
 
-/** Draws a depth mesh, whose vertices are pixels of the map of a view. */
-export const VIEW_VERTEX = /* glsl */ `${HEAD}${CAPTURE_GLSL}${NEARER}
+/** Draws a depth mesh, whose vertices are pixels of the map of a view; a hidden mesh with colors. */
+function viewVertex(colored: boolean): string {
+  return /* glsl */ `${HEAD}${CAPTURE_GLSL}${NEARER}
 layout(location = 0) in uvec2 place;
 layout(location = 1) in float depthM;
+${colored ? 'layout(location = 2) in vec4 color;\nout vec3 plainColor;' : ''}
 uniform int view;
 /** Twice the size of the map. */
 uniform vec2 mapSize;
@@ -31,7 +33,18 @@ void main() {
   vec2 uv = vec2(place) / mapSize;
   point = pointSeenBy(view, vec2(uv.x, 1.0 - uv.y), depthM);
   gl_Position = clipOf(point);
+  ${colored ? 'plainColor = color.rgb;' : ''}
 }`;
+}
+
+export const VIEW_VERTEX = viewVertex(false);
+export const HIDDEN_VERTEX = viewVertex(true);
+
+/** Writes the color of a hidden mesh with a weight of 1. */
+export const HIDDEN_FRAGMENT = /* glsl */ `${HEAD}
+in vec3 plainColor;
+out vec4 color;
+void main() { color = vec4(plainColor, 1.0); }`;
 
 /** Draws the mesh of the place. */
 export const PLACE_VERTEX = /* glsl */ `${HEAD}${NEARER}
@@ -73,17 +86,23 @@ void main() {
   gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0);
 }`;
 
-/** Divides the sum by its weight, and writes a factor times the depth of the nearest surface. */
+/**
+ * Divides the sum by its weight, and writes a factor times the depth of the nearest surface. Where hidden meshes are drawn, they have the
+ * farther half of all depths.
+ */
 export const RESOLVE_FRAGMENT = /* glsl */ `${HEAD}
 uniform highp sampler2D sum;
 uniform highp sampler2D depth;
 uniform ivec2 origin;
 uniform float depthFactor;
+uniform bool hasHidden;
 out vec4 color;
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy) - origin;
   vec4 added = texelFetch(sum, at, 0);
   if (added.a <= 0.0) discard;
   color = vec4(added.rgb / added.a, 1.0);
-  gl_FragDepth = depthFactor * texelFetch(depth, at, 0).r;
+  float window = texelFetch(depth, at, 0).r;
+  if (hasHidden) window = 2.0 * window - (window < 0.5 ? 0.0 : 1.0);
+  gl_FragDepth = depthFactor * window;
 }`;
