@@ -44,8 +44,9 @@ float besideTop(const in vec3 faces, const in float pixelM) {
 }
 
 vec4 surface(const in Surface s) {
-  // The wall is the side of the bounding box that the surface faces most.
-  vec3 faces = abs(s.restNormal);
+  // The wall is the side of the bounding box that the surface faces most. Slopes belong to the walls up to 52 degrees from the vertical:
+  // rows that are 1.6 times as high there disturb less than small patches of the top.
+  vec3 faces = abs(s.restNormal) * vec3(1.0, 0.78, 1.0);
   bool isTop = faces.y > max(faces.x, faces.z);
   bool isEnd = !isTop && faces.x > faces.z;
   vec3 along = isEnd ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
