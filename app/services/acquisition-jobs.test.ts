@@ -35,7 +35,10 @@ async function open() {
   /** A gray wall at this distance. */
   const add = (index: number, meters: number) =>
     window.call('capture.add', {
-      ...{ handle, index, colorSize: SIZE, depthSize: SIZE },
+      handle,
+      index,
+      colorSize: SIZE,
+      depthSize: SIZE,
       rgba: new Uint8Array(4 * SIDE * SIDE).fill(meters > 0 ? 255 : 0),
       meters: new Uint8Array(new Float32Array(SIDE * SIDE).fill(meters).buffer),
     });

@@ -97,7 +97,12 @@ export function createAcquisitionJobs(files: FileLayer): AcquisitionJobs {
         if (writer.empty.length === writer.views.length) throw refusal('SCR069', 'No photograph shows anything.', NOTHING_FIX);
         await writer.finish();
         return await packCapture({
-          ...{ folder, root, name, files, say, interrupted: canceled.signal },
+          folder,
+          root,
+          name,
+          files,
+          say,
+          interrupted: canceled.signal,
           maxSidePx: Math.max(job.camera.widthPx, job.camera.heightPx),
           up: '+y',
           metersPerUnit: 1,

@@ -34,7 +34,10 @@ export function createFrameRender(send: (message: FromPreview, transfer?: Transf
     const { program, video, widthPx, heightPx } = request;
     const gate = createLayerGate();
     const { canvas, gl, player } = await openHeldPlayer({
-      ...{ request, widthPx, heightPx, gate },
+      request,
+      widthPx,
+      heightPx,
+      gate,
       onDiagnostics: (diagnostics) => {
         problems = diagnostics;
       },

@@ -35,7 +35,10 @@ export function createPhotographs(send: (message: FromPreview, transfer?: Transf
     const gate = createLayerGate();
     gate.show({ left: request.layer, right: null, probed: null }, null);
     const { canvas, gl, player } = await openHeldPlayer({
-      ...{ request, gate, widthPx: FIRST_SIDE_PX, heightPx: FIRST_SIDE_PX },
+      request,
+      gate,
+      widthPx: FIRST_SIDE_PX,
+      heightPx: FIRST_SIDE_PX,
       onDiagnostics: (diagnostics) => {
         problems = diagnostics;
       },

@@ -29,13 +29,22 @@ export async function load(vertexCount: number, depthTriangles: number, isWindow
   const coarse = bumpyBall(2000);
   const grid = depthGrid(depthTriangles);
   const views = Array.from({ length: VIEWS }, (_, view) => ({
-    ...{ file: `${view}.png`, ...MAP, fxPx: 1400, fyPx: 1400, cxPx: 800, cyPx: 600 },
+    file: `${view}.png`,
+    ...MAP,
+    fxPx: 1400,
+    fyPx: 1400,
+    cxPx: 800,
+    cyPx: 600,
     worldFromCamera: [...poseTowardsMiddle([3 * Math.sin(view), 1, 3 * Math.cos(view)])],
     depthMesh: { file: `${view}.bin`, ...MAP, ...grid.counts },
   }));
   const document: CaptureDocument = {
-    ...{ format: 'scrim-capture', version: 2, mesh: { file: 'mesh.bin', ...meshCounts(mesh) }, views },
-    ...{ coarseMesh: { file: 'coarse.bin', ...meshCounts(coarse) }, phoneGpuBytes: PHONE_CAPTURE_GPU_BYTES },
+    format: 'scrim-capture',
+    version: 2,
+    mesh: { file: 'mesh.bin', ...meshCounts(mesh) },
+    views,
+    coarseMesh: { file: 'coarse.bin', ...meshCounts(coarse) },
+    phoneGpuBytes: PHONE_CAPTURE_GPU_BYTES,
   };
   const photo = await pattern(1);
   const files: Readonly<Record<string, Uint8Array>> = { 'mesh.bin': captureMeshFile(mesh), 'coarse.bin': captureMeshFile(coarse) };

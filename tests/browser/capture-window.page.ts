@@ -79,7 +79,12 @@ export async function run(vertexCount: number, views: number, frames: number, bl
   const leaks = tracked.report();
   tracked.stop();
   return {
-    ...{ frames: run, lastFeedbacks, viewsAreExact, psnrDb, leaks, error },
+    frames: run,
+    lastFeedbacks,
+    viewsAreExact,
+    psnrDb,
+    leaks,
+    error,
     vertexCount: (asset.mesh?.positions.length ?? 0) / 3,
     shown: pictureUrl(truth, widthPx, heightPx),
   };

@@ -30,8 +30,16 @@ describeWithData('a 360° photograph with depth', 'panoramas/rgbd360', (folder) 
   test('shows the place from an eye beside its camera nearly as well as from the camera', async () => {
     await writeProject(base, { 'project.scrim.json': projectText({ nodes: { 'screen-a1': 'output/screen' }, wires: [] }) });
     const imported = await importCapture({
-      ...{ folder, root: base, name: 'gallery', maxSidePx: 1600, up: null, metersPerUnit: 1, known: UNKNOWN_SIZE },
-      ...{ depth: { from: null, unit: null, kind: null }, files: NODE_FILES, say: () => {} },
+      folder,
+      root: base,
+      name: 'gallery',
+      maxSidePx: 1600,
+      up: null,
+      metersPerUnit: 1,
+      known: UNKNOWN_SIZE,
+      depth: { from: null, unit: null, kind: null },
+      files: NODE_FILES,
+      say: () => {},
       interrupted: new AbortController().signal,
     });
     expect(imported).toMatchObject({ form: 'one 360° photograph', depth: { unit: 'mm', kind: 'ray', count: 1 }, diagnostics: [] });

@@ -21,7 +21,10 @@ async function slowDown(page: Page): Promise<void> {
   await session.send('Network.enable');
   await session.send('Network.setCacheDisabled', { cacheDisabled: true });
   await session.send('Network.emulateNetworkConditions', {
-    ...{ offline: false, latency: 100, downloadThroughput: 200_000, uploadThroughput: 200_000 },
+    offline: false,
+    latency: 100,
+    downloadThroughput: 200_000,
+    uploadThroughput: 200_000,
   });
 }
 
@@ -33,12 +36,24 @@ describeWithData('the page of a captured living room', 'captures/icl-livingroom'
     const base = await mkdtemp(join(tmpdir(), 'scrim-streaming-'));
     await writeProject(base, { 'project.scrim.json': projectText({ nodes: { 'screen-a1': 'output/screen' }, wires: [] }) });
     const { path, asset } = await importCapture({
-      ...{ folder, root: base, name: 'room', maxSidePx: 320, up: null, metersPerUnit: 1, known: UNKNOWN_SIZE },
-      ...{ depth: { from: 'none', unit: null, kind: null }, files: NODE_FILES, say: () => {} },
+      folder,
+      root: base,
+      name: 'room',
+      maxSidePx: 320,
+      up: null,
+      metersPerUnit: 1,
+      known: UNKNOWN_SIZE,
+      depth: { from: 'none', unit: null, kind: null },
+      files: NODE_FILES,
+      say: () => {},
       interrupted: new AbortController().signal,
     });
     const { output } = await prepareAssets([{ id: asset, kind: 'capture', path }], {
-      ...{ root: resolve('.'), compress: true, cache: null, streams: true, say: () => {} },
+      root: resolve('.'),
+      compress: true,
+      cache: null,
+      streams: true,
+      say: () => {},
       readAsset: (file) => readFile(join(base, file)),
     });
     const [prepared] = output?.assets ?? [];

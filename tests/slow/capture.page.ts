@@ -95,7 +95,8 @@ export function draw(gl: WebGL2RenderingContext, capture: LoadedCapture, method:
   const handle = { kind: 'capture', value: capture, settled: Promise.resolve(), release: () => {} } as const;
   const service = { capture: () => handle } as Partial<AssetService> as AssetService;
   const params = {
-    ...{ file: 'place', method: method.replace(' without occlusion', '').replace(' per vertex', '') },
+    file: 'place',
+    method: method.replace(' without occlusion', '').replace(' per vertex', ''),
     updateFrames: method === 'lumigraph per vertex' ? 1 : 0,
   };
   const node = create(fakeContext(definition, { params, services: { gl, assets: service } }).ctx);

@@ -36,7 +36,9 @@ const jobFor = (folder: string): CaptureJob => ({
     known: UNKNOWN_SIZE,
     depth: { ...DEPTH, from: 'mesh' },
   },
-  ...{ files: NODE_FILES, say: () => {}, interrupted: new AbortController().signal },
+  files: NODE_FILES,
+  say: () => {},
+  interrupted: new AbortController().signal,
 });
 
 let small: ImportedCapture | null = null;
@@ -137,8 +139,12 @@ describeWithData('a captured living room', 'captures/icl-livingroom', (folder) =
       const robot = await take(ROBOT, ...ROBOT_WIRES, 'scene-a1.layer -> screen-a1.layer');
       const both = await take(
         {
-          ...{ ...place, ...ROBOT, 'mesh-a1': ['source/capture-mesh', { file: 'room' }], 'shadow-a1': 'layer/shadow' },
-          ...{ 'under-a1': 'operator/over', 'over-a1': 'operator/over' },
+          ...place,
+          ...ROBOT,
+          'mesh-a1': ['source/capture-mesh', { file: 'room' }],
+          'shadow-a1': 'layer/shadow',
+          'under-a1': 'operator/over',
+          'over-a1': 'operator/over',
         },
         ...[...ROBOT_WIRES, 'mesh-a1.objects -> scene-a1.objects', 'mesh-a1.objects -> shadow-a1.receivers'],
         ...['stand-a1.objects -> shadow-a1.casters', 'sun-a1.lights -> shadow-a1.lights', 'shadow-a1.layer -> under-a1.top'],

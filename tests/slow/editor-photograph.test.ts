@@ -102,10 +102,19 @@ test('photographs of a scene become a capture, which a node shows', async () => 
   await dialog.getByRole('combobox', { name: 'Layer' }).selectOption('scene-aaaa.layer');
 
   await fill({
-    ...{ 'Name of the capture': 'Red box', Number: '6', 'Center (m) x': '0', 'Center (m) y': '0.2', 'Center (m) z': '-2' },
-    ...{ 'Diameters (m) x': '3', 'Diameters (m) y': '2', 'Diameters (m) z': '3', 'Field of view (°)': '40' },
-    ...{ 'Heights above the center (°) from': '20', 'Heights above the center (°) to': '60' },
-    ...{ 'Size (pixels) width': '160', 'Size (pixels) height': '120' },
+    'Name of the capture': 'Red box',
+    Number: '6',
+    'Center (m) x': '0',
+    'Center (m) y': '0.2',
+    'Center (m) z': '-2',
+    'Diameters (m) x': '3',
+    'Diameters (m) y': '2',
+    'Diameters (m) z': '3',
+    'Field of view (°)': '40',
+    'Heights above the center (°) from': '20',
+    'Heights above the center (°) to': '60',
+    'Size (pixels) width': '160',
+    'Size (pixels) height': '120',
   });
   const isShown = () => dialog.locator('.photograph-preview[aria-busy="false"]').waitFor();
   await isShown();

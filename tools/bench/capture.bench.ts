@@ -28,7 +28,10 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
   const measured = (name: string, unit: Bench['unit'], sample: () => Promise<number>): Bench => {
     users++;
     return {
-      ...{ name, unit, samples: SAMPLES, sample },
+      name,
+      unit,
+      samples: SAMPLES,
+      sample,
       dispose: async () => {
         if (--users === 0) await (await opened)?.close();
       },

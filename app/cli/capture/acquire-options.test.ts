@@ -8,16 +8,23 @@ const call = (...args: string[]) => parseCall(acquireCommand, ['project', ...arg
 test('reads the cameras that the options describe', () => {
   expect(readPlaces(call('--shape', 'grid', '--count', '3x1x2', '--extent', '2,0,4', '--center', '0,1.6,-1', '--yaw', '90'))).toMatchObject(
     {
-      ...{ shape: 'grid', counts: [3, 1, 2], extentM: [2, 0, 4], centerM: [0, 1.6, -1] },
+      shape: 'grid',
+      counts: [3, 1, 2],
+      extentM: [2, 0, 4],
+      centerM: [0, 1.6, -1],
       yawRad: Math.PI / 2,
     },
   );
   expect(readPlaces(call('--count', '42', '--extent', '1.5', '--elevation=-30..60'))).toMatchObject({
-    ...{ shape: 'outside-in', counts: [42, 1, 1], extentM: [1.5, 1.5, 1.5] },
+    shape: 'outside-in',
+    counts: [42, 1, 1],
+    extentM: [1.5, 1.5, 1.5],
     elevationRad: [-Math.PI / 6, Math.PI / 3],
   });
   expect(readCamera(call('--size', '640x480', '--fov', '90'))).toEqual({
-    ...{ projection: 'perspective', widthPx: 640, heightPx: 480 },
+    projection: 'perspective',
+    widthPx: 640,
+    heightPx: 480,
     fovYRad: Math.PI / 2,
   });
   expect(readCamera(call('--around'))).toEqual({ projection: 'equirectangular', widthPx: 2048, heightPx: 1024 });

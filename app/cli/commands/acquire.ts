@@ -62,7 +62,14 @@ export const acquireCommand: Command = {
         };
         const acquisition = createAcquisitionWriter(write, { camera, poses, depthFormat });
         const problems = await acquireViews({
-          ...{ root: installation.root, projectRoot: compiled.root, program, tap, camera, poses, say, interrupted },
+          root: installation.root,
+          projectRoot: compiled.root,
+          program,
+          tap,
+          camera,
+          poses,
+          say,
+          interrupted,
           sourceOf: (file) => compiled.files.sources[file.replace(/^shaders\//, '')] ?? LIBRARY.shader(file),
           onPhotograph: acquisition.add,
         });

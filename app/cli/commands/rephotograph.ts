@@ -63,7 +63,13 @@ export const rephotographCommand: Command = {
           return path;
         };
         await rephotographViews({
-          ...{ root: installation.root, folder, methods, blended, keepsPictures: true, say, interrupted },
+          root: installation.root,
+          folder,
+          methods,
+          blended,
+          keepsPictures: true,
+          say,
+          interrupted,
           onView: async (index, shots) => {
             // 360° photographs are not rendered, but serve the others.
             if (shots.length === 0) return;

@@ -48,7 +48,10 @@ test('a tool is found by an option, by its setting, or in PATH; an absent one is
 /** Runs Node as a tool. */
 const run = (script: string, args: readonly string[], more: Partial<Parameters<typeof runTool>[0]> = {}) =>
   runTool({
-    ...{ tool: process.execPath, args: ['-e', script, '--', ...args], log: join(base, 'log'), onLine: () => {} },
+    tool: process.execPath,
+    args: ['-e', script, '--', ...args],
+    log: join(base, 'log'),
+    onLine: () => {},
     interrupted: new AbortController().signal,
     ...more,
   });

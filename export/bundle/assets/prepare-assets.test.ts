@@ -170,8 +170,10 @@ describe('a capture', () => {
     const hiddenMesh = { file: 'hidden-meshes/000-hidden.bin', ...counts };
     const withMeshes = { ...document, version: 3, views: [{ ...view, depthMesh, hiddenMesh }] };
     const more: typeof files = {
-      ...{ ...files, 'capture.json': Buffer.from(JSON.stringify(withMeshes)) },
-      ...{ '000.bin': Buffer.alloc(36), '000-hidden.bin': Buffer.alloc(48) },
+      ...files,
+      'capture.json': Buffer.from(JSON.stringify(withMeshes)),
+      '000.bin': Buffer.alloc(36),
+      '000-hidden.bin': Buffer.alloc(48),
     };
     const read = async (path: string) => more[path.slice(path.lastIndexOf('/') + 1)] ?? new Uint8Array();
     const drawn = await prepare({ readAsset: read, streams: false }, [{ ...place, depthMeshes: true }]);

@@ -261,7 +261,8 @@ function prepare(
     form,
     fileBytes: { before: fileBytes, after: others.reduce((sum, other) => sum + other.bytes.length, bytes.length) },
     gpuBytes: {
-      ...{ before: gpu(original), after: gpu(bytes) },
+      before: gpu(original),
+      after: gpu(bytes),
       ...(capture ? { onPhones: captureGpu(capture.phoneGpuBytes) } : {}),
     },
   };

@@ -1,7 +1,8 @@
 import { ACQUISITION_DEFAULTS, FOV_DEG } from '../../../export/captures/acquire/acquisition-defaults.ts';
 import { type CameraPlaces, cameraPoses } from '../../../export/captures/acquire/camera-places.ts';
 import type { AcquiredCamera } from '../../../export/captures/acquire/write-transforms.ts';
-import { CAPTURE_LIMITS, captureSize } from '../../../nodes/kit/capture.ts';
+import { CAPTURE_LIMITS } from '../../../nodes/kit/capture.ts';
+import { captureSize } from '../../../nodes/kit/capture-size.ts';
 
 type Texts = readonly [x: string, y: string, z: string];
 
@@ -106,7 +107,11 @@ export function readForm(form: AcquisitionForm): ReadForm {
   const camera = readCamera(form, errors);
   if (camera === null || Object.keys(errors).length > 0) return { plan: null, errors };
   const places: CameraPlaces = {
-    ...{ shape: form.shape, counts, centerM, extentM, yawRad: yawDeg * RAD },
+    shape: form.shape,
+    counts,
+    centerM,
+    extentM,
+    yawRad: yawDeg * RAD,
     elevationRad: [lowest * RAD, highest * RAD],
   };
   return { plan: { name, camera, poses: cameraPoses(places, camera.projection === 'equirectangular') }, errors };
@@ -164,8 +169,8 @@ const MAX_TEXTURE_PX = 4096;
 export function photographsGpuBytes({ camera: { widthPx, heightPx }, poses }: AcquisitionPlan): number {
   const view = { widthPx, heightPx, file: '', fxPx: 1, fyPx: 1, cxPx: 0, cyPx: 0 };
   const views = poses.map((worldFromCamera) => ({ ...view, worldFromCamera }));
-  return captureSize({ format: 'scrim-capture', version: 1, mesh: { file: '', vertexCount: 0, triangleCount: 0 }, views }, MAX_TEXTURE_PX)
-    .gpuBytes;
+  const mesh = { file: '', vertexCount: 0, triangleCount: 0 };
+  return captureSize({ format: 'scrim-capture', version: 1, mesh, views }, { maxSidePx: MAX_TEXTURE_PX, depthMeshes: false }).gpuBytes;
 }
 
 function three([x, y, z]: Texts): readonly [number, number, number] {

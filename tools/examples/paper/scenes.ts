@@ -1,6 +1,17 @@
 import { WORLD_IN_THE_BOOK } from './book-recipe.ts';
 import type { Recipe, RecipeNode } from './recipe.ts';
-import { ELEPHANT, elephantAndRobot, PAIR, PAIR_WIRES, PHANTOM_WIRES, phantoms, ROBOT, ROBOT_WIRES, robotOnRug, WINDOW_LIGHT } from './room.ts';
+import {
+  ELEPHANT,
+  elephantAndRobot,
+  PAIR,
+  PAIR_WIRES,
+  PHANTOM_WIRES,
+  phantoms,
+  ROBOT,
+  ROBOT_WIRES,
+  robotOnRug,
+  WINDOW_LIGHT,
+} from './room.ts';
 
 const EDGES = { strength: 8, lineColor: [0.1, 0.08, 0.06, 1], paperColor: [0.97, 0.95, 0.9, 1] } as const;
 const MODEL_SCENE = {

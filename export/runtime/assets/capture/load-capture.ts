@@ -47,7 +47,8 @@ export async function loadCapture(
   const file = (name: string): Promise<ArrayBuffer> => load(folder + name);
   const isOnPhone = document.phoneGpuBytes !== undefined && globalThis.matchMedia(PHONES).matches;
   const size = captureSize(document, {
-    ...{ maxSidePx: objects.limits.maxTextureSizePx, depthMeshes },
+    maxSidePx: objects.limits.maxTextureSizePx,
+    depthMeshes,
     mostBytes: isOnPhone ? document.phoneGpuBytes : undefined,
   });
   const textures = createCaptureTextures(objects, document, size);

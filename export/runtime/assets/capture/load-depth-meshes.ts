@@ -33,7 +33,9 @@ export async function loadDepthMeshes(
     const files = views.map(({ hiddenMesh }) => hiddenMesh);
     const hidden = files.some((file) => file !== undefined) ? await of(files, true) : null;
     return {
-      ...{ vertexArray: seen.vertexArray, views: seen.views, hidden },
+      vertexArray: seen.vertexArray,
+      views: seen.views,
+      hidden,
       dispose: () => {
         seen.dispose();
         hidden?.dispose();

@@ -75,8 +75,12 @@ export function createWindowedDrawing(
   };
   const add = (of: CaptureMesh): KeptWeights => {
     const weights: KeptWeights = {
-      ...{ lists: gl.createBuffer(), vertexArray: gl.createVertexArray(), window: createVertexWindow(1, 1) },
-      ...{ eye: new Float32Array(3).fill(Number.NaN), views: new Int32Array(MOST_VIEWS), viewCount: 0 },
+      lists: gl.createBuffer(),
+      vertexArray: gl.createVertexArray(),
+      window: createVertexWindow(1, 1),
+      eye: new Float32Array(3).fill(Number.NaN),
+      views: new Int32Array(MOST_VIEWS),
+      viewCount: 0,
     };
     const { positions, colors, indices } = capture.buffers;
     gl.bindVertexArray(weights.vertexArray);
