@@ -81,7 +81,7 @@ export function createFakeHost(
       ok: true,
       out,
       diagnostics: [],
-      report: { files: 1, bytes: { raw: 2000, gzip: 1000 }, assets: [], parts: [{ kind: 'page', raw: 2000, gzip: 1000 }], devices: [] },
+      report: { files: 1, bytes: { raw: 2000, gzip: 1000 }, assets: [], parts: [{ kind: 'page', raw: 2000, gzip: 1000 }], note: null, devices: [] },
     }),
     'export.show': () => ({ url: 'http://127.0.0.1:2/', opened: false }),
     'export.cancel': () => ({}),
