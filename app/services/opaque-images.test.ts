@@ -28,7 +28,7 @@ test('images without transparency are found, whatever their files are called', a
   await write('photo.webp', 3, (image) => image.webp());
   await write('clear.webp', 4, (image) => image.webp());
   await writeFile(join(root, 'all-ones.png'), await sharp(join(root, 'plain.png')).ensureAlpha(1).png().toBuffer());
-  await writeFile(join(root, 'deep.png'), await sharp(join(root, 'plain.png')).ensureAlpha(1).toColourspace('rgb16').png().toBuffer());
+  await writeFile(join(root, 'deep.png'), await sharp(join(root, 'plain.png')).ensureAlpha(1).toColorspace('rgb16').png().toBuffer());
   // A PNG file by another name.
   await write('wrong.jpg', 4, (image) => image.png());
   await writeFile(join(root, 'cut.png'), Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'));
