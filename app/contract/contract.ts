@@ -115,6 +115,8 @@ const exportReport = z.object({
   assets: z.array(z.object({ path: z.string(), bytes: z.number(), gpuBytes: z.number() })),
   /** Sizes by kind of file, largest first. */
   parts: z.array(z.object({ kind: z.string(), ...sizes.shape })),
+  /** Why the page offers no session to enter, or would offer none with other files; null if neither. */
+  note: z.string().nullable(),
   /** How the page plays on each kind of device. */
   devices: z.array(
     z.object({

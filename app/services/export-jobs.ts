@@ -40,7 +40,7 @@ export function createExportJobs(): ExportJobs {
   };
 }
 
-function extractOf({ files, bytes, assets, devices }: ExportReport): ExportedReport {
+function extractOf({ files, bytes, assets, note, devices }: ExportReport): ExportedReport {
   const { byKind, raw, gzip } = bytes;
   return {
     files: files.length,
@@ -49,6 +49,7 @@ function extractOf({ files, bytes, assets, devices }: ExportReport): ExportedRep
     parts: Object.entries(byKind)
       .map(([kind, sizes]) => ({ kind, ...sizes }))
       .sort((a, b) => b.gzip - a.gzip),
+    note,
     devices: devices.map(({ title, tier, display, worthless, lost, unseen }) => ({
       title,
       tier,

@@ -18,7 +18,7 @@ async function write(path: string, channels: 3 | 4, encode: (image: Sharp) => Sh
   await writeFile(join(root, path), await encode(image).toBuffer());
 }
 
-test('JPEG files and PNG files without alpha are opaque', async () => {
+test('images without transparency are found, whatever their files are called', async () => {
   await write('photo.jpg', 3, (image) => image.jpeg());
   await write('plain.png', 3, (image) => image.png());
   await write('gray.png', 3, (image) => image.grayscale().png());
@@ -26,6 +26,9 @@ test('JPEG files and PNG files without alpha are opaque', async () => {
   await write('alpha.png', 4, (image) => image.png());
   await write('clear-palette.png', 4, (image) => image.png({ palette: true }));
   await write('photo.webp', 3, (image) => image.webp());
+  await write('clear.webp', 4, (image) => image.webp());
+  await writeFile(join(root, 'all-ones.png'), await sharp(join(root, 'plain.png')).ensureAlpha(1).png().toBuffer());
+  await writeFile(join(root, 'deep.png'), await sharp(join(root, 'plain.png')).ensureAlpha(1).toColorspace('rgb16').png().toBuffer());
   // A PNG file by another name.
   await write('wrong.jpg', 4, (image) => image.png());
   await writeFile(join(root, 'cut.png'), Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'));
@@ -36,6 +39,9 @@ test('JPEG files and PNG files without alpha are opaque', async () => {
     'palette.png',
     'alpha.png',
     'clear-palette.png',
+    'all-ones.png',
+    'deep.png',
+    'clear.webp',
     'photo.webp',
     'wrong.jpg',
     'cut.png',
@@ -46,5 +52,8 @@ test('JPEG files and PNG files without alpha are opaque', async () => {
     'plain.png',
     'gray.png',
     'palette.png',
+    'all-ones.png',
+    'deep.png',
+    'photo.webp',
   ]);
 });

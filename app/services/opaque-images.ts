@@ -1,6 +1,7 @@
+import { decode } from 'fast-png';
 import type { Asset } from '../../export/graph/project.ts';
 import { resolveInside } from './confine.ts';
-import { openFile } from './read-file.ts';
+import { openFile, readBytes } from './read-file.ts';
 
 /** Bytes in which the chunks before the pixels of a PNG file are looked for. */
 const HEAD_BYTES = 65_536;
@@ -10,9 +11,16 @@ const FIRST_CHUNK = 8;
 /** Color types with an alpha channel (PNG specification, section 11.2.1). */
 const WITH_ALPHA: readonly number[] = [4, 6];
 
+/** The largest PNG file whose pixels are looked at, bytes. A larger one with an alpha channel counts as transparent. */
+const MAX_DECODED_BYTES = 16 * 2 ** 20;
+/** Where a WebP file names its first chunk, and the flags of an extended file (WebP Container Specification). */
+const WEBP_CHUNK = 12;
+const WEBP_FLAGS = 20;
+const WEBP_ALPHA = 0x10;
+
 /**
- * Finds the images of a project that have no transparency: JPEG files, and PNG files without alpha channel and `tRNS` chunk. An image that
- * cannot be read is not among them.
+ * Finds the images of a project that have no transparency: JPEG files, lossy WebP files without alpha, and PNG files without alpha channel
+ * and `tRNS` chunk, or with an alpha channel that is 1 in each pixel. An image that cannot be read is not among them.
  *
  * @param root Folder of the project.
  * @returns Ids of the assets.
@@ -22,7 +30,7 @@ export async function findOpaqueImages(root: string, assets: Readonly<Record<str
     Object.entries(assets).map(async ([id, { kind, path }]) => {
       if (kind !== 'image') return [];
       try {
-        return isOpaque(await readHead(await resolveInside(root, path))) ? [id] : [];
+        return (await isOpaque(await resolveInside(root, path))) ? [id] : [];
       } catch {
         // `checkAssets` reports it.
         return [];
@@ -43,14 +51,33 @@ async function readHead(path: string): Promise<Buffer> {
   }
 }
 
-function isOpaque(head: Buffer): boolean {
+async function isOpaque(path: string): Promise<boolean> {
+  const head = await readHead(path);
   if (head.length > 2 && head.readUInt16BE(0) === 0xffd8) return true;
-  if (head.toString('latin1', 0, FIRST_CHUNK) !== PNG_SIGNATURE) return false;
-  if (head.length <= PNG_COLOR_TYPE || WITH_ALPHA.includes(head[PNG_COLOR_TYPE] ?? 0)) return false;
+  if (head.toString('latin1', 8, WEBP_CHUNK) === 'WEBP') return isOpaqueWebP(head);
+  if (head.toString('latin1', 0, FIRST_CHUNK) !== PNG_SIGNATURE || head.length <= PNG_COLOR_TYPE) return false;
+  return WITH_ALPHA.includes(head[PNG_COLOR_TYPE] ?? 0) ? hasOpaquePixels(path) : !hasTransparentColor(head);
+}
+
+function isOpaqueWebP(head: Buffer): boolean {
+  const chunk = head.toString('latin1', WEBP_CHUNK, WEBP_CHUNK + 4);
+  return chunk === 'VP8 ' || (chunk === 'VP8X' && ((head[WEBP_FLAGS] ?? WEBP_ALPHA) & WEBP_ALPHA) === 0);
+}
+
+/** Whether the `tRNS` chunk of a PNG file comes before the pixels, or the pixels do not begin in what was read. */
+function hasTransparentColor(head: Buffer): boolean {
   for (let at = FIRST_CHUNK; at + 8 <= head.length; at += 12 + head.readUInt32BE(at)) {
     const type = head.toString('latin1', at + 4, at + 8);
-    if (type === 'tRNS') return false;
-    if (type === 'IDAT') return true;
+    if (type === 'tRNS') return true;
+    if (type === 'IDAT') return false;
   }
-  return false;
+  return true;
+}
+
+/** Whether the last channel of a PNG file is 1 in each pixel, as in files of programs that always write one. */
+async function hasOpaquePixels(path: string): Promise<boolean> {
+  const { data, channels, depth } = decode(await readBytes(path, MAX_DECODED_BYTES));
+  const most = 2 ** depth - 1;
+  for (let i = channels - 1; i < data.length; i += channels) if (data[i] !== most) return false;
+  return true;
 }

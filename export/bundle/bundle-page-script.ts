@@ -2,7 +2,7 @@ import { readFile } from 'node:fs/promises';
 import { basename, dirname, resolve } from 'node:path';
 import { build, type Metafile, type Plugin } from 'esbuild';
 import { leaveOut } from './optional-parts.ts';
-import { type PageUse, pageEntry, SESSIONS_MODULE, SHARED, sessionsEntry, sharedModule } from './page-entry.ts';
+import { entersSessions, type PageUse, pageEntry, SESSIONS_MODULE, SHARED, sessionsEntry, sharedModule } from './page-entry.ts';
 import { shrink } from './shrink/shrink-plugin.ts';
 
 export interface Script {
@@ -14,7 +14,7 @@ export interface Script {
 /** The scripts of a page. */
 export interface Scripts {
   readonly page: Script;
-  /** The sessions that a visitor enters; null if `page` contains them. */
+  /** The sessions that a visitor enters; null if `page` contains them, or there are none. */
   readonly sessions: Script | null;
 }
 
@@ -35,7 +35,7 @@ export async function bundleScripts(root: string, use: PageUse, { wholeThree = f
   const plugins = [sessionsModule(root, use), leaveOut(root, use), ...(wholeThree ? [] : [shrink(root, use)])];
   const [page, sessions] = await Promise.all([
     bundle(root, plugins, { contents: pageEntry(use), sourcefile: 'page.ts' }, 'iife'),
-    use.singleFile
+    use.singleFile || !entersSessions(use)
       ? null
       : bundle(root, [sharedModules(root), ...plugins], { contents: sessionsEntry(use), sourcefile: 'sessions.ts' }, 'esm'),
   ]);

@@ -74,7 +74,10 @@ const IMAGE_ONLY: Program = {
     { capability: 'depth', required: false, nodes: ['a-1'], why: 'to hide things', without: 'nothing is hidden' },
     { capability: 'camera-image', required: true, nodes: ['b-1'], why: 'to tint it', without: 'nothing' },
   ],
-  tiers: [],
+  tiers: [
+    { id: 'ar-camera', without: [] },
+    { id: 'orbit', without: [] },
+  ],
   taps: { 'flat-b2.out': { color: 'picture-a1.out', depth: null } },
 };
 

@@ -2,7 +2,7 @@ import { resolve } from 'node:path';
 import type { Plugin } from 'esbuild';
 import { ASSET_PARTS } from './optional/asset-parts.ts';
 import { PAGE_PARTS } from './optional/page-parts.ts';
-import type { OptionalPart } from './optional/part.ts';
+import { ABSENT_MODULE, type OptionalPart } from './optional/part.ts';
 import { RUNTIME_PARTS } from './optional/runtime-parts.ts';
 import { SCENE_PARTS } from './optional/scene-parts.ts';
 import { SESSION_PARTS } from './optional/session-parts.ts';
@@ -19,9 +19,11 @@ export function leaveOut(root: string, use: PageUse): Plugin {
   const replaced = new Map(
     OPTIONAL_PARTS.filter(({ isNeeded }) => !isNeeded(use)).map(({ file, otherwise }) => [resolve(root, file), otherwise]),
   );
+  const absent = resolve(root, 'export/page/absent.ts');
   return {
     name: 'leave-out',
-    setup: ({ onLoad }) => {
+    setup: ({ onLoad, onResolve }) => {
+      onResolve({ filter: new RegExp(`^${ABSENT_MODULE}$`) }, () => ({ path: absent, sideEffects: false }));
       onLoad({ filter: /\.ts$/ }, ({ path }) => {
         const contents = replaced.get(path);
         return contents === undefined ? null : { contents, loader: 'ts' };

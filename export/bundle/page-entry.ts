@@ -13,6 +13,9 @@ export interface PageUse extends ProgramUse {
   readonly singleFile: boolean;
 }
 
+/** Whether the program of a page plays in a session that a visitor enters: with AR, with a camera or in VR. */
+export const entersSessions = ({ tiers }: Pick<PageUse, 'tiers'>): boolean => [...tiers].some((id) => id !== 'orbit');
+
 /** Name by which the script of a single-file page imports the sessions. */
 export const SESSIONS_MODULE = 'scrim:sessions';
 
@@ -44,6 +47,8 @@ const WORKERS_FOLDER = 'nodes/generated/workers/';
 /** The text of the page's script: imports of the parts that the page uses, and the call that starts it. */
 export function pageEntry(use: PageUse): string {
   const { nodeTypes, scenes, spatial, input, panoramas, labels, workerTypes, takesPanorama, decoders, singleFile } = use;
+  const enters = entersSessions(use);
+  const loadSessions = !enters ? 'null' : singleFile ? 'async () => sessions' : '(path) => import(new URL(path, document.baseURI).href)';
   const glass = scenes && (use.glass || use.models.extensions.has('KHR_materials_transmission'));
   const tools = ['decoders', 'files', ...(panoramas ? ['readRadiance'] : []), ...(glass ? ['createGlass'] : [])];
   const played = nodeTypes.filter((type) => Object.hasOwn(RUNTIME_FILES, type));
@@ -65,14 +70,14 @@ export function pageEntry(use: PageUse): string {
     ...(glass ? [`import { createGlass } from './export/runtime/scenes/glass/glass-scene.ts';`] : []),
     ...(labels ? [`import { createLabelLayer } from './export/page/label-layer.ts';`] : []),
     ...(takesPanorama ? [`import { createPagePanorama as createPanorama } from './export/page/panorama-step/page-panorama.ts';`] : []),
-    ...(singleFile ? [`import * as sessions from '${SESSIONS_MODULE}';`] : []),
-    ...(singleFile ? [] : shareLines()),
+    ...(enters && singleFile ? [`import * as sessions from '${SESSIONS_MODULE}';`] : []),
+    ...(enters && !singleFile ? shareLines() : []),
     ...decoders.map((name) => `import { ${OPENERS[name]} } from './export/runtime/scenes/models/decoders/${name}.ts';`),
     ...played.map((type, i) => `import * as node${i} from ${JSON.stringify(`./${fileOf(type)}`)};`),
     `const modules = { ${played.map((type, i) => `${JSON.stringify(type)}: node${i}`).join(', ')} };`,
     `const decoders = { ${decoders.map((name) => `${name}: ${OPENERS[name]}`).join(', ')} };`,
     `const createScenes = ${scenes ? `(files) => createScenesWith({ ${tools.join(', ')} })` : 'null'};`,
-    `startPage(window, { modules, createScenes, createSpatial${orNull(spatial)}, inputs: ${input ? 'SESSION_INPUTS' : 'null'}, createLabelLayer${orNull(labels)}, createPanorama${orNull(takesPanorama)}, loadSessions: ${singleFile ? 'async () => sessions' : '(path) => import(new URL(path, document.baseURI).href)'} });`,
+    `startPage(window, { modules, createScenes, createSpatial${orNull(spatial)}, inputs: ${input ? 'SESSION_INPUTS' : 'null'}, createLabelLayer${orNull(labels)}, createPanorama${orNull(takesPanorama)}, loadSessions: ${loadSessions} });`,
   ];
   return lines.join('\n');
 }

@@ -3,7 +3,7 @@ import type { TableType } from '../../nodes/kit/wire-types.ts';
 import { mayRest } from '../program/may-rest.ts';
 import type { Tier } from '../program/needs.ts';
 import type { NodeOperation, Operation, Program, ProgramAsset, Resource, SizeExpression, TargetSize } from '../program/program.ts';
-import { passReadsView, VIEW_READERS } from '../program/reads-view.ts';
+import { drawsScenes, readsView } from '../program/reads-view.ts';
 
 /** The parts of Scrim that a program needs. */
 export interface ProgramUse {
@@ -86,10 +86,9 @@ export function programUse(program: Program): ProgramUse {
   const capabilities = new Set(program.needs.map(({ capability }) => capability));
   const spatial = capabilities.has('hit-test') || capabilities.has('anchors');
   const controls = (program.controls ?? []).length > 0;
-  const input = spatial || controls || program.readsInput === true;
-  const scenes =
-    program.operations.some((operation) => operation.kind === 'geometry' || operation.kind === 'shadow-maps' || needsScenes(operation)) ||
-    uses('model', 'environment');
+  // The panel with controls in the room reads pointers; those on the page are elements.
+  const input = spatial || (controls && program.tiers.some(({ id }) => id !== 'orbit')) || program.readsInput === true;
+  const scenes = drawsScenes(program);
   const takesPanorama = nodes.some(({ type }) => type === 'source/panorama-capture');
   const poses = nodes.some((node) => node.poses !== undefined);
   return {
@@ -98,14 +97,7 @@ export function programUse(program: Program): ProgramUse {
     scenes,
     spatial,
     input,
-    readsView:
-      scenes ||
-      poses ||
-      takesPanorama ||
-      program.readsInput === true ||
-      capabilities.size > (capabilities.has('camera-image') ? 1 : 0) ||
-      nodes.some(({ type }) => VIEW_READERS.includes(type)) ||
-      passes.some(passReadsView),
+    readsView: readsView(program),
     panoramas: uses('environment'),
     glass: program.operations.some((operation) => 'glass' in operation && operation.glass === true),
     techniqueEdges: program.resources.some(
@@ -160,8 +152,4 @@ function isComputed({ width, height }: TargetSize): boolean {
 
 function isDimension([token, ...rest]: SizeExpression, op: 'width' | 'height'): boolean {
   return rest.length === 0 && typeof token === 'object' && 'op' in token && token.op === op;
-}
-
-function needsScenes(operation: Operation): boolean {
-  return operation.kind === 'draw' && !('ownDrawing' in operation);
 }

@@ -1,5 +1,6 @@
 import { gzipSync } from 'node:zlib';
 import { type DeviceRow, deviceTable } from '../program/devices/device-table.ts';
+import { fixedImageNote } from '../program/fixed-image.ts';
 import type { ProgramNeed, Tier } from '../program/needs.ts';
 import type { Program, ProgramAsset } from '../program/program.ts';
 import type { WebXrFeatures } from '../program/webxr-features.ts';
@@ -21,7 +22,7 @@ export interface ExportReport {
   readonly bytes: Sizes & { readonly byKind: Readonly<Partial<Record<FileKind, Sizes>>> };
   /** Content of the scripts: npm packages and Scrim's folders → minified bytes. */
   readonly script: Readonly<Record<string, number>>;
-  /** Content of each script by source file, in minified bytes, largest first. `sessions` is null if `page` contains them. */
+  /** Content of each script by source file, in minified bytes, largest first. `sessions` is null if `page` contains them, or there are none. */
   readonly modules: {
     readonly page: Readonly<Record<string, number>>;
     readonly sessions: Readonly<Record<string, number>> | null;
@@ -36,6 +37,8 @@ export interface ExportReport {
   readonly credits: readonly PageCredit[];
   readonly needs: readonly ProgramNeed[];
   readonly tiers: readonly Tier[];
+  /** Why the page offers no session to enter, or would offer none with other files; null if neither. */
+  readonly note: string | null;
   /** What each kind of device shows. */
   readonly devices: readonly DeviceRow[];
 }
@@ -86,6 +89,7 @@ export function makeReport({ program, generator, files, scripts, features, asset
     credits,
     needs: program.needs,
     tiers: program.tiers,
+    note: fixedImageNote(program),
     devices: deviceTable(program),
   };
 }

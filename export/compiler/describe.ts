@@ -1,4 +1,5 @@
 import { deviceTable } from '../program/devices/device-table.ts';
+import { fixedImageNote } from '../program/fixed-image.ts';
 import type { CpuOperation, DrawOperation, Operation, PassOperation, Program } from '../program/program.ts';
 import { bindingInWords, deviceInWords, needInWords, tierInWords } from './describe-terms.ts';
 import { FOLD_REASONS, type FoldedNode } from './fold/folded-node.ts';
@@ -16,6 +17,7 @@ import { behindGlassBytes, REFERENCE_SIZE, type ReferenceSize, type Target, targ
  */
 export function describeProgram(program: Program, reference: ReferenceSize = REFERENCE_SIZE): string {
   const { operations, needs, tiers, assets, taps } = program;
+  const note = fixedImageNote(program);
   const section = (heading: string, lines: readonly string[]) => ['', heading, ...list(lines)];
   const run = (when: 'once' | 'each') =>
     operations.filter(({ view }) => view === when).map((operation) => describeOperation(operation, program));
@@ -31,6 +33,7 @@ export function describeProgram(program: Program, reference: ReferenceSize = REF
       'Plays in, best first',
       tiers.map((tier) => tierInWords(tier).join('\n     ')),
     ),
+    ...(note === null ? [] : [`  ${note}`]),
     ...section(
       'On devices',
       deviceTable(program).map((row) => deviceInWords(row).join('\n     ')),

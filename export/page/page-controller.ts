@@ -1,6 +1,4 @@
-import type { Result } from '../../nodes/kit/diagnostics.ts';
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
-import type { Session, SessionEvent } from '../../nodes/kit/session.ts';
 import type { Program } from '../program/program.ts';
 import type { AssetSource } from '../runtime/assets/asset-source.ts';
 import { createBrowserClock } from '../runtime/clock.ts';
@@ -8,13 +6,13 @@ import type { CreateSceneBackend } from '../runtime/scene-backend.ts';
 import type { SessionInputs } from '../runtime/sessions/input/session-inputs.ts';
 import { createOrbitSession } from '../runtime/sessions/orbit/orbit-session.ts';
 import type { CreateSpatial } from '../runtime/spatial/spatial.ts';
-import type { EnteredSessions } from './entered-sessions.ts';
 import { type Mounted, type MountOptions, mount } from './mount.ts';
 import { showDiagnostics } from './notices.ts';
 import type { PageRoot } from './page-root.ts';
 import type { CreatePagePanorama } from './panorama-step/page-panorama.ts';
 import type { PanoramaStep } from './panorama-step/panorama-step.ts';
-import type { SessionMode, SessionModes } from './session-modes.ts';
+import { createSessionEntry, type SessionEntry } from './session-entry.ts';
+import type { SessionModes } from './session-modes.ts';
 
 export interface PageControllerOptions {
   readonly modules: Readonly<Record<string, NodeModule>>;
@@ -33,21 +31,12 @@ export interface PageControllerOptions {
 }
 
 /** Controls the sessions of the page (orbit, camera, AR, VR) and their notices. */
-export interface PageController {
+export interface PageController extends Pick<SessionEntry, 'offer' | 'enter'> {
   /** Resolves when the first frame can be drawn. */
   readonly ready: Promise<void>;
   readonly isReady: boolean;
   /** Resolves when all files of the page are loaded or failed. */
   readonly complete: Promise<void>;
-  /**
-   * Sets the sessions that can be entered, and offers them.
-   *
-   * @param loaded Null if they could not be loaded or this device has none.
-   * @param reason Why no better mode is offered, as text for visitors, or null.
-   */
-  offer(loaded: EnteredSessions | null, reason: string | null): void;
-  /** Enters a session mode that was offered. Call it from a click handler. On failure it shows the reason and the fallbacks and keeps the orbit view. */
-  enter(mode: SessionMode): Promise<void>;
   lookAround(): Promise<void>;
   /** Sets the param of a control, also after the player is set up again. */
   setParam(node: string, param: string, value: number | boolean): void;
@@ -59,15 +48,9 @@ export interface PageController {
  * @throws Error if the browser has no WebGL 2.
  */
 export function createPageController({ page, root, program, modes, createPanorama, ...parts }: PageControllerOptions): PageController {
-  const { canvas, notices, panel } = root;
+  const { canvas, notices } = root;
   const clock = createBrowserClock();
   let isReady = false;
-  /** Mode of the current WebXR session. */
-  let immersive: 'ar' | 'vr' = 'ar';
-  let { offers } = modes;
-  let sessions: EnteredSessions | null = null;
-  let noBetter = modes.noAr;
-  const offer = () => panel.show({ kind: 'ready', offers: sessions ? offers : [], reason: noBetter });
   const { around } = program.presentation;
   const orbit = (gl: WebGL2RenderingContext) =>
     createOrbitSession({ gl, canvas, clock, inputs: parts.inputs, ...(around && { start: around }) });
@@ -86,18 +69,8 @@ export function createPageController({ page, root, program, modes, createPanoram
     session: orbit,
     onDiagnostics: (diagnostics) => showDiagnostics(notices, 'player', diagnostics),
     onSessionEvent: (event, session) => {
-      switch (session.kind) {
-        case 'webxr':
-          return sessions ? onEvent(immersive, event, session, sessions) : undefined;
-        case 'camera':
-          return sessions ? onEvent('camera', event, session, sessions) : undefined;
-        case 'orbit':
-        case 'recorded':
-          if (event.kind === 'problem') notices.show('session', { text: event.message, tone: 'problem' });
-          return;
-        default:
-          session.kind satisfies never;
-      }
+      if (session.kind === 'webxr' || session.kind === 'camera') entry.onEvent(event, session);
+      else if (event.kind === 'problem') notices.show('session', { text: event.message, tone: 'problem' });
     },
     onContext: (state) => {
       if (state === 'restored') notices.clear('context');
@@ -106,66 +79,7 @@ export function createPageController({ page, root, program, modes, createPanoram
   });
   step = createPanorama?.({ page, root, program, modules: parts.modules, gl: mounted.gl, setPanorama: mounted.player.setPanorama }) ?? null;
   const lookAround = () => mounted.play(orbit(mounted.gl));
-
-  const onEvent = (mode: SessionMode, event: SessionEvent, { hidesPage = false }: Session, { texts, offerRoomScan }: EnteredSessions) => {
-    switch (event.kind) {
-      case 'ended':
-        for (const topic of ['tracking', 'missing', 'hint', 'room', ...Object.keys(texts.silent)]) notices.clear(topic);
-        step?.end();
-        offer();
-        root.setMode(null);
-        if (event.by === 'page') return;
-        notices.show('ended', { text: texts.ended[mode], tone: 'hint' });
-        void lookAround();
-        return;
-      case 'tracking':
-        step?.setTracked(event.tracked);
-        if (event.tracked) notices.clear('tracking');
-        else notices.show('tracking', { text: texts.untracked[mode], tone: 'hint' });
-        // The hint says to turn the device.
-        if (mode === 'camera' && !event.tracked) notices.clear('hint');
-        return;
-      case 'sensing': {
-        const text = texts.silent[event.capability];
-        if (event.working) notices.clear(event.capability);
-        else if (text !== undefined) notices.show(event.capability, { text, tone: 'hint' });
-        return;
-      }
-      case 'problem':
-        notices.show('session', { text: event.message, tone: 'problem' });
-        return;
-      case 'room-unknown':
-        offerRoomScan?.({ document: page.document, notices, mounted, hidesPage, capture: event.capture });
-        return;
-      case 'visibility':
-      case 'reset':
-      case 'recentered':
-        return;
-      default:
-        event satisfies never;
-    }
-  };
-  const request = (
-    mode: SessionMode,
-    { requestCamera, requestWebXr, createLens, inputs: ofPanel }: EnteredSessions,
-  ): Promise<Result<Session>> => {
-    const { gl } = mounted;
-    const { inputs } = parts;
-    if (mode === 'camera' && requestCamera) {
-      return requestCamera({ window: page, media: page.navigator.mediaDevices, gl, canvas, clock, inputs, createLens });
-    }
-    return requestWebXr({
-      inputs: inputs ?? ofPanel,
-      mode: mode === 'vr' ? 'immersive-vr' : 'immersive-ar',
-      xr: page.navigator.xr,
-      gl,
-      needs: program.needs,
-      antialias: program.presentation.antialias,
-      screenDepth: program.presentation.screenDepth,
-      overlayRoot: root.overlay,
-    });
-  };
-
+  const entry = createSessionEntry({ page, root, program, modes, mounted, step, clock, inputs: parts.inputs, lookAround });
   return {
     ready: mounted.player.ready.then(({ shaderErrors }) => {
       isReady = true;
@@ -175,31 +89,8 @@ export function createPageController({ page, root, program, modes, createPanoram
     get isReady() {
       return isReady;
     },
-    offer: (loaded, reason) => {
-      sessions = loaded;
-      noBetter = reason;
-      offer();
-    },
-    enter: async (mode) => {
-      if (sessions === null) return;
-      const { cameraHint } = sessions;
-      panel.show({ kind: 'entering', mode });
-      for (const topic of ['ended', 'session']) notices.clear(topic);
-      const { output, diagnostics } = await request(mode, sessions);
-      showDiagnostics(notices, 'missing', diagnostics);
-      if (output === null) {
-        // Offers the fallbacks and another attempt.
-        offers = modes.fallbacks;
-        offer();
-        panel.focus();
-        return;
-      }
-      if (mode !== 'camera') immersive = mode;
-      root.setMode(mode);
-      if (mode === 'camera' && cameraHint !== null) notices.show('hint', { text: cameraHint, tone: 'hint' });
-      if (mode !== 'vr') await step?.begin(output);
-      await mounted.play(output);
-    },
+    offer: entry.offer,
+    enter: entry.enter,
     lookAround,
     setParam: (node, param, value) => {
       mounted.player.setParam(node, param, value);

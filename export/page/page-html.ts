@@ -73,7 +73,7 @@ export interface PageConfig {
   readonly decoders: Readonly<Record<string, string>>;
   /** Sizes of the files to load before the first frame, for the progress bar: path → bytes. */
   readonly bytes: Readonly<Record<string, number>>;
-  /** Path of the script with the sessions that a visitor enters; null if the page's script contains them. */
+  /** Path of the script with the sessions that a visitor enters; null if the page's script contains them, or there are none. */
   readonly sessions: string | null;
   /** Path of the service worker; null for a single-file page. */
   readonly offline: string | null;

@@ -1,9 +1,11 @@
 import { createControls } from './control-elements.ts';
 import type { ControlValues } from './control-values.ts';
 import { element } from './dom.ts';
+import { createLeaveButton } from './leave-button.ts';
 import { createNotices, type Notices } from './notices.ts';
 import type { SessionMode } from './session-modes.ts';
-import { createStartCard, type StartCard, type StartCardOptions, TOUCH } from './start-card.ts';
+import { createStartCard, type StartCard, TOUCH } from './start-card.ts';
+import type { StartCardOptions } from './start-card-state.ts';
 
 /** The elements of the page. */
 export interface PageRoot {
@@ -29,8 +31,6 @@ export interface PageRootOptions extends StartCardOptions {
   readonly onLeave: () => void;
 }
 
-const LEAVE: Readonly<Record<SessionMode, string>> = { ar: 'Leave AR', camera: 'Stop the camera', vr: 'Leave VR' };
-
 /** Replaces the static content of `index.html`. Keeps the poster. */
 export function createPageRoot(options: PageRootOptions): PageRoot {
   const { document, title, looksAround, onLeave } = options;
@@ -45,9 +45,16 @@ export function createPageRoot(options: PageRootOptions): PageRoot {
   });
   const panel = createStartCard(options);
   const notices = createNotices(document);
-  const leave = element(document, 'button', { className: 'leave', hidden: true, attributes: { type: 'button' }, onClick: onLeave });
+  const leave = createLeaveButton(document, onLeave);
   const controls = createControls(document, options.values);
-  const overlay = element(document, 'div', { id: 'overlay' }, notices.element, ...(controls ? [controls.element] : []), leave);
+  const overlay = element(
+    document,
+    'div',
+    { id: 'overlay' },
+    notices.element,
+    ...(controls ? [controls.element] : []),
+    ...(leave ? [leave.element] : []),
+  );
   // Prevents taps on the overlay's elements from selecting in the room (WebXR DOM Overlays §3.3). The overlay itself covers the screen.
   overlay.addEventListener('beforexrselect', (event) => {
     if (event.target !== overlay) event.preventDefault();
@@ -56,25 +63,18 @@ export function createPageRoot(options: PageRootOptions): PageRoot {
   document.querySelector('main')?.remove();
   const main = element(document, 'main', {}, canvas, ...(poster ? [poster] : []), panel.element, overlay);
   document.body.append(main);
-  let shown: SessionMode | null = null;
-  const root: PageRoot = {
+  return {
     canvas,
     overlay,
     panel,
     notices,
     setMode: (mode) => {
-      if (mode === shown) return;
-      shown = mode;
+      if (!leave?.setMode(mode)) return;
       // An emulator that used the canvas returns it as the last child, which would cover the panel.
       if (canvas.parentElement === main && main.firstElementChild !== canvas) main.prepend(canvas);
-      const { dataset } = document.documentElement;
-      if (mode === null) delete dataset.way;
-      else dataset.way = mode;
-      leave.hidden = mode === null;
-      leave.textContent = mode === null ? '' : LEAVE[mode];
       // The focused element is hidden now.
       if (mode === null) panel.focus();
-      else leave.focus();
+      else leave.element.focus();
     },
     showCanvas: (backdrop) => {
       poster?.classList.add(...backdrop.split(' '));
@@ -83,8 +83,4 @@ export function createPageRoot(options: PageRootOptions): PageRoot {
       controls?.setShown(true);
     },
   };
-  document.addEventListener('keydown', (event) => {
-    if (event.key === 'Escape' && shown === 'camera') onLeave();
-  });
-  return root;
 }

@@ -19,6 +19,9 @@ export interface SessionModes {
   readonly noAr: string | null;
 }
 
+/** What the page says if the script of the sessions did not load. */
+export const NOT_LOADED = 'The page did not load completely, so AR and the camera are missing. Check the connection, then reload the page.';
+
 /** Finds the session modes that this browser and device support. Requests no permission. */
 export async function findSessionModes(page: ModePage, tiers: readonly Tier[]): Promise<SessionModes> {
   const noAr = await noArReason(page);

@@ -15,7 +15,7 @@ import { createPageController, type PageController } from './page-controller.ts'
 import { CONFIG_ID, type PageConfig } from './page-html.ts';
 import { createPageRoot } from './page-root.ts';
 import type { CreatePagePanorama } from './panorama-step/page-panorama.ts';
-import { findSessionModes, lacksOf } from './session-modes.ts';
+import { findSessionModes, lacksOf, NOT_LOADED } from './session-modes.ts';
 
 /** Parts that the page's own script supplies: the runtimes of its nodes, and optional modules. */
 export interface PageParts {
@@ -28,8 +28,11 @@ export interface PageParts {
   readonly createLabelLayer: CreateLabelLayer | null;
   /** Creates the step that takes a panorama of the room; null if the program uses none. */
   readonly createPanorama: CreatePagePanorama | null;
-  /** Loads the sessions that a visitor enters from the path of their script, or returns those of the page's own script. */
-  readonly loadSessions: (path: string) => Promise<EnteredSessions>;
+  /**
+   * Loads the sessions that a visitor enters from the path of their script, or returns those of the page's own script; null if the program
+   * plays in none.
+   */
+  readonly loadSessions: ((path: string) => Promise<EnteredSessions>) | null;
 }
 
 /** Runs an exported page: loads the program, starts the orbit view and offers the available session modes. */
@@ -77,8 +80,10 @@ export async function startPage(page: Window, parts: PageParts): Promise<void> {
     await controller.ready;
     root.showCanvas(createScenes ? 'behind soft' : config.isFilter ? 'behind' : 'gone');
     // After the first image, which needs none of them. A device with no session to enter does not load them.
-    if (modes.fallbacks.length > 0) sessions = await parts.loadSessions(config.sessions ?? '').catch(() => null);
-    controller.offer(sessions, sessions === null && modes.fallbacks.length > 0 ? NOT_LOADED : modes.noAr);
+    const { loadSessions } = parts;
+    const entered = loadSessions !== null && modes.fallbacks.length > 0;
+    if (entered) sessions = await loadSessions(config.sessions ?? '').catch(() => null);
+    controller.offer(sessions, entered && sessions === null ? NOT_LOADED : modes.noAr);
   } catch (error) {
     panel.show({ kind: 'failed', reason: error instanceof Error ? error.message : String(error) });
   }
@@ -93,8 +98,6 @@ function readConfig(document: Document): PageConfig {
   if (!text) throw new Error(`The page has no #${CONFIG_ID}.`);
   return JSON.parse(text) as PageConfig;
 }
-
-const NOT_LOADED = 'The page did not load completely, so AR and the camera are missing. Check the connection, then reload the page.';
 
 async function loadProgram(files: AssetSource, path: string): Promise<Program> {
   const bytes = await files.load(path).catch(() => {

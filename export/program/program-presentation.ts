@@ -11,6 +11,11 @@ export interface Presentation {
    * shift the image by it. Absent: it is needed, but shows only a part.
    */
   readonly screenDepth?: 'none' | 'whole';
+  /**
+   * Present if the screen shows an image without transparency in each of its pixels, or a color of its own, so that no room is visible.
+   * `if-files-do`: if the image files have no transparency.
+   */
+  readonly covers?: true | 'if-files-do';
   /** Start of the orbit camera if it is not the default: its target in world space and its distance, meters. */
   readonly around?: { readonly targetWorld: readonly [number, number, number]; readonly distanceM: number };
 }

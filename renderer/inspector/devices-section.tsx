@@ -1,6 +1,7 @@
 import { useMemo } from 'react';
 import { useStore } from 'zustand';
 import { type DeviceLoss, type DeviceRow, deviceTable } from '../../export/program/devices/device-table.ts';
+import { fixedImageNote } from '../../export/program/fixed-image.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { goToNode, placeOnPath } from '../state/graph/graph-path.ts';
 import { playDevice } from '../state/preview/play-device.ts';
@@ -12,10 +13,12 @@ import { tierWords } from './tier-words.ts';
 export function DevicesSection() {
   const editor = useEditor();
   const program = useStore(editor.compile, (state) => state.program);
+  const note = useMemo(() => program && fixedImageNote(program), [program]);
   const rows = useMemo(() => (program === null ? [] : deviceTable(program)), [program]);
   return (
     <section className="inspector-section" aria-label="Devices">
       <h3>Devices</h3>
+      {note !== null && <p className="inspector-note">{note}</p>}
       {rows.length === 0 ? (
         <p className="inspector-note">The table appears when the graph compiles.</p>
       ) : (

@@ -54,6 +54,7 @@ export function ExportDevices({ report }: ReportProps) {
   return (
     <section className="exported-section" aria-labelledby="exported-devices">
       <h3 id="exported-devices">Devices</h3>
+      {report.note !== null && <p className="exported-note">{report.note}</p>}
       <ul className="exported-devices">
         {report.devices.map((row) => (
           <Device key={row.title} row={row} />

@@ -4,6 +4,7 @@
   "CREDIT": "Scrim. J. E. Kyprianidis, H. Kang and J. Döllner 2009, Computer Graphics Forum 28, 1955; weights: J. E. Kyprianidis et al. 2010, GPU Pro, 247",
   "CATEGORIES": ["Style", "Painterly", "Oil", "Brush", "Kuwahara", "Watercolor"],
   "SCRIM_ALPHA": "premultiplied",
+  "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to filter." },
     { "NAME": "radius", "TYPE": "float", "LABEL": "Brush size", "DOC": "Radius of a round stroke, in pixels of the layer. The cost grows with its square.", "MIN": 2.0, "MAX": 8.0, "DEFAULT": 6.0, "UNIT": "px" },

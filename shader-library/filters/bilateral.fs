@@ -4,6 +4,7 @@
   "CREDIT": "Scrim. C. Tomasi and R. Manduchi 1998, Bilateral Filtering for Gray and Color Images, with the color distance of OpenCV",
   "CATEGORIES": ["Blur", "Smooth", "Denoise", "Edge-preserving", "Skin"],
   "SCRIM_ALPHA": "premultiplied",
+  "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to smooth." },
     { "NAME": "radius", "TYPE": "float", "LABEL": "Radius", "DOC": "Radius of the filter, in whole pixels of the layer: twice the standard deviation. The cost grows with its square.", "MIN": 0.0, "MAX": 10.0, "DEFAULT": 6.0, "IDENTITY": 0.0, "STEP": 1.0, "UNIT": "px" },

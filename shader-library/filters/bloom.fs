@@ -5,6 +5,7 @@
   "CATEGORIES": ["Light", "Glow", "Blur", "Lens", "Shine"],
   "SCRIM_ALPHA": "premultiplied",
   "SCRIM_ENCODING": "either",
+  "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer that glows." },
     { "NAME": "level", "TYPE": "float", "LABEL": "Level", "DOC": "Areas brighter than this glow: luminance in linear light, from 0 to 1.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" },

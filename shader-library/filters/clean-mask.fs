@@ -5,6 +5,7 @@
   "CREDIT": "Scrim. Closing and opening: J. Serra 1982, Image Analysis and Mathematical Morphology",
   "CATEGORIES": ["Mask", "Matte", "Morphology", "Close", "Open", "Dilate", "Erode", "Grow", "Shrink", "Choke", "Despeckle", "Denoise"],
   "SCRIM_ALPHA": "premultiplied",
+  "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The mask: white on black, or opaque on transparent." },
     { "NAME": "holesPx", "TYPE": "float", "LABEL": "Fill holes", "DOC": "Fills holes and gaps narrower than twice this, in pixels of the layer.", "MIN": 0.0, "MAX": 24.0, "DEFAULT": 3.0, "IDENTITY": 0.0, "UNIT": "px" },

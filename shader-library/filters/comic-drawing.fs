@@ -5,6 +5,7 @@
   "CREDIT": "Scrim. Tones: H. Winnemöller, S. C. Olsen and B. Gooch 2006, Real-Time Video Abstraction. Areas and directions: J. E. Kyprianidis and J. Döllner 2008, Image Abstraction by Structure Adaptive Filtering. Lines: H. Kang et al. 2007, Coherent Line Drawing. Dots: cosine spot function of PostScript (PLRM 3, section 7.4.3)",
   "CATEGORIES": ["Style", "Drawing", "Comic", "Cartoon", "Print", "Halftone", "Pop art", "NPR"],
   "SCRIM_ALPHA": "premultiplied",
+  "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to draw." },
     { "NAME": "levels", "TYPE": "float", "LABEL": "Tones", "DOC": "Number of steps from black to white. Brightness is a multiple of one step.", "MIN": 2.0, "MAX": 12.0, "DEFAULT": 4.0, "STEP": 1.0 },

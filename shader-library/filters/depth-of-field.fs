@@ -6,6 +6,7 @@
   "SCRIM_ALPHA": "premultiplied",
   "SCRIM_DEPTH": "same",
   "SCRIM_ENCODING": "either",
+  "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to blur, with depth." },
     { "NAME": "room", "TYPE": "depth", "LABEL": "Room depth", "DOC": "Distance to real surfaces, for layers without depth, such as the camera video.", "OPTIONAL": true },

@@ -5,6 +5,7 @@
   "CREDIT": "Scrim. H. Winnemöller et al. 2012, XDoG: An eXtended Difference-of-Gaussians Compendium, Computers & Graphics 36, 740, equations 5 and 7",
   "CATEGORIES": ["Edges", "Lines", "Style", "Ink", "Comic", "Drawing", "XDoG"],
   "SCRIM_ALPHA": "premultiplied",
+  "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to draw. Transparent areas count as white." },
     { "NAME": "radius", "TYPE": "float", "LABEL": "Line width", "DOC": "Standard deviation of the narrower blur, in pixels of the layer: about half the width of the lines.", "MIN": 0.4, "MAX": 8.0, "DEFAULT": 1.0, "UNIT": "px" },

@@ -5,6 +5,7 @@
   "CATEGORIES": ["Blur", "Soften", "Smooth"],
   "SCRIM_ALPHA": "premultiplied",
   "SCRIM_ENCODING": "either",
+  "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to blur." },
     { "NAME": "radius", "TYPE": "float", "LABEL": "Radius", "DOC": "Standard deviation of the blur, in pixels of the layer. 0 changes nothing.", "MIN": 0.0, "MAX": 60.0, "DEFAULT": 8.0, "IDENTITY": 0.0, "UNIT": "px" }

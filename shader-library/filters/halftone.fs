@@ -3,6 +3,7 @@
   "DESCRIPTION": "Draws an image as halftone dots, as in a newspaper: small dots in light areas, large merging dots in dark areas.",
   "CREDIT": "Scrim. Dots: cosine spot function of PostScript (PLRM 3, section 7.4.3). Luma: Rec. ITU-R BT.709",
   "CATEGORIES": ["Style", "Dots", "Print", "Newspaper", "Comic"],
+  "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to draw." },
     { "NAME": "size", "TYPE": "float", "LABEL": "Dot distance", "DOC": "Distance from one dot to the next, in pixels of the layer.", "MIN": 3.0, "MAX": 64.0, "DEFAULT": 8.0, "UNIT": "px" },

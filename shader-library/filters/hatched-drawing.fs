@@ -5,6 +5,7 @@
   "CREDIT": "Scrim. Directions: J. E. Kyprianidis and J. Döllner 2008, Image Abstraction by Structure Adaptive Filtering. Lines: H. Kang et al. 2007, Coherent Line Drawing. Strokes: X. Mao et al. 2001, Automatic Generation of Pencil Drawing Using Line Integral Convolution",
   "CATEGORIES": ["Style", "Drawing", "Hatching", "Cross-hatching", "Pen", "Ink", "Engraving", "NPR"],
   "SCRIM_ALPHA": "premultiplied",
+  "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to draw." },
     { "NAME": "strokePx", "TYPE": "float", "LABEL": "Stroke width", "DOC": "Width of a stroke, in pixels of the layer.", "MIN": 1.0, "MAX": 6.0, "DEFAULT": 1.5, "UNIT": "px" },

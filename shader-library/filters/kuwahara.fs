@@ -4,6 +4,7 @@
   "CREDIT": "Scrim. M. Kuwahara et al. 1976. Weights: G. Papari et al. 2007, IEEE Trans. Image Processing 16, 2449, in the form of J. E. Kyprianidis et al. 2009",
   "CATEGORIES": ["Style", "Painterly", "Oil", "Smooth", "Watercolor"],
   "SCRIM_ALPHA": "premultiplied",
+  "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to filter." },
     { "NAME": "radius", "TYPE": "float", "LABEL": "Brush size", "DOC": "Size of the regions, in whole pixels of the layer. The cost grows with its square.", "MIN": 0.0, "MAX": 8.0, "DEFAULT": 5.0, "IDENTITY": 0.0, "STEP": 1.0, "UNIT": "px" },

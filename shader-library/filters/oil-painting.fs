@@ -5,6 +5,7 @@
   "CREDIT": "Scrim. Strokes of several sizes: A. Hertzmann 1998, Painterly Rendering with Curved Brush Strokes of Multiple Sizes. Relief: A. Hertzmann 2002, Fast Paint Texture. Colors: J. E. Kyprianidis, H. Kang and J. Döllner 2009, Image and Video Abstraction by Anisotropic Kuwahara Filtering",
   "CATEGORIES": ["Style", "Painterly", "Oil", "Brush", "Impasto", "Paint", "NPR"],
   "SCRIM_ALPHA": "premultiplied",
+  "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to paint." },
     { "NAME": "brushPx", "TYPE": "float", "LABEL": "Brush width", "DOC": "Width of the largest strokes, in pixels of the layer.", "MIN": 4.0, "MAX": 40.0, "DEFAULT": 11.0, "UNIT": "px" },

@@ -4,6 +4,7 @@
   "CREDIT": "Scrim",
   "CATEGORIES": ["Style", "Mosaic", "Blocks", "Censor"],
   "SCRIM_ALPHA": "premultiplied",
+  "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to pixelate." },
     { "NAME": "size", "TYPE": "float", "LABEL": "Block size", "DOC": "Size of a block, in whole pixels of the layer. 1 changes nothing.", "MIN": 1.0, "MAX": 128.0, "DEFAULT": 12.0, "IDENTITY": 1.0, "STEP": 1.0, "UNIT": "px" }

@@ -4,6 +4,7 @@
   "CREDIT": "Scrim. Kernels: I. Sobel and G. Feldman, 1968. Luma: Rec. ITU-R BT.709",
   "CATEGORIES": ["Edges", "Outline", "Style", "Lines"],
   "SCRIM_ALPHA": "premultiplied",
+  "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to find edges in. Transparent areas count as black." },
     { "NAME": "strength", "TYPE": "float", "LABEL": "Strength", "DOC": "Factor on the gradient: with 1, a straight edge between black and white has full strength.", "MIN": 0.0, "MAX": 8.0, "DEFAULT": 1.0, "UNIT": "ratio" },

@@ -4,6 +4,7 @@
   "CREDIT": "Scrim. Effect named in the mixed-reality rendering framework with osgART, figure 12",
   "CATEGORIES": ["Blur", "Radial blur", "Rotation", "Motion"],
   "SCRIM_ALPHA": "premultiplied",
+  "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to blur." },
     { "NAME": "center", "TYPE": "point2D", "LABEL": "Center", "DOC": "Point that stays sharp: (0, 0) is the bottom left of the image, (1, 1) the top right.", "MIN": [0.0, 0.0], "MAX": [1.0, 1.0], "DEFAULT": [0.5, 0.5] },

@@ -4,6 +4,7 @@
   "CREDIT": "Scrim. Falloff: as swirl() in scikit-image",
   "CATEGORIES": ["Distort", "Twirl", "Twist", "Warp"],
   "SCRIM_ALPHA": "premultiplied",
+  "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to twist." },
     { "NAME": "center", "TYPE": "point2D", "LABEL": "Center", "DOC": "Center of the twist: (0, 0) is the bottom left of the image, (1, 1) the top right.", "MIN": [0.0, 0.0], "MAX": [1.0, 1.0], "DEFAULT": [0.5, 0.5] },

@@ -3,6 +3,7 @@
   "DESCRIPTION": "Reduces an image to two colors: one for areas darker than the level, one for lighter areas.",
   "CREDIT": "Scrim",
   "CATEGORIES": ["Color", "Style", "Black and white", "Binary", "BW"],
+  "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to threshold." },
     { "NAME": "level", "TYPE": "float", "LABEL": "Level", "DOC": "Brightness that separates dark from light: Rec. 709 luma, from 0 to 1.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" },

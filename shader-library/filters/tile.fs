@@ -4,6 +4,7 @@
   "CREDIT": "Scrim. Effect named in the mixed-reality rendering framework with osgART, figure 10",
   "CATEGORIES": ["Distort", "Repeat", "Kaleidoscope", "Mirror", "Grid"],
   "SCRIM_ALPHA": "premultiplied",
+  "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to repeat." },
     { "NAME": "columns", "TYPE": "float", "LABEL": "Columns", "DOC": "Number of copies side by side.", "MIN": 1.0, "MAX": 16.0, "DEFAULT": 3.0, "IDENTITY": 1.0, "STEP": 1.0 },

@@ -5,6 +5,7 @@
   "CREDIT": "Scrim. Pigment: A. Bousseau, M. Kaplan, J. Thollot and F. X. Sillion 2006, Interactive Watercolor Rendering with Temporal Coherence and Abstraction. Areas and directions: J. E. Kyprianidis and J. Döllner 2008, Image Abstraction by Structure Adaptive Filtering",
   "CATEGORIES": ["Style", "Painterly", "Watercolor", "Aquarelle", "Paint", "Paper", "NPR"],
   "SCRIM_ALPHA": "premultiplied",
+  "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to paint." },
     { "NAME": "simplify", "TYPE": "float", "LABEL": "Simplify", "DOC": "How much areas are evened out.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.35, "UNIT": "ratio" },

@@ -5,6 +5,7 @@
   "CATEGORIES": ["Composite", "Mix", "Blend mode", "Layer", "Multiply", "Screen", "Overlay", "Add"],
   "SCRIM_ALPHA": "premultiplied",
   "SCRIM_DEPTH": "over",
+  "SCRIM_OPAQUE": ["bottom"],
   "INPUTS": [
     { "NAME": "top", "TYPE": "image", "LABEL": "Top", "DOC": "The layer in front: the source." },
     { "NAME": "bottom", "TYPE": "image", "LABEL": "Bottom", "DOC": "The layer behind: the backdrop." },

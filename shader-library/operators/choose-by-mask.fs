@@ -6,6 +6,7 @@
   "CATEGORIES": ["Composite", "Choose by mask", "Mask", "Local", "Region", "Switch", "Select"],
   "SCRIM_ALPHA": "premultiplied",
   "SCRIM_DEPTH": "same",
+  "SCRIM_OPAQUE": ["inside", "outside"],
   "INPUTS": [
     { "NAME": "inside", "TYPE": "image", "LABEL": "Inside", "DOC": "The layer to show where the mask is bright. The depth of the result is from this layer." },
     { "NAME": "outside", "TYPE": "image", "LABEL": "Outside", "DOC": "The layer to show elsewhere." },

@@ -7,6 +7,7 @@
   "SCRIM_ALPHA": "premultiplied",
   "SCRIM_DEPTH": "over",
   "SCRIM_ENCODING": "either",
+  "SCRIM_OPAQUE": ["bottom"],
   "INPUTS": [
     { "NAME": "top", "TYPE": "image", "LABEL": "Top", "DOC": "The layer in front." },
     { "NAME": "bottom", "TYPE": "image", "LABEL": "Bottom", "DOC": "The layer behind." },

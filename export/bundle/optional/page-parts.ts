@@ -1,3 +1,4 @@
+import { entersSessions } from '../page-entry.ts';
 import { absent, type OptionalPart } from './part.ts';
 
 /** Parts of the page around the image. */
@@ -16,5 +17,32 @@ export const PAGE_PARTS: readonly OptionalPart[] = [
     file: 'export/page/embedded-files.ts',
     isNeeded: ({ singleFile }) => singleFile,
     otherwise: `export const hasEmbeddedFiles = () => false;\n${absent('createEmbeddedAssetSource')}`,
+  },
+  {
+    file: 'export/page/session-modes.ts',
+    isNeeded: entersSessions,
+    otherwise: `export const NOT_LOADED = null;
+export const findSessionModes = async () => ({ offers: [], fallbacks: [], noAr: null });
+export const lacksOf = () => [];`,
+  },
+  {
+    file: 'export/page/mode-elements.ts',
+    isNeeded: entersSessions,
+    otherwise: `export const createModeElements = () => ({ elements: [], lacks: [], show: () => {}, firstButton: () => null });`,
+  },
+  {
+    file: 'export/page/leave-button.ts',
+    isNeeded: entersSessions,
+    otherwise: 'export const createLeaveButton = () => null;',
+  },
+  {
+    file: 'export/page/session-entry.ts',
+    isNeeded: entersSessions,
+    otherwise: `const nothing = () => {};
+export const createSessionEntry = ({ root }) => ({
+  offer: () => root.panel.show({ kind: 'ready', offers: [], reason: null }),
+  enter: nothing,
+  onEvent: nothing,
+});`,
   },
 ];

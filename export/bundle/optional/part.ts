@@ -10,12 +10,14 @@ export interface OptionalPart {
   readonly otherwise: string;
 }
 
-export const ABSENT = `const absent = () => { throw new Error('The page was made without this.'); };`;
+/** Name by which code that stands for a file imports `export/page/absent.ts`. */
+export const ABSENT_MODULE = 'scrim:absent';
+
+export const ABSENT = `import { absent } from '${ABSENT_MODULE}';`;
 
 /** Code that exports names of functions which throw. */
 export function absent(...names: readonly string[]): string {
-  const text = names.map((name) => `absent as ${name}`).join(', ');
-  return `${ABSENT}\nexport { ${text} };`;
+  return `export { ${names.map((name) => `absent as ${name}`).join(', ')} } from '${ABSENT_MODULE}';`;
 }
 
 export const needs = (capability: string) => (use: PageUse) => use.capabilities.has(capability as never);

@@ -1,4 +1,4 @@
-import type { PageUse } from '../page-entry.ts';
+import { entersSessions, type PageUse } from '../page-entry.ts';
 import { absent, needs, type OptionalPart } from './part.ts';
 
 const WRITE_IDENTITY = '(m) => { m[0] = m[5] = m[10] = m[15] = 1; }';
@@ -37,6 +37,11 @@ export const MAX_TAPS = 0;
 export const MAX_KEYS = 0;
 export const createSessionInput = () => ({});
 ${absent('createPointer', 'addPointer', 'deriveTaps', 'rest', 'nextTap')}`,
+  },
+  {
+    file: 'export/runtime/sessions/webxr/webxr-input.ts',
+    isNeeded: entersSessions,
+    otherwise: absent('createWebXrInput'),
   },
   {
     file: 'export/runtime/sessions/webxr/authored-room.ts',

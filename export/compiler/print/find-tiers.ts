@@ -1,6 +1,7 @@
 import type { Capability } from '../../../nodes/kit/definition.ts';
-import type { ProgramNeed, Tier } from '../../program/needs.ts';
-import type { Presentation } from '../../program/program-presentation.ts';
+import { isFixedImage } from '../../program/fixed-image.ts';
+import type { Tier } from '../../program/needs.ts';
+import type { Program } from '../../program/program.ts';
 
 /** Capabilities that the page itself requests, so that they are available in any kind of session. */
 const OF_THE_PAGE: readonly Capability[] = ['microphone', 'motion', 'location'];
@@ -20,9 +21,15 @@ const TIERS: readonly { readonly id: Tier['id']; readonly offers: readonly Capab
 
 /**
  * The tiers that can play the program, with what each lacks. Tiers with the camera image are listed only if the program uses that image.
- * Tiers that lack a required capability are left out, except orbit, which needs no permission.
+ * Tiers that lack a required capability are left out, except orbit, which needs no permission. A program that shows the same image in all
+ * of them plays in orbit alone.
  */
-export function findTiers(needs: readonly ProgramNeed[], { background }: Pick<Presentation, 'background'>): Tier[] {
+export function findTiers(program: Omit<Program, 'tiers'>): Tier[] {
+  const {
+    needs,
+    presentation: { background },
+  } = program;
+  if (isFixedImage(program)) return [{ id: 'orbit', without: [] }];
   const samplesCamera = needs.some(({ capability }) => capability === 'camera-image');
   return TIERS.flatMap(({ id, offers }): Tier[] => {
     if (id === 'ar-camera' && !samplesCamera) return [];

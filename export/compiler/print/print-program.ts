@@ -13,7 +13,7 @@ export function print(project: ProjectLogic, scheduled: Schedule, { operations, 
   const needs = collectNeeds(scheduled.nodes, scheduled.working);
   const controls = collectControls(scheduled);
   const credits = collectCredits(scheduled.nodes, project.assets);
-  return {
+  const program: Program = {
     format: 'scrim-program',
     version: PROGRAM_VERSION,
     title: project.title,
@@ -24,12 +24,13 @@ export function print(project: ProjectLogic, scheduled: Schedule, { operations, 
     assets: usedAssets(project, operations),
     presentation: scheduled.presentation,
     needs,
-    tiers: findTiers(needs, scheduled.presentation),
+    tiers: [],
     taps: scheduled.taps,
     ...(controls.length > 0 ? { controls } : {}),
     ...(scheduled.nodes.some(({ definition }) => definition.readsInput) ? { readsInput: true as const } : {}),
     ...(credits.length > 0 ? { credits } : {}),
   };
+  return { ...program, tiers: findTiers(program) };
 }
 
 function usedAssets({ assets }: ProjectLogic, operations: readonly Operation[]): ProgramAsset[] {

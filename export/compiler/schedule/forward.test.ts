@@ -182,6 +182,7 @@ describe('the forward path', () => {
       background: [1, 0, 0, 1],
       blend: 'alpha',
       screenDepth: 'whole',
+      covers: true,
     });
     expect(program(videoStudio().set('screen-a.background', 'color')).presentation.background).toBe('world');
   });

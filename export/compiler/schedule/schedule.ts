@@ -1,11 +1,13 @@
 import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
 import { type Diagnostic, hasErrors, type Result } from '../../../nodes/kit/diagnostics.ts';
+import { isProjectShader } from '../../graph/library/project-library.ts';
 import type { LayerRef, Resource, SlotTable } from '../../program/program.ts';
 import type { Presentation } from '../../program/program-presentation.ts';
 import { type Checked, nodesBehind, type Tap } from '../check/check-resolved.ts';
-import { type FlatNode, portKey } from '../flat-graph.ts';
+import { type FlatGraph, type FlatNode, portKey } from '../flat-graph.ts';
 import type { ShaderStore } from '../shaders/shader-store.ts';
 import { totalBytes } from '../target-bytes.ts';
+import { type CoverFacts, coversView } from './covers-view.ts';
 import { type DemandStart, findDemand } from './demand.ts';
 import { fuseOperations } from './fuse/fuse-operations.ts';
 import type { SeparateWire } from './fuse/separate-wire.ts';
@@ -78,7 +80,8 @@ export function schedule(checked: Checked, options: ScheduleOptions): ScheduleRe
   const shown = lowerShown(lowering, live, plan.leaves, demand);
   const { diagnostics, above } = lowering;
   if (hasErrors(diagnostics)) return { output: null, diagnostics, above };
-  const presentation: Presentation = { ...presentationOf(plan, lowering), ...(around && { around }) };
+  // Of the screen alone: viewed layers add steps.
+  const shownPresentation = presentationOf(plan, lowering);
 
   const linkable = linkableTaps(lowering, checked);
   const behind = nodesBehind(
@@ -104,6 +107,10 @@ export function schedule(checked: Checked, options: ScheduleOptions): ScheduleRe
     ? fuseOperations({ ...plain, viewed: viewedResources, unfused }, options.opaqueImages, bytesOf)
     : { ...plain, separate: [] };
   const resources = shared(fused);
+  const covers =
+    isOpaqueColor(plan.background) ||
+    coversView(operations, { lowering, opaqueImages: options.opaqueImages, ...ownShaders(graph, options) });
+  const presentation: Presentation = { ...shownPresentation, ...(around && { around }), ...(covers && { covers }) };
   return {
     output: {
       operations: markSharedPasses({ operations: fused.operations, resources, taps }),
@@ -118,6 +125,20 @@ export function schedule(checked: Checked, options: ScheduleOptions): ScheduleRe
     },
     diagnostics,
     above: [],
+  };
+}
+
+function isOpaqueColor(background: Presentation['background']): boolean {
+  return background !== 'world' && background[3] === 1;
+}
+
+function ownShaders({ nodes }: FlatGraph, { library, shaders }: ScheduleOptions): Pick<CoverFacts, 'node' | 'ownShader'> {
+  return {
+    node: (id) => nodes.get(id),
+    ownShader: ({ definition: { lowering } }) => {
+      const source = lowering.kind === 'image' && !isProjectShader(lowering.shader) ? library.shader(lowering.shader) : undefined;
+      return source === undefined || lowering.kind !== 'image' ? null : shaders.read(lowering.shader, source).output;
+    },
   };
 }
 

@@ -30,6 +30,11 @@ export interface IsfShader {
   readonly imported: readonly IsfImport[];
   /** `SCRIM_ALPHA`: images are read and written as they are stored, premultiplied. */
   readonly premultiplied: boolean;
+  /**
+   * `SCRIM_OPAQUE`: images; where they and the colors have no transparency, the output has none. Empty: unclear. It may be wrong in shaders
+   * of projects.
+   */
+  readonly opaqueImages: readonly string[];
   /** `SCRIM_DEPTH`: depth of the output; `auto` depends on the access. */
   readonly depth: 'auto' | 'same' | 'none' | 'over';
   /**

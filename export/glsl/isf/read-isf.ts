@@ -38,6 +38,7 @@ export function readIsf(source: string, file: string, vertex: string | null = nu
     passes: readPasses(header, inputs),
     imported: readImported(header),
     premultiplied: readWord(header, 'SCRIM_ALPHA', ['straight', 'premultiplied']) === 'premultiplied',
+    opaqueImages: items(property(header.root, 'SCRIM_OPAQUE')).flatMap((node) => textOf(node) ?? []),
     depth: readWord(header, 'SCRIM_DEPTH', ['auto', 'same', 'none', 'over']),
     encoding,
     readsScene: encoding === 'scene' || encoding === 'scene to display',

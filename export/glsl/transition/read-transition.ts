@@ -90,6 +90,7 @@ function shaderOf(source: string, file: string, inputs: readonly IsfInput[]): Is
     passes: [{ target: null, persistent: false, float: false, half: false, width: null, height: null }],
     imported: [],
     premultiplied: false,
+    opaqueImages: [],
     encoding: 'display',
     readsScene: false,
     writesScene: false,
