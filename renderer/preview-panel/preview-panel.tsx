@@ -12,6 +12,7 @@ import { startPreview } from '../state/preview/stopped-preview.ts';
 import { usePreviewSync } from '../state/preview-sync/preview-sync-context.ts';
 import { Button, IconButton } from '../ui/button.tsx';
 import { Icon } from '../ui/icon.tsx';
+import { SelectField } from '../ui/select-field.tsx';
 import { PhysicsMenu } from './physics-menu.tsx';
 import { PopOut } from './pop-out.tsx';
 import { connectPreview } from './preview-link.ts';
@@ -135,7 +136,12 @@ function Notice() {
   if (playing === null && broken && !hasProgram) {
     return <p className="stage-notice">Nothing to show yet. See the problems below the graph.</p>;
   }
-  if (loading) return <p className="stage-notice stage-loading">Loading…</p>;
+  if (loading)
+    return (
+      <p className="stage-notice stage-loading">
+        <span>Loading…</span>
+      </p>
+    );
   if (broken) {
     return (
       <p className="stage-flag">
@@ -190,6 +196,7 @@ function SourcePicker() {
     ['Emulated rooms', sources.filter(({ kind }) => kind === 'room')],
     ['This computer', LOCAL_SOURCES],
   ] as const;
+  const options = groups.flatMap(([group, list]) => list.map(({ id, title }) => ({ value: id, label: title, group })));
   const file = useRef<HTMLInputElement>(null);
   return (
     <>
@@ -205,28 +212,17 @@ function SourcePicker() {
           target.value = '';
         }}
       />
-      <select
-        className="select transport-source"
-        aria-label="Preview source"
-        value={chosen}
-        onChange={({ target }) => {
-          if (target.value === 'still') file.current?.click();
-          else preview.setState({ sourceId: target.value });
-        }}
-      >
-        {groups.map(
-          ([label, list]) =>
-            list.length > 0 && (
-              <optgroup key={label} label={label}>
-                {list.map(({ id, title }) => (
-                  <option key={id} value={id}>
-                    {title}
-                  </option>
-                ))}
-              </optgroup>
-            ),
-        )}
-      </select>
+      <div className="transport-source">
+        <SelectField
+          label="Preview source"
+          value={chosen}
+          options={options}
+          onChoose={(sourceId) => {
+            if (sourceId === 'still') file.current?.click();
+            else preview.setState({ sourceId });
+          }}
+        />
+      </div>
     </>
   );
 }

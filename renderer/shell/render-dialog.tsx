@@ -1,14 +1,19 @@
-import { type ReactNode, useId, useState } from 'react';
+import { useId, useState } from 'react';
 import { useStore } from 'zustand';
 import { type FrameTimes, timeOfFrame } from '../../nodes/kit/frame-times.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 import { lastFrame, playedRange } from '../state/preview/playback.ts';
 import { type FrameRenderOptions, planFrames, ROOM_RATE_HZ, rateOf, renderFrames } from '../state/preview/render-frames.ts';
 import { FormDialog } from '../ui/form-dialog.tsx';
+import { SelectField, type SelectOption } from '../ui/select-field.tsx';
 import { FolderField } from './folder-field.tsx';
 import './render-dialog.css';
 
-const RATES_HZ = [24, 25, 30, 50, 60];
+const FORMATS: readonly SelectOption<FrameRenderOptions['what']>[] = [
+  { value: 'pictures', label: 'Images (PNG)' },
+  { value: 'video', label: 'Video' },
+];
+const RATES = ['24', '25', '30', '50', '60'].map((value) => ({ value, label: value }));
 const MOST_PX = 8192;
 const MOST_FRAMES = 100_000;
 /** Default range in an emulated room: three seconds. */
@@ -45,21 +50,16 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
       onClose={onClose}
       wide
     >
-      <Choice label="Format" value={what} onChange={(value) => setWhat(value === 'video' ? 'video' : 'pictures')}>
-        <option value="pictures">Images (PNG)</option>
-        <option value="video">Video</option>
-      </Choice>
+      <Choice label="Format" value={what} options={FORMATS} onChoose={setWhat} />
       <div className="render-row">
         <WholeNumber label="First frame" text={range.from} wrong={from === null} onChange={(text) => setRange({ ...range, from: text })} />
         <WholeNumber label="Last frame" text={range.to} wrong={to === null} onChange={(text) => setRange({ ...range, to: text })} />
-        <Choice label="Frame rate (fps)" value={rate} onChange={setRate}>
-          {frames && <option value="own">Same as recording ({rateOf(frames)})</option>}
-          {RATES_HZ.map((hz) => (
-            <option key={hz} value={hz}>
-              {hz}
-            </option>
-          ))}
-        </Choice>
+        <Choice
+          label="Frame rate (fps)"
+          value={rate}
+          options={[...(frames ? [{ value: 'own', label: `Same as recording (${rateOf(frames)})` }] : []), ...RATES]}
+          onChoose={setRate}
+        />
       </div>
       <div className="render-row">
         <WholeNumber label="Width" text={size.width} wrong={widthPx === null} onChange={(text) => setSize({ ...size, width: text })} />
@@ -80,21 +80,19 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
   );
 }
 
-interface ChoiceProps {
+interface ChoiceProps<T> {
   readonly label: string;
-  readonly value: string;
-  readonly onChange: (value: string) => void;
-  readonly children: ReactNode;
+  readonly value: T;
+  readonly options: readonly SelectOption<T>[];
+  readonly onChoose: (value: T) => void;
 }
 
-function Choice({ label, value, onChange, children }: ChoiceProps) {
+function Choice<T extends string>(props: ChoiceProps<T>) {
   const id = useId();
   return (
     <div className="render-field">
-      <label htmlFor={id}>{label}</label>
-      <select id={id} className="select" value={value} onChange={(event) => onChange(event.target.value)}>
-        {children}
-      </select>
+      <label htmlFor={id}>{props.label}</label>
+      <SelectField id={id} {...props} />
     </div>
   );
 }
