@@ -1,6 +1,5 @@
 import { type ReactNode, useEffect, useRef } from 'react';
 import { useStore } from 'zustand';
-import { hasErrors } from '../../nodes/kit/diagnostics.ts';
 import { runCommand } from '../state/commands/app-commands.ts';
 import { togglePreviewExtent } from '../state/commands/command-actions.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
@@ -11,11 +10,11 @@ import { popOutPreview } from '../state/preview/pop-out.ts';
 import { startPreview } from '../state/preview/stopped-preview.ts';
 import { usePreviewSync } from '../state/preview-sync/preview-sync-context.ts';
 import { Button, IconButton } from '../ui/button.tsx';
-import { Icon } from '../ui/icon.tsx';
 import { SelectField } from '../ui/select-field.tsx';
 import { PhysicsMenu } from './physics-menu.tsx';
 import { PopOut } from './pop-out.tsx';
 import { connectPreview } from './preview-link.ts';
+import { PreviewNotice } from './preview-notice.tsx';
 import { PreviewRail } from './preview-rail.tsx';
 import { RoomLight } from './room-light.tsx';
 import { SafeAreas } from './safe-areas.tsx';
@@ -38,7 +37,7 @@ export function PreviewPanel({ previewUrl }: { readonly previewUrl: string }) {
         <>
           <PreviewFrame url={previewUrl} />
           <SafeAreas />
-          <Notice />
+          <PreviewNotice />
           <ViewerOverlay />
         </>
       ) : (
@@ -119,37 +118,6 @@ function StoppedNotice({ reason }: { readonly reason: StopReason }) {
       <Button onPress={() => startPreview(editor)}>Start preview</Button>
     </div>
   );
-}
-
-/** Message over the preview: lost device, loading, or problems. */
-function Notice() {
-  const editor = useEditor();
-  const state = useStore(editor.preview, (preview) => preview.status?.state ?? null);
-  const loading = useStore(editor.preview, isLoading);
-  const playing = useStore(editor.preview, (preview) => preview.playing);
-  const hasProgram = useStore(editor.compile, (compile) => compile.program !== null);
-  const refused = useStore(editor.compile, (compile) => hasErrors(compile.diagnostics));
-  const unlinked = useStore(editor.preview, (preview) => hasErrors(preview.shaderDiagnostics));
-  const broken = refused || unlinked;
-  if (state === 'lost')
-    return <p className="stage-notice">The graphics device was lost. The preview continues when the device is restored.</p>;
-  if (playing === null && broken && !hasProgram) {
-    return <p className="stage-notice">Nothing to show yet. See the problems below the graph.</p>;
-  }
-  if (loading)
-    return (
-      <p className="stage-notice stage-loading">
-        <span>Loading…</span>
-      </p>
-    );
-  if (broken) {
-    return (
-      <p className="stage-flag">
-        <Icon name="warning" size={14} /> Showing the last working version
-      </p>
-    );
-  }
-  return null;
 }
 
 function Transport() {
