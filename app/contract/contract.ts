@@ -146,6 +146,8 @@ const platformMenu = z.object({
           /** Keybinding of the command, as `renderer/keybinding.ts` writes it; null if there is none. */
           keybinding: z.string().max(64).nullable(),
           enabled: z.boolean(),
+          /** Whether what the command switches is on; null if it switches nothing. */
+          checked: z.boolean().nullable(),
         }),
       ]),
     )

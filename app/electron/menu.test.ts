@@ -3,26 +3,26 @@ import type { MenuItemConstructorOptions } from 'electron';
 import type { PlatformMenu } from '../contract/contract.ts';
 import { menuTemplate, shapeOfMenus } from './menu.ts';
 
-const SAVE = { command: 'file.save', label: 'Save', keybinding: 'Mod+S', enabled: true };
+const SAVE = { command: 'file.save', label: 'Save', keybinding: 'Mod+S', enabled: true, checked: null };
 const MENUS: readonly PlatformMenu[] = [
   { label: 'File', entries: [SAVE] },
   {
     label: 'Edit',
     entries: [
-      { command: 'edit.undo', label: 'Undo', keybinding: 'Mod+Z', enabled: false },
+      { command: 'edit.undo', label: 'Undo', keybinding: 'Mod+Z', enabled: false, checked: null },
       'line',
-      { command: 'edit.copy', label: 'Copy', keybinding: 'Mod+C', enabled: false },
+      { command: 'edit.copy', label: 'Copy', keybinding: 'Mod+C', enabled: false, checked: null },
     ],
   },
   {
     label: 'View',
     entries: [
-      { command: 'view.fit', label: 'Fit graph to view', keybinding: 'F', enabled: true },
-      { command: 'view.help', label: 'Node help', keybinding: 'F1', enabled: true },
-      { command: 'view.odd', label: 'Odd', keybinding: 'Mod+Ä', enabled: true },
+      { command: 'view.fit', label: 'Fit graph to view', keybinding: 'F', enabled: true, checked: null },
+      { command: 'view.help', label: 'Node help', keybinding: 'F1', enabled: true, checked: null },
+      { command: 'view.odd', label: 'Odd', keybinding: 'Mod+Ä', enabled: true, checked: null },
     ],
   },
-  { label: 'Help', entries: [{ command: 'help.tour', label: 'Take the tour', keybinding: null, enabled: true }] },
+  { label: 'Help', entries: [{ command: 'help.tour', label: 'Take the tour', keybinding: null, enabled: true, checked: null }] },
 ];
 
 function built(platform: NodeJS.Platform, menus = MENUS) {
@@ -61,8 +61,22 @@ test('keys that Electron has no name for are left out, and on a Mac those that t
   expect(built('darwin').item('view.help')).toMatchObject({ accelerator: 'F1' });
 });
 
+test('what a command switches has a tick, which only the editor sets', () => {
+  const help = { command: 'view.help', label: 'Node help', keybinding: 'F1', enabled: true, checked: true };
+  const { item, sent } = built('linux', [{ label: 'View', entries: [help, SAVE] }]);
+  expect(item('view.help')).toMatchObject({ type: 'checkbox', checked: true });
+  expect(item('file.save')).not.toHaveProperty('checked');
+  // As Electron calls it: the tick is already gone.
+  const clicked = { checked: false };
+  const click = item('view.help')?.click as ((item: { checked: boolean }) => void) | undefined;
+  click?.(clicked);
+  expect([clicked.checked, sent]).toEqual([true, ['view.help']]);
+});
+
 test('a menu is built anew for other keys, not for what can be done now', () => {
   const shape = shapeOfMenus([{ label: 'File', entries: [SAVE] }]);
   expect(shapeOfMenus([{ label: 'File', entries: [{ ...SAVE, enabled: false }] }])).toBe(shape);
   expect(shapeOfMenus([{ label: 'File', entries: [{ ...SAVE, keybinding: 'Mod+Alt+S' }] }])).not.toBe(shape);
+  const ticked = (checked: boolean) => shapeOfMenus([{ label: 'File', entries: [{ ...SAVE, checked }] }]);
+  expect(ticked(true)).toBe(ticked(false));
 });

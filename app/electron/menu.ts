@@ -25,7 +25,7 @@ const SEPARATOR: MenuItemConstructorOptions = { type: 'separator' };
 export function menuTemplate(menus: readonly PlatformMenu[], { platform, packaged, send }: MenuOptions): MenuItemConstructorOptions[] {
   const itemOf = (entry: PlatformMenuEntry): MenuItemConstructorOptions => {
     if (entry === 'line') return SEPARATOR;
-    const { command, label, keybinding, enabled } = entry;
+    const { command, label, keybinding, enabled, checked } = entry;
     const role = ROLES[command];
     if (role) return { role, label };
     const accelerator = keybinding === null ? null : acceleratorOf(keybinding, platform);
@@ -33,8 +33,13 @@ export function menuTemplate(menus: readonly PlatformMenu[], { platform, package
       id: command,
       label,
       enabled,
+      ...(checked !== null && { type: 'checkbox' as const, checked }),
       ...(accelerator !== null && { accelerator, registerAccelerator: false }),
-      click: () => send(command),
+      click: (item) => {
+        // Electron has switched the tick; the editor says what is on.
+        if (checked !== null) item.checked = !item.checked;
+        send(command);
+      },
     };
   };
   const more: Readonly<Record<string, readonly MenuItemConstructorOptions[]>> = {
@@ -58,7 +63,7 @@ export function menuTemplate(menus: readonly PlatformMenu[], { platform, package
   ];
 }
 
-/** The structure of the menus without their enabled states, which can change without a rebuild. */
+/** The structure of the menus without their enabled states and ticks, which can change without a rebuild. */
 export function shapeOfMenus(menus: readonly PlatformMenu[]): string {
-  return JSON.stringify(menus, (key, value) => (key === 'enabled' ? undefined : value));
+  return JSON.stringify(menus, (key, value) => (key === 'enabled' || (key === 'checked' && value !== null) ? undefined : value));
 }

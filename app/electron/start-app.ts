@@ -67,7 +67,9 @@ function menuShower(app: App, send: (command: string) => void): (menus: readonly
       const menu = Menu.getApplicationMenu();
       for (const entry of menus.flatMap(({ entries }) => entries)) {
         const item = entry === 'line' ? null : menu?.getMenuItemById(entry.command);
-        if (item && entry !== 'line') item.enabled = entry.enabled;
+        if (!item || entry === 'line') continue;
+        item.enabled = entry.enabled;
+        if (entry.checked !== null) item.checked = entry.checked;
       }
       return;
     }

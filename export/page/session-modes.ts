@@ -43,7 +43,7 @@ async function noArReason({ isSecureContext, navigator }: ModePage): Promise<str
     return 'This browser has no AR. Open the page in Chrome on an Android phone, or in a headset’s browser, to see it in your room.';
   }
   if (await supportsWebXr(navigator.xr)) return null;
-  return 'This device offers no AR. Open the page on an Android phone or a headset to see it in your room.';
+  return 'This device offers no AR. Many Android phones and headsets show the page in your room.';
 }
 
 /** Returns what is missing in a tier, as sentences for visitors. */

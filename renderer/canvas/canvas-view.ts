@@ -1,15 +1,18 @@
 import { useReactFlow, useStoreApi } from '@xyflow/react';
 import { type RefObject, useEffect, useRef, useState } from 'react';
+import { flushSync } from 'react-dom';
 import { useStore } from 'zustand';
 import { debounce } from '../clock.ts';
 import type { Place } from '../state/editor/canvas-state.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
+import { zoomOf } from '../ui/appearance.ts';
+import { createWheelDevice, zoomFactor } from './wheel-device.ts';
 
 const GRID = 8;
 
 /**
- * Decides from each wheel event whether it comes from a mouse wheel, which zooms, or a trackpad, which pans, unless a preference says what
- * both do. The browser does not tell them apart: wheels send large equal steps along one axis, trackpads small ones along both.
+ * Applies a wheel event with Ctrl, as of a pinch, as a zoom about the pointer; other wheel events zoom or pan by the preference. `auto`:
+ * a mouse wheel zooms, two fingers on a trackpad pan.
  *
  * @returns Whether scrolling pans.
  */
@@ -17,24 +20,33 @@ export function useWheel(root: RefObject<HTMLElement | null>): boolean {
   const { preferences } = useEditor();
   const wheel = useStore(preferences, (state) => state.wheel);
   const [pans, setPans] = useState(false);
+  const store = useStoreApi();
+  const { getViewport, setViewport } = useReactFlow();
   useEffect(() => {
     const element = root.current;
     if (!element) return;
-    const look = (event: WheelEvent) => {
-      // A pinch arrives as a wheel event with Ctrl and always zooms.
-      if (!event.ctrlKey) setPans(isTrackpad(event));
+    const device = createWheelDevice();
+    const zoom = (event: WheelEvent) => {
+      // React Flow zooms by a tenth for a pinch outside macOS, and the browser would zoom the whole page.
+      event.preventDefault();
+      event.stopPropagation();
+      const box = element.getBoundingClientRect();
+      const scale = zoomOf(element);
+      const [atX, atY] = [(event.clientX - box.left) / scale, (event.clientY - box.top) / scale];
+      const { x, y, zoom: before } = getViewport();
+      const { minZoom, maxZoom } = store.getState();
+      const after = Math.min(Math.max(before * zoomFactor(event), minZoom), maxZoom);
+      void setViewport({ x: atX - ((atX - x) * after) / before, y: atY - ((atY - y) * after) / before, zoom: after });
     };
-    element.addEventListener('wheel', look, { capture: true, passive: true });
+    const look = (event: WheelEvent) => {
+      if (event.ctrlKey) zoom(event);
+      // At once: this event, which React Flow gets next, counts already.
+      else flushSync(() => setPans(device.isTrackpad(event)));
+    };
+    element.addEventListener('wheel', look, { capture: true, passive: false });
     return () => element.removeEventListener('wheel', look, { capture: true });
-  }, [root]);
+  }, [root, store, getViewport, setViewport]);
   return wheel === 'auto' ? pans : wheel === 'pan';
-}
-
-const WHEEL_STEP_PX = 40;
-
-export function isTrackpad({ deltaX, deltaY, deltaMode }: Pick<WheelEvent, 'deltaX' | 'deltaY' | 'deltaMode'>): boolean {
-  if (deltaMode !== 0) return false;
-  return deltaX !== 0 || !Number.isInteger(deltaY) || Math.abs(deltaY) < WHEEL_STEP_PX;
 }
 
 /** When the UI scale changes, zooms the graph by the same factor about the center of the view. */

@@ -118,6 +118,7 @@ function CanvasInside() {
             fitViewOptions={fit}
             panOnDrag={[1]}
             panOnScroll={panOnScroll}
+            panOnScrollSpeed={1}
             zoomOnScroll={!panOnScroll}
             zoomOnDoubleClick={false}
             selectionOnDrag

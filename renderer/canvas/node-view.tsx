@@ -69,7 +69,14 @@ function FullNode({ id, data, selected }: NodeBodyProps) {
       ))}
       {data.shape.thumbnail !== null && <NodeThumbnail node={id} {...data.shape.thumbnail} />}
       <Expander id={id} data={data} />
-      <NodeCost id={id} />
+      <div className="node-above">
+        <NodeCost id={id} />
+        {data.problem && data.problem.severity !== 'info' && (
+          <p className="node-says" data-severity={data.problem.severity}>
+            {data.problem.text}
+          </p>
+        )}
+      </div>
     </div>
   );
 }

@@ -5,7 +5,10 @@ import { BUDGETS, type Cost, costAt, costsOf, costWords, type Device, megabytes,
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { nodePath } from '../state/editor/layer-names.ts';
 import { Icon } from '../ui/icon.tsx';
+import { SelectField } from '../ui/select-field.tsx';
 import './performance-overlay.css';
+
+const DEVICES = (Object.keys(BUDGETS) as Device[]).map((value) => ({ value, label: BUDGETS[value].label.toLowerCase() }));
 
 const CostsContext = createContext<ReadonlyMap<string, Cost> | null>(null);
 
@@ -44,21 +47,15 @@ export function PerformancePanel() {
   return (
     <Panel position="top-right" className="cost-panel">
       <section aria-label="Performance">
-        <label>
+        <div className="cost-device">
           Budget for a
-          <select
-            className="select"
-            aria-label="Target device"
+          <SelectField
+            label="Target device"
             value={device}
-            onChange={(event) => editor.costs.setState({ device: event.target.value as Device })}
-          >
-            {Object.entries(BUDGETS).map(([name, { label }]) => (
-              <option key={name} value={name}>
-                {label.toLowerCase()}
-              </option>
-            ))}
-          </select>
-        </label>
+            options={DEVICES}
+            onChoose={(next) => editor.costs.setState({ device: next })}
+          />
+        </div>
         <dl>
           <Figure label="Passes" value={String(total.passes)} of={String(BUDGETS[device].passes)} />
           <Figure label="Draw calls" value={String(total.draws)} of={String(BUDGETS[device].draws)} />

@@ -5,6 +5,7 @@ import { editHeader } from '../state/document/edit-header.ts';
 import { shaderOf } from '../state/document/edit-shader.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { Button, IconButton } from '../ui/button.tsx';
+import { SelectField } from '../ui/select-field.tsx';
 import { HeaderField } from './header-field.tsx';
 import './header-form.css';
 import { HeaderInput, INPUT_TYPES, TECHNIQUE_TYPES } from './header-input.tsx';
@@ -61,17 +62,13 @@ function Inputs({ node, form, technique, disabled }: PartProps & { readonly tech
         ))}
       </ul>
       <div className="header-add">
-        <select
-          className="select"
-          aria-label="Type of a new input"
+        <SelectField
+          label="Type of a new input"
           value={type}
+          options={types.map((value) => ({ value, label: value }))}
           disabled={disabled}
-          onChange={(event) => setType(event.target.value)}
-        >
-          {types.map((one) => (
-            <option key={one}>{one}</option>
-          ))}
-        </select>
+          onChoose={setType}
+        />
         <Button
           icon="add"
           disabled={disabled}

@@ -7,6 +7,7 @@ import { addToast } from '../state/editor/ui.ts';
 import { IconButton } from '../ui/button.tsx';
 import { ColorField } from '../ui/color-field.tsx';
 import { Icon } from '../ui/icon.tsx';
+import { SelectField } from '../ui/select-field.tsx';
 import { HeaderField } from './header-field.tsx';
 import { numbersOf, textOfField, wordsOf } from './header-text.ts';
 
@@ -94,11 +95,13 @@ export function HeaderInput({ node, index, isLast, fields, types, disabled, open
           <HeaderField label="Name" value={name} onSet={(text) => renameInput(editor, node, name, text.trim()) && onOpen(text.trim())} />
           <div className="header-field">
             <label htmlFor={`type-${node}-${index}`}>Type</label>
-            <select id={`type-${node}-${index}`} className="select" value={type} onChange={(event) => set('TYPE', event.target.value)}>
-              {offered.map((one) => (
-                <option key={one}>{one}</option>
-              ))}
-            </select>
+            <SelectField
+              id={`type-${node}-${index}`}
+              label="Type"
+              value={type}
+              options={offered.map((value) => ({ value, label: value }))}
+              onChoose={(value) => set('TYPE', value)}
+            />
           </div>
           <HeaderField
             label="Label"

@@ -39,6 +39,8 @@ function defineTheme(light: boolean): void {
       'editor.background': color('--surface-0'),
       'editor.foreground': color('--text'),
       'editorLineNumber.foreground': color('--text-3'),
+      // The number of an empty last line.
+      'editorLineNumber.dimmedForeground': color('--text-3'),
       'editorLineNumber.activeForeground': color('--text'),
       'editor.lineHighlightBackground': color('--surface-1'),
       'editor.lineHighlightBorder': '#00000000',

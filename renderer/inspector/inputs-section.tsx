@@ -5,6 +5,7 @@ import { PortMark } from '../canvas/port-mark.tsx';
 import { useDocumentWhile, useEditor } from '../state/editor/editor-context.ts';
 import { connect, reorderWires } from '../state/graph/edit-graph.ts';
 import { IconButton } from '../ui/button.tsx';
+import { SelectField } from '../ui/select-field.tsx';
 import { SourceLink } from './source-link.tsx';
 import { sameForWires, sourcesFor } from './wire-sources.ts';
 
@@ -88,23 +89,19 @@ function SourcePicker({ node, name, port, empty }: SourcePickerProps) {
   const editor = useEditor();
   const state = useDocumentWhile(sameForWires);
   const options = useMemo(() => sourcesFor(state, { node, port: name }), [state, node, name]);
+  const choices = options.map(({ label }, value) => ({ value, label }));
   const none = port.required ? 'Not connected (required)' : 'Not connected';
   return (
-    <select
-      className={port.required && empty ? 'select select-needed' : 'select'}
-      aria-label={empty ? `Connect to ${port.label}` : `Connect another to ${port.label}`}
-      value=""
-      onChange={(event) => {
-        const chosen = options[Number(event.target.value)];
+    <SelectField
+      label={empty ? `Connect to ${port.label}` : `Connect another to ${port.label}`}
+      value={-1}
+      options={choices}
+      placeholder={empty ? none : 'Add another…'}
+      needed={port.required === true && empty}
+      onChoose={(index) => {
+        const chosen = options[index];
         if (chosen) connect(editor, chosen.from, { node, port: name });
       }}
-    >
-      <option value="">{empty ? none : 'Add another…'}</option>
-      {options.map(({ from, label }, index) => (
-        <option key={`${from.node}.${from.port}`} value={index}>
-          {label}
-        </option>
-      ))}
-    </select>
+    />
   );
 }

@@ -9,6 +9,7 @@ import { type LampView, searchLamps, startLampWorker } from '../state/lamps/lamp
 import { LAMPS_TYPE, lampSourceOf } from '../state/lamps/lamp-source.ts';
 import type { LampStage } from '../state/lamps/messages.ts';
 import { Button } from '../ui/button.tsx';
+import { SelectField } from '../ui/select-field.tsx';
 import { LampImage } from './lamp-image.tsx';
 import { ParamRow } from './param-row.tsx';
 import './lamps-section.css';
@@ -58,13 +59,15 @@ function Found({ id, found, stages }: FoundProps) {
   return (
     <>
       {stages.length > 1 && (
-        <select className="select" aria-label="Step of the search" value={shown} onChange={(event) => setShown(Number(event.target.value))}>
-          {stages.map(({ kind, iteration }, i) => (
-            <option key={`${kind} ${iteration}`} value={i}>
-              {kind === 'picture' ? STAGES[kind] : `${iteration + 1}: ${STAGES[kind]}`}
-            </option>
-          ))}
-        </select>
+        <SelectField
+          label="Step of the search"
+          value={shown}
+          options={stages.map(({ kind, iteration }, value) => ({
+            value,
+            label: kind === 'picture' ? STAGES[kind] : `${iteration + 1}: ${STAGES[kind]}`,
+          }))}
+          onChoose={setShown}
+        />
       )}
       <LampImage id={id} found={found} stage={stage} step={step} chosen={lamp} onChoose={(next) => editor.gizmo.setState({ lamp: next })} />
       {step && <Histogram step={step} />}

@@ -58,6 +58,7 @@ export function PreviewMenu() {
         kind: 'action',
         label: SIZES[size],
         checked: renderSize === size,
+        radio: true,
         run: () => editor.preferences.setState({ renderSize: size }),
       }),
     ),
@@ -93,6 +94,6 @@ function sessionItem(state: PreviewState['sessionRecording'], run: () => void): 
 function tierItems(chosen: PreviewTier, choose: (tier: PreviewTier) => void): MenuItem[] {
   return [
     { kind: 'line' },
-    ...TIERS.map(([tier, label]): MenuItem => ({ kind: 'action', label, checked: chosen === tier, run: () => choose(tier) })),
+    ...TIERS.map(([tier, label]): MenuItem => ({ kind: 'action', label, checked: chosen === tier, radio: true, run: () => choose(tier) })),
   ];
 }

@@ -1,6 +1,5 @@
 import { type ReactNode, useEffect, useRef } from 'react';
 import { useStore } from 'zustand';
-import { hasErrors } from '../../nodes/kit/diagnostics.ts';
 import { runCommand } from '../state/commands/app-commands.ts';
 import { togglePreviewExtent } from '../state/commands/command-actions.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
@@ -11,10 +10,11 @@ import { popOutPreview } from '../state/preview/pop-out.ts';
 import { startPreview } from '../state/preview/stopped-preview.ts';
 import { usePreviewSync } from '../state/preview-sync/preview-sync-context.ts';
 import { Button, IconButton } from '../ui/button.tsx';
-import { Icon } from '../ui/icon.tsx';
+import { SelectField } from '../ui/select-field.tsx';
 import { PhysicsMenu } from './physics-menu.tsx';
 import { PopOut } from './pop-out.tsx';
 import { connectPreview } from './preview-link.ts';
+import { PreviewNotice } from './preview-notice.tsx';
 import { PreviewRail } from './preview-rail.tsx';
 import { RoomLight } from './room-light.tsx';
 import { SafeAreas } from './safe-areas.tsx';
@@ -37,7 +37,7 @@ export function PreviewPanel({ previewUrl }: { readonly previewUrl: string }) {
         <>
           <PreviewFrame url={previewUrl} />
           <SafeAreas />
-          <Notice />
+          <PreviewNotice />
           <ViewerOverlay />
         </>
       ) : (
@@ -120,32 +120,6 @@ function StoppedNotice({ reason }: { readonly reason: StopReason }) {
   );
 }
 
-/** Message over the preview: lost device, loading, or problems. */
-function Notice() {
-  const editor = useEditor();
-  const state = useStore(editor.preview, (preview) => preview.status?.state ?? null);
-  const loading = useStore(editor.preview, isLoading);
-  const playing = useStore(editor.preview, (preview) => preview.playing);
-  const hasProgram = useStore(editor.compile, (compile) => compile.program !== null);
-  const refused = useStore(editor.compile, (compile) => hasErrors(compile.diagnostics));
-  const unlinked = useStore(editor.preview, (preview) => hasErrors(preview.shaderDiagnostics));
-  const broken = refused || unlinked;
-  if (state === 'lost')
-    return <p className="stage-notice">The graphics device was lost. The preview continues when the device is restored.</p>;
-  if (playing === null && broken && !hasProgram) {
-    return <p className="stage-notice">Nothing to show yet. See the problems below the graph.</p>;
-  }
-  if (loading) return <p className="stage-notice stage-loading">Loading…</p>;
-  if (broken) {
-    return (
-      <p className="stage-flag">
-        <Icon name="warning" size={14} /> Showing the last working version
-      </p>
-    );
-  }
-  return null;
-}
-
 function Transport() {
   const editor = useEditor();
   const held = useStore(editor.preview, isHeld);
@@ -190,6 +164,7 @@ function SourcePicker() {
     ['Emulated rooms', sources.filter(({ kind }) => kind === 'room')],
     ['This computer', LOCAL_SOURCES],
   ] as const;
+  const options = groups.flatMap(([group, list]) => list.map(({ id, title }) => ({ value: id, label: title, group })));
   const file = useRef<HTMLInputElement>(null);
   return (
     <>
@@ -205,28 +180,17 @@ function SourcePicker() {
           target.value = '';
         }}
       />
-      <select
-        className="select transport-source"
-        aria-label="Preview source"
-        value={chosen}
-        onChange={({ target }) => {
-          if (target.value === 'still') file.current?.click();
-          else preview.setState({ sourceId: target.value });
-        }}
-      >
-        {groups.map(
-          ([label, list]) =>
-            list.length > 0 && (
-              <optgroup key={label} label={label}>
-                {list.map(({ id, title }) => (
-                  <option key={id} value={id}>
-                    {title}
-                  </option>
-                ))}
-              </optgroup>
-            ),
-        )}
-      </select>
+      <div className="transport-source">
+        <SelectField
+          label="Preview source"
+          value={chosen}
+          options={options}
+          onChoose={(sourceId) => {
+            if (sourceId === 'still') file.current?.click();
+            else preview.setState({ sourceId });
+          }}
+        />
+      </div>
     </>
   );
 }

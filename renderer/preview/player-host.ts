@@ -31,7 +31,8 @@ export interface PlayerHost {
    * URL.
    */
   canPlay(program: Program, assetBaseUrl: string): boolean;
-  dispose(): void;
+  /** Releases the player. The canvas keeps its last image until the returned function removes it. */
+  dispose(): () => void;
 }
 
 export interface PlayerHostOptions {
@@ -110,9 +111,11 @@ export function createPlayerHost(options: PlayerHostOptions): PlayerHost {
       canvas.removeEventListener('webglcontextrestored', restored);
       meter.dispose();
       player.dispose();
-      // Browsers limit the number of contexts and drop the oldest. Garbage collection would release this one too late.
-      gl.getExtension('WEBGL_lose_context')?.loseContext();
-      canvas.remove();
+      return () => {
+        // Browsers limit the number of contexts and drop the oldest. Garbage collection would release this one too late.
+        gl.getExtension('WEBGL_lose_context')?.loseContext();
+        canvas.remove();
+      };
     },
   };
 }

@@ -1,15 +1,14 @@
-import { phantomNodes } from '../../export/program/phantom-nodes.ts';
 import type { Program } from '../../export/program/program.ts';
 import type { FrameClock } from '../../export/runtime/clock.ts';
 import type { PlayResult } from '../../export/runtime/player.ts';
 import { showLayer } from '../../export/runtime/present/show-layer.ts';
-import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
 import { watchDrags } from '../drag-watch.ts';
-import type { FromPreview, HiddenWork, PreviewRange, PreviewSource, ToPreview } from '../preview-protocol.ts';
+import type { FromPreview, HiddenWork, PreviewSource, ToPreview } from '../preview-protocol.ts';
 import { createCaptures } from './captures.ts';
 import { coalesce } from './coalesce.ts';
 import { createGizmo } from './gizmo/gizmo.ts';
+import { createHeldImage } from './held-image.ts';
 import { createKeys } from './keys.ts';
 import { createLayerGate } from './layer-gate.ts';
 import { type OpenSession, openSession, sessionKey, standsInRoom } from './open-session.ts';
@@ -17,6 +16,7 @@ import { createPhysicsView, roomOf } from './physics/physics-view.ts';
 import { createPlayerHost, type PlayerHost } from './player-host.ts';
 import { type CaptureSource, createPosters, type PosterRequest, sourceOnCanvas } from './posters.ts';
 import { createProbes } from './probes.ts';
+import { createProblemReport } from './problem-report.ts';
 import { createSessionRecorder } from './recording/session-recorder.ts';
 import { createRenderResolution, drawsInSoftware, setCanvasSize } from './render-resolution.ts';
 import { isHandKey } from './room-hands.ts';
@@ -71,11 +71,13 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
   /** The key of the open session, by `sessionKey`. */
   let openKey = '';
   let lost = false;
-  /** Whether a frame of the program has been drawn. */
+  /** Whether the program is ready to be drawn. */
   let plays = false;
-  let sessionProblems: readonly Diagnostic[] = [];
-  let playerProblems: readonly Diagnostic[] = [];
-
+  /** Whether the session has drawn a frame of it. */
+  let shown = false;
+  /** The revision whose program plays from the next frame on. */
+  let arriving: number | null = null;
+  const problems = createProblemReport(send);
   const posters = createPosters(send, () => clock.wake());
   const captures = createCaptures(send, () => clock.wake());
   const panorama = createRoomPanorama(send, () => clock.wake());
@@ -86,7 +88,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
   const physics = createPhysicsView(parent, send, () => clock.wake());
   const sensors = createSimulatedSensors(window, sensorHint);
   const isRoomKey = (event: KeyboardEvent, device: string): boolean =>
-    isStep(event) || (device !== 'phone' && isHandKey(event)) || (wanted !== null && standsInRoom(wanted.program) && isTrackingKey(event));
+    isStep(event) || (device !== 'phone' && isHandKey(event)) || (!!wanted && standsInRoom(wanted.program) && isTrackingKey(event));
   const keys = createKeys(window, send, (event) => sensors.isKey(event) || (source?.kind === 'room' && isRoomKey(event, source.device)));
   let viewer: Viewer = { kind: 'viewer', left: null, right: null, split: 1, probed: null };
   const clock = createTransportClock(base, () => {
@@ -105,18 +107,12 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
   const thumbnails = createThumbnails(base, send);
   const gate = createLayerGate();
   const trialCompiler = createTrialCompiler(base, send);
+  const held = createHeldImage(screen, base);
   const steps = createSteps(() => {
     clock.step(open?.recording?.step() ?? DISPLAY_FRAME_S);
     clock.wake();
   });
 
-  /** The current problems of the player. Omits open edges of models that are not phantoms in the current program. */
-  const playerProblemsNow = (): readonly Diagnostic[] => {
-    const phantoms = wanted === null ? new Set<string>() : phantomNodes(wanted.program);
-    return playerProblems.filter(({ code, nodeId = '' }) => code !== 'SCR035' || phantoms.has(nodeId));
-  };
-  const sendProblems = () =>
-    send({ kind: 'diagnostics', revision: wanted?.revision ?? 0, diagnostics: [...sessionProblems, ...playerProblemsNow()] });
   let sleeping = false;
   /** Requests a frame after a delay in seconds. Not at once, because each frame draws the whole image. */
   const wakeIn = (restS: number) => {
@@ -128,29 +124,29 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     });
   };
   const updateState = () => {
-    const hasSession = open !== null && open.session !== null;
-    status.setState(lost ? 'lost' : !hasSession ? 'loading' : clock.playing ? 'playing' : 'paused');
+    status.setState(lost ? 'lost' : !shown ? 'loading' : clock.playing ? 'playing' : 'paused');
     clock.wake();
   };
   const fail = (error: unknown) => {
     const reason = error instanceof Error ? error.message : String(error);
-    sessionProblems = [{ code: 'SCR053', severity: 'error', message: `The preview cannot draw: ${reason}` }];
-    sendProblems();
+    problems.setSession([{ code: 'SCR053', severity: 'error', message: `The preview cannot draw: ${reason}` }]);
   };
   const report = (revision: number, { outcome, shaderErrors }: PlayResult) => {
     if (outcome === 'superseded') return;
     send({ kind: 'shader-errors', revision, errors: shaderErrors.map(({ shaderId, stage, log }) => ({ shaderId, stage, log })) });
     if (outcome === 'playing') {
       plays = true;
-      send({ kind: 'playing', revision });
+      arriving = revision;
     }
-    if (playerProblems.length > 0) sendProblems();
+    problems.programChanged();
     thumbnails.invalidateAfterPause();
     clock.wake();
   };
 
   const endSession = async () => {
     recorder.stop();
+    held.keepScreen();
+    shown = false;
     const ending = open;
     open = null;
     openKey = '';
@@ -160,11 +156,12 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
   const build = async ({ revision, program }: Wanted, { assetBaseUrl }: PreviewSource) => {
     panorama.stop();
     await endSession();
-    host?.dispose();
+    if (host) held.keepCanvas(host.dispose());
     host = null;
+    arriving = null;
     plays = false;
     lost = false;
-    playerProblems = [];
+    problems.forgetPlayer();
     const made = createPlayerHost({
       parent,
       program,
@@ -172,10 +169,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
       clock,
       send,
       gate,
-      onDiagnostics: (diagnostics) => {
-        playerProblems = diagnostics;
-        sendProblems();
-      },
+      onDiagnostics: problems.setPlayer,
       onContext: (state) => {
         lost = state === 'lost';
         updateState();
@@ -189,7 +183,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
       if (host === made) report(revision, result);
     });
   };
-  const begin = async (playerHost: PlayerHost, { program }: Wanted, from: PreviewSource, key: string) => {
+  const begin = async (playerHost: PlayerHost, { program }: Wanted, from: PreviewSource) => {
     await endSession();
     updateState();
     const { gl, canvas } = playerHost;
@@ -198,10 +192,10 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     open = opened;
     // The editor answers with the play range.
     send({ kind: 'frames', frames: opened.recording?.frames ?? null });
-    openKey = key;
+    openKey = sessionKey(from, program);
     if (lightWorld) opened.moveLight(lightWorld);
-    sessionProblems = opened.diagnostics;
-    sendProblems();
+    problems.setSession(opened.diagnostics);
+    if (opened.session === null) held.release();
     playerHost.player.setPanorama(panorama.enter(from));
     playerHost.player.reset();
     playerHost.player.setSession(opened.session);
@@ -209,10 +203,17 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     steps.restart();
     opened.session?.start(draw, (event) => {
       if (event.kind === 'reset') playerHost.player.reset(event.cause);
-      if (event.kind !== 'problem') return;
-      sessionProblems = [...sessionProblems, { code: 'SCR054', severity: 'warning', message: event.message }];
-      sendProblems();
+      if (event.kind === 'problem') problems.addSession({ code: 'SCR054', severity: 'warning', message: event.message });
     });
+    updateState();
+  };
+  /** Tells the editor that the newest program is on the screen. */
+  const showProgram = () => {
+    if (arriving !== null) send({ kind: 'playing', revision: arriving });
+    arriving = null;
+    if (shown) return;
+    shown = true;
+    held.release();
     updateState();
   };
   const draw = (frame: SessionFrame) => {
@@ -227,7 +228,10 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     status.end(frame, open?.recording?.isLate ?? false);
     host.meter.afterFrame();
     if (!posters.busy) showViewer(host.player, frame, viewer);
-    if (plays) posters.afterFrame();
+    if (plays) {
+      posters.afterFrame();
+      showProgram();
+    }
     probes.afterFrame(host.player, frame, captureSource());
     captures.afterFrame(captureSource());
     if (!posters.busy) {
@@ -243,13 +247,13 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     if (!wanted || !source) return;
     const asked = request;
     if (!host?.canPlay(wanted.program, source.assetBaseUrl)) await build(wanted, source);
-    const key = sessionKey(source, wanted.program);
-    if (host && key !== openKey) await begin(host, wanted, source, key);
+    if (host && sessionKey(source, wanted.program) !== openKey) await begin(host, wanted, source);
     status.setRequest(asked);
   }, fail);
 
   const setProgram = (next: Wanted) => {
     wanted = next;
+    problems.follow(next.revision, next.program);
     gate.follow(next.program);
     resolution.follow(next.program);
     sensors.follow(next.program);
@@ -272,10 +276,6 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     else clock.setPlaying(action === 'play');
     if (action === 'play') open?.recording?.enterRange();
     updateState();
-  };
-  const setRange = (next: PreviewRange | null) => {
-    open?.recording?.setRange(next);
-    if (clock.playing) open?.recording?.enterRange();
   };
 
   const captureSource = (): CaptureSource | null => {
@@ -371,7 +371,8 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
           clock.wake();
           return;
         case 'range':
-          setRange(message.range);
+          open?.recording?.setRange(message.range);
+          if (clock.playing) open?.recording?.enterRange();
           return;
         case 'transport':
           transport(message.action);

@@ -1,5 +1,4 @@
 import { useEffect, useMemo, useState } from 'react';
-import type { CameraPlaces } from '../../export/captures/acquire/camera-places.ts';
 import { MAIN_GRAPH } from '../../export/graph/project.ts';
 import {
   type AcquisitionForm,
@@ -19,15 +18,20 @@ import { byteText } from '../state/files/byte-text.ts';
 import { screenLayer } from '../state/preview/viewed-layers.ts';
 import { FormDialog } from '../ui/form-dialog.tsx';
 import { ChoiceField, FieldGroup, TextField } from '../ui/form-fields.tsx';
+import type { SelectOption } from '../ui/select-field.tsx';
 import { PhotographPreview } from './photograph-preview.tsx';
 import { usePhotographedLayer } from './photographed-layer.ts';
 import './photograph-dialog.css';
 
-const SHAPES: Readonly<Record<CameraPlaces['shape'], string>> = {
-  'outside-in': 'Sphere, looking in',
-  'inside-out': 'Sphere, looking out',
-  grid: 'Grid',
-};
+const SHAPES: readonly SelectOption<AcquisitionForm['shape']>[] = [
+  { value: 'outside-in', label: 'Sphere, looking in' },
+  { value: 'inside-out', label: 'Sphere, looking out' },
+  { value: 'grid', label: 'Grid' },
+];
+const PROJECTIONS: readonly SelectOption<AcquisitionForm['projection']>[] = [
+  { value: 'perspective', label: 'Perspective' },
+  { value: 'equirectangular', label: '360°' },
+];
 const AXES = ['x', 'y', 'z'];
 
 /** Where the cameras of an acquisition stand, and what they see. */
@@ -60,21 +64,15 @@ export function PhotographDialog({ onClose }: { readonly onClose: () => void }) 
       <div className="photograph-columns">
         <div className="dialog-form">
           <TextField label="Name of the capture" text={form.name} error={errors.name} plain onChange={(name) => set({ name })} />
-          <ChoiceField label="Layer" value={layer} error={photographed.error ?? undefined} onChange={setLayer}>
-            {layers.map((each) => (
-              <option key={each} value={each}>
-                {layerTitle(state, each)}
-              </option>
-            ))}
-          </ChoiceField>
+          <ChoiceField
+            label="Layer"
+            value={layer}
+            options={layers.map((value) => ({ value, label: layerTitle(state, value) }))}
+            error={photographed.error ?? undefined}
+            onChoose={setLayer}
+          />
           <div className="form-row">
-            <ChoiceField label="Cameras" value={form.shape} onChange={(shape) => set({ shape: shape as CameraPlaces['shape'] })}>
-              {Object.entries(SHAPES).map(([shape, words]) => (
-                <option key={shape} value={shape}>
-                  {words}
-                </option>
-              ))}
-            </ChoiceField>
+            <ChoiceField label="Cameras" value={form.shape} options={SHAPES} onChoose={(shape) => set({ shape })} />
             {isGrid ? (
               <FieldGroup
                 legend="Number along"
@@ -117,11 +115,9 @@ export function PhotographDialog({ onClose }: { readonly onClose: () => void }) 
             <ChoiceField
               label="Projection"
               value={form.projection}
-              onChange={(value) => setForm(withProjection(form, value === 'equirectangular' ? 'equirectangular' : 'perspective'))}
-            >
-              <option value="perspective">Perspective</option>
-              <option value="equirectangular">360°</option>
-            </ChoiceField>
+              options={PROJECTIONS}
+              onChoose={(projection) => setForm(withProjection(form, projection))}
+            />
             {!isAround && <TextField label="Field of view (°)" text={form.fov} error={errors.fov} onChange={(fov) => set({ fov })} />}
           </div>
           {isAround ? (

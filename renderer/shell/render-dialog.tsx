@@ -6,9 +6,14 @@ import { lastFrame, playedRange } from '../state/preview/playback.ts';
 import { type FrameRenderOptions, planFrames, ROOM_RATE_HZ, rateOf, renderFrames } from '../state/preview/render-frames.ts';
 import { FormDialog } from '../ui/form-dialog.tsx';
 import { ChoiceField, TextField } from '../ui/form-fields.tsx';
+import type { SelectOption } from '../ui/select-field.tsx';
 import { FolderField } from './folder-field.tsx';
 
-const RATES_HZ = [24, 25, 30, 50, 60];
+const FORMATS: readonly SelectOption<FrameRenderOptions['what']>[] = [
+  { value: 'pictures', label: 'Images (PNG)' },
+  { value: 'video', label: 'Video' },
+];
+const RATES = ['24', '25', '30', '50', '60'].map((value) => ({ value, label: value }));
 const MOST_PX = 8192;
 const MOST_FRAMES = 100_000;
 /** Default range in an emulated room: three seconds. */
@@ -45,21 +50,16 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
       onClose={onClose}
       wide
     >
-      <ChoiceField label="Format" value={what} onChange={(value) => setWhat(value === 'video' ? 'video' : 'pictures')}>
-        <option value="pictures">Images (PNG)</option>
-        <option value="video">Video</option>
-      </ChoiceField>
+      <ChoiceField label="Format" value={what} options={FORMATS} onChoose={setWhat} />
       <div className="form-row">
         <TextField label="First frame" text={range.from} wrong={from === null} onChange={(text) => setRange({ ...range, from: text })} />
         <TextField label="Last frame" text={range.to} wrong={to === null} onChange={(text) => setRange({ ...range, to: text })} />
-        <ChoiceField label="Frame rate (fps)" value={rate} onChange={setRate}>
-          {frames && <option value="own">Same as recording ({rateOf(frames)})</option>}
-          {RATES_HZ.map((hz) => (
-            <option key={hz} value={hz}>
-              {hz}
-            </option>
-          ))}
-        </ChoiceField>
+        <ChoiceField
+          label="Frame rate (fps)"
+          value={rate}
+          options={[...(frames ? [{ value: 'own', label: `Same as recording (${rateOf(frames)})` }] : []), ...RATES]}
+          onChoose={setRate}
+        />
       </div>
       <div className="form-row">
         <TextField label="Width" text={size.width} wrong={widthPx === null} onChange={(text) => setSize({ ...size, width: text })} />

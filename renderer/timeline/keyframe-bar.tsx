@@ -1,70 +1,64 @@
+import { useId } from 'react';
 import type { Track } from '../../export/graph/project.ts';
 import { type Handles, handlesOf, type NAMED_EASINGS } from '../../nodes/kit/ease.ts';
 import { endGesture } from '../state/document/apply.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 import { type AnimatedParam, setEasing, setRepeat } from '../state/params/keyframes.ts';
+import { SelectField, type SelectOption } from '../ui/select-field.tsx';
 import { EasingButton } from './easing-button.tsx';
 import type { ChosenKeyframe } from './keyframe-mark.tsx';
 
-const EASINGS: readonly (readonly [(typeof NAMED_EASINGS)[number], string])[] = [
-  ['linear', 'Linear'],
-  ['ease-in', 'Ease in'],
-  ['ease-out', 'Ease out'],
-  ['ease-in-out', 'Ease in-out'],
-  ['step', 'Hold'],
+const EASINGS: readonly SelectOption<(typeof NAMED_EASINGS)[number] | 'bezier'>[] = [
+  { value: 'linear', label: 'Linear' },
+  { value: 'ease-in', label: 'Ease in' },
+  { value: 'ease-out', label: 'Ease out' },
+  { value: 'ease-in-out', label: 'Ease in-out' },
+  { value: 'step', label: 'Hold' },
+  { value: 'bezier', label: 'Bézier' },
 ];
-const BEZIER = 'bezier';
 /** Control points for an easing without its own, such as `step`: those of `ease-in-out`. */
 const DEFAULT_HANDLES: Handles = [0.42, 0, 0.58, 1];
-const REPEATS: readonly (readonly [Track['repeat'], string])[] = [
-  ['once', 'Once'],
-  ['loop', 'Loop'],
-  ['mirror', 'Ping-pong'],
+const REPEATS: readonly SelectOption<Track['repeat']>[] = [
+  { value: 'once', label: 'Once' },
+  { value: 'loop', label: 'Loop' },
+  { value: 'mirror', label: 'Ping-pong' },
 ];
 
 /** Options of the selected keyframe: its interpolation, and how its track repeats. */
 export function KeyframeBar({ chosen, tracks }: { readonly chosen: ChosenKeyframe | null; readonly tracks: readonly AnimatedParam[] }) {
   const editor = useEditor();
+  const id = useId();
   const track = tracks.find(({ node, param }) => node === chosen?.node && param === chosen.param)?.track;
   const key = chosen === null ? undefined : track?.keys[chosen.index];
   if (!chosen || !track || !key) return null;
   return (
     <div className="timeline-chosen">
       <output>{key.timeS.toFixed(2)} s</output>
-      <label>
-        Interpolation{' '}
-        <select
-          className="select"
-          value={typeof key.easing === 'string' ? key.easing : BEZIER}
-          onChange={(event) => {
-            const named = EASINGS.find(([easing]) => easing === event.target.value)?.[0];
-            setEasing(editor, chosen.node, chosen.param, chosen.index, named ?? handlesOf(key.easing) ?? DEFAULT_HANDLES);
+      <div className="timeline-choice">
+        <label htmlFor={`${id}-easing`}>Interpolation</label>
+        <SelectField
+          id={`${id}-easing`}
+          label="Interpolation"
+          value={typeof key.easing === 'string' ? key.easing : 'bezier'}
+          options={EASINGS}
+          onChoose={(value) => {
+            const easing = value === 'bezier' ? (handlesOf(key.easing) ?? DEFAULT_HANDLES) : value;
+            setEasing(editor, chosen.node, chosen.param, chosen.index, easing);
             endGesture(editor);
           }}
-        >
-          {EASINGS.map(([easing, words]) => (
-            <option key={easing} value={easing}>
-              {words}
-            </option>
-          ))}
-          <option value={BEZIER}>Bézier</option>
-        </select>
-      </label>
+        />
+      </div>
       <EasingButton {...chosen} easing={key.easing} />
-      <label>
-        Repeat{' '}
-        <select
-          className="select"
+      <div className="timeline-choice">
+        <label htmlFor={`${id}-repeat`}>Repeat</label>
+        <SelectField
+          id={`${id}-repeat`}
+          label="Repeat"
           value={track.repeat}
-          onChange={(event) => void setRepeat(editor, chosen.node, chosen.param, event.target.value as Track['repeat'])}
-        >
-          {REPEATS.map(([repeat, words]) => (
-            <option key={repeat} value={repeat}>
-              {words}
-            </option>
-          ))}
-        </select>
-      </label>
+          options={REPEATS}
+          onChoose={(repeat) => void setRepeat(editor, chosen.node, chosen.param, repeat)}
+        />
+      </div>
     </div>
   );
 }

@@ -1,31 +1,23 @@
-import { type ReactNode, useId } from 'react';
+import { useId } from 'react';
+import { SelectField, type SelectOption } from './select-field.tsx';
 import './form-fields.css';
 
-interface ChoiceFieldProps {
+interface ChoiceFieldProps<T> {
   readonly label: string;
-  readonly value: string;
+  readonly value: T;
+  readonly options: readonly SelectOption<T>[];
   /** What is wrong with the choice; absent if nothing is. */
   readonly error?: string | undefined;
-  readonly onChange: (value: string) => void;
-  readonly children: ReactNode;
+  readonly onChoose: (value: T) => void;
 }
 
 /** A labeled list of choices in a form. */
-export function ChoiceField({ label, value, error, onChange, children }: ChoiceFieldProps) {
+export function ChoiceField<T extends string>({ error, ...select }: ChoiceFieldProps<T>) {
   const id = useId();
   return (
     <div className="form-field">
-      <label htmlFor={id}>{label}</label>
-      <select
-        id={id}
-        className="select"
-        value={value}
-        aria-invalid={error !== undefined}
-        aria-describedby={error === undefined ? undefined : `${id}-error`}
-        onChange={(event) => onChange(event.target.value)}
-      >
-        {children}
-      </select>
+      <label htmlFor={id}>{select.label}</label>
+      <SelectField id={id} {...select} errorId={error === undefined ? undefined : `${id}-error`} />
       <FieldError id={`${id}-error`} error={error} />
     </div>
   );

@@ -8,8 +8,9 @@ export type MenuItem =
       readonly label: string;
       readonly keys?: string;
       readonly disabled?: boolean;
-      /** State of a radio item. */
+      /** State of a toggle or, with `radio`, of one of several choices. Absent: the item switches nothing. */
       readonly checked?: boolean;
+      readonly radio?: true;
       readonly run: () => void;
     }
   | { readonly kind: 'line' }
@@ -118,7 +119,7 @@ function MenuEntry({ item, onDone }: { readonly item: MenuItem; readonly onDone:
   return (
     <button
       type="button"
-      {...roleOf(item.checked)}
+      {...roleOf(item)}
       className="menu-item"
       tabIndex={-1}
       disabled={item.disabled ?? false}
@@ -135,8 +136,9 @@ function MenuEntry({ item, onDone }: { readonly item: MenuItem; readonly onDone:
   );
 }
 
-function roleOf(checked: boolean | undefined) {
-  return checked === undefined ? { role: 'menuitem' } : { role: 'menuitemradio', 'aria-checked': checked };
+function roleOf({ checked, radio }: Extract<MenuItem, { kind: 'action' }>) {
+  if (checked === undefined) return { role: 'menuitem' };
+  return { role: radio ? 'menuitemradio' : 'menuitemcheckbox', 'aria-checked': checked };
 }
 
 function targetOfKey(key: string, at: number, all: readonly HTMLButtonElement[]): HTMLButtonElement | undefined {

@@ -6,6 +6,8 @@ import './select-field.css';
 export interface SelectOption<T> {
   readonly value: T;
   readonly label: string;
+  /** Heading above the first of the adjacent options of this group. */
+  readonly group?: string;
 }
 
 interface SelectFieldProps<T> {
@@ -13,6 +15,14 @@ interface SelectFieldProps<T> {
   readonly label: string;
   readonly value: T;
   readonly options: readonly SelectOption<T>[];
+  /** Shown if no option has the value. Default: the value. */
+  readonly placeholder?: string;
+  /** Whether the choice is missing and required. Default: false. */
+  readonly needed?: boolean;
+  /** Element that says what is wrong with the choice; absent if nothing is. */
+  readonly errorId?: string | undefined;
+  /** Default: false. */
+  readonly disabled?: boolean;
   readonly onChoose: (value: T) => void;
   /** Called with the option that the pointer or a key rests on; null for the chosen one, and when the list closes. */
   readonly onPoint?: (value: T | null) => void;
@@ -27,7 +37,8 @@ const TYPING_MS = 700;
  * A drop-down list that tells which option is pointed at, which a native one does not. The keys are those of the WAI-ARIA pattern of a
  * select-only combobox: arrows, Home, End, letters; Enter, Space or Tab choose, Escape closes.
  */
-export function SelectField<T extends string | number>({ id, label, value, options, onChoose, onPoint }: SelectFieldProps<T>) {
+export function SelectField<T extends string | number>(props: SelectFieldProps<T>) {
+  const { id, label, value, options, placeholder = String(value), needed = false, errorId, disabled = false, onChoose, onPoint } = props;
   const chosen = options.findIndex((option) => option.value === value);
   /** The option that is pointed at; null: the list is closed. */
   const [active, setActive] = useState<number | null>(null);
@@ -100,8 +111,12 @@ export function SelectField<T extends string | number>({ id, label, value, optio
         id={id}
         type="button"
         role="combobox"
-        className="select"
+        className={needed ? 'select select-needed' : 'select'}
+        data-value={value}
+        disabled={disabled}
         aria-label={label}
+        aria-invalid={errorId !== undefined}
+        aria-describedby={errorId}
         aria-haspopup="listbox"
         aria-expanded={isOpen}
         aria-controls={list}
@@ -110,7 +125,7 @@ export function SelectField<T extends string | number>({ id, label, value, optio
         onKeyDown={onKeyDown}
         onBlur={close}
       >
-        {options[chosen]?.label ?? String(value)}
+        {options[chosen]?.label ?? placeholder}
       </button>
       {isOpen && <OptionList {...{ id: list, label, options, active, chosen, button }} onPoint={point} onChoose={choose} />}
     </span>
@@ -143,7 +158,30 @@ function OptionList<T extends string | number>({ id, label, options, active, cho
     const top = fits ? below : Math.max(EDGE_PX, from.top - box.height - GAP_PX);
     setPlace({ left: left / zoom, top: top / zoom, minWidth: from.width / zoom });
   }, [button]);
-  useLayoutEffect(() => element.current?.children[active]?.scrollIntoView({ block: 'nearest' }), [active]);
+  useLayoutEffect(() => document.getElementById(`${id}-${active}`)?.scrollIntoView({ block: 'nearest' }), [id, active]);
+  // The button keeps the focus and handles all keys; options handle only the pointer.
+  const optionAt = (option: SelectOption<T>, index: number) => (
+    <div
+      key={option.value}
+      id={`${id}-${index}`}
+      role="option"
+      tabIndex={-1}
+      className="select-option"
+      aria-selected={index === chosen}
+      data-value={option.value}
+      data-active={index === active ? '' : undefined}
+      // `pointerenter` would also fire when the list opens or scrolls under a resting pointer.
+      onPointerMove={() => {
+        if (index !== active) onPoint(index);
+      }}
+      onPointerUp={({ button: pressed }) => {
+        if (pressed === 0) onChoose(index);
+      }}
+    >
+      <span>{option.label}</span>
+      {index === chosen && <Icon name="check" size={14} />}
+    </div>
+  );
   return (
     <div
       ref={element}
@@ -157,28 +195,36 @@ function OptionList<T extends string | number>({ id, label, options, active, cho
       onPointerDown={(event) => event.preventDefault()}
       onMouseDown={(event) => event.preventDefault()}
     >
-      {options.map((option, index) => (
-        // The button keeps the focus and handles all keys; options handle only the pointer.
-        <div
-          key={option.value}
-          id={`${id}-${index}`}
-          role="option"
-          tabIndex={-1}
-          className="select-option"
-          aria-selected={index === chosen}
-          data-active={index === active ? '' : undefined}
-          // `pointerenter` would also fire when the list opens or scrolls under a resting pointer.
-          onPointerMove={() => {
-            if (index !== active) onPoint(index);
-          }}
-          onPointerUp={({ button: pressed }) => {
-            if (pressed === 0) onChoose(index);
-          }}
-        >
-          <span>{option.label}</span>
-          {index === chosen && <Icon name="check" size={14} />}
-        </div>
-      ))}
+      {grouped(options).map(({ name, from, members }) => {
+        const shown = members.map((option, i) => optionAt(option, from + i));
+        if (name === undefined) return shown;
+        return (
+          // biome-ignore lint/a11y/useSemanticElements: a group of options, not of form controls.
+          <div key={name} role="group" aria-label={name}>
+            <div className="select-group" aria-hidden>
+              {name}
+            </div>
+            {shown}
+          </div>
+        );
+      })}
     </div>
   );
+}
+
+interface OptionGroup<T> {
+  readonly name: string | undefined;
+  /** Index of the first member among all options. */
+  readonly from: number;
+  readonly members: SelectOption<T>[];
+}
+
+function grouped<T>(options: readonly SelectOption<T>[]): readonly OptionGroup<T>[] {
+  const groups: OptionGroup<T>[] = [];
+  for (const [index, option] of options.entries()) {
+    const last = groups.at(-1);
+    if (last && last.name === option.group) last.members.push(option);
+    else groups.push({ name: option.group, from: index, members: [option] });
+  }
+  return groups;
 }

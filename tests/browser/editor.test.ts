@@ -2,6 +2,7 @@ import { readdir, readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { describe, expect, test } from '@jest/globals';
 import { centerOf } from '../../tools/lib/center-of.ts';
+import { chooseOption } from '../support/choose-option.ts';
 import { encodeImage } from '../support/image.ts';
 import { type GraphText, saveGraphs, useEditor } from '../support/open-editor.ts';
 
@@ -70,7 +71,8 @@ describe('wires', () => {
   test('without a pointer, the inspector wires', async () => {
     const { page, editor } = await start();
     await editor.addNode('gaussian');
-    await page.getByRole('combobox', { name: 'Connect to Layer' }).selectOption({ label: 'Camera video · Layer' });
+    await page.getByRole('combobox', { name: 'Connect to Layer' }).click();
+    await page.getByRole('option', { name: 'Camera video · Layer' }).click();
     await editor.inspector.getByRole('button', { name: /Camera video · Layer/ }).waitFor();
     expect(await page.locator('.react-flow__edge').count()).toBe(2);
   });
@@ -293,7 +295,7 @@ describe('the preview', () => {
     await page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '0');
     await editor.press('Next frame');
     await page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '1');
-    await page.getByRole('combobox', { name: 'Preview source' }).selectOption('room/studio');
+    await chooseOption(page.getByRole('combobox', { name: 'Preview source' }), 'room/studio');
     await editor.settled();
     const one = await editor.picture();
     await editor.press('Two views, as in a headset');

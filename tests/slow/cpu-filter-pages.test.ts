@@ -4,6 +4,7 @@ import { pathToFileURL } from 'node:url';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { paint } from '../browser/glsl-kit.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
+import { chooseOption } from '../support/choose-option.ts';
 import { pageReady } from '../support/exported-page.ts';
 import { decodeImage, encodeImage, pixelAt, type RgbaImage } from '../support/image.ts';
 import { openEditor } from '../support/open-editor.ts';
@@ -96,7 +97,7 @@ test('the editor’s preview plays it too', async () => {
   });
   const { page, editor, errors } = opened;
   await editor.settled();
-  await page.getByRole('combobox', { name: 'Preview source' }).selectOption('room/studio');
+  await chooseOption(page.getByRole('combobox', { name: 'Preview source' }), 'room/studio');
   await editor.settled();
   // The fog leaves a fifth of the range; spread over all of it, a sixth of the pixels are this dark and as many this bright.
   await eventually(async () => {

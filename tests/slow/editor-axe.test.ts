@@ -1,5 +1,6 @@
 import { expect, test } from '@jest/globals';
 import { axeFindings } from '../support/axe.ts';
+import { chooseOption } from '../support/choose-option.ts';
 import { keyframedSepia } from '../support/keyframed-sepia.ts';
 import { type GraphText, useOneEditor } from '../support/open-editor.ts';
 
@@ -109,7 +110,7 @@ test('the dialog that asks for frames, of pictures and of a video', async () => 
   const dialog = page.getByRole('dialog', { name: 'Render frames' });
   await dialog.waitFor();
   await expectNothingFound();
-  await dialog.getByRole('combobox', { name: 'Format' }).selectOption('video');
+  await chooseOption(dialog.getByRole('combobox', { name: 'Format' }), 'video');
   await dialog.getByRole('textbox', { name: 'First frame', exact: true }).fill('none');
   await expectNothingFound();
   await page.keyboard.press('Escape');
@@ -133,7 +134,7 @@ test('the dialog of an export, and what it says about a folder that is in use', 
 
 test('the light of an emulated room', async () => {
   const { page, editor } = open;
-  await page.getByRole('combobox', { name: 'Preview source' }).selectOption('room/studio');
+  await chooseOption(page.getByRole('combobox', { name: 'Preview source' }), 'room/studio');
   await editor.settled();
   await editor.press('Room light');
   await page.getByRole('dialog', { name: 'Room light' }).waitFor();

@@ -5,6 +5,7 @@ import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import type { Locator } from 'playwright-core';
 import { decodeQR } from 'qr/decode.js';
 import { axeFindings } from '../support/axe.ts';
+import { chooseOption } from '../support/choose-option.ts';
 import { expectPoster } from '../support/exported-page.ts';
 import { decodeImage } from '../support/image.ts';
 import { useOneEditor } from '../support/open-editor.ts';
@@ -63,7 +64,7 @@ test('a page has the picture of its recording, which plays on as it was', async 
 
 test('a page has the picture of its room, one eye’s of two', async () => {
   const { page, editor } = open;
-  await page.getByRole('combobox', { name: 'Preview source' }).selectOption('room/studio');
+  await chooseOption(page.getByRole('combobox', { name: 'Preview source' }), 'room/studio');
   await editor.settled();
   await page.getByRole('button', { name: 'Two views, as in a headset' }).click();
   await editor.settled();

@@ -11,7 +11,18 @@ const GRAPH: GraphText = {
   places: { 'video-aaaa': [0, 0], 'screen-aaaa': [300, 0] },
 };
 
-const open = useOneEditor(GRAPH, {}, async () => {
+/** Page code: the preview draws no frame while `framesHeld` is set in its window. */
+function holdFramesOnRequest(): void {
+  if (window.top === window) return;
+  const page = window as unknown as { framesHeld?: boolean };
+  const request = window.requestAnimationFrame.bind(window);
+  window.requestAnimationFrame = (draw) => {
+    const run = (timeMs: number) => (page.framesHeld ? void request(run) : draw(timeMs));
+    return request(run);
+  };
+}
+
+const open = useOneEditor(GRAPH, { before: holdFramesOnRequest }, async () => {
   await open.editor.settled();
   await open.editor.hold();
 });
@@ -60,6 +71,35 @@ test('a blank project offers an object, which is drawn over the camera; the hist
   await eventually(async () => expect(await page.locator('.react-flow__node').count()).toBe(2));
   await page.keyboard.press('Control+y');
   await eventually(async () => expect(await page.locator('.react-flow__node').count()).toBe(7));
+});
+
+test('the image before stays, and the preview is busy, until a step of the history that changes the device is drawn', async () => {
+  const { page, editor } = open;
+  await editor.settled();
+  const placed = await editor.picture();
+  const [, preview] = page.frames();
+  if (!preview) throw new Error('There is no preview.');
+  await preview.evaluate(() => {
+    for (const canvas of document.querySelectorAll('canvas')) canvas.dataset.before = '';
+    (window as unknown as { framesHeld: boolean }).framesHeld = true;
+  });
+  await page.keyboard.press('Control+z');
+  await preview.locator('canvas#picture:not([data-before])').waitFor({ state: 'attached' });
+  await page.getByText('Loading…', { exact: true }).waitFor();
+  await expect(page.locator('.stage').getAttribute('aria-busy')).resolves.toBe('true');
+  // The message over the image.
+  expect(countDifferent(await editor.picture(), placed, 24).pixels).toBeLessThan(3000);
+  await preview.evaluate(() => {
+    (window as unknown as { framesHeld: boolean }).framesHeld = false;
+  });
+  await editor.settled();
+  const camera = await editor.picture();
+  expect(countDifferent(camera, placed, 24).pixels).toBeGreaterThan(300);
+  expect(countDifferent(camera, placed, 24).pixels).toBeLessThan(camera.width * camera.height * 0.5);
+  await page.keyboard.press('Control+y');
+  await editor.node('primitive').waitFor();
+  await editor.settled();
+  expect(countDifferent(await editor.picture(), placed, 24).pixels).toBe(0);
 });
 
 test('the camera without the object is shown while B is held', async () => {

@@ -1,5 +1,6 @@
 import { expect, test } from '@jest/globals';
 import type { Point } from '../../tools/lib/center-of.ts';
+import { chooseOption } from '../support/choose-option.ts';
 import { FLAG_PX } from '../support/editor-driver.ts';
 import type { RgbaImage } from '../support/image.ts';
 import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
@@ -287,7 +288,7 @@ test('a connected param disables the tool, and its tooltip says why', async () =
 test('in an emulated room of two views it stands in the left one, while all plays', async () => {
   const { page, editor } = open;
   await editor.press('Headset');
-  await page.getByRole('combobox', { name: 'Preview source' }).selectOption('room/studio');
+  await chooseOption(page.getByRole('combobox', { name: 'Preview source' }), 'room/studio');
   await page.getByRole('button', { name: 'Play', exact: true }).click();
   await editor.settled();
   await select('transform');

@@ -93,7 +93,7 @@ test('selected nodes become a subgraph, with a name, opened by a double-click, w
   await way.waitFor();
   await title('sepia').click();
   await editor.inspector.getByRole('button', { name: 'More actions for Amount' }).click();
-  await page.getByRole('menuitemradio', { name: 'Expose on the subgraph' }).click();
+  await page.getByRole('menuitemcheckbox', { name: 'Expose on the subgraph' }).click();
   await editor.inspector.getByRole('switch', { name: 'Amount, parameter', checked: true }).waitFor();
   await way.getByRole('button', { name: 'Main graph' }).click();
   await way.waitFor({ state: 'detached' });

@@ -1,6 +1,7 @@
 import { expect, test } from '@jest/globals';
 import { centerOf } from '../../tools/lib/center-of.ts';
 import { axeFindings } from '../support/axe.ts';
+import { chooseOption } from '../support/choose-option.ts';
 import { FLAG_PX } from '../support/editor-driver.ts';
 import { decodeImage, type RgbaImage } from '../support/image.ts';
 import { type GraphText, useOneEditor } from '../support/open-editor.ts';
@@ -163,7 +164,7 @@ test('what nodes cost is drawn on them, with a budget that warns', async () => {
     .waitFor();
   // Each draws one triangle; the background is no node's.
   await panel.getByText(/^2 of 300$/).waitFor();
-  await panel.getByRole('combobox', { name: 'Target device' }).selectOption('headset');
+  await chooseOption(panel.getByRole('combobox', { name: 'Target device' }), 'headset');
   await panel.getByText(/^4 of 4$/).waitFor();
   await page.locator('.canvas').focus();
   await page.keyboard.press('k');

@@ -1,6 +1,7 @@
 import { mkdir, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { expect, test } from '@jest/globals';
+import { chooseOption } from '../support/choose-option.ts';
 import { encodeImage, type RgbaImage } from '../support/image.ts';
 import { type GraphText, useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
@@ -35,7 +36,7 @@ const GRAPH: GraphText = {
 };
 
 const open = useOneEditor(GRAPH, {}, async () => {
-  await open.page.getByRole('combobox', { name: 'Preview source' }).selectOption('room/studio');
+  await chooseOption(open.page.getByRole('combobox', { name: 'Preview source' }), 'room/studio');
   await open.editor.settled();
   await open.editor.node('capture').locator('.node-title').click();
 });

@@ -102,11 +102,11 @@ test('a pen moves nodes, draws wires, turns dials, and asks for the menu by rest
   await rest(page);
   await menu.waitFor();
   await pen.lift(at);
-  await pen.tap(await centerOf(menu.getByRole('menuitem', { name: 'Mute' })));
+  await pen.tap(await centerOf(menu.getByRole('menuitemcheckbox', { name: 'Mute' })));
   await page.locator('.node-muted').waitFor();
   await menu.waitFor({ state: 'detached' });
   await pen.tap(at, 'right');
-  await pen.tap(await centerOf(menu.getByRole('menuitem', { name: 'Mute' })));
+  await pen.tap(await centerOf(menu.getByRole('menuitemcheckbox', { name: 'Mute' })));
   await page.locator('.node-muted').waitFor({ state: 'detached' });
 
   // From a wire let go on the empty canvas to a node that takes it.

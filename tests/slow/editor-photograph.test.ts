@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import { expect, test } from '@jest/globals';
 import { readCapture } from '../../nodes/kit/capture.ts';
 import { axeFindings } from '../support/axe.ts';
+import { chooseOption } from '../support/choose-option.ts';
 import type { RgbaImage } from '../support/image.ts';
 import { type GraphText, useEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
@@ -97,9 +98,9 @@ test('photographs of a scene become a capture, which a node shows', async () => 
     'Enter an angle from 1° to 150°.',
   ]);
   expect(await take.isDisabled()).toBe(true);
-  await dialog.getByRole('combobox', { name: 'Layer' }).selectOption('video-aaaa.layer');
+  await chooseOption(dialog.getByRole('combobox', { name: 'Layer' }), 'video-aaaa.layer');
   await dialog.getByText('This layer has no depth. Choose that of a Scene.').waitFor();
-  await dialog.getByRole('combobox', { name: 'Layer' }).selectOption('scene-aaaa.layer');
+  await chooseOption(dialog.getByRole('combobox', { name: 'Layer' }), 'scene-aaaa.layer');
 
   await fill({
     'Name of the capture': 'Red box',
@@ -183,7 +184,7 @@ test('canceled photographs leave nothing', async () => {
   });
   await page.keyboard.press('Control+Alt+p');
   const dialog = page.getByRole('dialog', { name: 'Photograph the scene' });
-  await dialog.getByRole('combobox', { name: 'Projection' }).selectOption('360°');
+  await chooseOption(dialog.getByRole('combobox', { name: 'Projection' }), 'equirectangular');
   await dialog.getByRole('textbox', { name: 'Width (pixels)' }).fill('64');
   await dialog.getByRole('textbox', { name: 'Center (m) z' }).fill('-2');
   await dialog.getByRole('textbox', { name: 'Turned left (°)' }).fill('90');

@@ -1,4 +1,5 @@
 import { expect, test } from '@jest/globals';
+import { chooseOption } from '../support/choose-option.ts';
 import { type GraphText, useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
 
@@ -33,11 +34,11 @@ const GRAPH: GraphText = {
 };
 
 const open = useOneEditor(GRAPH, {}, async () => {
-  await open.page.getByRole('combobox', { name: 'Preview source' }).selectOption({ label: 'No background (orbit)' });
+  await chooseOption(open.page.getByRole('combobox', { name: 'Preview source' }), 'orbit');
   await open.editor.settled();
 });
 
-async function choose(name: string, role: 'menuitem' | 'menuitemradio' = 'menuitem'): Promise<void> {
+async function choose(name: string, role: 'menuitem' | 'menuitemcheckbox' = 'menuitem'): Promise<void> {
   await open.page.getByRole('button', { name: 'Physics', exact: true }).click();
   await open.page.getByRole(role, { name, exact: true }).click();
 }
@@ -73,7 +74,7 @@ async function shown(): Promise<Shown> {
 const timeS = async () => Number.parseFloat((await open.page.locator('.transport-time').textContent()) ?? '');
 
 test('shapes of bodies are shown; physics pauses, resets and drops apart from the time of the preview', async () => {
-  await choose('Show shapes of bodies', 'menuitemradio');
+  await choose('Show shapes of bodies', 'menuitemcheckbox');
   const resting = await eventually(async () => {
     const now = await shown();
     expect(now).toMatchObject({ bodies: 1, isAsleep: true });
@@ -133,6 +134,6 @@ test('shapes of bodies are shown; physics pauses, resets and drops apart from th
   });
   expect(thrown.column).toBeGreaterThan(before.column + 15);
 
-  await choose('Show shapes of bodies', 'menuitemradio');
+  await choose('Show shapes of bodies', 'menuitemcheckbox');
   await open.page.frameLocator('iframe[title="Preview"]').locator('#physics').waitFor({ state: 'hidden' });
 });

@@ -5,6 +5,7 @@ import { encode } from 'fast-png';
 import { decode as decodeJpeg } from 'jpeg-js';
 import { readSessionFile } from '../../export/runtime/sessions/recorded/read-session-file.ts';
 import type { SessionFile } from '../../export/runtime/sessions/session-format.ts';
+import { chooseOption } from '../support/choose-option.ts';
 import { useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
 import { ballPixels, PLACED_BALL } from '../support/placed-ball.ts';
@@ -55,7 +56,7 @@ async function recordTap({ click: [x, y], afterwards }: Place) {
   const { output: file, diagnostics } = readSessionFile(JSON.parse(await readFile(join(folder, 'session.json'), 'utf8')));
   expect(diagnostics).toEqual([]);
   if (!file) throw new Error('There is no session.');
-  await page.getByRole('combobox', { name: 'Preview source' }).selectOption(`project/recording-${number}`);
+  await chooseOption(page.getByRole('combobox', { name: 'Preview source' }), `project/recording-${number}`);
   await editor.settled();
   expect(await page.locator('.stage-notice').count()).toBe(0);
   await eventually(async () => expect(await ballPixels(open.editor)).toBeGreaterThan(50));
@@ -70,7 +71,7 @@ function pressOf({ frames }: SessionFile, kind: string) {
 
 test('what a visitor of an emulated room does is recorded with the room, and a replay does it again', async () => {
   const { page, editor } = open;
-  await page.getByRole('combobox', { name: 'Preview source' }).selectOption('room/studio');
+  await chooseOption(page.getByRole('combobox', { name: 'Preview source' }), 'room/studio');
   await editor.settled();
   const drift = async () => {
     await page.keyboard.press('Shift+KeyV');
@@ -98,7 +99,7 @@ test('over a camera the image that is seen is recorded, and around an orbit blac
   const { page, editor } = open;
   const source = page.getByRole('combobox', { name: 'Preview source' });
   const chooser = page.waitForEvent('filechooser');
-  await source.selectOption('still');
+  await chooseOption(source, 'still');
   await (await chooser).setFiles({ name: 'gray.png', mimeType: 'image/png', buffer: Buffer.from(GRAY) });
   await editor.settled();
   const camera = await recordTap({ click: [0.5, 0.8] });
@@ -106,7 +107,7 @@ test('over a camera the image that is seen is recorded, and around an orbit blac
   const { data } = decodeJpeg(await readFile(join(camera.folder, camera.file.frames[0]?.color ?? '')));
   expect([...data.subarray(0, 3)].map((x) => Math.abs(x - 120) < 8)).toEqual([true, true, true]);
 
-  await source.selectOption('orbit');
+  await chooseOption(source, 'orbit');
   await editor.settled();
   const orbit = await recordTap({ click: [0.5, 0.6] });
   expect(pressOf(orbit.file, 'mouse')).toEqual(['start', 'end', 1]);

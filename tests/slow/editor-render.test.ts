@@ -3,6 +3,7 @@ import { join, resolve } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { ALL_FORMATS, BufferSource, type EncodedPacket, EncodedPacketSink, Input } from 'mediabunny';
 import { useBrowser } from '../support/browser.ts';
+import { chooseOption } from '../support/choose-option.ts';
 import { FLAG_PX } from '../support/editor-driver.ts';
 import { decodeImage, type RgbaImage } from '../support/image.ts';
 import { keyframedSepia } from '../support/keyframed-sepia.ts';
@@ -71,7 +72,7 @@ async function ask(fields: Readonly<Record<string, string>>, as?: 'video'): Prom
   const { page } = open;
   await page.keyboard.press('Control+Shift+E');
   await dialog().waitFor();
-  if (as) await dialog().getByRole('combobox', { name: 'Format' }).selectOption(as);
+  if (as) await chooseOption(dialog().getByRole('combobox', { name: 'Format' }), as);
   for (const [name, text] of Object.entries(fields)) await dialog().getByRole('textbox', { name, exact: true }).fill(text);
 }
 
@@ -169,16 +170,16 @@ test('a folder that holds other things is left alone; a cancelled rendering leav
 
 test('an emulated room is rendered from where the preview stands: at first, where the command line stands, too', async () => {
   const { page, editor, project } = open;
-  await page.getByRole('combobox', { name: 'Preview source' }).selectOption('room/studio');
+  await chooseOption(page.getByRole('combobox', { name: 'Preview source' }), 'room/studio');
   await editor.settled();
   const [out, turned, mine] = [`${project}-room`, `${project}-room-turned`, `${project}-room-cli`];
   const fields = { 'First frame': '1', 'Last frame': '2', Width: '160', Height: '120' };
   await ask({ ...fields, Folder: out });
-  await dialog().getByRole('combobox', { name: 'Frame rate (fps)' }).selectOption('60');
+  await chooseOption(dialog().getByRole('combobox', { name: 'Frame rate (fps)' }), '60');
   expect(await dialog().getByRole('status').textContent()).toContain(
     '2 frames, 0.03 s. Frames show the room from the preview’s current position',
   );
-  await page.keyboard.press('Enter');
+  await dialog().getByRole('button', { name: 'Render', exact: true }).click();
   await page.getByText(`Rendered 2 frames to ${out}`).waitFor();
   expect((await readdir(out)).sort()).toEqual(['000001.png', '000002.png', 'sequence.json']);
   await succeed('render', project, '--out', mine, '--frames', '1..2', '--size', '160x120', '--session', 'room:studio');

@@ -1,6 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { expect, test } from '@jest/globals';
 import type { Download } from 'playwright-core';
+import { chooseOption, chosenValue } from '../support/choose-option.ts';
 import { decodeImage } from '../support/image.ts';
 import { type GraphText, useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
@@ -103,7 +104,7 @@ test('the preview has the shape of the chosen device', async () => {
   expect(await shapeOf()).toBeCloseTo(9 / 19.5, 1);
   await editor.press('Phone, landscape');
   expect(await shapeOf()).toBeCloseTo(19.5 / 9, 1);
-  await source().selectOption('room/studio');
+  await chooseOption(source(), 'room/studio');
   await editor.press('Headset');
   await open.editor.settled();
   expect(await shapeOf()).toBeCloseTo(3360 / 1760, 1);
@@ -133,7 +134,7 @@ test('the preview moves to a window of its own, where it shows the same, and ret
 
 test('the light of an emulated room is moved by pointer and keys, and goes back', async () => {
   const { page, editor } = open;
-  await source().selectOption('room/studio');
+  await chooseOption(source(), 'room/studio');
   await editor.settled();
   const home = await editor.rewind();
   await editor.press('Room light');
@@ -167,7 +168,7 @@ test('a picture stands in for the camera, and so does the webcam', async () => {
     return [...new Uint8Array(await (await canvas.convertToBlob({ type: 'image/png' })).arrayBuffer())];
   });
   const choosing = page.waitForEvent('filechooser');
-  await source().selectOption('still');
+  await chooseOption(source(), 'still');
   await (await choosing).setFiles({ name: 'red.png', mimeType: 'image/png', buffer: Buffer.from(red) });
   const isRed = (r: number, g: number, b: number) => r > 150 && g < 80 && b < 80;
   const isGreen = (r: number, g: number, b: number) => g > 90 && r < 80 && b < 80;
@@ -175,7 +176,7 @@ test('a picture stands in for the camera, and so does the webcam', async () => {
     eventually(async () => expect(shareOf(await editor.picture(), is)).toBeGreaterThanOrEqual(share));
   await editor.press('Play');
   await shows(isRed, 0.98);
-  await source().selectOption('camera');
+  await chooseOption(source(), 'camera');
   await shows(isGreen, 0.5);
 });
 
@@ -187,7 +188,7 @@ test('the table of devices says what each shows, and plays as a headset', async 
   const row = (name: string) => devices.locator('.device-row', { hasText: name });
   expect(await row('Android phone').textContent()).toMatch(/everything works/);
   await row('Meta Quest').getByRole('button', { name: 'Play as Meta Quest (Browser)' }).click();
-  await eventually(async () => expect(await source().inputValue()).toMatch(/^room/));
+  await eventually(async () => expect(await chosenValue(source())).toMatch(/^room/));
   await editor.settled();
   await page
     .getByRole('button', { name: 'Two views' })

@@ -1,6 +1,7 @@
 import { expect, test } from '@jest/globals';
 import type { Locator } from 'playwright-core';
 import { centerOf } from '../../tools/lib/center-of.ts';
+import { chooseOption } from '../support/choose-option.ts';
 import { type GraphText, useOneEditor } from '../support/open-editor.ts';
 import { countDifferent } from '../support/pixels.ts';
 
@@ -187,7 +188,7 @@ test('the range comes back with the project, and can be given up', async () => {
   expect([await frameOf('In point'), await frameOf('Out point')]).toEqual([0, FRAMES - 1]);
 
   // Rooms have no moments to go to: the panel says so.
-  await page.getByRole('combobox', { name: 'Preview source' }).selectOption('room/studio');
+  await chooseOption(page.getByRole('combobox', { name: 'Preview source' }), 'room/studio');
   await page.getByText('Only recordings have a play range.').waitFor();
   expect(await handle('In point').count()).toBe(0);
 });

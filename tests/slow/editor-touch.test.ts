@@ -90,9 +90,9 @@ test('fingers move the view, nodes and wires, and resting ones ask for the menu'
   const menu = page.getByRole('menu', { name: 'Actions' });
   await hand.put(await centerOf(title('gaussian-blur')));
   await rest(page);
-  await menu.getByRole('menuitem', { name: 'Mute' }).waitFor();
+  await menu.getByRole('menuitemcheckbox', { name: 'Mute' }).waitFor();
   await hand.lift();
-  const mute = await centerOf(menu.getByRole('menuitem', { name: 'Mute' }));
+  const mute = await centerOf(menu.getByRole('menuitemcheckbox', { name: 'Mute' }));
   await page.touchscreen.tap(mute.x, mute.y);
   await page.locator('.node-muted').waitFor();
   await menu.waitFor({ state: 'detached' });

@@ -5,6 +5,7 @@ import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { ALL_FORMATS, BufferSource, Input } from 'mediabunny';
 import type { ElectronApplication, Page } from 'playwright-core';
 import { collectErrors } from '../support/browser.ts';
+import { chooseOption } from '../support/choose-option.ts';
 import { EditorDriver } from '../support/editor-driver.ts';
 import { describeElectron, editorWindow, findElectron, playedTwiceAfterFault } from '../support/electron.ts';
 import { decodeImage } from '../support/image.ts';
@@ -72,7 +73,7 @@ describeElectron('rendering frames in Electron', await findElectron(), (launch) 
       expect(new Set(data).size).toBeGreaterThan(100);
 
       await ask(app, page, { 'First frame': '0', 'Last frame': '5' });
-      await dialog(page).getByRole('combobox', { name: 'Format' }).selectOption('video');
+      await chooseOption(dialog(page).getByRole('combobox', { name: 'Format' }), 'video');
       await dialog(page).getByRole('button', { name: 'Render', exact: true }).click();
       await page.getByText('to your downloads.').waitFor();
       await eventually(async () => expect((await stat(video)).size).toBeGreaterThan(0));

@@ -1,4 +1,5 @@
 import { expect, test } from '@jest/globals';
+import { chooseOption, chosenValue } from '../support/choose-option.ts';
 import { useEditor } from '../support/open-editor.ts';
 
 const openEditor = useEditor();
@@ -13,7 +14,7 @@ test('the preview of an emulated room comes back after the graphics device was l
   });
   await editor.settled();
   const source = page.getByRole('combobox', { name: 'Preview source' });
-  await source.selectOption('room/studio');
+  await chooseOption(source, 'room/studio');
   await editor.settled();
   const before = await editor.rewind();
   const frame = page.frames().find((candidate) => candidate !== page.mainFrame());
@@ -29,6 +30,6 @@ test('the preview of an emulated room comes back after the graphics device was l
   await page.getByText('The graphics device was lost').waitFor({ state: 'detached' });
   const isLost = () => document.querySelector<HTMLCanvasElement>('#picture')?.getContext('webgl2')?.isContextLost();
   expect(await frame?.evaluate(isLost)).toBe(false);
-  expect(await source.inputValue()).toBe('room/studio');
+  expect(await chosenValue(source)).toBe('room/studio');
   await editor.imageSameAs(before);
 });

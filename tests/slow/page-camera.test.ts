@@ -228,7 +228,7 @@ describe('an exported page whose visitor refuses', () => {
   });
 
   test.each([
-    ['NotFoundError', 'No camera was found. Connect one'],
+    ['NotFoundError', 'No camera was found. Try again on a device'],
     ['NotReadableError', 'The camera is in use or does not respond. Close other apps'],
   ])('nothing, but there is no camera to have: %s', async (name, text) => {
     const { page, use } = await open({}, (opening) =>

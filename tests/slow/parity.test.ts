@@ -5,6 +5,7 @@ import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { startServer } from '../../app/server/start-server.ts';
 import { installationAt } from '../../app/services/installation.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
+import { chooseOption } from '../support/choose-option.ts';
 import { EditorDriver, FLAG_PX } from '../support/editor-driver.ts';
 import { decodeImage, type RgbaImage } from '../support/image.ts';
 import { countDifferent, expectSamePixels } from '../support/pixels.ts';
@@ -53,7 +54,7 @@ async function previewOf(
   await page.goto(server.invite());
   const editor = new EditorDriver(page);
   await editor.settled();
-  await page.getByRole('combobox', { name: 'Preview source' }).selectOption('room/studio');
+  await chooseOption(page.getByRole('combobox', { name: 'Preview source' }), 'room/studio');
   await editor.press('Fit to panel');
   if (views === 2) await editor.press('Two views, as in a headset');
   await editor.settled();

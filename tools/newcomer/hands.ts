@@ -81,11 +81,8 @@ export class Hands {
   /** Chooses an option of a list. */
   async choose(what: string, list: Locator, option: string): Promise<void> {
     const at = await centerOf(list);
-    if ((await list.evaluate(({ tagName }) => tagName)) === 'SELECT') await list.selectOption({ label: option });
-    else {
-      await list.click();
-      await this.page.getByRole('option', { name: option, exact: true }).click();
-    }
+    await list.click();
+    await this.page.getByRole('option', { name: option, exact: true }).click();
     await this.count({ kind: 'click', what, at });
   }
 

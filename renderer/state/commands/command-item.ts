@@ -3,6 +3,7 @@ import type { MenuItem } from '../../ui/menu.tsx';
 import type { Editor } from '../editor/editor.ts';
 import { useEditor } from '../editor/editor-context.ts';
 import { type AppCommandId, appCommand, runCommand } from './app-commands.ts';
+import { tickOf } from './command-ticks.ts';
 import { keybindingsOf } from './keybindings.ts';
 import { showKeybinding } from './show-keybinding.ts';
 
@@ -10,11 +11,13 @@ import { showKeybinding } from './show-keybinding.ts';
 export function commandItem(editor: Editor, id: AppCommandId): Extract<MenuItem, { kind: 'action' }> {
   const { label, enabled } = appCommand(id);
   const keys = shownKeys(editor, id);
+  const tick = tickOf(editor, id);
   return {
     kind: 'action',
     label,
     ...(keys === undefined ? {} : { keys }),
     disabled: !enabled(editor),
+    ...(tick && { checked: tick.on, ...(tick.radio && { radio: true as const }) }),
     run: () => runCommand(editor, id),
   };
 }

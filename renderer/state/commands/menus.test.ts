@@ -2,7 +2,7 @@ import { describe, expect, test } from '@jest/globals';
 import type { HostInput } from '../../../app/contract/contract.ts';
 import { openTestEditor } from '../../../tests/support/test-editor.ts';
 import { addNodeFromPalette } from '../graph/edit-graph.ts';
-import { appCommandIds } from './app-commands.ts';
+import { appCommandIds, runCommand } from './app-commands.ts';
 import { setKeybinding } from './keybindings.ts';
 import { MENUS, syncNativeMenus } from './menus.ts';
 
@@ -37,6 +37,29 @@ describe('the window’s own menu', () => {
     editor.preview.setState((state) => ({ ...state }));
     clock.pass(100);
     expect(shown()).toHaveLength(count);
+  });
+
+  test('ticks what is on', async () => {
+    const { editor, clock, entry } = await followed();
+    expect([entry('view.history'), entry('edit.mute'), entry('gizmo.move'), entry('view.fit')]).toMatchObject([
+      { checked: false },
+      { checked: false },
+      { checked: true },
+      { checked: null },
+    ]);
+    runCommand(editor, 'view.history');
+    runCommand(editor, 'gizmo.rotate');
+    const definition = editor.document.getState().library.definition('filter/sepia');
+    if (!definition) throw new Error('There is no sepia.');
+    addNodeFromPalette(editor, { definition, port: null }, { x: 0, y: 0 }, null);
+    runCommand(editor, 'edit.mute');
+    clock.pass(100);
+    expect([entry('view.history'), entry('edit.mute'), entry('gizmo.move'), entry('gizmo.rotate')]).toMatchObject([
+      { checked: true },
+      { checked: true },
+      { checked: false },
+      { checked: true },
+    ]);
   });
 
   test('follows other keys', async () => {

@@ -1,6 +1,7 @@
 import type { PlatformMenu } from '../../../app/contract/contract.ts';
 import type { Editor } from '../editor/editor.ts';
 import { type AppCommandId, appCommand } from './app-commands.ts';
+import { tickOf } from './command-ticks.ts';
 import { keybindingsOf } from './keybindings.ts';
 
 /** The menu bar. A native menu bar has the same menus. */
@@ -157,6 +158,7 @@ export function platformMenus(editor: Editor): PlatformMenu[] {
         label: command.label,
         keybinding: keybindingsOf(editor, id)[0] ?? null,
         enabled: free && command.enabled(editor),
+        checked: tickOf(editor, id)?.on ?? null,
       };
     }),
   }));
@@ -187,8 +189,8 @@ export function syncNativeMenus(editor: Editor): () => void {
   const soon = () => {
     waiting ??= editor.clock.after(REST_MS, show);
   };
-  const { document, selection, preview, viewer, ui, preferences } = editor;
-  const stops = [document, selection, preview, viewer, ui, preferences].map((store) => store.subscribe(soon));
+  const { document, selection, preview, viewer, ui, preferences, costs, gizmo } = editor;
+  const stops = [document, selection, preview, viewer, ui, preferences, costs, gizmo].map((store) => store.subscribe(soon));
   show();
   return () => {
     waiting?.();

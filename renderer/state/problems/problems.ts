@@ -79,6 +79,11 @@ export function goToProblem(editor: Editor, problem: Diagnostic): void {
     revealCode(editor.ui, problem.line, problem.column ?? 1, otherFileIn(problem));
 }
 
+/** Whether a problem has a node to go to. */
+export function canGoToProblem({ document }: Pick<Editor, 'document'>, problem: Diagnostic): boolean {
+  return placeOfProblem(document.getState(), problem) !== null;
+}
+
 /** The node of the open graph that a path in the program (`look-a2b3/sepia-k7q2`) refers to or lies in. */
 function nodeHere(state: OpenGraph, path: string): string | undefined {
   return path.split('/').find((id) => nodeOf(state, id) !== undefined);

@@ -61,7 +61,7 @@ function explain(error: unknown): Diagnostic {
       return refusal('The camera was not allowed.', 'Allow it for this page in the browser’s settings, then try again.');
     case 'NotFoundError':
     case 'OverconstrainedError':
-      return refusal('No camera was found.', 'Connect one, or open the page on a phone.');
+      return refusal('No camera was found.', 'Try again on a device with a camera.');
     case 'NotReadableError':
     case 'AbortError':
       return refusal('The camera is in use or does not respond.', 'Close other apps that use it, then try again.');
