@@ -1,7 +1,7 @@
 /*{
   "ISFVSN": "2",
   "SCRIM_TITLE": "Charcoal drawing",
-  "DESCRIPTION": "Draws an image as a charcoal drawing: broad smudged strokes, rough paper in the halftones, deep black shadows and thick lines along edges. The strokes keep their place on screen.",
+  "DESCRIPTION": "Draws an image as a charcoal drawing: broad smudged strokes, rough paper in the halftones, deep black shadows and thick lines along edges. The strokes keep their place on screen, so they flicker while the camera moves; those of Room drawing stay on real surfaces.",
   "CREDIT": "Scrim. Directions: J. E. Kyprianidis and J. Döllner 2008, Image Abstraction by Structure Adaptive Filtering. Lines: H. Kang et al. 2007, Coherent Line Drawing. Strokes: X. Mao et al. 2001, Automatic Generation of Pencil Drawing Using Line Integral Convolution. Contrast, smudging and grain: A. Majumder and M. Gopi 2002, Hardware Accelerated Real Time Charcoal Rendering",
   "CATEGORIES": ["Style", "Drawing", "Sketch", "Charcoal", "Chalk", "Smudge", "NPR"],
   "SCRIM_ALPHA": "premultiplied",

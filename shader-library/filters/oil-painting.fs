@@ -1,7 +1,7 @@
 /*{
   "ISFVSN": "2",
   "SCRIM_TITLE": "Oil painting",
-  "DESCRIPTION": "Paints an image in oil: thick strokes that follow its shapes, large in even areas and small at details, lit from the top left. The strokes keep their place on screen.",
+  "DESCRIPTION": "Paints an image in oil: thick strokes that follow its shapes, large in even areas and small at details, lit from the top left. The strokes keep their place on screen, so they flicker while the camera moves; those of Room drawing stay on real surfaces.",
   "CREDIT": "Scrim. Strokes of several sizes: A. Hertzmann 1998, Painterly Rendering with Curved Brush Strokes of Multiple Sizes. Relief: A. Hertzmann 2002, Fast Paint Texture. Colors: J. E. Kyprianidis, H. Kang and J. Döllner 2009, Image and Video Abstraction by Anisotropic Kuwahara Filtering",
   "CATEGORIES": ["Style", "Painterly", "Oil", "Brush", "Impasto", "Paint", "NPR"],
   "SCRIM_ALPHA": "premultiplied",

@@ -1,7 +1,7 @@
 /*{
   "ISFVSN": "2",
   "SCRIM_TITLE": "Pencil drawing",
-  "DESCRIPTION": "Draws an image as a pencil drawing: strokes that follow its shapes, denser where it is darker, and fine lines along edges. The strokes keep their place on screen.",
+  "DESCRIPTION": "Draws an image as a pencil drawing: strokes that follow its shapes, denser where it is darker, and fine lines along edges. The strokes keep their place on screen, so they flicker while the camera moves; those of Room drawing stay on real surfaces.",
   "CREDIT": "Scrim. Directions: J. E. Kyprianidis and J. Döllner 2008, Image Abstraction by Structure Adaptive Filtering. Lines: H. Kang et al. 2007, Coherent Line Drawing. Strokes: X. Mao et al. 2001, Automatic Generation of Pencil Drawing Using Line Integral Convolution",
   "CATEGORIES": ["Style", "Drawing", "Sketch", "Pencil", "Graphite", "Crayon", "NPR"],
   "SCRIM_ALPHA": "premultiplied",
