@@ -14,6 +14,7 @@ import { Button, IconButton } from '../ui/button.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { PhysicsMenu } from './physics-menu.tsx';
 import { PopOut } from './pop-out.tsx';
+import { PosterGuide } from './poster-guide.tsx';
 import { connectPreview } from './preview-link.ts';
 import { PreviewRail } from './preview-rail.tsx';
 import { RoomLight } from './room-light.tsx';
@@ -39,6 +40,7 @@ export function PreviewPanel({ previewUrl }: { readonly previewUrl: string }) {
           <SafeAreas />
           <Notice />
           <ViewerOverlay />
+          <PosterGuide />
         </>
       ) : (
         <StoppedNotice reason={stopped} />

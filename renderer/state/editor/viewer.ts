@@ -15,6 +15,8 @@ export interface ViewerState {
   readonly probed: PreviewProbe | null;
   /** What the eyedropper picks a pixel for; null if it is closed. */
   readonly picking: PickRequest | null;
+  /** Whether the frame of the poster is shown, to be moved. */
+  readonly framing: boolean;
 }
 
 export type ShownLayers = Pick<ViewerState, 'left' | 'right' | 'split'>;
@@ -41,6 +43,7 @@ const NOTHING: ViewerState = {
   probing: false,
   probed: null,
   picking: null,
+  framing: false,
 };
 
 export function createViewerState(): ViewerStore {
