@@ -4,6 +4,7 @@ import type { LinkedShader, Program } from '../export/program/program.ts';
 import type { Handle, ParamValue } from '../nodes/kit/definition.ts';
 import type { Diagnostic } from '../nodes/kit/diagnostics.ts';
 import type { FrameTimes } from '../nodes/kit/frame-times.ts';
+import type { PosterFraming, ViewTangents } from '../nodes/kit/poster-framing.ts';
 
 /*
  * Messages between the editor and its preview page, sent over one MessagePort. The editor transfers the port to the preview’s origin
@@ -32,8 +33,18 @@ export type ToPreview =
    * the light of the room.
    */
   | { readonly kind: 'room-light'; readonly directionWorld: readonly [number, number, number] | null }
-  /** Requests a JPEG of the next frame in this size. `request` is a counter that the answer repeats. */
-  | { readonly kind: 'poster'; readonly request: number; readonly widthPx: number; readonly heightPx: number }
+  /**
+   * Requests a JPEG of a frame in this size. `request` is a counter that the answer repeats. `nodes`: the selected nodes of the program,
+   * whose objects are framed if `framing` is null.
+   */
+  | {
+      readonly kind: 'poster';
+      readonly request: number;
+      readonly widthPx: number;
+      readonly heightPx: number;
+      readonly framing: PosterFraming | null;
+      readonly nodes: readonly string[];
+    }
   /**
    * Shows viewed layers instead of the screen output: `left` to the left of `split` (a fraction of the width of each view), `right`
    * to the right of it. Null, or a layer that is not viewed in the program, shows the screen output. `probed`: the layer whose depth
@@ -344,4 +355,6 @@ export interface PreviewStatus {
   readonly heightPx: number;
   /** Pose of the first view, column-major; null before the first frame. */
   readonly worldFromView: readonly number[] | null;
+  /** Edges of the first view; null before the first frame. */
+  readonly tangents: ViewTangents | null;
 }

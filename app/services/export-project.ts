@@ -5,6 +5,7 @@ import { imageSize } from '../../export/gltf/image-size.ts';
 import type { Project } from '../../export/graph/project.ts';
 import type { Program } from '../../export/program/program.ts';
 import { type Diagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
+import type { PosterFraming } from '../../nodes/kit/poster-framing.ts';
 import type { ProjectFiles } from '../contract/contract.ts';
 import { HostError } from '../contract/host-error.ts';
 import { createAssetCache } from './asset-cache-folder.ts';
@@ -38,7 +39,7 @@ export interface ExportJob {
    * Renders the poster. If it returns null, the page gets a neutral poster and a warning (SCR065). If it throws SCR042, the export
    * ends, because no page can draw the shader.
    */
-  readonly drawPoster?: (program: Program) => Promise<PosterImage | null>;
+  readonly drawPoster?: (program: Program, framing: PosterFraming | null) => Promise<PosterImage | null>;
 }
 
 export interface ExportOutcome {
@@ -115,7 +116,7 @@ async function posterOf({ page }: Project, program: Program, { root, drawPoster,
   const type = chosen?.[0] === 0xff ? 'jpg' : 'png';
   if (chosen && size && size.ktx2 === null) return { type, bytes: chosen, drawn: true, widthPx: size.widthPx, heightPx: size.heightPx };
   try {
-    return (await drawPoster?.(program)) ?? null;
+    return (await drawPoster?.(program, page.framing ?? null)) ?? null;
   } catch (error) {
     interrupted?.throwIfAborted();
     if (error instanceof HostError && error.diagnostic.code === 'SCR042') throw error;

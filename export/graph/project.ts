@@ -1,5 +1,6 @@
 import type { AssetKind, ParamValue } from '../../nodes/kit/definition.ts';
 import type { Easing } from '../../nodes/kit/ease.ts';
+import type { PosterFraming } from '../../nodes/kit/poster-framing.ts';
 
 /**
  * A project in memory: immutable values, changed only by commands. `load.ts` and `save.ts` convert between it and the files of a project
@@ -26,6 +27,8 @@ export interface PageInfo {
   readonly language: string;
   /** Path of the poster, a JPEG in `assets/`; absent: each export draws one. */
   readonly poster?: string;
+  /** What the poster shows if each export draws one; absent: the objects. */
+  readonly framing?: PosterFraming;
 }
 
 export const MAIN_GRAPH = 'main';

@@ -26,7 +26,12 @@ function saveLogic({ title, page, graphs, assets }: Project): string {
     format: PROJECT_FORMAT.format,
     version: newestVersion(PROJECT_FORMAT),
     title,
-    ...(pageFields.length > 0 && { page: Object.fromEntries(pageFields.map((key) => [key, page[key] ?? ''])) }),
+    ...((pageFields.length > 0 || page.framing) && {
+      page: {
+        ...Object.fromEntries(pageFields.map((key) => [key, page[key] ?? ''])),
+        ...(page.framing && { framing: { ...page.framing } }),
+      },
+    }),
     graphs: mapMainFirst(graphs, saveGraph),
     ...(Object.keys(assets).length > 0 && { assets: mapSorted(assets, saveAsset) }),
   });

@@ -4,8 +4,8 @@ import type { LiveResources } from './resources/resources.ts';
 import type { Slots } from './values/slots.ts';
 
 /**
- * What tools of the editor need to read the last frame: `readColor`, `readDepth`, `showLayer`, `probeDepth`, `placedObjects`, `pickObject`.
- * They are separate functions, so that pages do not bundle them.
+ * What tools of the editor need to read the last frame: `readColor`, `readDepth`, `showLayer`, `probeDepth`, `placedObjects`, `pickObject`,
+ * `createPosterCamera`. They are separate functions, so that pages do not bundle them.
  */
 export interface Inspected {
   readonly engine: Engine;

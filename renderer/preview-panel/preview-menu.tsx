@@ -48,6 +48,7 @@ export function PreviewMenu() {
   const items: MenuItem[] = [
     { kind: 'action', label: 'Take screenshot', run: () => previewSync.send({ kind: 'screenshot' }) },
     { kind: 'action', label: 'Use image as poster', run: () => void keepCurrentImage(editor) },
+    { kind: 'action', label: 'Frame the poster', run: () => editor.viewer.setState({ framing: true }) },
     { kind: 'action', label: recording ? 'Stop recording' : 'Record video', run: () => record(!recording) },
     sessionItem(sessionRecording, () => runCommand(editor, 'play.record')),
     { kind: 'line' },

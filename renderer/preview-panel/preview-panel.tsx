@@ -13,6 +13,7 @@ import { Button, IconButton } from '../ui/button.tsx';
 import { SelectField } from '../ui/select-field.tsx';
 import { PhysicsMenu } from './physics-menu.tsx';
 import { PopOut } from './pop-out.tsx';
+import { PosterGuide } from './poster-guide.tsx';
 import { connectPreview } from './preview-link.ts';
 import { PreviewNotice } from './preview-notice.tsx';
 import { PreviewRail } from './preview-rail.tsx';
@@ -39,6 +40,7 @@ export function PreviewPanel({ previewUrl }: { readonly previewUrl: string }) {
           <SafeAreas />
           <PreviewNotice />
           <ViewerOverlay />
+          <PosterGuide />
         </>
       ) : (
         <StoppedNotice reason={stopped} />

@@ -1,4 +1,8 @@
+import type { Player } from '../../export/runtime/player.ts';
+import { createPosterCamera, type PosterCamera } from '../../export/runtime/scenes/poster-camera.ts';
+import { type PosterFraming, type ViewCrop, WHOLE_VIEW } from '../../nodes/kit/poster-framing.ts';
 import type { FromPreview } from '../preview-protocol.ts';
+import type { OpenSession } from './open-session.ts';
 
 export interface PosterSize {
   readonly widthPx: number;
@@ -8,6 +12,8 @@ export interface PosterSize {
 export interface PosterRequest extends PosterSize {
   /** Counter that the answer repeats. */
   readonly request: number;
+  readonly framing: PosterFraming | null;
+  readonly nodes: readonly string[];
 }
 
 /** The canvas that posters, screenshots and probes read. */
@@ -23,8 +29,8 @@ export interface CaptureSource {
 
 /** Takes posters: images of the preview for link previews of the exported page. */
 export interface Posters {
-  /** Draws the next frame in the requested size and sends it. Replaces a pending request. */
-  request(asked: PosterRequest, place: CaptureSource): void;
+  /** Draws the next frame in the requested size and sends the part that the camera keeps. Replaces a pending request. */
+  request(asked: PosterRequest, place: CaptureSource, player: Pick<Player, 'inspect'>, setHead: OpenSession['setHead']): void;
   /** Answers that there is no image. */
   refuse(asked: PosterRequest): void;
   /** Whether a frame is being drawn for a poster. */
@@ -36,7 +42,10 @@ export interface Posters {
 interface PendingPoster {
   readonly asked: PosterRequest;
   readonly place: CaptureSource;
+  readonly camera: PosterCamera;
   state: 'new' | 'sized' | 'drawn';
+  /** The part of the drawn frame that the poster shows. */
+  crop: ViewCrop;
 }
 
 /** JPEG quality. The file is an eighth of the PNG, without visible loss. */
@@ -53,21 +62,26 @@ export function createPosters(send: (message: FromPreview, transfer?: Transferab
   let pending: PendingPoster | null = null;
   const answer = ({ request }: PosterRequest, bytes: Uint8Array<ArrayBuffer> | null) =>
     send({ kind: 'poster', request, bytes }, bytes ? [bytes.buffer] : []);
-  const take = ({ asked, place }: PendingPoster) => {
-    const image = cover(place, asked);
+  const take = ({ asked, place, crop }: PendingPoster) => {
+    const image = cover(place, asked, crop);
     void image.convertToBlob({ type: 'image/jpeg', quality: QUALITY }).then(
       async (blob) => answer(asked, new Uint8Array(await blob.arrayBuffer())),
       () => answer(asked, null),
     );
   };
   const drop = () => {
-    if (pending && pending.state !== 'new') pending.place.resize(null);
+    if (pending && pending.state !== 'new') {
+      pending.place.resize(null);
+      pending.camera.release();
+    }
     pending = null;
   };
   return {
-    request: (asked, place) => {
+    request: (asked, place, player, setHead) => {
       drop();
-      pending = { asked, place, state: 'new' };
+      const { framing, nodes, widthPx, heightPx } = asked;
+      const camera = createPosterCamera({ inspect: () => player.inspect(null), setHead, framing, nodes, shape: widthPx / heightPx });
+      pending = { asked, place, camera, state: 'new', crop: WHOLE_VIEW };
       wake();
     },
     refuse: (asked) => {
@@ -83,11 +97,14 @@ export function createPosters(send: (message: FromPreview, transfer?: Transferab
         drop();
       }
       if (pending?.state !== 'new') return;
-      pending.place.resize(pending.asked);
+      const { widthPx, heightPx } = pending.asked;
+      const zoom = pending.camera.aim();
+      pending.place.resize({ widthPx: Math.round(widthPx * zoom), heightPx: Math.round(heightPx * zoom) });
       pending.state = 'sized';
     },
     afterFrame: () => {
       if (pending?.state !== 'sized') return;
+      pending.crop = pending.camera.crop();
       if (pending.place.shows === 'in the frame') take(pending);
       pending.state = 'drawn';
       wake();
@@ -95,17 +112,19 @@ export function createPosters(send: (message: FromPreview, transfer?: Transferab
   };
 }
 
-/** Scales the first view to cover the size, and crops the longer sides. */
-function cover({ canvas, views }: CaptureSource, { widthPx, heightPx }: PosterSize): OffscreenCanvas {
+/** Scales a part of the first view to cover the size, and crops the longer sides. */
+function cover({ canvas, views }: CaptureSource, { widthPx, heightPx }: PosterSize, crop: ViewCrop): OffscreenCanvas {
   const image = new OffscreenCanvas(widthPx, heightPx);
   const context = image.getContext('2d');
   if (!context) return image;
-  const viewWidthPx = canvas.width / views;
-  const scale = Math.max(widthPx / viewWidthPx, heightPx / canvas.height);
+  const [partWidthPx, partHeightPx] = [(canvas.width / views) * crop.width, canvas.height * crop.height];
+  const [leftPx, topPx] = [(canvas.width / views) * crop.x, canvas.height * crop.y];
+  const scale = Math.max(widthPx / partWidthPx, heightPx / partHeightPx);
   const [width, height] = [widthPx / scale, heightPx / scale];
   context.fillStyle = GROUND;
   context.fillRect(0, 0, widthPx, heightPx);
-  context.drawImage(canvas, (viewWidthPx - width) / 2, (canvas.height - height) / 2, width, height, 0, 0, widthPx, heightPx);
+  const [x, y] = [leftPx + (partWidthPx - width) / 2, topPx + (partHeightPx - height) / 2];
+  context.drawImage(canvas, x, y, width, height, 0, 0, widthPx, heightPx);
   return image;
 }
 

@@ -288,7 +288,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
   };
   const requestPoster = (asked: PosterRequest) => {
     const place = captureSource();
-    if (place) posters.request(asked, place);
+    if (place && host) posters.request(asked, place, host.player, open?.setHead ?? null);
     else posters.refuse(asked);
   };
 

@@ -1,5 +1,6 @@
 import type { FrameClock } from '../../export/runtime/clock.ts';
 import { type FrameTimes, frameAtTime } from '../../nodes/kit/frame-times.ts';
+import { tangentsOf } from '../../nodes/kit/poster-framing.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
 import type { FromPreview, PreviewStatus } from '../preview-protocol.ts';
 
@@ -47,7 +48,10 @@ export function createStatus(clock: FrameClock, send: (message: FromPreview) => 
   const post = () => {
     sentS = clock.nowS();
     const [view] = seen?.views ?? [];
-    send({ kind: 'status', status: { ...status, worldFromView: view ? [...view.worldFromView] : null } });
+    send({
+      kind: 'status',
+      status: { ...status, worldFromView: view ? [...view.worldFromView] : null, tangents: view ? tangentsOf(view.clipFromView) : null },
+    });
   };
   const measureRate = (nowS: number) => {
     if (measuredS === null) {

@@ -2,7 +2,7 @@ import { useEffect, useMemo, useState } from 'react';
 import { POSTER_SIZE } from '../../app/contract/poster-size.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { base64Of } from '../state/files/base64.ts';
-import { followPreview, keepPoster, nextPoster } from '../state/files/poster.ts';
+import { followPreview, frameObjects, keepPoster, nextPoster } from '../state/files/poster.ts';
 import { Button } from '../ui/button.tsx';
 import { Icon } from '../ui/icon.tsx';
 
@@ -17,13 +17,14 @@ export interface ShownPoster {
 /** Reads the chosen poster, or takes one of the preview, once and again when another is chosen. */
 export function usePoster(): ShownPoster {
   const editor = useEditor();
-  const path = useDocument(({ project }) => project.page.poster);
+  // The framing, too, changes the poster.
+  const page = useDocument(({ project }) => project.page);
   const [bytes, setBytes] = useState<Uint8Array<ArrayBuffer> | null>(null);
   const [reading, setReading] = useState(true);
   useEffect(() => {
     let wanted = true;
     setReading(true);
-    void nextPoster(editor, path).then((next) => {
+    void nextPoster(editor, page.poster).then((next) => {
       if (!wanted) return;
       setBytes(next);
       setReading(false);
@@ -31,7 +32,7 @@ export function usePoster(): ShownPoster {
     return () => {
       wanted = false;
     };
-  }, [editor, path]);
+  }, [editor, page]);
   return { bytes, reading, take: async () => (await editor.posters.take?.(POSTER_SIZE)) ?? null };
 }
 
@@ -45,6 +46,12 @@ interface ExportPosterProps {
 export function ExportPoster({ poster: { bytes, reading, take }, busy }: ExportPosterProps) {
   const editor = useEditor();
   const path = useDocument(({ project }) => project.page.poster);
+  const framing = useDocument(({ project }) => project.page.framing);
+  const framed = framing !== undefined;
+  const frame = () => {
+    editor.viewer.setState({ framing: true });
+    editor.ui.setState({ dialog: null });
+  };
   const picture = useMemo(() => bytes && `data:image/jpeg;base64,${base64Of(bytes)}`, [bytes]);
   return (
     <section className="export-poster" aria-label="Poster" aria-busy={reading}>
@@ -59,14 +66,26 @@ export function ExportPoster({ poster: { bytes, reading, take }, busy }: ExportP
       <div className="export-poster-text">
         <h3>Poster</h3>
         <p className="exported-note">
-          {path === undefined
-            ? 'Links and the page show the current image of the preview. Keep it to export the same image each time.'
-            : 'Links and the page show the image that is kept in the project.'}
+          {path !== undefined
+            ? 'Links and the page show the image that is kept in the project.'
+            : framed
+              ? 'Links and the page show what you framed, drawn again at each export.'
+              : 'Links and the page show the selected objects, or all objects, drawn again at each export.'}
         </p>
         {path === undefined ? (
-          <Button disabled={busy || bytes === null} onPress={() => void keepPoster(editor, bytes)}>
-            Keep this image
-          </Button>
+          <>
+            <Button icon="fit" disabled={busy} onPress={frame}>
+              Frame in the preview
+            </Button>
+            <Button disabled={busy || bytes === null} onPress={() => void keepPoster(editor, bytes)}>
+              Keep this image
+            </Button>
+            {framed && (
+              <Button look="quiet" disabled={busy} onPress={() => frameObjects(editor)}>
+                Frame the objects
+              </Button>
+            )}
+          </>
         ) : (
           <>
             <Button disabled={busy} onPress={() => void take().then((next) => keepPoster(editor, next))}>

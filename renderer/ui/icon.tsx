@@ -1,6 +1,7 @@
 /** SVG paths of the icons by name, drawn for Scrim on a grid of 16: strokes of 1.4, round ends. */
 const PATHS = {
   add: 'M8 3v10M3 8h10',
+  remove: 'M3 8h10',
   close: 'M4 4l8 8M12 4l-8 8',
   check: 'M3 8.500l3.500 3.500L13 4.500',
   chevron: 'M6 4l4 4-4 4',

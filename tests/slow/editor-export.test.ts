@@ -177,6 +177,41 @@ test('a picture of the preview is kept as poster, until each export draws one ag
   await page.keyboard.press('Escape');
 });
 
+test('the poster is framed in the preview, and the project keeps the frame until the objects are framed again', async () => {
+  const { page, editor } = open;
+  const dialog = page.getByRole('dialog', { name: 'Export the page' });
+  const poster = dialog.getByRole('img', { name: 'Poster of the page' });
+  await page.getByRole('button', { name: 'Export', exact: true }).first().click();
+  await poster.waitFor();
+  const objects = await poster.getAttribute('src');
+  await dialog.getByRole('button', { name: 'Frame in the preview' }).click();
+  const guide = page.getByRole('slider', { name: 'Frame of the poster' });
+  const boxOf = async () => (await guide.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 1 };
+  const before = await boxOf();
+  expect(before.width / before.height).toBeCloseTo(1200 / 630, 1);
+  for (let i = 0; i < 6; i++) await page.keyboard.press('+');
+  const smaller = await boxOf();
+  expect(smaller.width / before.width).toBeCloseTo(1.1 ** -6, 1);
+  await guide.hover();
+  await page.mouse.down();
+  await page.mouse.move(before.x + before.width / 2 - 10, before.y + before.height / 2);
+  await page.mouse.up();
+  expect((await boxOf()).x - smaller.x).toBeCloseTo(-10, 0);
+  await page.getByRole('toolbar', { name: 'Poster' }).getByRole('button', { name: 'Use as poster' }).click();
+  await guide.waitFor({ state: 'detached' });
+  await editor.settled();
+
+  await page.getByRole('button', { name: 'Export', exact: true }).first().click();
+  await dialog.getByText('what you framed').waitFor();
+  await poster.waitFor();
+  const framed = await poster.getAttribute('src');
+  expect(framed).not.toBe(objects);
+  await dialog.getByRole('button', { name: 'Frame the objects' }).click();
+  await dialog.getByText('the selected objects, or all objects').waitFor();
+  await eventually(async () => expect(await poster.getAttribute('src')).not.toBe(framed));
+  await page.keyboard.press('Escape');
+});
+
 test('a page is exported without a picture where the graphics are lost, and the problems say so', async () => {
   const { page } = open;
   const frame = page.frames().find((candidate) => candidate !== page.mainFrame());

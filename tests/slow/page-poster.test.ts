@@ -6,7 +6,10 @@ import process from 'node:process';
 import { promisify } from 'node:util';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { drawPoster } from '../../app/cli/render/draw-poster.ts';
+import { compileProject } from '../../app/services/compile-project.ts';
 import { installationAt } from '../../app/services/installation.ts';
+import { readProjectFiles } from '../../app/services/project-files.ts';
+import type { PosterFraming } from '../../nodes/kit/poster-framing.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { type ServedExport, serveProject } from '../support/project-page.ts';
 
@@ -28,10 +31,35 @@ let served: ServedExport;
 beforeAll(async () => {
   served = await serveProject(PROJECT, {
     address: 'https://example.org/robots/',
-    drawPoster: (program) => drawPoster({ program, projectRoot: PROJECT, installation: installationAt(ROOT, '0.0.0') }),
+    drawPoster: (program, framing) => drawPoster({ program, framing, projectRoot: PROJECT, installation: installationAt(ROOT, '0.0.0') }),
   });
 });
 afterAll(() => served.close());
+
+/** The size, the number of colors and the number of red pixels of an image. */
+async function colorsOf(url: string) {
+  const page = await chromium.browser.newPage();
+  await page.goto(url);
+  const colors = await page.evaluate(() => {
+    const image = document.querySelector('img');
+    const canvas = new OffscreenCanvas(image?.naturalWidth ?? 0, image?.naturalHeight ?? 0);
+    const context = canvas.getContext('2d');
+    if (!image || !context) return null;
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+    const seen = new Set<number>();
+    let red = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      const [r = 0, g = 0, b = 0] = [data[i], data[i + 1], data[i + 2]];
+      seen.add(((r >> 3) << 10) | ((g >> 3) << 5) | (b >> 3));
+      // Robots are the only thing in the room that is as red as this.
+      if (r > 120 && g < 60 && b < 60) red++;
+    }
+    return { width: canvas.width, height: canvas.height, seen: seen.size, red };
+  });
+  await page.close();
+  return colors;
+}
 
 describe('the poster of a page', () => {
   test('is not drawn with a shader that a driver refuses: the export says which line', async () => {
@@ -59,29 +87,32 @@ describe('the poster of a page', () => {
     expect(name).toMatch(/\.jpg$/);
     const html = await readFile(join(served.folder, 'index.html'), 'utf8');
     expect(html).toContain(`<meta property="og:image" content="https://example.org/robots/${name}">`);
-    const page = await chromium.browser.newPage();
-    await page.goto(`${served.url}${name}`);
-    const colors = await page.evaluate(() => {
-      const image = document.querySelector('img');
-      const canvas = new OffscreenCanvas(image?.naturalWidth ?? 0, image?.naturalHeight ?? 0);
-      const context = canvas.getContext('2d');
-      if (!image || !context) return null;
-      context.drawImage(image, 0, 0);
-      const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
-      const seen = new Set<number>();
-      let red = 0;
-      for (let i = 0; i < data.length; i += 4) {
-        const [r = 0, g = 0, b = 0] = [data[i], data[i + 1], data[i + 2]];
-        seen.add(((r >> 3) << 10) | ((g >> 3) << 5) | (b >> 3));
-        // Robots are the only thing in the room that is as red as this.
-        if (r > 120 && g < 60 && b < 60) red++;
-      }
-      return { width: canvas.width, height: canvas.height, seen: seen.size, red };
-    });
+    const colors = await colorsOf(`${served.url}${name}`);
     expect(colors).toMatchObject({ width: 1200, height: 630 });
     expect(colors?.seen).toBeGreaterThan(500);
     expect(colors?.red).toBeGreaterThan(1000);
-    await page.close();
+  });
+
+  test('shows all objects, unless the project frames something else', async () => {
+    const { program } = await compileProject(PROJECT, await readProjectFiles(PROJECT), () => ({
+      sourceMaps: true,
+      fuse: true,
+      fold: true,
+    }));
+    if (program === null) throw new Error('The example does not compile.');
+    const redOf = async (framing: PosterFraming | null) => {
+      const poster = await drawPoster({ program, framing, projectRoot: PROJECT, installation: installationAt(ROOT, '0.0.0') });
+      const colors = await colorsOf(`data:image/jpeg;base64,${Buffer.from(poster?.bytes ?? []).toString('base64')}`);
+      expect(colors).toMatchObject({ width: 1200, height: 630 });
+      return colors?.red ?? 0;
+    };
+    const whole = await redOf({ center: [0, 0], height: 100 });
+    expect(whole).toBeGreaterThan(1000);
+    expect(await redOf(null)).toBeGreaterThan(whole * 0.95);
+    // The larger robot, at half the height of the view.
+    expect(await redOf({ center: [-0.13, -0.05], height: 0.55 })).toBeGreaterThan(whole * 1.25);
+    const room = { name: 'studio', eye: [0, 1.5, 1], target: [0, 1.5, 2] } as const;
+    expect(await redOf({ center: [0, 0], height: 0.5, room })).toBeLessThan(whole / 10);
   });
 
   test('is shown while the page loads, and gives way to the picture', async () => {

@@ -13,7 +13,7 @@ export const exportCommand: Command = {
   name: 'export',
   usage: 'PROJECT --out DIR',
   summary: 'Export a project as a web page',
-  doc: 'Compiles PROJECT and writes a static page to DIR: index.html and all its files, with relative addresses, for any web host. After one visit over https the page also opens offline. Compiles the project’s own shaders with a graphics driver first, in a headless browser: a shader that the driver rejects is an error; without a browser there is a warning. The browser also renders the poster, a frame that is shown while the page loads and in link previews. DIR is replaced in one step, and only if it is missing, empty, or holds an earlier export; after an error it is unchanged. Models are compressed without visible loss: geometry with meshopt, textures with KTX2 where that saves graphics memory; the project’s .scrim folder caches the results. report.json in DIR lists the files, their sizes, each asset before and after, and the features that the page requests.',
+  doc: 'Compiles PROJECT and writes a static page to DIR: index.html and all its files, with relative addresses, for any web host. After one visit over https the page also opens offline. Compiles the project’s own shaders with a graphics driver first, in a headless browser: a shader that the driver rejects is an error; without a browser there is a warning. The browser also renders the poster, a frame that is shown while the page loads and in link previews: of what the project frames, else of its objects. DIR is replaced in one step, and only if it is missing, empty, or holds an earlier export; after an error it is unchanged. Models are compressed without visible loss: geometry with meshopt, textures with KTX2 where that saves graphics memory; the project’s .scrim folder caches the results. report.json in DIR lists the files, their sizes, each asset before and after, and the features that the page requests.',
   project: 'required',
   options: {
     out: { type: 'string', value: 'DIR', doc: 'Folder to write the page to.' },
@@ -66,11 +66,11 @@ export const exportCommand: Command = {
       ...(call.flag('no-poster')
         ? {}
         : {
-            drawPoster: async (program) => {
+            drawPoster: async (program, framing) => {
               say('Drawing the poster…');
               // The poster is compiled with source maps, so that driver errors name file and line.
               const mapped = await compileProject(root, files, () => ({ sourceMaps: true, fuse: true, fold: true }));
-              return drawPoster({ program: mapped.program ?? program, projectRoot: root, installation });
+              return drawPoster({ program: mapped.program ?? program, framing, projectRoot: root, installation });
             },
           }),
     });

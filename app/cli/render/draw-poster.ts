@@ -1,6 +1,7 @@
 import type { Page } from 'playwright-core';
 import { POSTER_SIZE, type PosterImage } from '../../../export/bundle/poster.ts';
 import type { Program } from '../../../export/program/program.ts';
+import type { PosterFraming } from '../../../nodes/kit/poster-framing.ts';
 import { HostError } from '../../contract/host-error.ts';
 import { findChromium } from '../../services/chromium.ts';
 import { encodeLayer } from '../../services/encode-png.ts';
@@ -11,20 +12,26 @@ import { findRenderSession } from './render-session.ts';
 
 export interface PosterJob {
   readonly program: Program;
+  /** What the project lets the poster show; null: the objects. */
+  readonly framing: PosterFraming | null;
   /** Real path of the project folder. */
   readonly projectRoot: string;
   readonly installation: Installation;
 }
 
 /**
- * Renders the poster of a page as JPEG: the first frame in the default room of `scrim render`. Null if there is no browser or the
- * frame cannot be rendered; the page is then exported without one.
+ * Renders the poster of a page as JPEG: the first frame of the default session of `scrim render`, or of the room of the framing. Null if
+ * there is no browser or the frame cannot be rendered; the page is then exported without one.
  *
  * @throws SCR042 if the driver rejects a shader
  */
-export async function drawPoster({ program, projectRoot, installation }: PosterJob): Promise<PosterImage | null> {
+export async function drawPoster({ program, framing, projectRoot, installation }: PosterJob): Promise<PosterImage | null> {
   const found = await findChromium();
-  const session = await findRenderSession(null, projectRoot, installation, POSTER_SIZE);
+  // A chosen part is rendered larger, so that it has enough pixels.
+  const scale = framing ? FRAMED_SCALE : 1;
+  const size = { widthPx: POSTER_SIZE.widthPx * scale, heightPx: POSTER_SIZE.heightPx * scale };
+  const room = framing?.room ? `room:${framing.room.name}` : null;
+  const session = await findRenderSession(room, projectRoot, installation, size);
   if (found === null || session.output === null) return null;
   let png: Uint8Array | null = null;
   const said = await renderFrames({
@@ -33,7 +40,7 @@ export async function drawPoster({ program, projectRoot, installation }: PosterJ
     last: 0,
     root: installation.root,
     projectRoot,
-    job: { program, session: session.output.session, ...POSTER_SIZE, subject: { kind: 'screen' } },
+    job: { program, session: session.output.session, ...size, subject: { kind: 'screen' }, poster: { framing, shape: SHAPE } },
     sourceOf: () => undefined,
     onImage: async (_index, { widthPx, heightPx }, pixels) => {
       png = encodeLayer({ widthPx, heightPx, pixels });
@@ -51,6 +58,9 @@ export async function drawPoster({ program, projectRoot, installation }: PosterJ
   }
 }
 
+/** Enlargement of framed posters before they are cropped. */
+const FRAMED_SCALE = 2;
+const SHAPE = POSTER_SIZE.widthPx / POSTER_SIZE.heightPx;
 const VIEWPORT = { width: POSTER_SIZE.widthPx, height: POSTER_SIZE.heightPx };
 
 /** JPEG quality. The file is an eighth of the PNG, without visible loss. */
@@ -63,6 +73,7 @@ async function toJpeg(page: Page, png: Uint8Array): Promise<Uint8Array> {
     const image = new Image();
     image.src = src;
     await image.decode();
+    image.style.cssText = 'display: block; width: 100vw; height: 100vh; object-fit: cover';
     document.body.style.cssText = 'margin: 0; background: #14161a';
     document.body.replaceChildren(image);
   }, source);

@@ -25,6 +25,8 @@ export interface FrameSource {
   step(index: number): Promise<boolean>;
   /** Reads the composited image of a room; null if the canvas of the program shows all. */
   readonly seen: Emulator['readComposite'] | null;
+  /** Sets the pose of the head in a room, column-major 4×4; null gives the start pose back. Null for recordings. */
+  readonly setHead: ((worldFromHead: Float32Array | null) => void) | null;
 }
 
 export interface FrameHandlers {
@@ -52,7 +54,7 @@ async function openRecording(url: string, gl: WebGL2RenderingContext, handlers: 
   const { output, diagnostics } = await session.ready;
   if (output === null) return { output: null, diagnostics };
   session.start(handlers.onFrame, handlers.onEvent);
-  return { output: { session, frameCount: output.frames.timesS.length, step: session.step, seen: null }, diagnostics };
+  return { output: { session, frameCount: output.frames.timesS.length, step: session.step, seen: null, setHead: null }, diagnostics };
 }
 
 async function openRoom(
@@ -73,7 +75,11 @@ async function openRoom(
     await emulator.stepFrame();
     return true;
   };
-  return { output: { session: output, frameCount: null, step, seen: emulator.readComposite }, diagnostics: asWarnings(diagnostics) };
+  const setHead = (matrix: Float32Array | null) => emulator.setPose(matrix ? { matrix } : ROOM_POSE);
+  return {
+    output: { session: output, frameCount: null, step, seen: emulator.readComposite, setHead },
+    diagnostics: asWarnings(diagnostics),
+  };
 }
 
 /** Turns diagnostics into warnings, because missing features of the emulated device do not stop the render. */

@@ -1,7 +1,9 @@
 import type { ShaderError } from '../../../export/runtime/gl/program-cache.ts';
 import type { Player } from '../../../export/runtime/player.ts';
 import { readColor, readDepth, readScreen } from '../../../export/runtime/readback.ts';
+import { createPosterCamera, type PosterCamera } from '../../../export/runtime/scenes/poster-camera.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+import type { PosterFraming, ViewCrop } from '../../../nodes/kit/poster-framing.ts';
 import type { SessionFrame } from '../../../nodes/kit/session.ts';
 import { type FrameSource, openFrameSource, type RenderSession } from './frame-source.page.ts';
 import { createRenderPlayer, type PlayedProgram } from './render-player.page.ts';
@@ -10,6 +12,8 @@ import { createRenderPlayer, type PlayedProgram } from './render-player.page.ts'
 export interface RenderJob extends PlayedProgram {
   readonly session: RenderSession;
   readonly subject: Subject;
+  /** Keeps of each image what a poster shows; absent: all. `framing`: null frames the objects. `shape`: width divided by height. */
+  readonly poster?: { readonly framing: PosterFraming | null; readonly shape: number };
 }
 
 /** What a render writes: the screen output, a layer, or the depth of a layer. `tap` is the layer as `node.port`. */
@@ -40,6 +44,7 @@ export interface OpenRender {
   readonly player: Player;
   readonly source: FrameSource;
   readonly subject: Subject;
+  readonly camera: PosterCamera | null;
 }
 
 interface Picture extends ImageHead {
@@ -70,7 +75,9 @@ export async function open(job: RenderJob): Promise<OpenedJob> {
   });
   if (output) {
     player.setSession(output.session);
-    opened = { gl, player, source: output, subject: job.subject };
+    const { setHead } = output;
+    const camera = job.poster && createPosterCamera({ inspect: () => player.inspect(null), setHead, nodes: [], ...job.poster });
+    opened = { gl, player, source: output, subject: job.subject, camera: camera ?? null };
   }
   return { frameCount: output?.frameCount ?? null, shaderErrors, diagnostics };
 }
@@ -78,14 +85,21 @@ export async function open(job: RenderJob): Promise<OpenedJob> {
 /** Plays one frame. With `keep`, sends its image. Returns null if there is none to send. */
 export async function play(index: number, keep: boolean): Promise<ImageHead | null> {
   let taken: Picture | null = null;
+  const camera = keep ? opened?.camera : null;
+  if (camera && opened?.source.setHead) {
+    // The objects are where they are drawn only after a frame.
+    await playAndRead(index, () => {});
+    camera.aim();
+  }
   const read = (render: OpenRender) => {
     taken = readSubject(render);
   };
   const stepped = await playAndRead(index, keep ? read : () => {});
   if (!keep || !stepped || !opened) return null;
   const seen = opened.subject.kind === 'screen' ? opened.source.seen?.() : undefined;
-  const picture: Picture | null = seen ? { widthPx: seen.widthPx, heightPx: seen.heightPx, bytes: Uint8Array.from(seen.rgba) } : taken;
-  if (!picture) return null;
+  const whole: Picture | null = seen ? { widthPx: seen.widthPx, heightPx: seen.heightPx, bytes: Uint8Array.from(seen.rgba) } : taken;
+  if (!whole) return null;
+  const picture = camera ? cropped(whole, camera.crop()) : whole;
   await fetch('picture', { method: 'POST', body: picture.bytes });
   return { widthPx: picture.widthPx, heightPx: picture.heightPx };
 }
@@ -118,6 +132,17 @@ function drawRoom(player: Player, frame: SessionFrame): Promise<void> {
 /** All diagnostics of the render so far. */
 export function diagnostics(): readonly Diagnostic[] {
   return [...problems, ...events];
+}
+
+function cropped({ widthPx, heightPx, bytes }: Picture, { x, y, width, height }: ViewCrop): Picture {
+  const [fromX, fromY] = [Math.round(x * widthPx), Math.round(y * heightPx)];
+  const [keptX, keptY] = [Math.round(width * widthPx), Math.round(height * heightPx)];
+  const kept = new Uint8Array(keptX * keptY * 4);
+  for (let row = 0; row < keptY; row++) {
+    const start = ((fromY + row) * widthPx + fromX) * 4;
+    kept.set(bytes.subarray(start, start + keptX * 4), row * keptX * 4);
+  }
+  return { widthPx: keptX, heightPx: keptY, bytes: kept };
 }
 
 function readSubject({ gl, player, subject }: OpenRender): Picture | null {

@@ -1,3 +1,5 @@
+import { castDraft } from 'immer';
+import type { PosterFraming } from '../../../nodes/kit/poster-framing.ts';
 import type { PageInfo, Project } from '../project.ts';
 import { type Change, change } from './change.ts';
 
@@ -23,7 +25,7 @@ export function setTitle(project: Project, { title }: { readonly title: string }
  * @example
  * setPage(project, { page: { language: 'de' } });
  */
-export function setPage(project: Project, { page }: { readonly page: Partial<Omit<PageInfo, 'poster'>> }): Change {
+export function setPage(project: Project, { page }: { readonly page: Partial<Omit<PageInfo, 'poster' | 'framing'>> }): Change {
   return change(project, (draft) => {
     Object.assign(draft.page, page);
   });
@@ -41,5 +43,21 @@ export function setPoster(project: Project, { path }: { readonly path: string | 
   return change(project, (draft) => {
     if (path === null) delete draft.page.poster;
     else draft.page.poster = path;
+  });
+}
+
+/**
+ * Chooses what the poster of the exported page shows, and lets each export draw it; null: it shows the objects.
+ *
+ * @returns The change; this command is never refused.
+ *
+ * @example
+ * setFraming(project, { framing: { center: [0, 0], height: 0.8 } });
+ */
+export function setFraming(project: Project, { framing }: { readonly framing: PosterFraming | null }): Change {
+  return change(project, (draft) => {
+    delete draft.page.poster;
+    if (framing === null) delete draft.page.framing;
+    else draft.page.framing = castDraft(framing);
   });
 }

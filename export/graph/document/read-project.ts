@@ -1,4 +1,5 @@
 import { ASSET_KINDS } from '../../../nodes/kit/definition.ts';
+import type { PosterFraming } from '../../../nodes/kit/poster-framing.ts';
 import type { JsonPath } from '../json/positions.ts';
 import { isObject, type ShapeReader } from '../json/shape-reader.ts';
 import { DEFAULT_PAGE } from '../new-project.ts';
@@ -35,7 +36,7 @@ export function readProject(reader: ShapeReader, json: unknown): ProjectDocument
 
 function readPage(reader: ShapeReader, json: unknown): PageInfo {
   if (json === undefined) return DEFAULT_PAGE;
-  const fields = reader.fields(json, ['page'], ['description', 'language', 'poster']);
+  const fields = reader.fields(json, ['page'], ['description', 'language', 'poster', 'framing']);
   const text = (key: 'description' | 'language') =>
     fields(key) === undefined ? DEFAULT_PAGE[key] : reader.text(fields(key), ['page', key]);
   const language = text('language');
@@ -46,7 +47,29 @@ function readPage(reader: ShapeReader, json: unknown): PageInfo {
     );
   }
   const poster = fields('poster') === undefined ? '' : reader.text(fields('poster'), ['page', 'poster']);
-  return { description: text('description'), language, ...(poster !== '' && { poster }) };
+  const framing = fields('framing') === undefined ? null : readFraming(reader, fields('framing'), ['page', 'framing']);
+  return { description: text('description'), language, ...(poster !== '' && { poster }), ...(framing && { framing }) };
+}
+
+function readFraming(reader: ShapeReader, json: unknown, path: JsonPath): PosterFraming {
+  const fields = reader.fields(json, path, ['center', 'height', 'room']);
+  const numbers = (value: unknown, at: JsonPath, count: number) => {
+    const list = reader.list(value, at, (item, itemPath) => reader.number(item, itemPath));
+    if (Array.isArray(value) && list.length !== count) reader.problem(at, `must have ${count} numbers.`);
+    return list;
+  };
+  const [x = 0, y = 0] = numbers(fields('center'), [...path, 'center'], 2);
+  const height = reader.number(fields('height'), [...path, 'height']);
+  if (typeof fields('height') === 'number' && !(height > 0)) reader.problem([...path, 'height'], 'must be greater than 0.');
+  if (fields('room') === undefined) return { center: [x, y], height };
+  const roomPath = [...path, 'room'];
+  const room = reader.fields(fields('room'), roomPath, ['name', 'eye', 'target']);
+  const point = (key: 'eye' | 'target'): [number, number, number] => {
+    const [px = 0, py = 0, pz = 0] = numbers(room(key), [...roomPath, key], 3);
+    return [px, py, pz];
+  };
+  const name = reader.text(room('name'), [...roomPath, 'name']);
+  return { center: [x, y], height, room: { name, eye: point('eye'), target: point('target') } };
 }
 
 /** Whether the tag is well-formed by BCP 47 (RFC 5646). The parts of the tag are not looked up. */

@@ -75,6 +75,15 @@ export function pickObject(inspected: Seen & Pick<Inspected, 'engine'>, viewInde
   return found && { way: [...wayTo(inspected, found.list, found.item), found.draw.node], role: found.item.role };
 }
 
+/** All objects that are drawn, each with the ids of the nodes on its path. */
+export function drawnObjects(seen: Seen): readonly { readonly way: readonly string[]; readonly item: ObjectItem }[] {
+  return seen.program.operations
+    .filter((operation): operation is NodeOperation => operation.kind === 'draw')
+    .flatMap((draw) =>
+      objectsInto(seen, draw).flatMap((list) => list.items.map((item) => ({ way: [...wayTo(seen, list, item), draw.node], item }))),
+    );
+}
+
 interface Placed {
   readonly operation: NodeOperation;
   readonly list: ObjectList;

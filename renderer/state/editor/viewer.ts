@@ -17,6 +17,8 @@ export interface ViewerState {
   readonly photographed: string | null;
   /** What the eyedropper picks a pixel for; null if it is closed. */
   readonly picking: PickRequest | null;
+  /** Whether the frame of the poster is shown, to be moved. */
+  readonly framing: boolean;
 }
 
 export type ShownLayers = Pick<ViewerState, 'left' | 'right' | 'split'>;
@@ -44,6 +46,7 @@ const NOTHING: ViewerState = {
   probed: null,
   photographed: null,
   picking: null,
+  framing: false,
 };
 
 export function createViewerState(): ViewerStore {

@@ -67,7 +67,7 @@ describe('an export from the editor', () => {
     const sent: unknown[] = [];
     const pictures = createPosterRequests(editor, (message) => void sent.push(message));
     const taken = pictures.take({ widthPx: 12, heightPx: 6 });
-    expect(sent).toEqual([{ kind: 'poster', request: 1, widthPx: 12, heightPx: 6 }]);
+    expect(sent).toEqual([{ kind: 'poster', request: 1, widthPx: 12, heightPx: 6, framing: null, nodes: [] }]);
     clock.pass(60_000);
     expect(await taken).toBeNull();
 

@@ -1,7 +1,10 @@
 import { POSTER_SIZE } from '../../../app/contract/poster-size.ts';
-import { setPoster } from '../../../export/graph/commands/project-info.ts';
+import { setFraming, setPoster } from '../../../export/graph/commands/project-info.ts';
+import { framingOf, type PosterFraming, type ViewCrop } from '../../../nodes/kit/poster-framing.ts';
+import type { PreviewStatus } from '../../preview-protocol.ts';
 import { apply } from '../document/apply.ts';
 import type { Editor } from '../editor/editor.ts';
+import { chosenSource } from '../editor/preview-state.ts';
 import { addToast } from '../editor/ui.ts';
 import { bytesOf } from './base64.ts';
 import { refreshAssetFiles } from './edit-assets.ts';
@@ -51,7 +54,39 @@ export async function keepPoster(editor: Editor, bytes: Uint8Array<ArrayBuffer> 
   }
 }
 
-/** Lets each export draw the poster from the preview. */
+/** Lets each export draw the poster: of the framing that the project keeps, else of the objects. */
 export function followPreview(editor: Editor): boolean {
   return apply(editor, 'Draw the poster at each export', setPoster(editor.document.getState().project, { path: null }));
+}
+
+/** Lets each export draw the poster of the objects. */
+export function frameObjects(editor: Editor): boolean {
+  return apply(editor, 'Frame the objects in the poster', setFraming(editor.document.getState().project, { framing: null }));
+}
+
+/** Lets each export draw the poster of this part of the first view, as the preview shows it. */
+export function keepFraming(editor: Editor, crop: ViewCrop, { tangents, worldFromView }: PreviewStatus): void {
+  if (!tangents) return;
+  const { center, height } = framingOf(crop, tangents);
+  const room = roomOf(editor, worldFromView);
+  const framing: PosterFraming = { center: [round(center[0]), round(center[1])], height: round(height), ...(room && { room }) };
+  if (apply(editor, 'Frame the poster', setFraming(editor.document.getState().project, { framing })))
+    addToast(editor.ui, { tone: 'success', text: 'Exports draw the poster as framed.' });
+}
+
+const ROOM_PREFIX = 'room/';
+
+/** Where the head stands, if the preview shows an emulated room. */
+function roomOf({ preview }: Editor, pose: readonly number[] | null): PosterFraming['room'] | null {
+  const id = chosenSource(preview.getState())?.id ?? '';
+  if (!id.startsWith(ROOM_PREFIX) || !pose) return null;
+  const [x = 0, y = 0, z = 0] = pose.slice(12);
+  const [backX = 0, backY = 0, backZ = 0] = pose.slice(8);
+  const eye = [round(x), round(y), round(z)] as const;
+  return { name: id.slice(ROOM_PREFIX.length), eye, target: [round(x - backX), round(y - backY), round(z - backZ)] };
+}
+
+/** Four decimals: a tenth of a millimeter. */
+function round(value: number): number {
+  return Number(value.toFixed(4));
 }

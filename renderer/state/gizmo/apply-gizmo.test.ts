@@ -208,6 +208,7 @@ describe('a drag', () => {
         request: 0,
         late: false,
         worldFromView: null,
+        tangents: null,
       },
     });
     drag({ positionM: [1, 0, 0] });

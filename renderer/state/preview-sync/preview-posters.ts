@@ -1,11 +1,15 @@
 import type { ToPreview } from '../../preview-protocol.ts';
 import type { Editor, ImageSize } from '../editor/editor.ts';
+import { nodePath } from '../editor/layer-names.ts';
 
 /** Callers continue without a poster after this time. A large poster takes seconds on a slow machine. */
 const PATIENCE_MS = 60_000;
 
-/** Requests posters from the preview. */
-export function createPosterRequests({ clock, preview }: Pick<Editor, 'clock' | 'preview'>, post: (message: ToPreview) => void) {
+type PosterEditor = Pick<Editor, 'clock' | 'preview' | 'document' | 'selection'>;
+
+/** Requests posters from the preview: of the framing that the project keeps, else of the selected objects. */
+export function createPosterRequests(editor: PosterEditor, post: (message: ToPreview) => void) {
+  const { clock, preview } = editor;
   let waiting: ((bytes: Uint8Array<ArrayBuffer> | null) => void) | null = null;
   let newest = 0;
   const answer = (bytes: Uint8Array<ArrayBuffer> | null) => {
@@ -29,8 +33,14 @@ export function createPosterRequests({ clock, preview }: Pick<Editor, 'clock' | 
           resolve(bytes);
         };
         newest++;
-        post({ kind: 'poster', request: newest, widthPx, heightPx });
+        post({ kind: 'poster', request: newest, widthPx, heightPx, ...subjectOf(editor) });
       });
     },
   };
+}
+
+function subjectOf({ document, selection }: PosterEditor) {
+  const state = document.getState();
+  const nodes = [...selection.getState().nodes].map((node) => nodePath(state, node));
+  return { framing: state.project.page.framing ?? null, nodes };
 }

@@ -220,6 +220,7 @@ describe('the way from document to preview', () => {
       widthPx: 1,
       heightPx: 1,
       worldFromView: null,
+      tangents: null,
     } as const;
     const tell = (request: number | null) => previewSync.receive({ kind: 'status', status: { ...status, request } });
     const loading = () => isLoading(editor.preview.getState());

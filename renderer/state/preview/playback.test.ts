@@ -25,7 +25,19 @@ beforeEach(async () => {
 function status(frame: number, state: PreviewStatus['state'] = 'paused', late = false): void {
   feed.receive({
     kind: 'status',
-    status: { state, request: 0, frame, late, timeS: frame / 10, frameMs: 1, framesPerS: 0, widthPx: 4, heightPx: 3, worldFromView: null },
+    status: {
+      state,
+      request: 0,
+      frame,
+      late,
+      timeS: frame / 10,
+      frameMs: 1,
+      framesPerS: 0,
+      widthPx: 4,
+      heightPx: 3,
+      worldFromView: null,
+      tangents: null,
+    },
   });
 }
 
