@@ -21,6 +21,10 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const forward = new Float32Array(3);
 
   return {
+    get version() {
+      const capture = handle?.value ?? null;
+      return capture === null ? 0 : 1 + capture.version;
+    },
     update: () => {},
     draw: (target: DrawView) => {
       const { view } = target;

@@ -46,6 +46,7 @@ export function createCaptureTextures(objects: GlObjects, document: CaptureDocum
     depths,
     cameras,
     viewCount: views.length,
+    version: 0,
     panoramas: new Set(views.flatMap(({ projection }, i) => (projection === undefined ? [] : [i]))),
     positions: Float32Array.from(views.flatMap(({ worldFromCamera: m }) => m.slice(12, 15))),
     directions: Float32Array.from(views.flatMap(({ worldFromCamera: m, projection }) => m.slice(8, 11).map((x) => (projection ? 0 : -x)))),
@@ -84,6 +85,7 @@ export function createCaptureTextures(objects: GlObjects, document: CaptureDocum
     asset,
     setMesh: (next) => {
       Object.assign(asset, extentOf(next, views), { indexCount: next.indices.length, mesh: next });
+      asset.version++;
       gl.bindVertexArray(vertexArray);
       setAttribute(0, positions, next.positions);
       setAttribute(1, colors, new Uint8Array((4 * next.positions.length) / 3));
@@ -108,6 +110,7 @@ export function createCaptureTextures(objects: GlObjects, document: CaptureDocum
         prepareUpload(gl, 4);
         gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, index, widthPx, heightPx, 1, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
         asset.loaded[index] = form;
+        asset.version++;
         const view = views[index];
         if (view) setCamera(view, index);
       }
@@ -115,12 +118,14 @@ export function createCaptureTextures(objects: GlObjects, document: CaptureDocum
     },
     setDepthMeshes: (meshes) => {
       asset.depthMeshes = meshes;
+      asset.version++;
     },
     bake: () => {
       if (!asset.mesh) return;
       const baked = bakeColors(gl, asset, asset.mesh);
       gl.bindVertexArray(vertexArray);
       setAttribute(1, colors, baked);
+      asset.version++;
       gl.bindVertexArray(null);
     },
     finish: () => {
@@ -129,6 +134,7 @@ export function createCaptureTextures(objects: GlObjects, document: CaptureDocum
       gl.generateMipmap(gl.TEXTURE_2D_ARRAY);
       gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
       asset.loaded.fill(PHOTO_WHOLE);
+      asset.version++;
     },
     dispose: () => {
       if (isDisposed) return;
