@@ -17,9 +17,11 @@ export const STILL_TYPES: readonly string[] = [
   'objects/primitive',
   'objects/text-3d',
   'objects/transform',
+  'source/capture',
   'source/capture-mesh',
   'source/model',
   'source/panorama',
+  'source/splats',
 ];
 
 /** Kinds of resources that change with what a page compares: values, versions, the view, and whether there is depth of the room. */

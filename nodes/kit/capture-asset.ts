@@ -25,6 +25,8 @@ export interface CaptureAsset {
    */
   readonly cameras: WebGLTexture;
   readonly viewCount: number;
+  /** Changes whenever something that is drawn has arrived: a mesh, a photograph, colors, depth meshes. */
+  readonly version: number;
   /** Indices of the 360° views. */
   readonly panoramas: ReadonlySet<number>;
   /** x, y, z of each camera; then the direction of each: a unit vector, or zeros for 360° views. */

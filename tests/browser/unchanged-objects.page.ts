@@ -23,6 +23,8 @@ let index = 0;
 let azimuthRad = 0.3;
 let hasRoom = false;
 
+const FRAMES_OF_REST = 30;
+
 const CALLS = [
   'drawArrays',
   'drawElements',
@@ -71,6 +73,19 @@ export async function untilStill(): Promise<number> {
     if (next() === 0) return frames;
     await new Promise((resolve) => requestAnimationFrame(resolve));
   }
+}
+
+/** Draws frames as the browser asks for them until many in a row draw nothing, as after the answer of a worker. */
+export async function untilRest(): Promise<void> {
+  for (let still = 0; still < FRAMES_OF_REST; ) {
+    still = next() === 0 ? still + 1 : 0;
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+  }
+}
+
+/** Draws frames as the browser asks for them until one draws something. */
+export async function untilDrawn(): Promise<void> {
+  while (next() === 0) await new Promise((resolve) => requestAnimationFrame(resolve));
 }
 
 export function setParam(node: string, param: string, value: ParamValue): void {

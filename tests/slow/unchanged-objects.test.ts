@@ -20,6 +20,13 @@ async function drawsOnce(change: string): Promise<void> {
   expect([change, kept]).toEqual([change, drawn]);
 }
 
+/** Draws frames until nothing arrives any more. The canvas then has to show what a full draw would. */
+async function rests(): Promise<void> {
+  await page.call('untilRest');
+  const { kept, drawn } = await page.call<ReturnType<typeof images>>('images');
+  expect(kept).toBe(drawn);
+}
+
 /** A box in Gooch's tones on a phantom floor, with a shadow of its own layer, all of it through a filter. */
 const BOX: ProjectText = {
   nodes: {
@@ -120,6 +127,45 @@ describe('objects that nothing changes', () => {
     await untilStill();
     const { kept, drawn } = await page.call<ReturnType<typeof images>>('images');
     expect(kept).toBe(drawn);
+  });
+});
+
+describe('splats and captures that nothing changes', () => {
+  const cases = [
+    ['splats', 'source/splats', 'assets/vase.sog'],
+    ['capture', 'source/capture', 'assets/glossy-ball.capture/capture.json'],
+  ] as const;
+
+  test.each(cases)('%s are not drawn again', async (kind, type, path) => {
+    const nodes = { 'seen-a': [type, { file: 'seen' }], 'sepia-a': 'filter/sepia', 'screen-a': 'output/screen' } as const;
+    const wires = ['seen-a.layer -> sepia-a.inputImage', 'sepia-a.layer -> screen-a.layer'];
+    await open({ nodes, wires, assets: { seen: { path, kind } } }, `nodes/${type}/example/`);
+    await rests();
+    expect([await next(), await next()]).toEqual([0, 0]);
+    await setParam('sepia-a', 'amount', 0.3);
+    await drawsOnce('the filter');
+    for (const change of ['turnCamera', 'loseContext', 'reset']) {
+      await page.call(change);
+      expect([change, await next()]).not.toEqual([change, 0]);
+      // Sorting, and loading after a lost context, draw once more.
+      await rests();
+      expect([change, await next()]).toEqual([change, 0]);
+    }
+    expect([(await next(32)) > 0, await next(32), (await next()) > 0]).toEqual([true, 0, true]);
+    await setParam('seen-a', 'scale', 1.2);
+    expect(await next()).toBeGreaterThan(0);
+  });
+
+  test('splats are drawn again when they are sorted', async () => {
+    const nodes = { 'seen-a': ['source/splats', { file: 'seen' }], 'screen-a': 'output/screen' } as const;
+    const wires = ['seen-a.layer -> screen-a.layer'];
+    await open({ nodes, wires, assets: { seen: { path: 'assets/vase.sog', kind: 'splats' } } }, 'nodes/source/splats/example/');
+    await rests();
+    await page.call('turnCamera');
+    expect(await next()).toBeGreaterThan(0);
+    // Nothing changes but the order, which comes from a worker.
+    await page.call('untilDrawn');
+    await rests();
   });
 });
 

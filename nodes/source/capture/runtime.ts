@@ -1,6 +1,6 @@
 import { type CaptureDrawing, createCaptureDrawing } from '../../kit/capture-drawing/capture-drawing.ts';
 import { createDepthMeshDrawing } from '../../kit/capture-drawing/depth-meshes/depth-mesh-drawing.ts';
-import { createWindowedDrawing } from '../../kit/capture-drawing/windowed/windowed-drawing.ts';
+import { createWindowedDrawing, type WindowedDrawing } from '../../kit/capture-drawing/windowed/windowed-drawing.ts';
 import { multiplyMatrices } from '../../kit/matrices.ts';
 import { setFromAngles } from '../../kit/rigid.ts';
 import type { DrawView, NodeContext, NodeRuntime } from '../../kit/runtime.ts';
@@ -15,6 +15,9 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const handle = id === null ? null : ctx.assets.capture(id);
   const { gl, clock } = ctx;
   let drawing: CaptureDrawing | null = null;
+  let windowed: WindowedDrawing | null = null;
+  /** Draws that computed weights, of which the next frame may compute more. */
+  let updates = 0;
   let drawsDepthMeshes = false;
   const rigid = new Float32Array(16);
   const worldFromCapture = new Float32Array(16);
@@ -24,6 +27,10 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const forward = new Float32Array(3);
 
   return {
+    get version() {
+      const capture = handle?.value ?? null;
+      return capture === null ? 0 : 1 + capture.version + updates;
+    },
     update: () => {},
     draw: (target: DrawView) => {
       const { view } = target;
@@ -35,10 +42,11 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
         drawing = createDepthMeshDrawing(gl, capture);
         drawsDepthMeshes = true;
       }
-      drawing ??=
-        method === 'lumigraph' && updateFrames > 0
-          ? createWindowedDrawing(gl, capture, blended, updateFrames, clock)
-          : createCaptureDrawing(gl, capture, method === 'depth-meshes' ? 'lumigraph' : method, blended);
+      if (method === 'lumigraph' && updateFrames > 0) {
+        windowed ??= createWindowedDrawing(gl, capture, blended, updateFrames, clock);
+        drawing = windowed;
+      }
+      drawing ??= createCaptureDrawing(gl, capture, method === 'depth-meshes' ? 'lumigraph' : method, blended);
       const factor = Math.max(scale.value, 1e-6);
       setFromAngles(rigid, positionM.value, rotationRad.value);
       for (let i = 0; i < 16; i++) worldFromCapture[i] = (rigid[i] ?? 0) * (i < 12 ? factor : 1);
@@ -54,6 +62,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
         }
       }
       drawing.draw(clipFromCapture, eye, forward, target);
+      if (windowed && windowed.updated > 0) updates++;
     },
     dispose: () => {
       drawing?.dispose();

@@ -20,6 +20,8 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const id = ctx.assetIds.file;
   const handle = id === null ? null : ctx.assets.splats(id);
   let started: { readonly drawing: SplatDrawing; readonly sorting: SortDriver } | null = null;
+  /** Orders that were drawn or will be, and 1 for the splats themselves. */
+  let version = 0;
   const rigid = new Float32Array(16);
   const worldFromSplats = new Float32Array(16);
   const viewFromSplats = new Float32Array(16);
@@ -31,8 +33,13 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     if (!started && splats) {
       const drawing = createSplatDrawing(gl, splats, antialiased || splats.antialiased, occlusion);
       started = { drawing, sorting: createSortDriver(workers, splats.positions) };
+      version++;
     }
     return started;
+  };
+  const setOrder = (order: Uint32Array): void => {
+    started?.drawing.setOrder(order);
+    version++;
   };
   /** The mean direction of the views, in the space of the splats. */
   const setDirection = ({ views, viewCount }: SessionFrame): void => {
@@ -43,6 +50,9 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   };
 
   return {
+    get version() {
+      return version;
+    },
     update: (frame) => {
       const shown = start();
       if (!shown) return;
@@ -51,14 +61,14 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       multiplyMatrices(worldFromSplats, rigid, UPRIGHT[up]);
       for (let i = 0; i < 12; i++) worldFromSplats[i] = (worldFromSplats[i] ?? 0) * factor;
       // Before the next request, which may send the buffer of the order away.
-      shown.sorting.take(shown.drawing.setOrder);
+      shown.sorting.take(setOrder);
       setDirection(frame);
       shown.sorting.request(direction, clock.held);
     },
     settle: () => started?.sorting.settle() ?? null,
     draw: (view: DrawView) => {
       if (!started) return;
-      started.sorting.take(started.drawing.setOrder);
+      started.sorting.take(setOrder);
       multiplyMatrices(viewFromSplats, view.view.viewFromWorld, worldFromSplats);
       setEye(eye, worldFromSplats, view.view.worldFromView, Math.max(scale.value, 1e-6));
       started.drawing.draw(view, viewFromSplats, eye);

@@ -50,6 +50,7 @@ export function createCaptureTextures(
     depths,
     cameras,
     viewCount: views.length,
+    version: 0,
     panoramas: new Set(views.flatMap(({ projection }, i) => (projection === undefined ? [] : [i]))),
     positions: Float32Array.from(views.flatMap(({ worldFromCamera: m }) => m.slice(12, 15))),
     directions: Float32Array.from(views.flatMap(({ worldFromCamera: m, projection }) => m.slice(8, 11).map((x) => (projection ? 0 : -x)))),
@@ -88,6 +89,7 @@ export function createCaptureTextures(
     asset,
     setMesh: (next) => {
       Object.assign(asset, extentOf(next, views), { indexCount: next.indices.length, mesh: next });
+      asset.version++;
       gl.bindVertexArray(vertexArray);
       setAttribute(0, buffers.positions, next.positions);
       setAttribute(1, buffers.colors, new Uint8Array((4 * next.positions.length) / 3));
@@ -112,6 +114,7 @@ export function createCaptureTextures(
         prepareUpload(gl, 4);
         gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, index, widthPx, heightPx, 1, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
         asset.loaded[index] = form;
+        asset.version++;
         const view = views[index];
         if (view) setCamera(view, index);
       }
@@ -119,12 +122,14 @@ export function createCaptureTextures(
     },
     setDepthMeshes: (meshes) => {
       asset.depthMeshes = meshes;
+      asset.version++;
     },
     bake: () => {
       if (!asset.mesh) return;
       const baked = bakeColors(gl, asset, asset.mesh);
       gl.bindVertexArray(vertexArray);
       setAttribute(1, buffers.colors, baked);
+      asset.version++;
       gl.bindVertexArray(null);
     },
     finish: () => {
@@ -133,6 +138,7 @@ export function createCaptureTextures(
       gl.generateMipmap(gl.TEXTURE_2D_ARRAY);
       gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
       asset.loaded.fill(PHOTO_WHOLE);
+      asset.version++;
     },
     dispose: () => {
       if (isDisposed) return;
