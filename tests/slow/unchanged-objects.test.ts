@@ -132,12 +132,13 @@ describe('objects that nothing changes', () => {
 
 describe('splats and captures that nothing changes', () => {
   const cases = [
-    ['splats', 'source/splats', 'assets/vase.sog'],
-    ['capture', 'source/capture', 'assets/glossy-ball.capture/capture.json'],
+    ['splats', 'source/splats', 'assets/vase.sog', {}],
+    ['capture', 'source/capture', 'assets/glossy-ball.capture/capture.json', {}],
+    ['capture', 'source/capture', 'assets/glossy-ball.capture/capture.json', { method: 'lumigraph', updateFrames: 4 }],
   ] as const;
 
-  test.each(cases)('%s are not drawn again', async (kind, type, path) => {
-    const nodes = { 'seen-a': [type, { file: 'seen' }], 'sepia-a': 'filter/sepia', 'screen-a': 'output/screen' } as const;
+  test.each(cases)('%s are not drawn again', async (kind, type, path, params) => {
+    const nodes = { 'seen-a': [type, { file: 'seen', ...params }], 'sepia-a': 'filter/sepia', 'screen-a': 'output/screen' } as const;
     const wires = ['seen-a.layer -> sepia-a.inputImage', 'sepia-a.layer -> screen-a.layer'];
     await open({ nodes, wires, assets: { seen: { path, kind } } }, `nodes/${type}/example/`);
     await rests();
@@ -154,6 +155,18 @@ describe('splats and captures that nothing changes', () => {
     expect([(await next(32)) > 0, await next(32), (await next()) > 0]).toEqual([true, 0, true]);
     await setParam('seen-a', 'scale', 1.2);
     expect(await next()).toBeGreaterThan(0);
+  });
+
+  test('a capture with weights per vertex is drawn until all are those of the eye', async () => {
+    const seen = ['source/capture', { file: 'seen', method: 'lumigraph', updateFrames: 5 }] as const;
+    const wires = ['seen-a.layer -> screen-a.layer'];
+    const assets = { seen: { path: 'assets/glossy-ball.capture/capture.json', kind: 'capture' } } as const;
+    await open({ nodes: { 'seen-a': seen, 'screen-a': 'output/screen' }, wires, assets }, 'nodes/source/capture/example/');
+    await rests();
+    await page.call('turnCamera');
+    const frames = await untilStill();
+    expect(frames).toBeGreaterThan(2);
+    expect(frames).toBeLessThan(8);
   });
 
   test('splats are drawn again when they are sorted', async () => {
