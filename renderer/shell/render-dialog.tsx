@@ -6,6 +6,7 @@ import { lastFrame, playedRange } from '../state/preview/playback.ts';
 import { type FrameRenderOptions, planFrames, ROOM_RATE_HZ, rateOf, renderFrames } from '../state/preview/render-frames.ts';
 import { FormDialog } from '../ui/form-dialog.tsx';
 import { SelectField, type SelectOption } from '../ui/select-field.tsx';
+import { DialogError } from './dialog-error.tsx';
 import { FolderField } from './folder-field.tsx';
 import './render-dialog.css';
 
@@ -76,6 +77,7 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
           ? 'The video is saved to your downloads, without sound.'
           : 'Choose a new or empty folder, or one with previously rendered frames.'}
       </p>
+      <DialogError />
     </FormDialog>
   );
 }
