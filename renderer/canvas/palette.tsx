@@ -215,7 +215,7 @@ function Preview({ definition, favorite, keys, onFavor }: PreviewProps) {
   return (
     <div className="palette-preview scroll">
       <div className="palette-preview-head">
-        <h3>{definition.title}</h3>
+        <h2>{definition.title}</h2>
         <span className="palette-favor" data-on={favorite ? '' : undefined}>
           <IconButton icon="star" label="Favorite" keys={keys} pressed={favorite} small onPress={onFavor} />
         </span>

@@ -4,6 +4,7 @@ import { useEditor } from '../state/editor/editor-context.ts';
 import { createProject } from '../state/files/files.ts';
 import { suggestFolder } from '../state/files/suggest-folder.ts';
 import { FormDialog } from '../ui/form-dialog.tsx';
+import { DialogError } from './dialog-error.tsx';
 import { FolderField } from './folder-field.tsx';
 import './new-dialog.css';
 
@@ -54,6 +55,7 @@ export function NewDialog({ chosen, onClose }: NewDialogProps) {
       />
       <FolderField id={id} label="Folder" path={path} purpose="new" onChange={setTypedPath} />
       <p className="dialog-note">The folder must be empty or new; its name becomes the project’s title.</p>
+      <DialogError />
     </FormDialog>
   );
 }

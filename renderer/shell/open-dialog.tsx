@@ -7,6 +7,7 @@ import { askForFolder, openPath } from '../state/files/files.ts';
 import { Button, IconButton } from '../ui/button.tsx';
 import { Dialog } from '../ui/dialog.tsx';
 import { Icon } from '../ui/icon.tsx';
+import { DialogError } from './dialog-error.tsx';
 import { FolderField } from './folder-field.tsx';
 import './open-dialog.css';
 import { ImageCard } from '../ui/image-card.tsx';
@@ -107,6 +108,7 @@ export function OpenDialog({ onClose }: { readonly onClose: () => void }) {
       <form className="dialog-form open-folder" onSubmit={submit}>
         <FolderField id={id} label="Project folder" path={path} onChange={setPath} />
       </form>
+      <DialogError />
     </Dialog>
   );
 }

@@ -7,6 +7,7 @@ import { type FrameRenderOptions, planFrames, ROOM_RATE_HZ, rateOf, renderFrames
 import { FormDialog } from '../ui/form-dialog.tsx';
 import { ChoiceField, TextField } from '../ui/form-fields.tsx';
 import type { SelectOption } from '../ui/select-field.tsx';
+import { DialogError } from './dialog-error.tsx';
 import { FolderField } from './folder-field.tsx';
 
 const FORMATS: readonly SelectOption<FrameRenderOptions['what']>[] = [
@@ -76,6 +77,7 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
           ? 'The video is saved to your downloads, without sound.'
           : 'Choose a new or empty folder, or one with previously rendered frames.'}
       </p>
+      <DialogError />
     </FormDialog>
   );
 }

@@ -3,6 +3,7 @@ import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { saveAs } from '../state/files/files.ts';
 import { suggestFolder } from '../state/files/suggest-folder.ts';
 import { FormDialog } from '../ui/form-dialog.tsx';
+import { DialogError } from './dialog-error.tsx';
 import { FolderField } from './folder-field.tsx';
 
 /** Asks for the folder of a copy, on hosts without a native folder dialog. */
@@ -21,6 +22,7 @@ export function SaveAsDialog({ onClose }: { readonly onClose: () => void }) {
     <FormDialog title="Save a copy" action="Save" ready={!busy && path.trim() !== ''} onGo={() => void go()} onClose={onClose}>
       <FolderField id={id} label="Folder" path={path} onChange={setPath} />
       <p className="dialog-note">The folder must be empty or new. The project’s assets are copied with it.</p>
+      <DialogError />
     </FormDialog>
   );
 }

@@ -8,13 +8,7 @@ import type { ToolContext } from '../lib/tool.ts';
 import { type Bench, quantile, timeMs } from './bench.ts';
 import { createKeyParts, type KeyParts } from './key-parts.ts';
 import { startBenchBrowser } from './open-page.ts';
-
-const PREVIEW = 'iframe[title="Preview"]';
-/**
- * Part of the preview that is read to detect a new image, in pixels: below the strip that messages may cover, and small, so that reading is
- * fast.
- */
-const LOOK = { x: 40, y: 60, width: 24, height: 24 };
+import { drawn, look } from './preview-image.ts';
 
 /** Pause in which earlier edits are compiled and drawn. */
 const REST_MS = 3000;
@@ -104,18 +98,6 @@ function createHost({ root }: ToolContext, example: string) {
 }
 
 let digits = 0;
-
-async function drawn(page: Page): Promise<void> {
-  await page.locator(PREVIEW).waitFor();
-  const gray = await look(page);
-  while ((await look(page)).equals(gray)) if (page.isClosed()) throw new Error('The editor is gone.');
-}
-
-async function look(page: Page): Promise<Buffer> {
-  const box = await page.locator(PREVIEW).boundingBox();
-  if (!box) throw new Error('There is no preview.');
-  return page.screenshot({ clip: { ...LOOK, x: box.x + LOOK.x, y: box.y + LOOK.y } });
-}
 
 /** Pauses the preview and puts the cursor into a number at the end of a filter's shader. */
 async function openShader(browser: Browser, url: string, node: string, parts: KeyParts): Promise<Page> {

@@ -112,7 +112,7 @@ export async function renderFrames(editor: Editor, options: FrameRenderOptions):
     over.kind === 'room' || frames === null
       ? planRoomFrames(options.range, rateHz)
       : planFrames(frames, options.range, frameRateHz, isHistoryDependent(program));
-  editor.ui.setState({ exporting: { handle, text: 'Preparing…', cancelled: false, frames: true }, dialog: null });
+  editor.ui.setState({ exporting: { handle, text: 'Preparing…', cancelled: false, frames: true } });
   let begun = false;
   const stopped = cancellation(editor);
   /** Sends a message to the page; resolves to null if the user cancels. */
@@ -122,6 +122,8 @@ export async function renderFrames(editor: Editor, options: FrameRenderOptions):
       await editor.host.call('frames.begin', { handle, out, widthPx, heightPx });
       begun = true;
     }
+    // A folder that is refused is an error of the dialog.
+    editor.ui.setState({ dialog: null });
     if (unwrap(await ask({ kind: 'render-begin', request })) === null) return reportCanceled(editor);
     const kept = plan.filter(({ keep }) => keep).length;
     let done = 0;
