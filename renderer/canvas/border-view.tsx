@@ -1,13 +1,14 @@
 import { Handle, type NodeProps, Position } from '@xyflow/react';
-import { memo } from 'react';
+import { memo, useState } from 'react';
 import { WIRE_TYPES } from '../../nodes/kit/wire-types.ts';
 import { graphOf } from '../state/editor/document.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { ROW_HEIGHT } from '../state/graph/node-shape.ts';
-import { type PortSide, setPortExposed } from '../state/graph/subgraphs.ts';
+import { exposedTitleProblem, type PortSide, renameExposedPort, setPortExposed } from '../state/graph/subgraphs.ts';
 import { IconButton } from '../ui/button.tsx';
 import './border-view.css';
 import { useDetail } from './detail.ts';
+import { NameInPlace, renameHandlers } from './name-in-place.tsx';
 import { type BorderNode, type BorderPort, borderRowTop, NEW_PORT } from './project-borders.ts';
 
 const TEXTS = {
@@ -58,9 +59,25 @@ export const BorderView = memo(function BorderView({ data: { side, ports } }: No
 function BorderRow({ side, port, row }: { readonly side: PortSide; readonly port: BorderPort; readonly row: number }) {
   const editor = useEditor();
   const exposed = useDocument((state) => graphOf(state).exposed[side][row]);
+  const [naming, setNaming] = useState(false);
+  if (naming) {
+    return (
+      <span className="border-row border-naming" style={{ top: borderRowTop(row), height: ROW_HEIGHT }}>
+        <NameInPlace
+          label={`Name of ${port.label}`}
+          title={port.label}
+          problemOf={(typed) => exposedTitleProblem(editor.document.getState(), port.name, typed)}
+          onName={(typed) => void renameExposedPort(editor, side, port.name, typed)}
+          onLeave={() => setNaming(false)}
+        />
+      </span>
+    );
+  }
   return (
     <span className="border-row" style={{ top: borderRowTop(row), height: ROW_HEIGHT }}>
-      <span className="border-label">{port.label}</span>
+      <button type="button" className="border-label nodrag" {...renameHandlers(() => setNaming(true))} data-tip="Double-click renames">
+        {port.label}
+      </button>
       <IconButton
         icon="close"
         label={`Stop exposing ${port.label}`}

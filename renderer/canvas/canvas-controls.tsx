@@ -2,6 +2,7 @@ import { Panel, useReactFlow, useStore } from '@xyflow/react';
 import { useKeys } from '../state/commands/command-item.ts';
 import { uiScale } from '../ui/appearance.ts';
 import { IconButton } from '../ui/button.tsx';
+import { FIT_PADDING } from './use-reveal.ts';
 
 /** Buttons that change the zoom, show its percentage and fit the graph to the view. */
 export function CanvasControls() {
@@ -19,7 +20,12 @@ export function CanvasControls() {
       <button type="button" className="zoom-step" aria-label="Zoom in" onClick={() => void zoomIn()}>
         +
       </button>
-      <IconButton icon="fit" label="Fit graph to view" keys={fitKeys} onPress={() => void fitView({ padding: 0.15, maxZoom: uiScale() })} />
+      <IconButton
+        icon="fit"
+        label="Fit graph to view"
+        keys={fitKeys}
+        onPress={() => void fitView({ padding: FIT_PADDING, maxZoom: uiScale() })}
+      />
     </Panel>
   );
 }

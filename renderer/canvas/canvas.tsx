@@ -80,7 +80,12 @@ function CanvasInside() {
   const detail = useFlowStore((state) => detailOf(state.transform[2], nodes.length));
 
   return (
-    <div ref={root} tabIndex={-1} className={far ? 'canvas canvas-far' : 'canvas'} {...drop.handlers}>
+    <div
+      ref={root}
+      tabIndex={-1}
+      className={`canvas${far ? ' canvas-far' : ''}${detail === 'heads' ? ' canvas-heads' : ''}`}
+      {...drop.handlers}
+    >
       <CostsProvider>
         <DetailProvider value={detail}>
           <ReactFlow<AnyNode, CanvasWire>

@@ -1,7 +1,10 @@
 import { createContext, useContext } from 'react';
 
-/** How nodes are drawn. `whole`: with all their content. `overview`: as colored rectangles, because nothing in a node is legible. */
-export type Detail = 'whole' | 'overview';
+/**
+ * How nodes are drawn. `whole`: with all their content. `heads`: as heads with the icon of their category, because no title fits.
+ * `overview`: as colored rectangles, because there are too many for more.
+ */
+export type Detail = 'whole' | 'heads' | 'overview';
 
 const DetailContext = createContext<Detail>('whole');
 
@@ -11,11 +14,12 @@ export function useDetail(): Detail {
   return useContext(DetailContext);
 }
 
-/** Zoom below which a large graph is drawn as an overview. At this zoom titles are 6 px high. */
-const OVERVIEW_ZOOM = 0.3;
+/** Zoom below which nodes have no titles: a legible one would show a few letters. */
+export const HEADS_ZOOM = 0.3;
 /** Number of nodes up to which a graph is drawn whole at any zoom. So many cost no dropped frame. */
 const OVERVIEW_NODES = 150;
 
 export function detailOf(zoom: number, nodeCount: number): Detail {
-  return zoom < OVERVIEW_ZOOM && nodeCount > OVERVIEW_NODES ? 'overview' : 'whole';
+  if (zoom >= HEADS_ZOOM) return 'whole';
+  return nodeCount > OVERVIEW_NODES ? 'overview' : 'heads';
 }

@@ -1,23 +1,28 @@
 import { Handle, type NodeProps, Position } from '@xyflow/react';
-import { memo, useEffect, useMemo, useRef } from 'react';
+import { type MouseEvent, memo, useEffect, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
+import { subgraphName } from '../../export/graph/document-names.ts';
 import { WIRE_TYPES } from '../../nodes/kit/wire-types.ts';
 import { toggleExpanded } from '../state/editor/canvas-state.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { layerName } from '../state/editor/layer-names.ts';
 import { refusalOf } from '../state/graph/edit-graph.ts';
 import { BODY_PADDING, HEADER_HEIGHT, type PortView, ROW_HEIGHT } from '../state/graph/node-shape.ts';
+import { titleProblem } from '../state/graph/subgraph-library.ts';
+import { renameSubgraph } from '../state/graph/subgraphs.ts';
 import { CategoryMark, categoryColor } from '../ui/category-mark.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { useDetail } from './detail.ts';
+import { NameInPlace } from './name-in-place.tsx';
 import { NodeCost } from './performance-overlay.tsx';
 import type { CanvasNode, NodeData } from './project-canvas.ts';
 import './node-view.css';
 
 /** A node on the canvas. Mounts only visible elements, because a large canvas holds three thousand nodes. */
 export const NodeView = memo(function NodeView({ id, data, selected }: NodeProps<CanvasNode>) {
-  const overview = useDetail() === 'overview';
-  return overview ? <OverviewNode id={id} data={data} selected={selected} /> : <FullNode id={id} data={data} selected={selected} />;
+  const detail = useDetail();
+  if (detail === 'overview') return <OverviewNode id={id} data={data} selected={selected} />;
+  return <FullNode id={id} data={data} selected={selected} titled={detail === 'whole'} />;
 });
 
 type NodeBodyProps = Pick<NodeProps<CanvasNode>, 'id' | 'data' | 'selected'>;
@@ -36,7 +41,12 @@ function OverviewNode({ id, data, selected }: NodeBodyProps) {
   );
 }
 
-function FullNode({ id, data, selected }: NodeBodyProps) {
+interface FullNodeProps extends NodeBodyProps {
+  /** Whether its title is drawn. */
+  readonly titled: boolean;
+}
+
+function FullNode({ id, data, selected, titled }: FullNodeProps) {
   const dimmed = useDimmedPorts(id, data.shape.ports);
   const { ports } = data.shape;
   return (
@@ -48,9 +58,12 @@ function FullNode({ id, data, selected }: NodeBodyProps) {
       }}
       data-node={id}
     >
-      <div className="node-head" data-tip={data.title === data.typeTitle ? undefined : `${data.typeTitle} · ${data.title}`}>
+      <div
+        className="node-head"
+        data-tip={data.title !== data.typeTitle ? `${data.typeTitle} · ${data.title}` : titled ? undefined : data.title}
+      >
         <CategoryMark type={data.nodeType} />
-        <span className="node-title">{data.title}</span>
+        {data.subgraph ? <SubgraphTitle data={data} /> : <span className="node-title">{data.title}</span>}
         {data.problem && (
           <span className="node-problem" data-severity={data.problem.severity} data-tip={data.problem.text}>
             <Icon name={data.problem.severity === 'info' ? 'info' : data.problem.severity} size={14} />
@@ -78,6 +91,36 @@ function FullNode({ id, data, selected }: NodeBodyProps) {
         )}
       </div>
     </div>
+  );
+}
+
+/** The title of a subgraph. A double-click on its text edits it; beside the text, it opens the subgraph, as on other parts of the node. */
+function SubgraphTitle({ data: { nodeType, title } }: { readonly data: NodeData }) {
+  const editor = useEditor();
+  const [naming, setNaming] = useState(false);
+  const name = subgraphName(nodeType) ?? '';
+  if (!naming) {
+    const begin = (event: MouseEvent<HTMLElement>) => {
+      // Zoomed out, the text is most of the node.
+      if (event.currentTarget.closest('.canvas-far')) return;
+      event.stopPropagation();
+      setNaming(true);
+    };
+    return (
+      <span className="node-title">
+        {/* biome-ignore lint/a11y/noStaticElementInteractions: the inspector has a field for the name */}
+        <span onDoubleClick={begin}>{title}</span>
+      </span>
+    );
+  }
+  return (
+    <NameInPlace
+      label="Name of the subgraph"
+      title={title}
+      problemOf={(typed) => titleProblem(editor.document.getState().project, name, typed)}
+      onName={(typed) => void renameSubgraph(editor, name, typed)}
+      onLeave={() => setNaming(false)}
+    />
   );
 }
 

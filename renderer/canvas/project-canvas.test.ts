@@ -139,6 +139,6 @@ describe('the canvas as data', () => {
   });
 
   test('only large graphs are drawn as patches, and only where nothing can be read', () => {
-    expect([detailOf(0.2, 1000), detailOf(0.2, 20), detailOf(0.5, 1000)]).toEqual(['overview', 'whole', 'whole']);
+    expect([detailOf(0.2, 1000), detailOf(0.2, 20), detailOf(0.5, 1000)]).toEqual(['overview', 'heads', 'whole']);
   });
 });

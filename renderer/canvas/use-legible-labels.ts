@@ -1,5 +1,6 @@
 import { useStoreApi } from '@xyflow/react';
 import { type RefObject, useEffect } from 'react';
+import { HEADS_ZOOM } from './detail.ts';
 
 /** Below this zoom a node shows only its title. */
 export const FAR_ZOOM = 0.6;
@@ -9,8 +10,8 @@ const LEGIBLE_PX = 11;
 const LABEL_PX = 12;
 /** Number of steps per unit of the label scale. Labels grow in steps, so that a zoom lays out the nodes only a few times. */
 const STEPS_PER_UNIT = 10;
-/** Maximum label scale. At this scale a word of nine letters is as wide as a node. */
-const MAX_SCALE = 2.6;
+/** Maximum label scale: titles are legible as long as they are drawn. */
+const MAX_SCALE = Math.ceil((LEGIBLE_PX / (LABEL_PX * HEADS_ZOOM)) * STEPS_PER_UNIT) / STEPS_PER_UNIT;
 
 /** Enlarges the texts of nodes while the canvas is zoomed out, so that they stay legible: sets `--label-scale` on the canvas. */
 export function useLegibleLabels(root: RefObject<HTMLElement | null>): void {

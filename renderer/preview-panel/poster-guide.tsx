@@ -3,6 +3,7 @@ import { useStore } from 'zustand';
 import { POSTER_SIZE } from '../../app/contract/poster-size.ts';
 import { cropAt, cropOf, type ViewCrop } from '../../nodes/kit/poster-framing.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
+import { chosenSource } from '../state/editor/preview-state.ts';
 import { keepFraming } from '../state/files/poster.ts';
 import { Button, IconButton } from '../ui/button.tsx';
 import './poster-guide.css';
@@ -35,7 +36,7 @@ function Guide() {
   const { preview, viewer, document } = editor;
   const status = useStore(preview, (state) => state.status);
   const tangents = status?.tangents ?? null;
-  const views = useStore(preview, (state) => state.views);
+  const views = useStore(preview, (state) => (chosenSource(state)?.kind === 'room' ? state.views : 1));
   const [chosen, setChosen] = useState<{ readonly center: readonly [number, number]; readonly height: number } | null>(null);
   const drag = useRef<{ readonly x: number; readonly y: number } | null>(null);
 

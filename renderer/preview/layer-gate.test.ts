@@ -34,11 +34,13 @@ test('what only thumbnails need is drawn in the frames that read it; the output 
     const drawn = all.operations.filter((operation) => operation.kind === 'pass' || operation.kind === 'draw');
     return [...new Set(drawn.filter((operation) => gate.isDrawn(operation)).map(({ node }) => node))].sort();
   };
-  gate.show(NOTHING, null);
+  gate.show(NOTHING, []);
   expect(drawnNodes()).toEqual(['scene-a']);
-  gate.show(NOTHING, 'sepia-a.layer');
+  gate.show(NOTHING, ['sepia-a.layer']);
   expect(drawnNodes()).toEqual(['scene-a', 'sepia-a', 'spare-a']);
-  gate.show({ ...NOTHING, right: 'over-a.layer' }, 'spare-a.layer');
+  gate.show(NOTHING, ['over-a.layer', 'spare-a.layer']);
+  expect(drawnNodes()).toEqual(['over-a', 'scene-a', 'spare-a']);
+  gate.show({ ...NOTHING, right: 'over-a.layer' }, ['spare-a.layer']);
   expect(drawnNodes()).toEqual(['over-a', 'scene-a', 'spare-a']);
 });
 

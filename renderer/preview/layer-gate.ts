@@ -9,7 +9,7 @@ export interface LayerGate {
   /** Takes up a program before it is played. */
   follow(program: Program): void;
   /** Sets the layers that the next frame shows besides the screen output, as `node.port`. */
-  show(viewer: ViewerLayers, thumbnail: string | null): void;
+  show(viewer: ViewerLayers, thumbnails: readonly string[]): void;
   isDrawn(operation: Operation): boolean;
 }
 
@@ -21,20 +21,20 @@ export function createLayerGate(): LayerGate {
   /** Operations that the screen output does not need, with the viewed layers that need them. */
   const layersOf = new WeakMap<Operation, ReadonlySet<string>>();
   let viewer = NOTHING;
-  let thumbnail: string | null = null;
+  let thumbnails: readonly string[] = [];
   return {
     follow: (program) => {
       for (const [operation, layers] of viewedOnly(program)) layersOf.set(operation, layers);
     },
-    show: (shownByViewer, shownAsThumbnail) => {
+    show: (shownByViewer, shownAsThumbnails) => {
       viewer = shownByViewer;
-      thumbnail = shownAsThumbnail;
+      thumbnails = shownAsThumbnails;
     },
     isDrawn: (operation) => {
       const layers = layersOf.get(operation);
       if (layers === undefined) return true;
       const { left, right, probed } = viewer;
-      return has(layers, left) || has(layers, right) || has(layers, probed) || has(layers, thumbnail);
+      return has(layers, left) || has(layers, right) || has(layers, probed) || thumbnails.some((layer) => layers.has(layer));
     },
   };
 }

@@ -3,7 +3,10 @@ import type { Player } from '../../export/runtime/player.ts';
 import { readColor } from '../../export/runtime/readback.ts';
 import type { FromPreview } from '../preview-protocol.ts';
 
-/** Sends thumbnails of layers, one per frame, so that their number does not affect the cost of a frame. */
+/**
+ * Sends thumbnails of layers: the first ones of several layers in one frame, later ones one per frame, so that their number does not affect
+ * the cost of a frame.
+ */
 export interface Thumbnails {
   setPorts(ports: readonly string[], heightPx: number): void;
   /** Marks all thumbnails as outdated, also while time stands still. */
@@ -13,9 +16,9 @@ export interface Thumbnails {
    * while someone types.
    */
   invalidateAfterPause(): void;
-  /** Returns the layer that this frame must draw for its thumbnail; null if none. */
-  beforeFrame(): string | null;
-  /** Reads that layer. Returns the seconds until another frame is needed for outdated thumbnails; null if none is. */
+  /** Returns the layers that this frame must draw for their thumbnails. The list is valid until the next call. */
+  beforeFrame(): readonly string[];
+  /** Reads those layers. Returns the seconds until another frame is needed for outdated thumbnails; null if none is. */
   afterFrame(player: Pick<Player, 'inspect'>): number | null;
 }
 
@@ -23,6 +26,11 @@ export interface Thumbnails {
 const SHARE = 0.1;
 /** Maximum fraction of time for the first thumbnail of a layer. Higher than `SHARE`, because a node without a thumbnail looks empty. */
 const FIRST_SHARE = 0.5;
+/**
+ * Number of first thumbnails per frame. Where the CPU draws, a frame of a large graph takes seconds, and most of it is the same for one
+ * thumbnail and for several.
+ */
+const FIRST_AT_ONCE = 6;
 /** Time between two thumbnails of a layer. */
 const INTERVAL_S = 0.1;
 
@@ -35,57 +43,66 @@ export function createThumbnails(clock: Pick<FrameClock, 'nowS'>, send: Send, re
   let ports: readonly string[] = [];
   /** Requested ports that have had a thumbnail. */
   let seen = new Set<string>();
+  /** Requested ports that have had none, and have not been read since the last change either. */
+  let fresh = new Set<string>();
   /** Time at which each requested port was last read, in seconds. */
   let readAtS = new Map<string, number>();
   let heightPx = 0;
   let next = 0;
   let restUntilS = Number.NEGATIVE_INFINITY;
   let left = 0;
-  let drawn: string | null = null;
+  const drawn: string[] = [];
+  const markAll = () => {
+    left = ports.length;
+    fresh = new Set(ports.filter((port) => !seen.has(port)));
+  };
   return {
     setPorts: (wanted, height) => {
       ports = wanted;
       seen = new Set(wanted.filter((port) => seen.has(port)));
       readAtS = new Map([...readAtS].filter(([port]) => wanted.includes(port)));
       heightPx = height;
-      left = ports.length;
+      markAll();
     },
-    invalidate: () => {
-      left = ports.length;
-    },
+    invalidate: markAll,
     invalidateAfterPause: () => {
-      left = ports.length;
+      markAll();
       if (seen.size === ports.length) restUntilS = Math.max(restUntilS, clock.nowS() + PAUSE_S);
     },
     beforeFrame: () => {
       const nowS = clock.nowS();
+      drawn.length = 0;
+      if (nowS < restUntilS) return drawn;
+      for (const port of fresh) if (drawn.length < FIRST_AT_ONCE) drawn.push(port);
+      if (drawn.length > 0) return drawn;
       const port = ports[(next + 1) % ports.length];
-      drawn = null;
-      if (port === undefined || nowS < restUntilS) return null;
+      if (port === undefined) return drawn;
       const freeS = (readAtS.get(port) ?? Number.NEGATIVE_INFINITY) + INTERVAL_S;
       if (nowS < freeS) {
         restUntilS = freeS;
-        return null;
+        return drawn;
       }
       next = (next + 1) % ports.length;
-      drawn = port;
-      return port;
+      drawn.push(port);
+      return drawn;
     },
     afterFrame: (player) => {
       const beganS = clock.nowS();
-      const port = drawn;
-      drawn = null;
-      if (port === null) return left > 0 ? Math.max(0, restUntilS - beganS) : null;
-      left = Math.max(0, left - 1);
-      readAtS.set(port, beganS);
-      const layer = read(player.inspect(port), 0, heightPx);
-      if (layer !== null) {
+      if (drawn.length === 0) return left > 0 ? Math.max(0, restUntilS - beganS) : null;
+      left = Math.max(0, left - drawn.length);
+      let isFirst = false;
+      for (const port of drawn) {
+        fresh.delete(port);
+        readAtS.set(port, beganS);
+        const layer = read(player.inspect(port), 0, heightPx);
+        if (layer === null) continue;
         // `ImageData` has straight alpha, a layer premultiplied alpha.
         const image = new ImageData(straightAlpha(layer.pixels), layer.widthPx, layer.heightPx);
         void createImageBitmap(image).then((bitmap) => send({ kind: 'thumbnail', port, image: bitmap }, [bitmap]));
+        isFirst ||= !seen.has(port);
+        seen.add(port);
       }
-      const isFirst = layer !== null && !seen.has(port);
-      if (isFirst) seen.add(port);
+      drawn.length = 0;
       const nowS = clock.nowS();
       restUntilS = nowS + (nowS - beganS) * (1 / (isFirst ? FIRST_SHARE : SHARE) - 1);
       return left > 0 ? restUntilS - nowS : null;

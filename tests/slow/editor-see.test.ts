@@ -75,6 +75,29 @@ test('an entry of the palette is shown while the person points at it, and nothin
   await page.locator('.status-bar').getByText('No problems').waitFor();
 });
 
+test('the star of an entry makes it a favorite, which stands first when the palette opens again, until the key takes it back', async () => {
+  const { page } = open;
+  const palette = page.getByRole('dialog', { name: 'Add a node' });
+  const search = palette.getByRole('combobox');
+  const favorites = palette.locator('.palette-category').getByText('Favorites', { exact: true });
+  await page.getByRole('button', { name: 'Add node' }).click();
+  await search.fill('pixelate');
+  const row = palette.getByRole('option', { name: 'Pixelate' }).first();
+  await row.hover();
+  await row.locator('.palette-star').click();
+  await palette.getByRole('button', { name: 'Favorite', pressed: true }).waitFor();
+  await page.keyboard.press('Escape');
+  await page.reload();
+  await open.editor.settled();
+  await page.getByRole('button', { name: 'Add node' }).click();
+  await favorites.waitFor();
+  expect(await palette.getByRole('option').first().locator('.palette-title').textContent()).toBe('Pixelate');
+  await palette.getByRole('option').first().hover();
+  await page.keyboard.press('Control+d');
+  await favorites.waitFor({ state: 'detached' });
+  await page.keyboard.press('Escape');
+});
+
 test('a video of what plays is recorded until it is stopped', async () => {
   const { page, editor } = open;
   await editor.press('Play');

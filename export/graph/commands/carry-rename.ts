@@ -32,23 +32,24 @@ function portsOf({ inputs, params }: NodeDefinition) {
   return [...list('port', inputs), ...list('param', params)];
 }
 
-/** Renames a port or param of all nodes of a type, with their wires, bindings and exposed ports. */
-export function carryRename(project: Project, type: string, { from, to }: PortRename): Change {
+/** Renames a port or param of all nodes of a type, with their wires, bindings and exposed ports. `side`: where the port is. */
+export function carryRename(project: Project, type: string, { from, to }: PortRename, side: 'inputs' | 'outputs' = 'inputs'): Change {
   const users = Object.entries(project.graphs).filter(([, { nodes }]) => Object.values(nodes).some((node) => node.type === type));
   if (users.length === 0) return unchanged(project);
+  const end = side === 'inputs' ? 'to' : 'from';
   return change(project, (draft) => {
     for (const [name, graph] of users) {
       const isPort = ({ node, port }: PortAddress) => port === from && getOwn(graph.nodes, node)?.type === type;
       const drafted = draftGraph(draft, name);
       for (const [id, node] of Object.entries(graph.nodes)) {
-        const held = node.type === type ? getOwn(node.params, from) : undefined;
+        const held = node.type === type && side === 'inputs' ? getOwn(node.params, from) : undefined;
         const target = drafted.nodes[id];
         if (held === undefined || !target) continue;
         delete target.params[from];
         target.params[to] = castDraft(held);
       }
-      if (graph.wires.some((wire) => isPort(wire.to))) {
-        const renamed = graph.wires.map((wire) => (isPort(wire.to) ? { ...wire, to: { ...wire.to, port: to } } : wire));
+      if (graph.wires.some((wire) => isPort(wire[end]))) {
+        const renamed = graph.wires.map((wire) => (isPort(wire[end]) ? { ...wire, [end]: { ...wire[end], port: to } } : wire));
         setWires(draft, name, sortWires(renamed));
         carryRoutes(
           draft,
@@ -56,12 +57,17 @@ export function carryRename(project: Project, type: string, { from, to }: PortRe
           graph.wires.flatMap((wire, i) => (wire === renamed[i] ? [] : [[wire, renamed[i] ?? wire]])),
         );
       }
-      if (graph.exposed.inputs.some(isPort)) drafted.exposed = castDraft(exposedAs(graph, isPort, to));
+      if (graph.exposed[side].some(isPort)) drafted.exposed = castDraft(exposedAs(graph, side, isPort, to));
     }
   });
 }
 
 /** The exposed ports after a rename of ports inside. The names under which the subgraph exposes them stay. */
-function exposedAs({ exposed }: Graph, isPort: (address: PortAddress) => boolean, to: string): Graph['exposed'] {
-  return { ...exposed, inputs: exposed.inputs.map((shown) => (isPort(shown) ? { ...shown, port: to } : shown)) };
+function exposedAs(
+  { exposed }: Graph,
+  side: 'inputs' | 'outputs',
+  isPort: (address: PortAddress) => boolean,
+  to: string,
+): Graph['exposed'] {
+  return { ...exposed, [side]: exposed[side].map((shown) => (isPort(shown) ? { ...shown, port: to } : shown)) };
 }

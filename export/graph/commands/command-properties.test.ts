@@ -26,7 +26,7 @@ import { bindParam, setParam } from './param-commands.ts';
 import { setFraming, setPage, setPoster, setTitle } from './project-info.ts';
 import { pruneRoutesAfter, putReroute, setRoutes } from './route-commands.ts';
 import { forkShader, removeSource, setSource } from './shader-commands.ts';
-import { addGraph, exposePort, hidePort, removeGraph, renameGraph } from './subgraph-commands.ts';
+import { addGraph, exposePort, hidePort, removeGraph, renameExposed, renameGraph } from './subgraph-commands.ts';
 import { duplicateSubgraph, ungroupSubgraph } from './ungroup-subgraph.ts';
 import { connect, disconnect, reorderWires } from './wire-commands.ts';
 
@@ -203,6 +203,14 @@ const LOGIC_COMMANDS: Readonly<Record<string, Command>> = {
     const graph = anyGraph(p, pick);
     const side = pick.next() > 0.5 ? 'inputs' : 'outputs';
     return hidePort(p, { library: library(p), graph, side, name: pick.of(p.graphs[graph]?.exposed[side] ?? [])?.name ?? 'p' });
+  },
+  renamePort: (p, pick) => {
+    const graph = anyGraph(p, pick);
+    const side = pick.next() > 0.5 ? 'inputs' : 'outputs';
+    const from = pick.of(p.graphs[graph]?.exposed[side] ?? [])?.name;
+    return from === undefined
+      ? setTitle(p, { title: p.title })
+      : renameExposed(p, { graph, side, from, to: `p${Math.floor(6 * pick.next())}` });
   },
   source: (p, pick) =>
     setSource(p, { base, readShader, file: pick.of(['edge.fs', 'sepia.fs', 'edge.vs']) ?? '', text: pick.of(TEXTS) ?? '' }),

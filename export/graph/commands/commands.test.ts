@@ -10,7 +10,7 @@ import { putFrame, putNote, removeFromLayout, setCollapsed } from './layout-comm
 import { addNode } from './node-commands.ts';
 import { setParam } from './param-commands.ts';
 import { setPage, setTitle } from './project-info.ts';
-import { exposePort, hidePort, removeGraph, renameGraph } from './subgraph-commands.ts';
+import { exposePort, hidePort, removeGraph, renameExposed, renameGraph } from './subgraph-commands.ts';
 import { connect, reorderWires } from './wire-commands.ts';
 
 const library: NodeLibrary = TEST_LIBRARY;
@@ -289,6 +289,28 @@ describe('subgraphs', () => {
     expect(made.undo().save()).toEqual(before);
     for (const to of ['main', 'Look', '__proto__'])
       expect(made.attempt((p) => renameGraph(p, { from: 'look', to }))).toMatchObject([{ code: 'SCR020' }]);
+  });
+
+  test('a renamed port keeps its wires and values outside, in graphs around it, too', () => {
+    const made = lookStudio()
+      .set('look-aaaa.strength', 0.5)
+      .in('outer')
+      .add('look-bbbb', 'graph/look')
+      .expose('inputs', 'deep', 'look-bbbb.picture')
+      .in('main');
+    const before = made.save();
+    made.run((p) => renameExposed(p, { graph: 'look', side: 'inputs', from: 'picture', to: 'photo' }));
+    made.run((p) => renameExposed(p, { graph: 'look', side: 'outputs', from: 'layer', to: 'result' }));
+    expect(wires(made)).toEqual(['video-aaaa.layer -> look-aaaa.photo', 'look-aaaa.result -> screen-aaaa.layer']);
+    expect(made.project.graphs.outer?.exposed.inputs).toEqual([{ name: 'deep', node: 'look-bbbb', port: 'photo' }]);
+    made.run((p) => renameExposed(p, { graph: 'look', side: 'inputs', from: 'strength', to: 'amount' }));
+    expect(made.project.graphs.main?.nodes['look-aaaa']?.params).toEqual({ amount: { value: 0.5 } });
+    expect(made.diagnostics()).toEqual([]);
+    for (const to of ['result', 'Not a name', ''])
+      expect(made.attempt((p) => renameExposed(p, { graph: 'look', side: 'inputs', from: 'photo', to }))).toMatchObject([
+        { code: 'SCR012' },
+      ]);
+    expect(made.undo().undo().undo().save()).toEqual(before);
   });
 
   test('is not removed while it is used', () => {

@@ -6,6 +6,7 @@ import { EMPTY_GRAPH } from '../new-project.ts';
 import { type ExposedPort, MAIN_GRAPH, type Project } from '../project.ts';
 import { getOwn } from '../record.ts';
 import { sameAddress } from '../wires.ts';
+import { carryRename } from './carry-rename.ts';
 import { type Change, change, draftGraph, graphOf, refuse, sequence } from './change.ts';
 import { pruneConnections } from './prune-connections.ts';
 
@@ -140,6 +141,36 @@ export function hidePort(project: Project, { library, graph, side, name }: HideP
       draftGraph(draft, graph).exposed[side] = castDraft(kept);
     });
   return sequence(project, hide, (before) => pruneConnections(before, library, [subgraphType(graph)]));
+}
+
+export interface RenameExposed {
+  readonly graph: string;
+  readonly side: 'inputs' | 'outputs';
+  readonly from: string;
+  readonly to: string;
+}
+
+/**
+ * Renames an exposed port, with the wires, params and exposed ports of the instances.
+ *
+ * @returns The change, or a refusal with SCR012 if the name is invalid or in use.
+ * @throws Error if the graph does not exist or does not expose the port.
+ *
+ * @example
+ * renameExposed(project, { graph: 'glow', side: 'inputs', from: 'radius', to: 'softness' });
+ */
+export function renameExposed(project: Project, { graph: name, side, from, to }: RenameExposed): Change {
+  const { exposed } = graphOf(project, name);
+  if (!exposed[side].some((port) => port.name === from)) throw new Error(`The graph ${name} exposes no port ${from}.`);
+  if (!isPortName(to)) return refuse(project, 'SCR012', `Port name “${to}” is invalid. Use letters, digits and underscores.`);
+  if ([...exposed.inputs, ...exposed.outputs].some((port) => port.name === to)) {
+    return refuse(project, 'SCR012', `A port named “${to}” is already exposed.`);
+  }
+  const rename = (before: Project) =>
+    change(before, (draft) => {
+      for (const port of draftGraph(draft, name).exposed[side]) if (port.name === from) port.name = to;
+    });
+  return sequence(project, rename, (before) => carryRename(before, subgraphType(name), { from, to }, side));
 }
 
 function nameProblem(project: Project, name: string): Change | null {

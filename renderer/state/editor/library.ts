@@ -2,7 +2,8 @@ import { readNodeInterface } from '../../../export/glsl/read-definition.ts';
 import { subgraphType } from '../../../export/graph/document-names.ts';
 import { createInterfaceLookup, type NodeInterface } from '../../../export/graph/library/node-interface.ts';
 import { createShaderCache, type ProjectLibrary, projectLibrary, type ReadShader } from '../../../export/graph/library/project-library.ts';
-import { MAIN_GRAPH, type Project } from '../../../export/graph/project.ts';
+import { EMPTY_GRAPH } from '../../../export/graph/new-project.ts';
+import { type ExposedPorts, MAIN_GRAPH, type Project } from '../../../export/graph/project.ts';
 import { libraryOf, type NodeDefinition, type NodeLibrary } from '../../../nodes/kit/definition.ts';
 
 /** Node types and shader texts of `nodes/generated`. */
@@ -101,19 +102,36 @@ function subgraphDefinitions(graphs: Project['graphs'], library: NodeLibrary): r
     .flatMap((name) => {
       const nodeInterface = interfaceOf(subgraphType(name));
       return nodeInterface
-        ? [{ ...nodeInterface, ...wordsOf(name, nodeInterface), keywords: KEYWORDS, lowering: { kind: 'behavior' as const } }]
+        ? [
+            {
+              ...nodeInterface,
+              ...wordsOf(name, nodeInterface, graphs[name]?.exposed ?? EMPTY_GRAPH.exposed),
+              keywords: KEYWORDS,
+              lowering: { kind: 'behavior' as const },
+            },
+          ]
         : [];
     });
 }
 
-/** Title and docs of a subgraph. Ports that share a label are labeled by their exposed names instead. */
-function wordsOf(name: string, nodeInterface: NodeInterface): Pick<NodeInterface, 'title' | 'doc' | 'inputs' | 'outputs' | 'params'> {
+/**
+ * Title and docs of a subgraph. Ports that were renamed or that share a label are labeled by their exposed names instead of the labels that
+ * they have inside.
+ */
+function wordsOf(
+  name: string,
+  nodeInterface: NodeInterface,
+  { inputs, outputs }: ExposedPorts,
+): Pick<NodeInterface, 'title' | 'doc' | 'inputs' | 'outputs' | 'params'> {
+  const renamed = new Set(
+    [...inputs, ...outputs].filter(({ name: shown, port }) => !isNumbered(shown, port)).map(({ name: shown }) => shown),
+  );
   const labels = [nodeInterface.inputs, nodeInterface.params].flatMap((ports) => Object.values(ports).map(({ label }) => label));
   const named = <T extends { readonly label: string }>(ports: Readonly<Record<string, T>>, among: readonly string[]) =>
     Object.fromEntries(
       Object.entries(ports).map(([port, value]) => {
         const alone = among.filter((label) => label === value.label).length < 2;
-        return [port, alone ? value : { ...value, label: titleOfName(port) }];
+        return [port, alone && !renamed.has(port) ? value : { ...value, label: titleOfName(port) }];
       }),
     );
   return {
@@ -126,6 +144,11 @@ function wordsOf(name: string, nodeInterface: NodeInterface): Pick<NodeInterface
     ),
     params: named(nodeInterface.params, labels),
   };
+}
+
+/** Whether a name is another one, or the same with a number. */
+function isNumbered(name: string, stem: string): boolean {
+  return name.startsWith(stem) && /^\d*$/.test(name.slice(stem.length));
 }
 
 /** Makes a title from a name: `soft-look` → `Soft look`, `inputImage2` → `Input image 2`. */

@@ -1,14 +1,14 @@
 import { sequence } from '../../../export/graph/commands/change.ts';
 import { changeType } from '../../../export/graph/commands/change-type.ts';
 import { createSubgraph as createSubgraphFrom } from '../../../export/graph/commands/create-subgraph.ts';
-import { exposePort, hidePort, renameGraph } from '../../../export/graph/commands/subgraph-commands.ts';
+import { exposePort, hidePort, renameExposed, renameGraph } from '../../../export/graph/commands/subgraph-commands.ts';
 import { duplicateSubgraph, ungroupSubgraph } from '../../../export/graph/commands/ungroup-subgraph.ts';
 import { makeNodeId, subgraphName, subgraphType } from '../../../export/graph/document-names.ts';
 import { type ExposedPorts, MAIN_GRAPH, type PortAddress, type Project } from '../../../export/graph/project.ts';
 import { getOwn } from '../../../export/graph/record.ts';
 import { sameAddress } from '../../../export/graph/wires.ts';
 import { apply } from '../document/apply.ts';
-import { graphOf, layoutOf, nodeOf } from '../editor/document.ts';
+import { type DocumentState, graphOf, layoutOf, nodeOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { selectNothing, selectOnly, soleNode } from '../editor/selection.ts';
 import { addToast, revealNodes } from '../editor/ui.ts';
@@ -142,6 +142,27 @@ export function setPortExposed(editor: Editor, side: PortSide, { node, port }: P
   if (!shown) return known === null || apply(editor, 'Stop exposing port', hidePort(project, { library, graph, side, name: known }));
   const name = freePortName(editor, { node, port });
   return apply(editor, 'Expose port', exposePort(project, { library, graph, side, name, node, port }));
+}
+
+/** Makes the name of a port from a title: “Söft look” becomes `softLook`. Empty if the title contains no letter. */
+function portNameOfTitle(title: string): string {
+  return nameOfTitle(title.replaceAll(/([a-z])([A-Z])/g, '$1 $2')).replaceAll(/-(.)/g, (_, letter: string) => letter.toUpperCase());
+}
+
+/** Why an exposed port of the open subgraph cannot be renamed to this title; null if it can. */
+export function exposedTitleProblem(state: DocumentState, name: string, title: string): string | null {
+  const wanted = portNameOfTitle(title);
+  if (wanted === '') return 'The name must begin with a letter.';
+  const { inputs, outputs } = graphOf(state).exposed;
+  const isTaken = wanted !== name && [...inputs, ...outputs].some((port) => port.name === wanted);
+  return isTaken ? 'The subgraph already has a port of this name.' : null;
+}
+
+/** Renames an exposed port of the open subgraph, at its instances, too. */
+export function renameExposedPort(editor: Editor, side: PortSide, name: string, title: string): boolean {
+  const { project, graph } = editor.document.getState();
+  const to = portNameOfTitle(title);
+  return to === name || apply(editor, 'Rename port', renameExposed(project, { graph, side, from: name, to }));
 }
 
 /** A name for an exposed port that the open subgraph does not have. */
