@@ -33,7 +33,7 @@ export function createPhotographs(send: (message: FromPreview, transfer?: Transf
   };
   const begin = async (request: PhotographsRequest) => {
     const gate = createLayerGate();
-    gate.show({ left: request.layer, right: null, probed: null }, null);
+    gate.show({ left: request.layer, right: null, probed: null }, []);
     const { canvas, gl, player } = await openHeldPlayer({
       request,
       gate,
