@@ -12,6 +12,7 @@ import type { OpenEnd } from '../state/editor/canvas-state.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 import { toggleFavorite } from '../state/editor/preferences.ts';
 import { mainType } from '../state/graph/node-shape.ts';
+import { paletteImageOf } from '../state/graph/palette-images.ts';
 import { categoryOf, type ListedEntry, listPalette, type PaletteEntry, searchPalette } from '../state/graph/palette-search.ts';
 import { PortMark } from './port-mark.tsx';
 
@@ -165,7 +166,6 @@ interface RowProps {
 
 function Row({ id, entry, index, selected, heading, favorite, onFavor, onPoint, onChoose }: RowProps) {
   const { definition } = entry;
-  const type = mainType(definition);
   return (
     <>
       {heading && (
@@ -184,7 +184,7 @@ function Row({ id, entry, index, selected, heading, favorite, onFavor, onPoint, 
         onPointerMove={onPoint}
         onPointerUp={onChoose}
       >
-        {type && <PortMark type={type} />}
+        <PaletteMark definition={definition} />
         <span className="palette-title">{definition.title}</span>
         <span className="palette-kind">{categoryOf(definition)}</span>
         {/* For the pointer; the button beside the description and Ctrl+D do the same. */}
@@ -204,6 +204,18 @@ function Row({ id, entry, index, selected, heading, favorite, onFavor, onPoint, 
   );
 }
 
+/** What a filter makes of a sample; for other nodes the mark of their main wire type. */
+function PaletteMark({ definition }: { readonly definition: NodeDefinition }) {
+  const type = mainType(definition);
+  const image = paletteImageOf(definition.type);
+  if (image) return <PaletteImage {...image} />;
+  return <span className="palette-mark">{type && <PortMark type={type} />}</span>;
+}
+
+function PaletteImage({ size, position }: { readonly size: string; readonly position: string }) {
+  return <span className="palette-image" aria-hidden="true" style={{ backgroundSize: size, backgroundPosition: position }} />;
+}
+
 interface PreviewProps {
   readonly definition: NodeDefinition;
   readonly favorite: boolean;
@@ -212,6 +224,7 @@ interface PreviewProps {
 }
 
 function Preview({ definition, favorite, keys, onFavor }: PreviewProps) {
+  const image = paletteImageOf(definition.type);
   return (
     <div className="palette-preview scroll">
       <div className="palette-preview-head">
@@ -220,6 +233,7 @@ function Preview({ definition, favorite, keys, onFavor }: PreviewProps) {
           <IconButton icon="star" label="Favorite" keys={keys} pressed={favorite} small onPress={onFavor} />
         </span>
       </div>
+      {image && <PaletteImage {...image} />}
       <DocText text={definition.doc} />
       <Ports title="Inputs" ports={definition.inputs} />
       <Ports title="Outputs" ports={definition.outputs} />
