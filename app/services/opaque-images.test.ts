@@ -1,4 +1,4 @@
-import { mkdtemp, rm, writeFile } from 'node:fs/promises';
+import { copyFile, mkdtemp, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
@@ -56,4 +56,33 @@ test('images without transparency are found, whatever their files are called', a
     'deep.png',
     'photo.webp',
   ]);
+});
+
+test('videos without alpha channel are found by their tracks', async () => {
+  const box = (type: string, ...content: readonly Buffer[]) => {
+    const head = Buffer.alloc(8);
+    head.writeUInt32BE(8 + content.reduce((sum, { length }) => sum + length, 0));
+    head.write(type, 4, 'latin1');
+    return Buffer.concat([head, ...content]);
+  };
+  const mp4 = (entry: string) =>
+    Buffer.concat([box('ftyp', Buffer.from('isom')), box('mdat', Buffer.alloc(100_000)), box('moov', box('stsd', box(entry)))]);
+  const webm = (tracks: readonly number[]) => Buffer.from([0x1a, 0x45, 0xdf, 0xa3, 0x80, 0x16, 0x54, 0xae, 0x6b, ...tracks]);
+  const files: Readonly<Record<string, Buffer>> = {
+    'h264.mp4': mp4('avc1'),
+    'hevc.mp4': mp4('hvc1'),
+    'cut.mp4': mp4('avc1').subarray(0, 50_000),
+    'endless.mp4': Buffer.concat([box('ftyp'), Buffer.alloc(100)]),
+    'plain.webm': webm([]),
+    'alpha.webm': webm([0xe0, 0x53, 0xc0, 0x81, 0x01]),
+    'no-tracks.webm': webm([]).subarray(0, 5),
+  };
+  for (const [name, bytes] of Object.entries(files)) await writeFile(join(root, name), bytes);
+  // Files of a real encoder: the film has an alpha channel.
+  await copyFile('nodes/source/video-file/example/assets/film.webm', join(root, 'film.webm'));
+  await copyFile('examples/boards/gallery/assets/stripes.webm', join(root, 'stripes.webm'));
+  const assets = Object.fromEntries(
+    [...Object.keys(files), 'film.webm', 'stripes.webm'].map((path) => [path, { path, kind: 'video' as const }]),
+  );
+  expect(await findOpaqueImages(root, assets)).toEqual(['h264.mp4', 'plain.webm', 'stripes.webm']);
 });

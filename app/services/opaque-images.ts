@@ -1,7 +1,8 @@
 import { decode } from 'fast-png';
 import type { Asset } from '../../export/graph/project.ts';
 import { resolveInside } from './confine.ts';
-import { openFile, readBytes } from './read-file.ts';
+import { isOpaqueVideo } from './opaque-videos.ts';
+import { readBytes, readRange } from './read-file.ts';
 
 /** Bytes in which the chunks before the pixels of a PNG file are looked for. */
 const HEAD_BYTES = 65_536;
@@ -19,8 +20,9 @@ const WEBP_FLAGS = 20;
 const WEBP_ALPHA = 0x10;
 
 /**
- * Finds the images of a project that have no transparency: JPEG files, lossy WebP files without alpha, and PNG files without alpha channel
- * and `tRNS` chunk, or with an alpha channel that is 1 in each pixel. An image that cannot be read is not among them.
+ * Finds the images and videos of a project that have no transparency: JPEG files, lossy WebP files without alpha, and PNG files without alpha
+ * channel and `tRNS` chunk, or with an alpha channel that is 1 in each pixel; videos as `isOpaqueVideo` says. A file that cannot be read is
+ * not among them.
  *
  * @param root Folder of the project.
  * @returns Ids of the assets.
@@ -28,9 +30,10 @@ const WEBP_ALPHA = 0x10;
 export async function findOpaqueImages(root: string, assets: Readonly<Record<string, Asset>>): Promise<readonly string[]> {
   const found = await Promise.all(
     Object.entries(assets).map(async ([id, { kind, path }]) => {
-      if (kind !== 'image') return [];
+      if (kind !== 'image' && kind !== 'video') return [];
       try {
-        return (await isOpaque(await resolveInside(root, path))) ? [id] : [];
+        const file = await resolveInside(root, path);
+        return (await (kind === 'image' ? isOpaque(file) : isOpaqueVideo(file))) ? [id] : [];
       } catch {
         // `checkAssets` reports it.
         return [];
@@ -40,19 +43,8 @@ export async function findOpaqueImages(root: string, assets: Readonly<Record<str
   return found.flat();
 }
 
-async function readHead(path: string): Promise<Buffer> {
-  const file = await openFile(path);
-  try {
-    const head = Buffer.alloc(HEAD_BYTES);
-    const { bytesRead } = await file.read(head, 0, HEAD_BYTES, 0);
-    return head.subarray(0, bytesRead);
-  } finally {
-    await file.close();
-  }
-}
-
 async function isOpaque(path: string): Promise<boolean> {
-  const head = await readHead(path);
+  const head = await readRange(path, 0, HEAD_BYTES);
   if (head.length > 2 && head.readUInt16BE(0) === 0xffd8) return true;
   if (head.toString('latin1', 8, WEBP_CHUNK) === 'WEBP') return isOpaqueWebP(head);
   if (head.toString('latin1', 0, FIRST_CHUNK) !== PNG_SIGNATURE || head.length <= PNG_COLOR_TYPE) return false;

@@ -59,6 +59,18 @@ export function readText(path: string, maxBytes: number): Promise<string> {
   return readOpened(path, maxBytes, (file) => file.readFile('utf8'));
 }
 
+/** Reads at most `bytes` of a regular file from the offset `from`; fewer at its end. Rejects like `openFile`. */
+export async function readRange(path: string, from: number, bytes: number): Promise<Buffer> {
+  const file = await openFile(path);
+  try {
+    const part = Buffer.alloc(bytes);
+    const { bytesRead } = await file.read(part, 0, bytes, from);
+    return part.subarray(0, bytesRead);
+  } finally {
+    await file.close();
+  }
+}
+
 async function readOpened<T>(path: string, maxBytes: number, read: (file: FileHandle) => Promise<T>): Promise<T> {
   const file = await openFile(path);
   try {

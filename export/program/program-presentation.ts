@@ -13,7 +13,7 @@ export interface Presentation {
   readonly screenDepth?: 'none' | 'whole';
   /**
    * Present if the screen shows an image without transparency in each of its pixels, or a color of its own, so that no room is visible.
-   * `if-files-do`: if the image files have no transparency.
+   * `if-files-do`: if the image and video files have no transparency.
    */
   readonly covers?: true | 'if-files-do';
   /** Start of the orbit camera if it is not the default: its target in world space and its distance, meters. */

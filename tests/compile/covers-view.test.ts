@@ -35,6 +35,13 @@ describe('a page whose image covers the view', () => {
     }
   });
 
+  test('nor for a video file without transparency', () => {
+    const nodes = { 'film-a': node('source/video-file', { file: 'film' }), 'sepia-a': node('filter/sepia') };
+    const wires = ['film-a.layer -> sepia-a.inputImage', 'sepia-a.layer -> screen-a.layer'];
+    expect(tiersOf(twins(nodes, wires, {}, { opaqueImages: ['film'] }).fused)).toEqual(['orbit']);
+    expect(tiersOf(twins(nodes, wires, {}, { opaqueImages: [] }).fused)).toEqual(ALL);
+  });
+
   test('nor with a layer over it, however transparent that is', () => {
     const nodes = { ...PHOTO, 'over-a': node('operator/over', { opacity: 0.5 }), 'sepia-a': node('filter/sepia') };
     const wires = ['pattern-a.layer -> over-a.top', 'photo-a.layer -> over-a.bottom', 'over-a.layer -> sepia-a.inputImage'];

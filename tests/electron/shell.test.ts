@@ -236,7 +236,7 @@ describeElectron('the Electron shell', await findElectron(), (launch) => {
       Object.assign(window, { heard });
       (window as unknown as { scrimHost: HostBridge }).scrimHost.subscribe((event) => heard.push(event));
     });
-    const save = { command: 'file.save', label: 'Save', keybinding: 'Mod+S', enabled: true };
+    const save = { command: 'file.save', label: 'Save', keybinding: 'Mod+S', enabled: true, checked: null };
     expect(await call('menu.show', { menus: [{ label: 'File', entries: [save] }] })).toEqual({ output: {} });
     await app.evaluate(({ BrowserWindow, Menu }) => {
       const file = Menu.getApplicationMenu()?.items.find((item) => item.label === '&File');

@@ -71,7 +71,7 @@ export function twins(
     wires,
   };
   const graphs = { main: graph, ...subgraphs };
-  const assets = { photo: { path: 'photo.jpg', kind: 'image' } };
+  const assets = { photo: { path: 'photo.jpg', kind: 'image' }, film: { path: 'film.webm', kind: 'video' } };
   const project = JSON.stringify({ format: 'scrim-project', version: 1, title: 'Test', graphs, assets });
   const loaded = needed(loadProject({ project, layout: null, sources: { ...PATTERNS, ...sources } }).output);
   const plain = compile({ project: loaded, library: LIBRARY, options });

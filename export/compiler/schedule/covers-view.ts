@@ -3,7 +3,7 @@ import type { ResourceId } from '../../program/program.ts';
 import type { Presentation } from '../../program/program-presentation.ts';
 import { type FlatNode, portKey, sourcesAt } from '../flat-graph.ts';
 import { constantParam } from '../fold/constants.ts';
-import { hardEdgedLayers } from './fuse/hard-edged-layers.ts';
+import { FILE_SOURCES, hardEdgedLayers } from './fuse/hard-edged-layers.ts';
 import { layerOutput } from './layers.ts';
 import { type Lowering, resourceAt } from './lower/lowering.ts';
 import { fitOf } from './lower/pass-parts.ts';
@@ -12,7 +12,7 @@ import { isPass, type ScheduledOperation, type ScheduledPass } from './scheduled
 /** What is known of nodes and files apart from the code of passes. */
 export interface CoverFacts {
   readonly lowering: Lowering;
-  /** Ids of image assets without transparency. */
+  /** Ids of image and video assets without transparency. */
   readonly opaqueImages: ReadonlySet<string>;
   node(id: string): FlatNode | undefined;
   /** The shader of a node if it is one of Scrim's own, else null. */
@@ -20,8 +20,8 @@ export interface CoverFacts {
 }
 
 /**
- * Whether the screen shows an image without transparency in each of its pixels, when all files are loaded; `if-files-do`: if no image file
- * has transparency. Null if it is unclear.
+ * Whether the screen shows an image without transparency in each of its pixels, when all files are loaded; `if-files-do`: if no file has
+ * transparency. Null if it is unclear.
  *
  * An image has no transparency if the code of its pass says so (`export/glsl/access/kept-alpha.ts`), or if the header of a shader of Scrim
  * names the images and colors that decide it (`SCRIM_OPAQUE`).
@@ -29,7 +29,7 @@ export interface CoverFacts {
  * @param operations In the order in which they run, before fusion.
  */
 export function coversView(operations: readonly ScheduledOperation[], facts: CoverFacts): NonNullable<Presentation['covers']> | null {
-  const files = operations.filter((operation) => operation.kind === 'source' && operation.type === 'source/image-file');
+  const files = operations.filter((operation) => operation.kind === 'source' && FILE_SOURCES.has(operation.type));
   const covers = (opaque: Set<ResourceId>): boolean =>
     operations.some((operation) => {
       if (!isPass(operation) || !isOpaque(operation, opaque, facts)) return false;
