@@ -3,7 +3,7 @@ import { chain } from '../../../tests/support/fusion-kit.ts';
 import { passesOf } from './exported-passes.ts';
 
 test('says which nodes share a pass with a node, and why it reads a layer from a texture', () => {
-  const { fused, wires } = chain(['filter/sepia', 'filter/gaussian-blur', 'filter/posterize']);
+  const { fused, wires } = chain(['filter/sepia', 'filter/gaussian-blur', 'filter/vignette']);
   const said = (node: string) => passesOf({ program: fused, separate: wires, folded: [] }, node);
   expect(said('e-0')).toEqual({
     passes: [['pattern-a']],
