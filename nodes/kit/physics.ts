@@ -38,6 +38,28 @@ export interface PhysicsRoom {
   fileChanges: number;
 }
 
+/**
+ * Creates a room that no depth image has been added to.
+ *
+ * @example
+ * const room = createPhysicsRoom({ edgeM: 0.05, threshold: 0.5, speed: 0.2, farM: 4 }, 0.6, 0);
+ */
+export function createPhysicsRoom(settings: VoxelSettings, friction: number, restitution: number): PhysicsRoom {
+  return {
+    settings,
+    friction,
+    restitution,
+    version: 0,
+    frames: [],
+    spent: [],
+    edits: [],
+    wantsFile: false,
+    file: null,
+    changes: 0,
+    fileChanges: 0,
+  };
+}
+
 /** A change of all voxels of the room. The matrices are rigid, column-major 4×4. */
 export type RoomEdit =
   /** The voxels are those of a file. */

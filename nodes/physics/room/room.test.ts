@@ -4,6 +4,7 @@ import { fakeContext } from '../../../tests/support/node-context.ts';
 import { ball, createLab, cube } from '../../../tests/support/physics/lab.ts';
 import { BOX, CENTER, EYE, look, type Ray, SEEN_BOX, SEEN_FLOOR, SETTINGS } from '../../../tests/support/physics/seen-room.ts';
 import { createStage, placeOf } from '../../../tests/support/physics/stage.ts';
+import { createPhysicsRoom } from '../../kit/physics.ts';
 import { createVoxelGrid, type VoxelGrid } from '../world/voxel-grid.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
@@ -295,19 +296,8 @@ describe('physics/room', () => {
   test('a room that is disconnected no longer holds bodies, and one that fell out of a room is lost', () => {
     const stage = createStage({ floor: false });
     const frames = Array.from({ length: 20 }, () => SEEN_FLOOR);
-    stage.list.room = {
-      settings: SETTINGS,
-      friction: 0.6,
-      restitution: 0,
-      version: 0,
-      frames,
-      spent: [],
-      edits: [],
-      wantsFile: false,
-      file: null,
-      changes: 0,
-      fileChanges: 0,
-    };
+    stage.list.room = createPhysicsRoom(SETTINGS, 0.6, 0);
+    stage.list.room.frames.push(...frames);
     const body = stage.add([0, 0.2, 0], ball(0.05));
     const away = stage.add([0, -0.8, 0], ball(0.05));
     const idle = { update: () => {} } as never;

@@ -1,4 +1,4 @@
-import type { DepthFrame, PhysicsRoom } from '../../kit/physics.ts';
+import { createPhysicsRoom, type DepthFrame } from '../../kit/physics.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { DepthImage } from '../../kit/session.ts';
 import { readVoxelFile } from '../../kit/voxel-file.ts';
@@ -31,19 +31,7 @@ const OTHER_VOXELS = {
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { edgeM, speed, threshold, farM, friction, restitution, surface, depth, planes, meshes, keep } = ctx.config;
   const settings = { edgeM, speed, threshold, farM, isSmooth: surface === 'smooth' };
-  const room: PhysicsRoom = {
-    settings,
-    friction,
-    restitution,
-    version: 0,
-    frames: [],
-    spent: [],
-    edits: [],
-    wantsFile: false,
-    file: null,
-    changes: 0,
-    fileChanges: 0,
-  };
+  const room = createPhysicsRoom(settings, friction, restitution);
   // One more than can wait: the world has copied the others when it returns.
   const depthFrames = createDepthFrames(MAX_FRAMES + 1);
   if (depth) ctx.outputs.body.room = room;

@@ -2,7 +2,7 @@ import { describe, expect, test } from '@jest/globals';
 import { fakeContext } from '../../../tests/support/node-context.ts';
 import { cube, STEEL } from '../../../tests/support/physics/lab.ts';
 import { SEEN_FLOOR, SETTINGS } from '../../../tests/support/physics/seen-room.ts';
-import { addImpulse, type BodyList, createPhysicsBody, type PhysicsBody, type PhysicsRoom } from '../../kit/physics.ts';
+import { addImpulse, type BodyList, createPhysicsBody, createPhysicsRoom, type PhysicsBody } from '../../kit/physics.ts';
 import type { WorkerListener, WorkerService } from '../../kit/runtime.ts';
 import { definition } from './definition.ts';
 import { type PhysicsCommand, type PhysicsEngine, POSE_STRIDE, type StepMessage } from './protocol.ts';
@@ -259,19 +259,7 @@ describe('steps', () => {
 describe('the protocol', () => {
   test('depth moves to the worker and back without a copy', async () => {
     const { list, frame } = start(workersHere().service);
-    const room: PhysicsRoom = {
-      settings: SETTINGS,
-      friction: 0.6,
-      restitution: 0,
-      version: 0,
-      frames: [],
-      spent: [],
-      edits: [],
-      wantsFile: false,
-      file: null,
-      changes: 0,
-      fileChanges: 0,
-    };
+    const room = createPhysicsRoom(SETTINGS, 0.6, 0);
     list.room = room;
     const meters = new Float32Array(16 * 12).fill(2);
     room.frames.push({ ...SEEN_FLOOR, meters });
