@@ -96,8 +96,8 @@ describeElectron('rendering frames in Electron', await findElectron(), (launch) 
       await writeFile(file, 'mine');
       await ask(app, page, { 'First frame': '0', 'Last frame': '0', Folder: join(file, 'frames') });
       await dialog(page).getByRole('button', { name: 'Render', exact: true }).click();
-      await page
-        .getByRole('log')
+      await dialog(page)
+        .getByRole('alert')
         .getByText(/file\.txt.*(cannot be written|is no folder)/)
         .waitFor();
       expect(await readFile(file, 'utf8')).toBe('mine');
