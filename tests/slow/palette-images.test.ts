@@ -10,7 +10,7 @@ import { findChromium } from '../../app/services/chromium.ts';
 import { compileProject, LIBRARY } from '../../app/services/compile-project.ts';
 import { installationAt } from '../../app/services/installation.ts';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
-import { hasPaletteImage } from '../../renderer/state/graph/palette-images.ts';
+import { hasPaletteImage, PALETTE_COLUMNS } from '../../renderer/state/graph/palette-images.ts';
 import { updatesGoldens } from '../support/this-test.ts';
 import type * as PalettePage from './palette-images.page.ts';
 
@@ -21,7 +21,6 @@ const LIST = join(ROOT, 'renderer/state/graph/palette-image-types.ts');
 /** Strokes and outlines have widths in pixels, so the render is larger than the images. */
 const RENDER = { widthPx: 480, heightPx: 320 } as const;
 const TILE = { width: 96, height: 64 } as const;
-const COLUMNS = 12;
 /** A program with all filters would need more targets than some drivers give. */
 const AT_ONCE = 24;
 const QUALITY = 84;
@@ -37,10 +36,10 @@ const filters = [...LIBRARY.types()].sort().flatMap((type) => {
 test('the images of the palette are what its filters make of the studio', async () => {
   const tiles = await drawTiles();
   expect([...tiles.keys()]).toEqual(filters.map(({ type }) => type));
-  const rows = Math.ceil(tiles.size / COLUMNS);
+  const rows = Math.ceil(tiles.size / PALETTE_COLUMNS);
   if (updatesGoldens()) {
     const placed = [...tiles.values()].map((input, i) => ({ input, ...placeOf(i) }));
-    const create = { width: COLUMNS * TILE.width, height: rows * TILE.height, channels: 3, background: '#14161a' } as const;
+    const create = { width: PALETTE_COLUMNS * TILE.width, height: rows * TILE.height, channels: 3, background: '#14161a' } as const;
     await writeFile(SHEET, await sharp({ create }).composite(placed).webp({ quality: QUALITY, smartSubsample: true }).toBuffer());
     const types = [...tiles.keys()].map((type) => `  '${type}',\n`).join('');
     await writeFile(
@@ -64,7 +63,7 @@ test('the images of the palette are what its filters make of the studio', async 
 });
 
 function placeOf(index: number) {
-  return { left: (index % COLUMNS) * TILE.width, top: Math.floor(index / COLUMNS) * TILE.height };
+  return { left: (index % PALETTE_COLUMNS) * TILE.width, top: Math.floor(index / PALETTE_COLUMNS) * TILE.height };
 }
 
 async function drawTiles(): Promise<ReadonlyMap<string, Buffer>> {

@@ -1,12 +1,12 @@
 import { cp, mkdir, mkdtemp, readdir, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
-import process from 'node:process';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { runCli } from '../../app/cli/run-cli.ts';
 import { installationAt } from '../../app/services/installation.ts';
 import { readCaptureFolder } from '../../app/services/read-capture-folder.ts';
 import { COLMAP, findTool } from '../../app/services/reconstruct/outside-tools.ts';
+import { describeMissing } from '../support/required.ts';
 import { scrim } from '../support/scrim.ts';
 import { describeWithData } from '../support/shared-data.ts';
 
@@ -15,13 +15,9 @@ const PHOTOS = ['00000.jpg', '00010.jpg', '00020.jpg', '00030.jpg', '00040.jpg',
 
 /** Tests that run the program COLMAP. Skipped with the reason where it is missing. */
 function describeWithProgram(name: string, tests: () => void): void {
-  if (colmap !== null) {
-    describe(name, tests);
-    return;
-  }
-  const reason = `COLMAP is in no folder of PATH (Debian: apt install colmap; others: ${COLMAP.url})`;
-  process.stderr.write(`SKIPPED ${name}: ${reason}.\n`);
-  describe(name, () => test.skip(reason, () => {}));
+  if (colmap === null)
+    describeMissing(name, 'colmap', `COLMAP is in no folder of PATH (Debian: apt install colmap; others: ${COLMAP.url})`);
+  else describe(name, tests);
 }
 
 describeWithProgram('scrim reconstruct', () => {

@@ -1,6 +1,6 @@
 import { spawnSync } from 'node:child_process';
-import process from 'node:process';
-import { describe, test } from '@jest/globals';
+import { describe } from '@jest/globals';
+import { describeMissing } from './required.ts';
 
 /** Runs a Python script with arguments. @returns What it prints. */
 export function runPython(script: string, ...args: readonly string[]): string {
@@ -15,7 +15,5 @@ export function describeWithColmap(name: string, tests: () => void): void {
     describe(name, tests);
     return;
   }
-  const reason = 'python3 has no package pycolmap (https://pypi.org/project/pycolmap)';
-  process.stderr.write(`SKIPPED ${name}: ${reason}.\n`);
-  describe(name, () => test.skip(reason, () => {}));
+  describeMissing(name, 'pycolmap', 'python3 has no package pycolmap (https://pypi.org/project/pycolmap)');
 }

@@ -18,10 +18,11 @@ const USAGE = `Usage: npm test
        npm run test:slow
        npm run record-durations     of the last npm test and test:slow, for tests/support/longest-first.mjs
 
-SCRIM_REQUIRE=electron,data makes tests fail that are else skipped where there is no Electron or no real data.`;
+SCRIM_REQUIRE=electron,data,colmap,pycolmap makes tests fail that are else skipped where there is no Electron, no real data, no
+COLMAP or no package pycolmap.`;
 
 /** Names of requirements, as `Requirement` of tests/support/required.ts lists them. */
-const REQUIREMENTS = ['electron', 'data'];
+const REQUIREMENTS = ['electron', 'data', 'colmap', 'pycolmap'];
 
 /**
  * `npm test`: registry, types, lint, build, then every test project in one run of Jest. A failed phase does not stop the next, so that one
@@ -31,7 +32,7 @@ export async function main(args: readonly string[], { root }: ToolContext): Prom
   const [mode = 'all', project, ...paths] = args;
   const required = (process.env.SCRIM_REQUIRE ?? '').split(',').map((word) => word.trim());
   if (required.some((word) => word !== '' && !REQUIREMENTS.includes(word))) {
-    console.error(`SCRIM_REQUIRE is "${required.join(',')}", but may only name ${REQUIREMENTS.join(' and ')}, with a comma between them.`);
+    console.error(`SCRIM_REQUIRE is "${required.join(',')}", but may only name ${REQUIREMENTS.join(', ')}, with a comma between them.`);
     return 1;
   }
   if (mode === 'record') return recordDurations(root);

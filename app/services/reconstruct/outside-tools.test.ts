@@ -95,3 +95,8 @@ test('an interrupt ends the tool and what it has started', async () => {
   expect(id).toBeGreaterThan(0);
   await eventually(() => expect(() => process.kill(id, 0)).toThrow('ESRCH'));
 });
+
+test('a tool that does not start is not mistaken for a log that cannot be written', async () => {
+  await expect(run('', [], { tool: join(base, 'none') })).rejects.toMatchObject({ diagnostic: { code: 'SCR078' } });
+  await expect(run('console.log(1)', [], { log: join(base, 'none', 'log') })).rejects.toMatchObject({ code: 'ENOENT', syscall: 'open' });
+});

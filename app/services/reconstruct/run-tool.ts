@@ -26,11 +26,18 @@ const KEPT_LINES = 3;
  * Runs a tool until it ends.
  *
  * @returns What it printed.
- * @throws SCR078 with its last lines if it fails; the reason of the signal after it was ended on an interrupt
+ * @throws SCR078 if it does not start, or with its last lines if it fails; system errors if the log cannot be written; the reason of the
+ * signal after it was ended on an interrupt
  */
 export async function runTool({ tool, args, log, onLine, interrupted }: ToolRun): Promise<readonly string[]> {
   interrupted.throwIfAborted();
-  let written: Promise<void> = appendFile(log, `\n$ ${[tool, ...args].map((part) => JSON.stringify(part)).join(' ')}\n`);
+  let written = Promise.resolve();
+  const write = (line: string): void => {
+    written = written.then(() => appendFile(log, `${line}\n`));
+    // It is awaited when the tool has ended.
+    written.catch(() => {});
+  };
+  write(`\n$ ${[tool, ...args].map((part) => JSON.stringify(part)).join(' ')}`);
   const isWindows = process.platform === 'win32';
   // A group of its own, so that the processes that the tool starts end with it.
   const child = spawn(tool, [...args], {
@@ -59,14 +66,16 @@ export async function runTool({ tool, args, log, onLine, interrupted }: ToolRun)
   const lines: string[] = [];
   const read = async (stream: NodeJS.ReadableStream): Promise<void> => {
     for await (const line of createInterface({ input: stream })) {
-      written = written.then(() => appendFile(log, `${line}\n`));
+      write(line);
       lines.push(line);
       onLine(line);
     }
   };
   try {
     const ended = new Promise<number | string | null>((resolve, reject) => {
-      child.on('error', reject);
+      child.on('error', ({ message }) =>
+        reject(refusal('SCR078', `${tool} does not start: ${message}.`, 'Install it anew, or name another file.')),
+      );
       child.on('close', (code, signal) => resolve(signal ?? code));
     });
     const [status] = await Promise.all([ended, read(child.stdout), read(child.stderr)]);
@@ -80,11 +89,6 @@ export async function runTool({ tool, args, log, onLine, interrupted }: ToolRun)
       `${basename(tool)} ${args[0] ?? ''} ended ${how}: ${last.join(' ').trim() || 'it printed nothing'}`,
       `Read ${log}.`,
     );
-  } catch (error) {
-    if (error instanceof Error && 'syscall' in error) {
-      throw refusal('SCR078', `${tool} does not start: ${error.message}.`, 'Install it anew, or name another file.');
-    }
-    throw error;
   } finally {
     clearTimeout(killer);
     interrupted.removeEventListener('abort', cancel);
