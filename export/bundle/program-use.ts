@@ -2,7 +2,18 @@ import type { Capability } from '../../nodes/kit/definition.ts';
 import type { TableType } from '../../nodes/kit/wire-types.ts';
 import { mayRest } from '../program/may-rest.ts';
 import type { Tier } from '../program/needs.ts';
-import type { NodeOperation, Operation, Program, ProgramAsset, Resource, SizeExpression, TargetSize } from '../program/program.ts';
+import type {
+  BuiltinUniform,
+  NodeOperation,
+  Operation,
+  PassSampler,
+  Program,
+  ProgramAsset,
+  Resource,
+  SizeExpression,
+  SlotType,
+  TargetSize,
+} from '../program/program.ts';
 import { drawsScenes, readsView } from '../program/reads-view.ts';
 
 /** The parts of Scrim that a program needs. */
@@ -54,6 +65,13 @@ export interface ProgramUse {
   readonly depthMeshes: boolean;
   /** Whether it draws captures with weights per vertex. */
   readonly vertexWeights: boolean;
+  /** Kinds of what passes read as textures. */
+  readonly samplerKinds: ReadonlySet<PassSampler['source']['kind']>;
+  /** Uniforms of ISF that passes read. */
+  readonly builtins: ReadonlySet<BuiltinUniform>;
+  readonly slotTypes: ReadonlySet<SlotType>;
+  /** Words of its expressions and of the sizes of its targets. */
+  readonly words: ReadonlySet<string>;
   /** Whether its shaders import images. */
   readonly importsImages: boolean;
   /** Whether a pass is drawn once per frame, whatever the number of views. */
@@ -119,6 +137,10 @@ export function programUse(program: Program): ProgramUse {
     assetKinds: new Set(program.assets.filter(({ id }) => assets.has(id)).map(({ kind }) => kind)),
     depthMeshes: program.assets.some(({ depthMeshes }) => depthMeshes),
     vertexWeights: nodes.some(({ type, config }) => type === 'source/capture' && Number(config.updateFrames) > 0),
+    samplerKinds: new Set(passes.flatMap(({ samplers }) => samplers.map(({ source }) => source.kind))),
+    builtins: new Set(passes.flatMap(({ uniforms }) => uniforms.flatMap(({ source }) => ('builtin' in source ? [source.builtin] : [])))),
+    slotTypes: new Set(program.slots.slots.map(({ type }) => type)),
+    words: wordsOf(program, nodes),
     importsImages: imported.length > 0,
     passesOnce: passes.some(({ view }) => view === 'once'),
     mayRest: !program.operations.some(({ kind }) => RESTLESS.has(kind)) && !program.resources.some(isCamera),
@@ -131,6 +153,16 @@ export function programUse(program: Program): ProgramUse {
     tiers: new Set(program.tiers.map(({ id }) => id)),
     assets,
   };
+}
+
+/** Params of nodes that contain an expression in postfix notation. A test compares them with the runtimes. */
+export const EXPRESSION_PARAMS = ['postfix', 'expression'];
+
+function wordsOf({ resources }: Program, nodes: ProgramUse['nodes']): ReadonlySet<string> {
+  const texts = nodes.flatMap(({ config }) => EXPRESSION_PARAMS.map((param) => String(config[param] ?? '')));
+  const sizes = resources.flatMap((resource) => (resource.kind === 'target' ? [resource.size.width, resource.size.height] : []));
+  const operations = sizes.flat().map((token) => (typeof token === 'object' && 'op' in token ? token.op : ''));
+  return new Set([...texts.flatMap((text) => text.split(' ')), ...operations]);
 }
 
 /** As in `export/runtime/scenes/materials/curvature/direction-parts.ts`. A test compares them. */

@@ -66,6 +66,12 @@ export const RUNTIME_PARTS: readonly OptionalPart[] = [
     otherwise: `export const createImports = () => ({ release() {} });`,
   },
   {
+    // The loops of a page are not bounded.
+    file: 'export/runtime/passes/guarded-drawing.ts',
+    isNeeded: () => false,
+    otherwise: absent('createGate', 'guardDrawing'),
+  },
+  {
     file: 'export/runtime/passes/change-watch.ts',
     isNeeded: ({ passesOnce, mayRest }) => passesOnce || mayRest,
     otherwise: 'export const createChangeWatch = () => null;',
