@@ -16,6 +16,8 @@ import type {
 } from '../program/program.ts';
 import { drawsScenes, readsView } from '../program/reads-view.ts';
 
+type TargetFormat = Extract<Resource, { kind: 'target' }>['format'];
+
 /** The parts of Scrim that a program needs. */
 export interface ProgramUse {
   /** The nodes that are played. */
@@ -55,6 +57,7 @@ export interface ProgramUse {
   readonly workerTypes: ReadonlySet<string>;
   readonly operationKinds: ReadonlySet<Operation['kind']>;
   readonly resourceKinds: ReadonlySet<Resource['kind']>;
+  readonly targetFormats: ReadonlySet<TargetFormat>;
   /** Whether the size of a target is another than that of what it is relative to. */
   readonly computedSizes: boolean;
   /** Types of the params that its shaders read from textures. */
@@ -132,6 +135,7 @@ export function programUse(program: Program): ProgramUse {
     labels: nodes.some(({ type }) => type === 'objects/label'),
     operationKinds: new Set(program.operations.map(({ kind }) => kind)),
     resourceKinds,
+    targetFormats: new Set(program.resources.flatMap((resource) => (resource.kind === 'target' ? [resource.format] : []))),
     computedSizes: program.resources.some((resource) => resource.kind === 'target' && isComputed(resource.size)),
     tableTypes: new Set(program.resources.flatMap((resource) => (resource.kind === 'table' ? [resource.of] : []))),
     assetKinds: new Set(program.assets.filter(({ id }) => assets.has(id)).map(({ kind }) => kind)),

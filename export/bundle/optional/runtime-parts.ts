@@ -77,6 +77,32 @@ export const RUNTIME_PARTS: readonly OptionalPart[] = [
     otherwise: 'export const createChangeWatch = () => null;',
   },
   {
+    file: 'export/runtime/program-instance/prepare-materials.ts',
+    isNeeded: ({ scenes }) => scenes,
+    otherwise: 'export const prepareMaterials = async () => {};',
+  },
+  {
+    file: 'export/runtime/program-instance/missing-floats.ts',
+    isNeeded: ({ targetFormats }) => targetFormats.has('scene16f'),
+    otherwise: 'export const reportMissingFloats = () => {};',
+  },
+  {
+    file: 'export/runtime/operations/occlusion.ts',
+    isNeeded: ({ operationKinds }) => operationKinds.has('draw'),
+    otherwise: 'export const createOcclusion = () => null;',
+  },
+  {
+    file: 'export/runtime/operations/pulse-overflow.ts',
+    isNeeded: ({ pulses }) => pulses,
+    otherwise: 'export const reportOverflows = () => {};',
+  },
+  {
+    // The compiler has checked the assets of a page.
+    file: 'export/runtime/assets/asset-mistakes.ts',
+    isNeeded: () => false,
+    otherwise: absent('missing', 'wrongKind'),
+  },
+  {
     file: 'export/runtime/program-instance/rest-watch.ts',
     isNeeded: ({ objectsMayRest }) => objectsMayRest,
     otherwise: 'export const createRestWatch = () => null;',

@@ -37,6 +37,10 @@ export const TRIMS: readonly Trim[] = [
   { file: 'export/runtime/resources/resources.ts', cases: resources },
   { file: 'export/runtime/operations/node-ports.ts', cases: resources },
   {
+    file: 'export/runtime/targets/target-buffer.ts',
+    cases: { labels: ['rgba8', 'scene16f', 'rgba16f', 'rgba32f', 'r32f'], needed: ({ targetFormats }) => targetFormats },
+  },
+  {
     file: 'export/runtime/passes/samplers.ts',
     cases: { labels: ['import', 'sound', 'table', 'room-depth', 'depth'], needed: ({ samplerKinds }) => samplerKinds },
   },
@@ -63,6 +67,8 @@ export const TRIMS: readonly Trim[] = [
     members: {
       ...Object.fromEntries(['image', 'video', 'audio', 'capture', 'splats', 'model', 'environment'].map((kind) => [kind, loads(kind)])),
       createEnvironment: ({ scenes }) => scenes,
+      // Remedies for designers; `notices.ts` has those for visitors.
+      fix: never,
     },
   },
   {

@@ -1,10 +1,10 @@
 import type { LayerEncoding } from '../../../nodes/kit/definition.ts';
-import { GATE_TEXT } from '../../program/loop-budget.ts';
 import type { LinkedShader } from '../../program/program.ts';
 
 // Marked as pure, so that a page contains the shaders that it uses.
 const COPY_VERTEX = /* @__PURE__ */ vertexShader('', 'vec4(viewUv * 2.0 - 1.0, 0.0, 1.0)');
-const COPY_FRAGMENT = /* @__PURE__ */ fragmentShader('  color = texture(picture, uv.xy / uv.z);');
+/** The fragment shader of `COPY_SHADER`. */
+export const COPY_FRAGMENT = /* @__PURE__ */ fragmentShader('  color = texture(picture, uv.xy / uv.z);');
 
 /**
  * Copies an image through its UV matrix. Used for the camera image in the background, for passes whose shader does not compile, and for
@@ -13,13 +13,6 @@ const COPY_FRAGMENT = /* @__PURE__ */ fragmentShader('  color = texture(picture,
 export const COPY_SHADER: LinkedShader = {
   id: 'scrim:copy',
   vertex: COPY_VERTEX,
-  fragment: COPY_FRAGMENT,
-};
-
-/** Copies an image as `COPY_SHADER` does, but only if the gate is open: for passes whose loops exceed their budget. */
-export const GATED_COPY_SHADER: LinkedShader = {
-  id: 'scrim:gated-copy',
-  vertex: /* @__PURE__ */ vertexShader(`${GATE_TEXT}\n`, 'scrim_isShut() ? vec4(2.0, 2.0, 2.0, 1.0) : vec4(viewUv * 2.0 - 1.0, 0.0, 1.0)'),
   fragment: COPY_FRAGMENT,
 };
 
@@ -41,7 +34,8 @@ export function copyShaderFor(encoding: LayerEncoding): LinkedShader {
 export const COPY_SAMPLER = 'picture';
 export const COPY_UV = 'picture_uvFromViewUv';
 
-function vertexShader(declarations: string, position: string): string {
+/** The vertex shader of a copy: a triangle over the viewport. */
+export function vertexShader(declarations: string, position: string): string {
   return /* glsl */ `#version 300 es
 out vec2 viewUv;
 ${declarations}void main() {
