@@ -1,3 +1,4 @@
+import { ARITHMETIC } from '../../../nodes/kit/arithmetic.ts';
 import { WEBXR_FEATURES } from '../../program/webxr-features.ts';
 import { needs } from '../optional/part.ts';
 import type { PageUse } from '../page-entry.ts';
@@ -17,18 +18,23 @@ export interface Trim {
 
 const never = (): boolean => false;
 const isSpatial = ({ spatial }: PageUse): boolean => spatial;
-const loads =
-  (kind: string) =>
-  ({ assetKinds }: PageUse): boolean =>
-    assetKinds.has(kind as never);
 
 const RESOURCES = ['target', 'external', 'room-depth', 'objects', 'lights', 'environment', 'sound'];
 const MORE_RESOURCES = ['table', 'pulses', 'pose', 'pixels', 'bodies', 'technique', 'shadow-maps'];
 const resources = { labels: [...RESOURCES, ...MORE_RESOURCES], needed: ({ resourceKinds }: PageUse) => resourceKinds };
 
-const ofCapabilities: Readonly<Record<string, (use: PageUse) => boolean>> = Object.fromEntries(
-  Object.keys(WEBXR_FEATURES).map((capability) => [capability, needs(capability)]),
-);
+const samplers = { labels: ['import', 'sound', 'table', 'room-depth', 'depth'], needed: ({ samplerKinds }: PageUse) => samplerKinds };
+
+const BUILTINS = ['TIME', 'TIMEDELTA', 'DATE', 'RENDERSIZE', 'FRAMEINDEX', 'PASSINDEX', 'SCRIM_CLIP_FROM_VIEW', 'SCRIM_WORLD_FROM_VIEW'];
+
+const ASSETS = ['image', 'video', 'audio', 'capture', 'splats', 'model', 'environment'];
+
+/** Members that are needed if a set of the page's use contains their name. */
+function membersOf(names: readonly string[], needed: (use: PageUse) => ReadonlySet<string>): NonNullable<Trim['members']> {
+  return Object.fromEntries(names.map((name) => [name, (use: PageUse) => needed(use).has(name)]));
+}
+
+const ofCapabilities = membersOf(Object.keys(WEBXR_FEATURES), ({ capabilities }) => capabilities);
 
 /**
  * Cases and members that depend on what a program contains. `optional/` leaves out files, this leaves out parts of them.
@@ -40,16 +46,12 @@ export const TRIMS: readonly Trim[] = [
     file: 'export/runtime/targets/target-buffer.ts',
     cases: { labels: ['rgba8', 'scene16f', 'rgba16f', 'rgba32f', 'r32f'], needed: ({ targetFormats }) => targetFormats },
   },
+  { file: 'export/runtime/passes/samplers.ts', cases: samplers },
+  { file: 'export/runtime/passes/uniform-setters.ts', cases: { labels: BUILTINS, needed: ({ builtins }) => builtins } },
   {
-    file: 'export/runtime/passes/samplers.ts',
-    cases: { labels: ['import', 'sound', 'table', 'room-depth', 'depth'], needed: ({ samplerKinds }) => samplerKinds },
-  },
-  {
-    file: 'export/runtime/passes/uniform-setters.ts',
-    cases: {
-      labels: ['TIME', 'TIMEDELTA', 'DATE', 'RENDERSIZE', 'FRAMEINDEX', 'PASSINDEX', 'SCRIM_CLIP_FROM_VIEW', 'SCRIM_WORLD_FROM_VIEW'],
-      needed: ({ builtins }) => builtins,
-    },
+    file: 'export/runtime/passes/changes.ts',
+    cases: samplers,
+    members: membersOf(BUILTINS, ({ builtins }) => builtins),
   },
   {
     file: 'export/runtime/values/slots.ts',
@@ -60,12 +62,9 @@ export const TRIMS: readonly Trim[] = [
   },
   {
     file: 'export/runtime/assets/asset-store.ts',
-    cases: {
-      labels: ['image', 'video', 'audio', 'capture', 'splats', 'model', 'environment'],
-      needed: ({ assetKinds }) => assetKinds,
-    },
+    cases: { labels: ASSETS, needed: ({ assetKinds }) => assetKinds },
     members: {
-      ...Object.fromEntries(['image', 'video', 'audio', 'capture', 'splats', 'model', 'environment'].map((kind) => [kind, loads(kind)])),
+      ...membersOf(ASSETS, ({ assetKinds }) => assetKinds),
       createEnvironment: ({ scenes }) => scenes,
       // Remedies for designers; `notices.ts` has those for visitors.
       fix: never,
@@ -74,15 +73,7 @@ export const TRIMS: readonly Trim[] = [
   {
     file: 'nodes/kit/arithmetic.ts',
     cases: {
-      labels: ['negate', '!', 'sqrt', 'log2', 'abs', 'floor', 'ceil', 'round', '+', '-', '*', '/', '%', '^', '<', '<=', '>', '>='].concat([
-        '==',
-        '!=',
-        '&&',
-        '||',
-        'min',
-        'max',
-        '?:',
-      ]),
+      labels: Object.keys(ARITHMETIC),
       needed: ({ words }) => words,
     },
   },
@@ -128,7 +119,7 @@ export const TRIMS: readonly Trim[] = [
       depthImage: isSpatial,
       anchors: isSpatial,
       keptFiles: isSpatial,
-      multisampling: ({ scenes }) => scenes,
+      multisampling: ({ operationKinds }) => operationKinds.has('draw'),
     },
   },
 ];
