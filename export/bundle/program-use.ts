@@ -39,8 +39,10 @@ export interface ProgramUse {
   readonly panoramas: boolean;
   /** Whether techniques of the program show what is behind their objects. Models may contain glass without this. */
   readonly glass: boolean;
-  /** Whether techniques of the program draw edges as lines. */
-  readonly techniqueEdges: boolean;
+  /**
+   * Which edges techniques of the program draw as lines: all, or those of meshes with a border, which only models may have, or none.
+   */
+  readonly techniqueEdges: 'all' | 'of open models' | 'none';
   /** Whether a technique reads the direction field of meshes. */
   readonly techniqueDirections: boolean;
   /** Whether a technique reads the radial curvature of meshes. */
@@ -121,9 +123,7 @@ export function programUse(program: Program): ProgramUse {
     readsView: readsView(program),
     panoramas: uses('environment'),
     glass: program.operations.some((operation) => 'glass' in operation && operation.glass === true),
-    techniqueEdges: program.resources.some(
-      (resource) => resource.kind === 'technique' && resource.passes.some(({ side }) => side === 'edges'),
-    ),
+    techniqueEdges: edgesOf(program),
     techniqueRadial: program.resources.some((resource) => resource.kind === 'technique' && resource.fragment.includes(RADIAL)),
     techniqueDirections: program.resources.some(
       (resource) => resource.kind === 'technique' && DIRECTIONS.some((field) => resource.fragment.includes(field)),
@@ -157,6 +157,38 @@ export function programUse(program: Program): ProgramUse {
     tiers: new Set(program.tiers.map(({ id }) => id)),
     assets,
   };
+}
+
+/** Node types that make objects, of which those of `source/model` have the borders that their file has. */
+const CLOSED_TYPES: ReadonlySet<string> = new Set(['objects/primitive', 'source/model']);
+
+function edgesOf(program: Program): ProgramUse['techniqueEdges'] {
+  const drawn = program.resources.filter(
+    (resource) => resource.kind === 'technique' && resource.passes.some(({ side }) => side === 'edges'),
+  );
+  const passes = drawn.flatMap((resource) => (resource.kind === 'technique' ? resource.passes : []));
+  if (drawn.length === 0) return 'none';
+  if (passes.some(({ side, open }) => side === 'edges' && open !== true)) return 'all';
+  const isClosed = (node: NodeOperation): boolean => CLOSED_TYPES.has(node.type) && node.config.shape !== 'plane';
+  return makersOf(program, new Set(drawn.map(({ id }) => id))).every(isClosed) ? 'of open models' : 'all';
+}
+
+/** The nodes that make the objects to which techniques are applied. */
+function makersOf({ resources, operations }: Program, techniques: ReadonlySet<string>): readonly NodeOperation[] {
+  const objects = new Set(resources.flatMap(({ id, kind }) => (kind === 'objects' ? [id] : [])));
+  const nodes = operations.filter((operation) => 'type' in operation);
+  const open = nodes.filter(({ reads }) => reads.some((id) => techniques.has(id)));
+  const seen = new Set(open);
+  const makers: NodeOperation[] = [];
+  for (let node = open.pop(); node; node = open.pop()) {
+    const read = node.reads.filter((id) => objects.has(id));
+    if (read.length === 0) makers.push(node);
+    for (const writer of nodes.filter(({ writes }) => writes.some((id) => read.includes(id)))) {
+      if (!seen.has(writer)) open.push(writer);
+      seen.add(writer);
+    }
+  }
+  return makers;
 }
 
 /** Params of nodes that contain an expression in postfix notation. A test compares them with the runtimes. */
