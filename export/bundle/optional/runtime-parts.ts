@@ -111,7 +111,7 @@ export const RUNTIME_PARTS: readonly OptionalPart[] = [
     // The page has the watch above only if its program may rest.
     file: 'export/program/may-rest.ts',
     isNeeded: () => false,
-    otherwise: 'export const STILL_TYPES = [];\nexport const mayRest = () => true;',
+    otherwise: 'export const STILL_TYPES = [];\nexport const MOVED_TYPES = [];\nexport const mayRest = () => true;',
   },
   {
     file: 'export/runtime/passes/direct-draw.ts',
