@@ -5,7 +5,7 @@ import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { runCli } from '../../app/cli/run-cli.ts';
 import { installationAt } from '../../app/services/installation.ts';
 import { readCaptureFolder } from '../../app/services/read-capture-folder.ts';
-import { COLMAP, findTool } from '../../app/services/reconstruct/outside-tools.ts';
+import { COLMAP, findTool } from '../../app/services/outside/outside-tools.ts';
 import { describeMissing } from '../support/required.ts';
 import { scrim } from '../support/scrim.ts';
 import { describeWithData } from '../support/shared-data.ts';
