@@ -90,8 +90,19 @@ function warning(message: string): Diagnostic {
   return { code: 'SCR069', severity: 'warning', message };
 }
 
+/** Whether a folder has files of cameras, or needs none. @throws CaptureError if they are damaged */
+export async function hasCameras(folder: string): Promise<boolean> {
+  return (await findCameras(folder)) !== null;
+}
+
 /** Reads the cameras of a folder. @throws CaptureError if it has none */
 export async function readCameras(folder: string): Promise<SourceCapture> {
+  const found = await findCameras(folder);
+  if (found) return found;
+  throw new CaptureError('it has no cameras: neither cameras.txt and images.txt (or .bin) of COLMAP nor transforms.json');
+}
+
+async function findCameras(folder: string): Promise<SourceCapture | null> {
   for (const place of CAMERA_FOLDERS) {
     const read = (name: string) => readIfThere(join(folder, place, name));
     for (const [ending, reader] of [
@@ -105,9 +116,7 @@ export async function readCameras(folder: string): Promise<SourceCapture> {
   }
   const transforms = await readIfThere(join(folder, 'transforms.json'));
   if (transforms) return readTransforms(transforms);
-  const alone = await findPanorama(folder);
-  if (alone) return alone;
-  throw new CaptureError('it has no cameras: neither cameras.txt and images.txt (or .bin) of COLMAP nor transforms.json');
+  return findPanorama(folder);
 }
 
 /** What a single 360° photograph without cameras is called. */

@@ -26,10 +26,10 @@ const ANSWER_MS = 20_000;
  * Asks COLMAP what it is.
  *
  * @param path Of its executable file.
- * @param log File for what it prints.
+ * @param log File for what it prints; null: none.
  * @throws SCR078 if the file is something else
  */
-export async function openColmap(path: string, log: string, interrupted: AbortSignal, onLine: OnLine = () => {}): Promise<Colmap> {
+export async function openColmap(path: string, log: string | null, interrupted: AbortSignal, onLine: OnLine = () => {}): Promise<Colmap> {
   const help = await runTool({ tool: path, args: ['help'], log: null, limitMs: ANSWER_MS, onLine: () => {}, interrupted });
   const version = help.map((line) => /^\s*COLMAP (\d[\w.-]*)/.exec(line)?.[1]).find((text) => text !== undefined);
   if (version === undefined)

@@ -85,7 +85,7 @@ export async function reconstruct(job: ReconstructionJob): Promise<Reconstructio
 
 async function run(job: ReconstructionJob): Promise<Reconstruction> {
   const { folder, say, interrupted } = job;
-  const images = (await isFolder(join(folder, 'images'))) ? join(folder, 'images') : folder;
+  const images = await folderOfImages(folder);
   const names = await photographsIn(images);
   if (names.length < LEAST_PHOTOS) {
     throw refusal(
@@ -186,6 +186,15 @@ async function run(job: ReconstructionJob): Promise<Reconstruction> {
   }
   const mesh = isDense ? DENSE_MESH : done.includes('mesh') ? `${SPARSE}/${SPARSE_MESH}` : null;
   return { photographs: names.length, found, mesh, isDense, kept, log, diagnostics };
+}
+
+/** Number of the photographs that `reconstruct` would use. */
+export async function countPhotographs(folder: string): Promise<number> {
+  return (await photographsIn(await folderOfImages(folder))).length;
+}
+
+async function folderOfImages(folder: string): Promise<string> {
+  return (await isFolder(join(folder, 'images'))) ? join(folder, 'images') : folder;
 }
 
 /** Names of the photographs in a folder: files only, because COLMAP would wait for a pipe forever. */

@@ -1,5 +1,6 @@
 import { CaptureError } from '../../../nodes/kit/capture.ts';
 import type { SourceView } from '../source-view.ts';
+import { plyHead } from '../write-ply.ts';
 import { createNearestPoints } from './nearest-points.ts';
 
 /** Points of a surface, with the directions that it faces. */
@@ -124,10 +125,7 @@ export function pointsAsPly({ positions, normals }: SurfacePoints): Uint8Array {
   const properties = ['x', 'y', 'z', 'nx', 'ny', 'nz'].map((name) => `property float ${name}`);
   // COLMAP’s mesher wants colors.
   const colors = ['red', 'green', 'blue'].map((name) => `property uchar ${name}`);
-  const header = ['ply', 'format binary_little_endian 1.0', `element vertex ${count}`, ...properties, ...colors, 'end_header', ''].join(
-    '\n',
-  );
-  const head = new TextEncoder().encode(header);
+  const head = plyHead(count, [...properties, ...colors]);
   const bytes = new Uint8Array(head.length + POINT_BYTES * count);
   bytes.set(head);
   const view = new DataView(bytes.buffer, head.length);
