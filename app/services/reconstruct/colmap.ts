@@ -8,7 +8,10 @@ type OnLine = (line: string) => void;
 export interface Colmap {
   /** Such as `3.8`. */
   readonly version: string;
+  /** Whether it was built with CUDA. */
   readonly hasCuda: boolean;
+  /** Whether it has CUDA, and no command has failed on the graphics card so far. */
+  readonly usesGpu: boolean;
   /** Runs a command. @returns What it prints. */
   run(args: readonly string[], onLine?: OnLine): Promise<readonly string[]>;
   /**
@@ -34,7 +37,8 @@ export async function openColmap(path: string, log: string | null, interrupted: 
   const version = help.map((line) => /^\s*COLMAP (\d[\w.-]*)/.exec(line)?.[1]).find((text) => text !== undefined);
   if (version === undefined)
     throw refusal('SCR078', `${path} is not COLMAP.`, `Name the executable file of COLMAP, or get it: ${COLMAP.url}`);
-  let hasCuda = help.some((line) => /with CUDA/i.test(line));
+  const hasCuda = help.some((line) => /with CUDA/i.test(line));
+  let usesGpu = hasCuda;
   const run: Colmap['run'] = (args, ownLine = () => {}) =>
     runTool({
       tool: path,
@@ -49,19 +53,22 @@ export async function openColmap(path: string, log: string | null, interrupted: 
   return {
     version,
     hasCuda,
+    get usesGpu() {
+      return usesGpu;
+    },
     run,
     runOnGpu: async (args, groups, ownLine) => {
       const known = (await runTool({ tool: path, args: [args[0] ?? '', '-h'], log: null, onLine: () => {}, interrupted })).join('\n');
       const group = groups.find((each) => known.includes(`--${each}.use_gpu`));
       const runWith = (gpu: boolean) => run([...args, ...(group === undefined ? [] : [`--${group}.use_gpu`, gpu ? '1' : '0'])], ownLine);
-      if (hasCuda && group !== undefined) {
+      if (usesGpu && group !== undefined) {
         try {
           await runWith(true);
           return;
         } catch (error) {
           interrupted.throwIfAborted();
           onLine(error instanceof Error ? error.message : String(error));
-          hasCuda = false;
+          usesGpu = false;
         }
       }
       await runWith(false);

@@ -167,7 +167,7 @@ async function run(job: ReconstructionJob): Promise<Reconstruction> {
     );
   }
   const diagnostics: Diagnostic[] = [];
-  if (job.dense !== false && colmap.hasCuda) {
+  if (job.dense === true || (job.dense === null && colmap.usesGpu)) {
     try {
       await step('dense', (report) => densify(folder, images, file('dense'), colmap, report));
     } catch (error) {
