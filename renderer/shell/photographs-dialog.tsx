@@ -171,8 +171,7 @@ function Progress({ of: { step, lines, error } }: { readonly of: PhotographImpor
           </li>
         ))}
       </ol>
-      <textarea ref={log} className="field scroll" aria-label="Output of COLMAP" readOnly value={lines.join('
-')} />
+      <textarea ref={log} className="field scroll" aria-label="Output of COLMAP" readOnly value={lines.join('\n')} />
       {error !== null && (
         <div className="dialog-error" role="alert">
           <Icon name="error" />
