@@ -18,6 +18,7 @@ import { importAsset } from './import-asset.ts';
 import type { Installation } from './installation.ts';
 import { createOpenProjects } from './open-projects.ts';
 import { createPageServers } from './page-servers.ts';
+import { createPhotographImports } from './photograph-imports.ts';
 import { findProject, listAssets } from './project-files.ts';
 import { readAsset } from './read-asset.ts';
 import { ROOMS } from './rooms.ts';
@@ -76,6 +77,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
   const exports = createExportJobs();
   const frames = createFrameJobs(files);
   const acquisitions = createAcquisitionJobs(files);
+  const photographs = createPhotographImports(files);
   const pages = createPageServers();
   const projects = createOpenProjects({ content, previewOrigin: shell.origins.preview, files, emit, isThere: clients.isThere });
 
@@ -128,6 +130,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       exports.cancel(handle);
       await frames.cancel(handle);
       await acquisitions.cancel(handle);
+      photographs.cancel(handle);
       projects.close(handle);
       return {};
     },
@@ -219,6 +222,23 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       await acquisitions.cancel(handle);
       return {};
     },
+    'photographs.look': async ({ handle, folder, colmap }) => {
+      projects.rootOf(handle);
+      return photographs.look({ colmap }, fullPath(folder, 'SCR004'));
+    },
+    'photographs.import': ({ handle, folder, ...options }, client) =>
+      photographs.run(handle, client, {
+        ...options,
+        root: projects.rootOf(handle),
+        folder: fullPath(folder, 'SCR004'),
+        onProgress: (progress) => emit({ kind: 'photographs-progress', handle, ...progress }),
+        onLines: (lines) => emit({ kind: 'photographs-log', handle, lines }),
+      }),
+    'photographs.cancel': async ({ handle }) => {
+      photographs.cancel(handle);
+      return {};
+    },
+    'photographs.stage': async ({ handle, ...file }) => ({ folder: await photographs.stage(projects.rootOf(handle), file) }),
     'export.cancel': async ({ handle }) => {
       exports.cancel(handle);
       return {};
@@ -241,6 +261,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
         if (clients.isThere(client)) return;
         frames.left(client);
         acquisitions.left(client);
+        photographs.left(client);
         projects.left(client);
       };
     },
@@ -254,6 +275,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       exports.dispose();
       frames.dispose();
       acquisitions.dispose();
+      photographs.dispose();
       projects.dispose();
       await Promise.all([...calls, pages.dispose()]);
     },

@@ -100,6 +100,17 @@ export function createFakeHost(
     'capture.add': () => ({}),
     'capture.finish': () => ({ path: 'assets/scene.capture/capture.json', diagnostics: [] }),
     'capture.cancel': () => ({}),
+    'photographs.look': () => ({ photographs: 12, hasCameras: false, colmap: '3.8 (/usr/bin/colmap)', diagnostic: null }),
+    'photographs.import': () => ({
+      path: 'assets/kitchen.capture/capture.json',
+      photographs: 12,
+      found: 12,
+      isRough: true,
+      start: { positionM: [1, 2, 3], yawRad: 0.5 },
+      diagnostics: [],
+    }),
+    'photographs.cancel': () => ({}),
+    'photographs.stage': ({ folder }) => ({ folder: `/project/.scrim/photographs/${folder}` }),
     ...handlers,
   };
   return {

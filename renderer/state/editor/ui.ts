@@ -1,5 +1,5 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { ExportedReport, ProjectFiles } from '../../../app/contract/contract.ts';
+import type { ExportedReport, HostEvent, ProjectFiles } from '../../../app/contract/contract.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { CanvasPlace, DraggedWire } from './canvas-state.ts';
 
@@ -64,6 +64,8 @@ export type DialogRequest =
   | { readonly kind: 'render' }
   /** Photographs of the scene, for a capture. */
   | { readonly kind: 'photograph' }
+  /** Imports a folder of photographs. `folder` is its path; empty if it is not known yet. */
+  | { readonly kind: 'photographs'; readonly folder: string }
   /** Asks about unsaved changes that an action would discard; `proceed` continues the action. */
   | { readonly kind: 'unsaved'; readonly proceed: () => void }
   | { readonly kind: 'recovery'; readonly files: ProjectFiles }
@@ -115,6 +117,19 @@ export interface Exporting {
   readonly frames?: true;
 }
 
+/** An import of photographs, in progress or failed. */
+export interface PhotographImport {
+  /** Handle of the project. */
+  readonly handle: string;
+  readonly step: PhotographStep;
+  /** The last lines that COLMAP printed. */
+  readonly lines: readonly string[];
+  /** Why it failed; null while it runs. */
+  readonly error: Diagnostic | null;
+}
+
+export type PhotographStep = Extract<HostEvent, { kind: 'photographs-progress' }>['step'];
+
 /** How the open project is exported. */
 export interface ExportSettings {
   /** Absolute path of the folder of the page; empty before the first export. */
@@ -163,6 +178,8 @@ export interface UiState {
   readonly typing: boolean;
   /** The export, frame render or acquisition in progress. */
   readonly exporting: Exporting | null;
+  /** The last import of photographs; null if there is none or it succeeded. */
+  readonly photographs: PhotographImport | null;
   /** Diagnostics of the last export. */
   readonly exportDiagnostics: readonly Diagnostic[];
   /** Why the last export failed, for its dialog. */
@@ -191,6 +208,7 @@ export function createUi(sizes: PanelSizes, dock: Dock): UiStore {
     codePosition: null,
     typing: false,
     exporting: null,
+    photographs: null,
     exportDiagnostics: [],
     exportErrors: [],
     exportSettings: DEFAULT_EXPORT_SETTINGS,
