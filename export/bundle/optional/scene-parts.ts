@@ -84,6 +84,11 @@ export const RADIAL_VERTEX = { declarations: '', main: '' };`,
     otherwise: `export const GAP = '';\n${absent('createStrokeUniforms', 'gapOf', 'strokeParts')}`,
   },
   {
+    file: 'export/runtime/scenes/materials/shadow-contours.ts',
+    isNeeded: plays('layer/shadow', { drawing: 'strokes' }),
+    otherwise: absent('contourParts', 'flatContour', 'cubeContour'),
+  },
+  {
     file: 'nodes/layer/shadow/strokes.ts',
     isNeeded: plays('layer/shadow', { drawing: 'strokes' }),
     otherwise: absent('createCasterStrokes'),
