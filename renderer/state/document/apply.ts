@@ -7,7 +7,7 @@ import { printWire } from '../../../export/graph/wires.ts';
 import { hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import { type DocumentState, graphOf, layoutOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
-import { placeOfItem } from '../editor/item-ids.ts';
+import { borderOf, placeOfItem } from '../editor/item-ids.ts';
 import { keepInSelection } from '../editor/selection.ts';
 import { toastDiagnostic } from '../editor/ui.ts';
 import { diagnosticWithTitles } from './message-titles.ts';
@@ -110,7 +110,7 @@ function commit(editor: Editor, project: Project, next: history.History): void {
   const exists = {
     node: (id: string) => getOwn(nodes, id) !== undefined,
     wire: (id: string) => ids.has(id),
-    item: (id: string) => placeOfItem(layout, id) !== undefined,
+    item: (id: string) => placeOfItem(layout, id) !== undefined || borderOf(id) !== null,
   };
   keepInSelection(editor.selection, (kind, id) => exists[kind](id));
 }
