@@ -222,7 +222,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     resolution.begin();
     panorama.beforeDraw(frame);
     sensors.beforeFrame(frame);
-    gate.show(viewer, thumbnails.beforeFrame());
+    gate.show(viewer, thumbnails.beforeFrame(frame));
     host.player.draw(frame);
     recorder.afterFrame(frame, () => host && roomOf(host.player));
     status.end(frame, open?.recording?.isLate ?? false);

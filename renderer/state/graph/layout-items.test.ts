@@ -7,8 +7,8 @@ import type { Editor } from '../editor/editor.ts';
 import { itemIds } from '../editor/item-ids.ts';
 import { selectOnly } from '../editor/selection.ts';
 import { filesOf } from '../files/files.ts';
-import { addNodeFromPalette, deleteSelection } from './edit-graph.ts';
 import { tidy } from './arrange.ts';
+import { addNodeFromPalette, deleteSelection } from './edit-graph.ts';
 import { addFrame, addNote, boxOfItem, contentOf, editItemText, moveAll, resizeItem } from './layout-items.ts';
 import { createSubgraph, openSubgraph } from './subgraphs.ts';
 

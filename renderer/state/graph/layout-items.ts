@@ -7,7 +7,7 @@ import { apply, endGesture } from '../document/apply.ts';
 import type { Place } from '../editor/canvas-state.ts';
 import { layoutOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
-import { type ItemKind, byKind, idsOfKind, itemId, itemOf } from '../editor/item-ids.ts';
+import { byKind, type ItemKind, idsOfKind, itemId, itemOf } from '../editor/item-ids.ts';
 import { selectOnly } from '../editor/selection.ts';
 import { bareBoxesOf, boxesOf } from './arrange.ts';
 import type { NodeBox } from './auto-layout.ts';
