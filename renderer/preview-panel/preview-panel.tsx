@@ -79,7 +79,7 @@ function Device({ children }: { readonly children: ReactNode }) {
     <div
       className="stage-device"
       data-frame={frame}
-      style={frame === 'fill' && shape !== null ? { width: `min(100cqw, 100cqh * ${shape})`, aspectRatio: shape } : undefined}
+      {...(frame === 'fill' && shape !== null && { 'data-shaped': '', style: { ['--shape' as string]: shape } })}
     >
       {children}
     </div>
