@@ -250,8 +250,11 @@ export type FromPreview =
    * cannot be read.
    */
   | { readonly kind: 'model-drawn'; readonly request: number; readonly image: ImageBitmap | null; readonly gpuBytes: number | null }
-  /** A session began. Null if it is not a recording and cannot seek. */
-  | { readonly kind: 'frames'; readonly frames: FrameTimes | null }
+  /**
+   * A session began. Frame times are null if it is not a recording and cannot seek. `shape`: width of the images of a recording divided by
+   * their height.
+   */
+  | { readonly kind: 'frames'; readonly frames: FrameTimes | null; readonly shape: number | null }
   /** All problems of the running program, or of the program of `revision` if it could not be played. */
   | { readonly kind: 'diagnostics'; readonly revision: number; readonly diagnostics: readonly Diagnostic[] }
   /**

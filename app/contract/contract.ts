@@ -150,6 +150,19 @@ export const HOST_CONTRACT = {
     input: z.object({ purpose: z.enum(['new', 'open', 'save-as', 'export', 'render', 'photographs']) }),
     output: z.object({ path: z.string().nullable() }),
   },
+  /**
+   * Lists the folders in the folder `path`, or in its nearest ancestor that exists, for hosts without a native dialog. `path` is absolute or
+   * begins with `~/`; empty: the projects folder.
+   */
+  'folder.list': {
+    input: z.object({ path: z.string().max(4096) }),
+    output: z.object({
+      path: z.string(),
+      /** Null for the root of a drive. */
+      parent: z.string().nullable(),
+      folders: z.array(z.object({ name: z.string(), path: z.string(), isProject: z.boolean() })),
+    }),
+  },
   'project.open': { input: z.object({ path: z.string().min(1).max(4096) }), output: openProject },
   /** Creates a project from a template in a new or empty folder and opens it. The name of the folder becomes the title. */
   'project.create': { input: z.object({ path: z.string().min(1).max(4096), template: z.string().min(1).max(64) }), output: openProject },

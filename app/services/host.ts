@@ -16,6 +16,7 @@ import { findExamples, withThumbnail } from './find-examples.ts';
 import { createFrameJobs } from './frame-jobs.ts';
 import { importAsset } from './import-asset.ts';
 import type { Installation } from './installation.ts';
+import { listFolders } from './list-folders.ts';
 import { createOpenProjects } from './open-projects.ts';
 import { createPageServers } from './page-servers.ts';
 import { createPhotographImports } from './photograph-imports.ts';
@@ -106,6 +107,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       return {};
     },
     'folder.pick': async ({ purpose }) => ({ path: shell.pickFolder ? await shell.pickFolder(purpose) : null }),
+    'folder.list': ({ path }) => listFolders(path.trim() === '' ? installation.projectsDir : fullPath(path, 'SCR004')),
     'project.open': async ({ path }, client) => {
       const typed = fullPath(path, 'SCR004');
       const root = await findProject(typed);

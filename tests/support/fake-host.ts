@@ -57,6 +57,7 @@ export function createFakeHost(
     'app.close': () => ({}),
     'menu.show': () => ({}),
     'folder.pick': () => ({ path: null }),
+    'folder.list': ({ path }) => ({ path, parent: null, folders: [] }),
     'project.open': ({ path }) => open(path),
     'project.create': ({ path }) => open(path),
     'project.save': (input) => {

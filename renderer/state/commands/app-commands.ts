@@ -50,7 +50,7 @@ const COMMANDS = {
   // Browsers reserve Ctrl+N.
   'file.new': {
     label: 'New…',
-    keywords: ['create', 'start', 'template'],
+    keywords: ['create', 'start', 'template', 'new project'],
     keys: ['Mod+Alt+N'],
     enabled: always,
     run: newProject,
@@ -58,7 +58,7 @@ const COMMANDS = {
   },
   'file.open': {
     label: 'Open…',
-    keywords: ['load', 'recent', 'example'],
+    keywords: ['load', 'recent', 'example', 'open project'],
     keys: ['Mod+O'],
     enabled: always,
     run: openProject,

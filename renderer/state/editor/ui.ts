@@ -46,6 +46,8 @@ export interface PaletteRequest {
   readonly swap?: string;
   /** Id of the node that the new node continues, if one of its outputs fits. */
   readonly after?: string;
+  /** What is searched for at first. Default: nothing. */
+  readonly query?: string;
 }
 
 /** Position in client pixels for a palette opened by a key, which roughly centers it. */
