@@ -1,4 +1,6 @@
 import { z } from 'zod';
+import { handle, isWithinLimit, pictureSize, projectPath, side } from './contract-shapes.ts';
+import { REPHOTOGRAPH_CONTRACT } from './rephotograph-contract.ts';
 
 /*
  * The contract between editor and host: inputs and outputs of all calls, and the events. The preload script of Electron, the loopback
@@ -20,23 +22,10 @@ const diagnostic = z.object({
   fix: z.string().optional(),
 });
 
-/** Id of an open project. Valid while it is open. Never a path. */
-const handle = z.string().regex(/^[a-z0-9]{16,64}$/);
-
-/** Path relative to the project folder, with `/`. The host rejects paths that leave the folder. */
-const projectPath = z.string().min(1).max(512);
-
-/** Limit for an imported asset: larger than any model that a phone can load, and small enough for memory. */
-export const MAX_ASSET_BYTES = 512 * 2 ** 20;
-
 /** Limit for an asset that is copied with its nodes. Clipboards take some hundred megabytes of text. */
 export const MAX_COPIED_BYTES = 32 * 2 ** 20;
 
 const MAX_POSTER_BYTES = 8 * 2 ** 20;
-
-function isWithinLimit(bytes: Uint8Array): boolean {
-  return bytes.length <= MAX_ASSET_BYTES;
-}
 
 /** Text of a JSON document of a project. */
 const documentText = z.string().max(64 * 2 ** 20);
@@ -78,16 +67,11 @@ const sessionSource = z.object({ id: z.string(), title: z.string(), kind: z.enum
 /** Path of an image in the folder of a session. */
 const sessionFile = z.string().regex(/^(?:color\/\d{6}\.jpg|depth\/\d{6}\.png|room\.voxels)$/);
 
-/** Side of a rendered image in pixels. */
-const side = z.number().int().min(1).max(8192);
-
 /** The camera of all photographs of an acquisition: `AcquiredCamera`. */
 const acquiredCamera = z.discriminatedUnion('projection', [
   z.object({ projection: z.literal('perspective'), widthPx: side, heightPx: side, fovYRad: z.number().positive().max(Math.PI) }),
   z.object({ projection: z.literal('equirectangular'), widthPx: side, heightPx: side }),
 ]);
-
-const pictureSize = z.object({ widthPx: side, heightPx: side });
 
 const thumbnailUrl = z.string().startsWith('data:image/jpeg;base64,').optional();
 
@@ -316,6 +300,7 @@ export const HOST_CONTRACT = {
   },
   /** Cancels an acquisition and deletes its photographs. */
   'capture.cancel': { input: z.object({ handle }), output: z.object({}) },
+  ...REPHOTOGRAPH_CONTRACT,
   /** Cancels the export of a project, if there is one. */
   'export.cancel': { input: z.object({ handle }), output: z.object({}) },
 } as const;

@@ -1,4 +1,5 @@
-import { MAX_ASSET_BYTES, MAX_COPIED_BYTES } from '../contract/contract.ts';
+import { MAX_COPIED_BYTES } from '../contract/contract.ts';
+import { MAX_ASSET_BYTES } from '../contract/contract-shapes.ts';
 import { HostError } from '../contract/host-error.ts';
 import { resolveInside } from './confine.ts';
 import { errorCode, readRefusal, refusal } from './file-errors.ts';

@@ -12,6 +12,7 @@ import { NewDialog } from './new-dialog.tsx';
 import { OpenDialog } from './open-dialog.tsx';
 import { PhotographDialog } from './photograph-dialog.tsx';
 import { RenderDialog } from './render-dialog.tsx';
+import { RephotographDialog, RephotographedDialog } from './rephotograph-dialogs.tsx';
 import { SaveAsDialog } from './save-as-dialog.tsx';
 import { ShadertoyDialog } from './shadertoy-dialog.tsx';
 import { ShortcutsDialog } from './shortcuts-dialog.tsx';
@@ -37,6 +38,10 @@ export function Dialogs() {
       return <RenderDialog onClose={close} />;
     case 'photograph':
       return <PhotographDialog onClose={close} />;
+    case 'rephotograph':
+      return <RephotographDialog path={dialog.path} onClose={close} />;
+    case 'rephotographed':
+      return <RephotographedDialog means={dialog.rephotographed} onClose={close} />;
     case 'unsaved':
       return <UnsavedDialog proceed={dialog.proceed} onClose={close} />;
     case 'recovery':

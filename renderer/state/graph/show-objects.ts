@@ -13,7 +13,7 @@ const ROW_PX = 112;
 /** Position of new objects: on the floor, in view of the recorded studio and of a visitor at the origin. */
 const POSITION_M = [0, 0, -1.5];
 
-interface ShowObjectsContext {
+interface ShowContext {
   readonly library: NodeLibrary;
   readonly random: () => number;
 }
@@ -26,10 +26,10 @@ interface ShowObjectsContext {
  * @param from Output with the objects.
  * @param place Position of its node in canvas units.
  */
-export function showObjects(from: PortAddress, place: Place, { library, random }: ShowObjectsContext): (project: Project) => Change {
+export function showObjects(from: PortAddress, place: Place, { library, random }: ShowContext): (project: Project) => Change {
   return (project) => {
     const graph = MAIN_GRAPH;
-    const { nodes = {}, wires = [] } = project.graphs[graph] ?? {};
+    const { nodes = {} } = project.graphs[graph] ?? {};
     const idsOf = (type: string): string[] => Object.keys(nodes).filter((id) => nodes[id]?.type === type);
     const [screen, ...otherScreens] = idsOf('output/screen');
     const scenes = idsOf('layer/scene');
@@ -61,20 +61,37 @@ export function showObjects(from: PortAddress, place: Place, { library, random }
     const light = add('light/directional', place.x + COLUMN_PX, place.y + ROW_PX);
     wire({ node: light, port: 'lights' }, added, 'lights');
     const layer = { node: added, port: 'layer' };
+    return sequence(project, ...steps, showLayer(layer, { x: place.x + 2 * COLUMN_PX, y: place.y }, { library, random }));
+  };
+}
+
+/**
+ * Draws the layer of a new node over the layer on the screen. Changes nothing in subgraphs and in graphs without an output.
+ *
+ * @param from Output with the layer.
+ * @param place Position of its node in canvas units.
+ */
+export function showLayer(from: PortAddress, place: Place, { library, random }: ShowContext): (project: Project) => Change {
+  return (project) => {
+    const graph = MAIN_GRAPH;
+    const { nodes = {}, wires = [] } = project.graphs[graph] ?? {};
+    const [screen, ...otherScreens] = Object.keys(nodes).filter((id) => nodes[id]?.type === 'output/screen');
+    if (!nodes[from.node] || screen === undefined || otherScreens.length > 0) return unchanged(project);
+    const wire = (source: PortAddress, node: string, port: string) => (before: Project) =>
+      connect(before, { library, graph, from: source, to: { node, port } });
     const shown = wires.find(({ to }) => to.node === screen && to.port === 'layer');
-    if (shown === undefined) {
-      wire(layer, screen, 'layer');
-      return sequence(project, ...steps);
-    }
+    if (shown === undefined) return sequence(project, wire(from, screen, 'layer'));
     const { x, y } = getOwn(project.layout[graph]?.nodes ?? {}, screen) ?? place;
-    const over = add('operator/over', Math.max(x, place.x + 3 * COLUMN_PX), y);
-    steps.push((before) => disconnect(before, { graph, wires: [shown] }));
-    wire(shown.from, over, 'bottom');
-    wire(layer, over, 'top');
-    wire({ node: over, port: 'layer' }, screen, 'layer');
-    steps.push((before) =>
-      moveNodes(before, { graph, positions: { [screen]: { x: Math.max(x, place.x + 3 * COLUMN_PX) + COLUMN_PX, y } } }),
+    const over = makeNodeId(project, 'operator/over', random);
+    const overX = Math.max(x, place.x + COLUMN_PX);
+    return sequence(
+      project,
+      (before) => addNode(before, { library, graph, id: over, type: 'operator/over', x: overX, y, params: {} }),
+      (before) => disconnect(before, { graph, wires: [shown] }),
+      wire(shown.from, over, 'bottom'),
+      wire(from, over, 'top'),
+      wire({ node: over, port: 'layer' }, screen, 'layer'),
+      (before) => moveNodes(before, { graph, positions: { [screen]: { x: overX + COLUMN_PX, y } } }),
     );
-    return sequence(project, ...steps);
   };
 }
