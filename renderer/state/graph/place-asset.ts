@@ -4,13 +4,15 @@ import { addNode } from '../../../export/graph/commands/node-commands.ts';
 import { makeNodeId } from '../../../export/graph/document-names.ts';
 import type { Asset, Project } from '../../../export/graph/project.ts';
 import type { AssetKind, NodeLibrary } from '../../../nodes/kit/definition.ts';
+import { POSITION_PARAM } from '../../../nodes/kit/pose-params.ts';
 import { apply } from '../document/apply.ts';
 import type { Place } from '../editor/canvas-state.ts';
 import { graphOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { revealNodes } from '../editor/ui.ts';
 import { placeFreely } from './free-places.ts';
-import { showLayer, showObjects } from './show-objects.ts';
+import { showLayer } from './show-layer.ts';
+import { showObjects } from './show-objects.ts';
 
 /** Type of the data that a drag of an asset carries: the id of the asset. */
 export const ASSET_DRAG = 'application/x-scrim-asset';
@@ -20,6 +22,30 @@ interface PlacedAsset {
   readonly asset: Asset;
   /** Name of the undo step. */
   readonly label: string;
+  /** For a capture that is shown at once: where an eye sees it. */
+  readonly start?: CaptureStart | null;
+}
+
+/** A camera of a capture. */
+interface CaptureStart {
+  readonly positionM: readonly number[];
+  /** The angle about y of where it looks. */
+  readonly yawRad: number;
+}
+
+const EYE_HEIGHT_M = 1.6;
+/** The range of the position of a node. */
+const MOST_M: number = POSITION_PARAM.max[0];
+
+/** Params that put a capture so that this camera of it stands at the start of a visitor, and looks ahead. */
+function poseAround({ positionM: [x = 0, y = 0, z = 0], yawRad }: CaptureStart) {
+  const [cos, sin] = [Math.cos(yawRad), Math.sin(yawRad)];
+  const rounded = (value: number): number => Number(value.toFixed(4));
+  const inRange = (value: number): number => rounded(Math.min(MOST_M, Math.max(-MOST_M, value)));
+  return {
+    positionM: [-(cos * x - sin * z), EYE_HEIGHT_M - y, -(sin * x + cos * z)].map(inRange),
+    rotationRad: [0, rounded(-yawRad), 0],
+  };
 }
 
 /**
@@ -27,7 +53,7 @@ interface PlacedAsset {
  * captured place or splats over the layer on the screen, so that they are visible at once. Returns the node to select; null if no node
  * outputs such assets.
  */
-export function placeAsset(editor: Editor, { id: assetId, asset, label }: PlacedAsset, place: Place): string | null {
+export function placeAsset(editor: Editor, { id: assetId, asset, label, start }: PlacedAsset, place: Place): string | null {
   const { project, library, graph } = editor.document.getState();
   const source = sourceOf(library, asset.kind);
   if (source === null) {
@@ -38,7 +64,15 @@ export function placeAsset(editor: Editor, { id: assetId, asset, label }: Placed
   const change = sequence(
     project,
     (before) => putAsset(before, { id: assetId, asset }),
-    (before) => addNode(before, { library, graph, id, type: source.type, ...place, params: { [source.param]: assetId } }),
+    (before) =>
+      addNode(before, {
+        library,
+        graph,
+        id,
+        type: source.type,
+        ...place,
+        params: { [source.param]: assetId, ...(start && poseAround(start)) },
+      }),
     shown(editor, asset.kind, id, place),
     placeFreely(project, { library, graph, hasThumbnail: editor.preferences.getState().thumbnails }),
   );
