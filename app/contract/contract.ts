@@ -1,6 +1,7 @@
 import { z } from 'zod';
 import { PHOTOGRAPH_CALLS } from './photograph-calls.ts';
 import { diagnostic, handle, isWithinLimit, projectPath, side } from './shapes.ts';
+import { REPHOTOGRAPH_CALLS } from './rephotograph-calls.ts';
 
 /*
  * The contract between editor and host: inputs and outputs of all calls, and the events. The preload script of Electron, the loopback
@@ -258,6 +259,7 @@ export const HOST_CONTRACT = {
   /** Cancels a frame render and deletes its frames. */
   'frames.cancel': { input: z.object({ handle }), output: z.object({}) },
   ...PHOTOGRAPH_CALLS,
+  ...REPHOTOGRAPH_CALLS,
   /** Cancels the export of a project, if there is one. */
   'export.cancel': { input: z.object({ handle }), output: z.object({}) },
 } as const;

@@ -1,13 +1,11 @@
 import { z } from 'zod';
-import { diagnostic, handle, isWithinLimit, projectPath, side } from './shapes.ts';
+import { diagnostic, handle, isWithinLimit, pictureSize, projectPath, side } from './shapes.ts';
 
 /** The camera of all photographs of an acquisition: `AcquiredCamera`. */
 const acquiredCamera = z.discriminatedUnion('projection', [
   z.object({ projection: z.literal('perspective'), widthPx: side, heightPx: side, fovYRad: z.number().positive().max(Math.PI) }),
   z.object({ projection: z.literal('equirectangular'), widthPx: side, heightPx: side }),
 ]);
-
-const pictureSize = z.object({ widthPx: side, heightPx: side });
 
 /** Path of a program that the user typed; null if none. */
 const programPath = z.string().min(1).max(4096).nullable();

@@ -30,3 +30,5 @@ export function isWithinLimit(bytes: Uint8Array): boolean {
 
 /** Side of a rendered image in pixels. */
 export const side = z.number().int().min(1).max(8192);
+
+export const pictureSize = z.object({ widthPx: side, heightPx: side });

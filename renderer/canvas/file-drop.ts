@@ -40,7 +40,7 @@ export function useFileDrop(toCanvas: (client: Place) => Place) {
           return;
         }
         const place = toCanvas({ x: event.clientX, y: event.clientY });
-        if (asset !== '') addAssetToGraph(editor, asset, place);
+        if (asset !== '') void addAssetToGraph(editor, asset, place);
         else if (type === '') void addFiles(editor, [...event.dataTransfer.files], place);
         else addFromLibrary(editor, type, place);
       },

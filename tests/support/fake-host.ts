@@ -112,6 +112,11 @@ export function createFakeHost(
     }),
     'photographs.cancel': () => ({}),
     'photographs.stage': ({ folder }) => ({ folder: `/project/.scrim/photographs/${folder}` }),
+    'rephotograph.begin': ({ method }) => ({ methods: [method ?? 'lumigraph'], views: 2 }),
+    'rephotograph.add': () => ({}),
+    'rephotograph.finish': () => ({ means: [{ method: 'lumigraph', psnrDb: 30.5, ssim: 0.9, chromaError: 2, covered: 1 }] }),
+    'rephotograph.cancel': () => ({}),
+    'rephotograph.show': () => ({ url: 'http://127.0.0.1:2/', opened: false }),
     ...handlers,
   };
   return {

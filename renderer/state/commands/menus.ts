@@ -22,6 +22,7 @@ export const MENUS: readonly { readonly label: string; readonly entries: readonl
       'file.render',
       'file.photograph',
       'file.photographs',
+      'file.rephotograph',
     ],
   },
   {

@@ -1,5 +1,5 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { ExportedReport, HostEvent, ProjectFiles } from '../../../app/contract/contract.ts';
+import type { ExportedReport, HostEvent, HostOutput, ProjectFiles } from '../../../app/contract/contract.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { CanvasPlace, DraggedWire } from './canvas-state.ts';
 
@@ -68,6 +68,9 @@ export type DialogRequest =
   | { readonly kind: 'photograph' }
   /** Imports a folder of photographs. `folder` is its path; empty if it is not known yet. */
   | { readonly kind: 'photographs'; readonly folder: string }
+  /** How a capture is rephotographed. `path`: the chosen capture. */
+  | { readonly kind: 'rephotograph'; readonly path?: string }
+  | { readonly kind: 'rephotographed'; readonly rephotographed: RephotographMeans }
   /** Asks about unsaved changes that an action would discard; `proceed` continues the action. */
   | { readonly kind: 'unsaved'; readonly proceed: () => void }
   | { readonly kind: 'recovery'; readonly files: ProjectFiles }
@@ -84,6 +87,16 @@ export type DialogRequest =
   | { readonly kind: 'commands' }
   | { readonly kind: 'shortcuts' }
   | { readonly kind: 'find' };
+
+/** How well a capture shows its photographs, each drawn from all others. */
+export interface RephotographMeans {
+  /** Path of its `capture.json`. */
+  readonly path: string;
+  /** Number of photographs. */
+  readonly views: number;
+  /** Means over all photographs, by method. */
+  readonly means: HostOutput<'rephotograph.finish'>['means'];
+}
 
 export interface Toast {
   readonly id: number;

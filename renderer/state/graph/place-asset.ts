@@ -1,5 +1,5 @@
 import { putAsset } from '../../../export/graph/commands/asset-commands.ts';
-import { sequence, unchanged } from '../../../export/graph/commands/change.ts';
+import { type Change, sequence, unchanged } from '../../../export/graph/commands/change.ts';
 import { addNode } from '../../../export/graph/commands/node-commands.ts';
 import { makeNodeId } from '../../../export/graph/document-names.ts';
 import type { Asset, Project } from '../../../export/graph/project.ts';
@@ -49,8 +49,9 @@ function poseAround({ positionM: [x = 0, y = 0, z = 0], yawRad }: CaptureStart) 
 }
 
 /**
- * Adds a node that outputs an asset, and the asset unless the project has it, as one undo step. A model is also put into the scene, so that
- * it is visible at once. Returns the node to select; null if no node outputs such assets.
+ * Adds a node that outputs an asset, and the asset unless the project has it, as one undo step. A model is also put into the scene, and a
+ * captured place or splats over the layer on the screen, so that they are visible at once. Returns the node to select; null if no node
+ * outputs such assets.
  */
 export function placeAsset(editor: Editor, { id: assetId, asset, label, start }: PlacedAsset, place: Place): string | null {
   const { project, library, graph } = editor.document.getState();
@@ -72,24 +73,30 @@ export function placeAsset(editor: Editor, { id: assetId, asset, label, start }:
         ...place,
         params: { [source.param]: assetId, ...(start && poseAround(start)) },
       }),
-    asset.kind === 'model' ? showObjects({ node: id, port: 'objects' }, place, { library, random: editor.random }) : unchanged,
-    start === undefined ? unchanged : showLayer({ node: id, port: 'layer' }, place, { library, random: editor.random }),
+    shown(editor, asset.kind, id, place),
     placeFreely(project, { library, graph, hasThumbnail: editor.preferences.getState().thumbnails }),
   );
   if (!apply(editor, label, change)) return null;
-  return asset.kind === 'model' ? selectPlacement(editor, id, project) : id;
+  return selectPlacement(editor, id, project);
+}
+
+/** Makes a new node visible, if it is a thing to be placed or a place. Images and videos are materials for other nodes. */
+function shown({ document, random }: Editor, kind: AssetKind, id: string, place: Place): (project: Project) => Change {
+  const { library } = document.getState();
+  if (kind === 'model') return showObjects({ node: id, port: 'objects' }, place, { library, random });
+  return kind === 'capture' || kind === 'splats' ? showLayer({ node: id, port: 'layer' }, place, { library, random }) : unchanged;
 }
 
 /**
- * Scrolls to the nodes that were added with a model. Returns the Transform that places the model, or the model if no Transform was added.
+ * Scrolls to the nodes that were added to show an asset. Returns the Transform that places it, or its node if no Transform was added.
  */
-function selectPlacement(editor: Editor, model: string, before: Project): string {
+function selectPlacement(editor: Editor, source: string, before: Project): string {
   const state = editor.document.getState();
   const { nodes } = graphOf(state);
   const added = Object.keys(nodes).filter((id) => before.graphs[state.graph]?.nodes[id] === undefined);
   const outputs = Object.keys(nodes).filter((id) => nodes[id]?.type === 'output/screen');
   if (added.length > 1) revealNodes(editor.ui, [...added, ...outputs], 'fit');
-  return added.find((id) => nodes[id]?.type === 'objects/transform') ?? model;
+  return added.find((id) => nodes[id]?.type === 'objects/transform') ?? source;
 }
 
 /** The source node with an asset param of this kind; of several, the plain one: `source/capture`, not `source/capture-mesh`. */

@@ -219,6 +219,7 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
         return;
       // Only pages that render frames, photographs or pictures of models send these.
       case 'photographed':
+      case 'rephotographed':
       case 'frame-rendered':
       case 'render-finished':
       case 'render-failed':
