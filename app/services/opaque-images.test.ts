@@ -58,6 +58,61 @@ test('images without transparency are found, whatever their files are called', a
   ]);
 });
 
+test('files whose headers say less than their pixels count as transparent', async () => {
+  const opaque = await sharp({ create: { width: 8, height: 8, channels: 3, background: 'red' } })
+    .webp()
+    .toBuffer();
+  const chunk = (type: string, content: Uint8Array) => {
+    const head = Buffer.alloc(8);
+    head.write(type, 'latin1');
+    head.writeUInt32LE(content.length, 4);
+    return Buffer.concat([head, content, Buffer.alloc(content.length % 2)]);
+  };
+  const webp = (flags: number, ...chunks: readonly Uint8Array[]) => {
+    const content = Buffer.concat([chunk('VP8X', Buffer.from([flags, 0, 0, 0, 7, 0, 0, 7, 0, 0])), ...chunks]);
+    return chunk('RIFF', Buffer.concat([Buffer.from('WEBP'), content]));
+  };
+  const picture = opaque.subarray(12);
+  const deep = await sharp(
+    Uint16Array.from({ length: 64 * 4 }, (_, i) => (i === 63 * 4 + 3 ? 65_534 : 65_535)),
+    {
+      raw: { width: 8, height: 8, channels: 4 },
+    },
+  )
+    .toColorspace('rgb16')
+    .png()
+    .toBuffer();
+  const png = await sharp({ create: { width: 8, height: 8, channels: 3, background: 'red' } })
+    .png()
+    .toBuffer();
+  const iphone = Buffer.concat([
+    png.subarray(0, 8),
+    Buffer.from('\0\0\0\x04CgBI\x50\0\x20\x02\x2b\xd5\xb3\x7f', 'latin1'),
+    png.subarray(8),
+  ]);
+  const clear = sharp({ create: { width: 8, height: 8, channels: 4, background: { r: 255, g: 0, b: 0, alpha: 0.5 } } });
+  const files: Readonly<Record<string, Uint8Array>> = {
+    'plain.webp': webp(0, picture),
+    'with-profile.webp': webp(0x20, chunk('ICCP', Buffer.alloc(3)), picture),
+    'announced.webp': webp(0x10, picture),
+    'unannounced.webp': webp(0, chunk('ALPH', Buffer.alloc(5)), picture),
+    'lossless.webp': webp(0, chunk('VP8L', Buffer.alloc(9))),
+    'animated.webp': webp(0x02, chunk('ANIM', Buffer.alloc(6)), chunk('ANMF', Buffer.concat([Buffer.alloc(16), picture]))),
+    'cut.webp': webp(0, picture).subarray(0, 32),
+    'cut-flags.webp': webp(0, picture).subarray(0, 20),
+    'almost.png': deep,
+    'iphone.png': iphone,
+    'cut-color.png': png.subarray(0, 25),
+    'cut-chunks.png': png.subarray(0, 34),
+    'clear.gif': await clear.clone().gif().toBuffer(),
+    'clear.avif': await clear.clone().avif({ effort: 0 }).toBuffer(),
+    'nothing.png': new Uint8Array(),
+  };
+  for (const [name, bytes] of Object.entries(files)) await writeFile(join(root, name), bytes);
+  const assets = Object.fromEntries(Object.keys(files).map((path) => [path, { path, kind: 'image' as const }]));
+  expect(await findOpaqueImages(root, assets)).toEqual(['plain.webp', 'with-profile.webp']);
+});
+
 test('videos without alpha channel are found by their tracks', async () => {
   const box = (type: string, ...content: readonly Buffer[]) => {
     const head = Buffer.alloc(8);

@@ -9,6 +9,8 @@ const HEAD_BYTES = 65_536;
 const PNG_SIGNATURE = '\x89PNG\r\n\x1a\n';
 const PNG_COLOR_TYPE = 25;
 const FIRST_CHUNK = 8;
+/** Length and type of the first chunk, which files for iPhones alone put another one before. */
+const PNG_HEADER = '\0\0\0\rIHDR';
 /** Color types with an alpha channel (PNG specification, section 11.2.1). */
 const WITH_ALPHA: readonly number[] = [4, 6];
 
@@ -18,9 +20,11 @@ const MAX_DECODED_BYTES = 16 * 2 ** 20;
 const WEBP_CHUNK = 12;
 const WEBP_FLAGS = 20;
 const WEBP_ALPHA = 0x10;
+/** Frames of an animation may leave parts of the image transparent, whatever they contain themselves. */
+const WEBP_ANIMATION = 0x02;
 
 /**
- * Finds the images and videos of a project that have no transparency: JPEG files, lossy WebP files without alpha, and PNG files without alpha
+ * Finds the images and videos of a project that have no transparency: JPEG files, lossy still WebP files without alpha, and PNG files without alpha
  * channel and `tRNS` chunk, or with an alpha channel that is 1 in each pixel; videos as `isOpaqueVideo` says. A file that cannot be read is
  * not among them.
  *
@@ -47,13 +51,25 @@ async function isOpaque(path: string): Promise<boolean> {
   const head = await readRange(path, 0, HEAD_BYTES);
   if (head.length > 2 && head.readUInt16BE(0) === 0xffd8) return true;
   if (head.toString('latin1', 8, WEBP_CHUNK) === 'WEBP') return isOpaqueWebP(head);
-  if (head.toString('latin1', 0, FIRST_CHUNK) !== PNG_SIGNATURE || head.length <= PNG_COLOR_TYPE) return false;
+  if (head.toString('latin1', 0, FIRST_CHUNK + 8) !== PNG_SIGNATURE + PNG_HEADER || head.length <= PNG_COLOR_TYPE) return false;
   return WITH_ALPHA.includes(head[PNG_COLOR_TYPE] ?? 0) ? hasOpaquePixels(path) : !hasTransparentColor(head);
 }
 
 function isOpaqueWebP(head: Buffer): boolean {
-  const chunk = head.toString('latin1', WEBP_CHUNK, WEBP_CHUNK + 4);
-  return chunk === 'VP8 ' || (chunk === 'VP8X' && ((head[WEBP_FLAGS] ?? WEBP_ALPHA) & WEBP_ALPHA) === 0);
+  const first = chunkAt(head, WEBP_CHUNK);
+  if (first !== 'VP8X') return first === 'VP8 ';
+  const flags = head[WEBP_FLAGS] ?? WEBP_ALPHA;
+  if ((flags & (WEBP_ALPHA | WEBP_ANIMATION)) !== 0) return false;
+  // Decoders show the alpha of a file that does not announce it.
+  for (let at = WEBP_CHUNK; at + 8 <= head.length; at += 8 + 2 * Math.ceil(head.readUInt32LE(at + 4) / 2)) {
+    if (chunkAt(head, at) === 'VP8 ') return true;
+    if (chunkAt(head, at) === 'ALPH' || chunkAt(head, at) === 'VP8L') return false;
+  }
+  return false;
+}
+
+function chunkAt(head: Buffer, at: number): string {
+  return head.toString('latin1', at, at + 4);
 }
 
 /** Whether the `tRNS` chunk of a PNG file comes before the pixels, or the pixels do not begin in what was read. */

@@ -81,3 +81,26 @@ describe('a page that filters a photograph', () => {
     await page.close();
   });
 });
+
+describe('a page that filters an image with transparency', () => {
+  const passes = Object.fromEntries(Object.entries(NODES).filter(([id]) => !['slider-a', 'curves-a', 'map-a', 'sepia-a'].includes(id)));
+  const wires = [
+    'photo-a.layer -> blur-a.inputImage',
+    'blur-a.layer -> bloom-a.inputImage',
+    'bloom-a.layer -> choose-a.inside',
+    'photo-a.layer -> skin-a.inputImage',
+    'skin-a.layer -> choose-a.mask',
+    'blur-a.layer -> choose-a.outside',
+    'choose-a.layer -> sepia-b.inputImage',
+    'sepia-b.layer -> screen-a.layer',
+  ];
+
+  test('has at most 30 KB of script, with the sessions in which the room shows through', async () => {
+    const { fused } = twins({ ...passes, 'sepia-b': node('filter/sepia') }, wires, {}, { fold: true });
+    const page = await servePage({ ...fused, title: 'A cutout' }, photo);
+    const scripts = page.report.files.filter(({ kind }) => kind === 'script');
+    expect(scripts.map(({ path }) => path.split('-')[0]).sort()).toEqual(['page', 'sessions']);
+    expect(scripts.reduce((sum, { gzip }) => sum + gzip, 0)).toBeLessThanOrEqual(30_000);
+    await page.close();
+  });
+});

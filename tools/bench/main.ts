@@ -18,10 +18,13 @@ export async function main(args: readonly string[], context: ToolContext): Promi
     .flatMap((path) => /^([^/]+)\.bench\.ts$/.exec(path)?.[1] ?? [])
     .filter((name) => words.length === 0 || words.some((word) => name.includes(word)));
   const measured: Measured[] = [];
+  const leftOut: string[] = [];
   for (const name of names) {
     // The bundler includes all files that match this pattern.
     const file = (await import(`./${name}.bench.ts`)) as BenchFile;
-    for (const bench of await file.benches(context)) {
+    const benches = await file.benches(context);
+    if (benches.length === 0) leftOut.push(name);
+    for (const bench of benches) {
       console.error(`${bench.name} …`);
       measured.push(await measure(bench));
     }
@@ -30,6 +33,7 @@ export async function main(args: readonly string[], context: ToolContext): Promi
   const csv = (await readIfThere(path)) ?? '';
   console.log(printTable(measured, readResults(csv)));
   for (const { notes } of measured) if (notes !== undefined) console.log(notes);
+  if (leftOut.length > 0) console.log(`Not measured, because files are missing (see above): ${leftOut.join(', ')}.`);
   if (record) {
     const stamp = await stampOf(root);
     await writeIfChanged(

@@ -15,7 +15,7 @@ export async function findModel(root: string): Promise<string | null> {
     await access(model);
     return model;
   } catch {
-    console.error(`Left out, because ${path} is missing: what is measured with its model.`);
+    console.error(`What is measured with the model ${path} is left out: the file is missing.`);
     return null;
   }
 }
