@@ -4,7 +4,7 @@ import { frameTraffic } from './frame-traffic.ts';
 
 const SIZE = { widthPx: 10, heightPx: 5 } as const;
 const LAYER_BYTES = 10 * 5 * 4;
-const NO_DRAWS = { draws: 0, drawnBytes: 0, resolvedBytes: 0 };
+const NO_DRAWS = { draws: 0, drawnBytes: 0, resolvedBytes: 0, screenDepthBytes: 0 };
 
 test('counts the layers that passes read and write, and textures that targets share once', () => {
   const { separate, fused } = chain(['filter/sepia', 'filter/vignette', 'filter/grey']);
@@ -38,7 +38,13 @@ const SCENE = {
 
 test('counts what objects write to the screen, and what is read to resolve its samples', () => {
   const { fused } = twins(SCENE, ['box-a.objects -> scene-a.objects', 'scene-a.layer -> screen-a.layer']);
-  expect(frameTraffic(fused, SIZE)).toMatchObject({ passes: 0, draws: 1, drawnBytes: DRAWN_BYTES, resolvedBytes: RESOLVED_BYTES });
+  expect(frameTraffic(fused, SIZE)).toMatchObject({
+    passes: 0,
+    draws: 1,
+    drawnBytes: DRAWN_BYTES,
+    resolvedBytes: RESOLVED_BYTES,
+    screenDepthBytes: LAYER_BYTES,
+  });
 });
 
 test('counts what objects write to a layer, and the depth that an effect reads of it', () => {
@@ -52,5 +58,6 @@ test('counts what objects write to a layer, and the depth that an effect reads o
     // The depth is resolved, too.
     drawnBytes: DRAWN_BYTES + LAYER_BYTES,
     resolvedBytes: 2 * RESOLVED_BYTES,
+    screenDepthBytes: 0,
   });
 });

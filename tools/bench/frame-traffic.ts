@@ -20,6 +20,8 @@ export interface FrameTraffic {
   readonly drawnBytes: number;
   /** Bytes of samples that are read to resolve them. */
   readonly resolvedBytes: number;
+  /** Bytes of the depth buffer of the session's framebuffer (docs/adr/0047), without further samples. */
+  readonly screenDepthBytes: number;
 }
 
 /** What objects are drawn into. */
@@ -94,6 +96,7 @@ export function frameTraffic(program: Program, reference: ReferenceSize): FrameT
     drawnBytes:
       sum(drawn, ({ pixels, colorBytes, hasDepth, samples }) => pixels * samples * (colorBytes + (hasDepth ? DEPTH_BYTES : 0))) +
       sum(multisampled, (into) => into.pixels * resolved(into)),
+    screenDepthBytes: program.presentation.screenDepth === 'none' ? 0 : screenPixels * DEPTH_BYTES,
     resolvedBytes: sum(multisampled, (into) => into.pixels * into.samples * resolved(into)),
   };
 }

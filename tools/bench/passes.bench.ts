@@ -19,6 +19,7 @@ const FIGURES: readonly (readonly [name: string, unit: Bench['unit'], of: (traff
   ['draws of objects', 'count', ({ draws }) => draws],
   ['bytes written per frame by draws of objects', 'kB', ({ drawnBytes }) => drawnBytes / 1000],
   ['bytes read per frame to resolve samples', 'kB', ({ resolvedBytes }) => resolvedBytes / 1000],
+  ['bytes of the depth of the screen', 'kB', ({ screenDepthBytes }) => screenDepthBytes / 1000],
 ];
 
 /**
