@@ -26,6 +26,8 @@ export interface ProgramUse {
   readonly panoramas: boolean;
   /** Whether techniques of the program show what is behind their objects. Models may contain glass without this. */
   readonly glass: boolean;
+  /** Whether materials compute effects. */
+  readonly materialEffects: boolean;
   /** Whether techniques of the program draw edges as lines. */
   readonly techniqueEdges: boolean;
   /** Whether a technique reads the direction field of meshes. */
@@ -100,6 +102,7 @@ export function programUse(program: Program): ProgramUse {
     readsView: readsView(program),
     panoramas: uses('environment'),
     glass: program.operations.some((operation) => 'glass' in operation && operation.glass === true),
+    materialEffects: program.operations.some((operation) => 'effects' in operation && operation.effects !== undefined),
     techniqueEdges: program.resources.some(
       (resource) => resource.kind === 'technique' && resource.passes.some(({ side }) => side === 'edges'),
     ),

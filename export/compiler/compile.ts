@@ -34,6 +34,8 @@ export interface CompileOptions {
   readonly fuse?: boolean;
   /** Ids of image assets without transparency, whose fused passes need not divide by alpha. */
   readonly opaqueImages?: readonly string[];
+  /** Ids of model assets without transparent materials, in which effects can be computed (docs/adr/0055). */
+  readonly opaqueModels?: readonly string[];
   /** Compute once what is the same in every frame while only controls of the page set params (docs/adr/0048): for exports and plans. */
   readonly fold?: boolean;
   /** Report nodes that the output does not depend on (SCR021). */
@@ -82,7 +84,7 @@ export function createCompiler(): Compiler {
   return {
     compile: ({ project, library: base, options = {} }) => {
       const { taps = [], thumbnails = [], loopBudget = false, sourceMaps = true, reportUnused = false } = options;
-      const { fuse = false, fold: folds = false, opaqueImages = [] } = options;
+      const { fuse = false, fold: folds = false, opaqueImages = [], opaqueModels = [] } = options;
       const diagnostics: Diagnostic[] = [];
       const library = projectLibrary(base, project.sources, shaders.readDefinition);
 
@@ -94,7 +96,8 @@ export function createCompiler(): Compiler {
       if (checked.output === null || hasErrors(diagnostics)) return { output: null, diagnostics, above: [], separate: [] };
       const folding = folds ? fold(checked.output, unchangedLayers(checked.output, library, shaders)) : null;
       const used = folding?.checked ?? checked.output;
-      const scheduled = schedule(used, { library, shaders, loopBudget, fuse, opaqueImages: new Set(opaqueImages) });
+      const known = { opaqueImages: new Set(opaqueImages), opaqueModels: new Set(opaqueModels) };
+      const scheduled = schedule(used, { library, shaders, loopBudget, fuse, ...known });
       diagnostics.push(...scheduled.diagnostics);
       if (scheduled.output === null) return { output: null, diagnostics, above: shadersAbove(scheduled), separate: [] };
       const linked = link(scheduled.output, { sourceMaps });
