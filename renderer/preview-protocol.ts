@@ -1,5 +1,6 @@
 import type { Photograph } from '../export/captures/acquire/take-photograph.ts';
 import type { AcquiredCamera } from '../export/captures/acquire/write-transforms.ts';
+import type { Rephotograph, RephotographMethod } from '../export/captures/evaluate/rephotograph.ts';
 import type { LinkedShader, Program } from '../export/program/program.ts';
 import type { Handle, ParamValue } from '../nodes/kit/definition.ts';
 import type { Diagnostic } from '../nodes/kit/diagnostics.ts';
@@ -83,6 +84,10 @@ export type ToPreview =
   | { readonly kind: 'photographs-begin'; readonly request: PhotographsRequest }
   /** Takes a photograph. `worldFromCamera`: column-major 4×4. */
   | { readonly kind: 'photograph'; readonly camera: AcquiredCamera; readonly worldFromCamera: readonly number[] }
+  /** Loads a capture, to draw its photographs from all others. The page answers `rephotographed`, and does nothing else from then on. */
+  | { readonly kind: 'rephotograph-begin'; readonly request: RephotographRequest }
+  /** Draws a photograph from all others by one method. */
+  | { readonly kind: 'rephotograph'; readonly index: number; readonly method: RephotographMethod }
   /** Draws a model alone, framed, on a transparent background. `path`: its asset. `request` is a counter that the answer repeats. */
   | {
       readonly kind: 'draw-model';
@@ -128,7 +133,17 @@ export type ToPreview =
 /** Messages to hidden pages, each of which does one such work. */
 export type HiddenWork = Extract<
   ToPreview,
-  { kind: 'render-begin' | 'render-frame' | 'render-end' | 'photographs-begin' | 'photograph' | 'draw-model' }
+  {
+    kind:
+      | 'render-begin'
+      | 'render-frame'
+      | 'render-end'
+      | 'photographs-begin'
+      | 'photograph'
+      | 'rephotograph-begin'
+      | 'rephotograph'
+      | 'draw-model';
+  }
 >;
 
 /**
@@ -157,6 +172,15 @@ export type FrameRenderSource =
 export interface PhotographsRequest extends Pick<FrameRenderRequest, 'program' | 'values' | 'assetBaseUrl'> {
   /** A layer with depth that the program keeps for viewing. */
   readonly layer: string;
+}
+
+export interface RephotographRequest {
+  readonly assetBaseUrl: string;
+  /** The folder of the capture in the project, ending in `/`. */
+  readonly folder: string;
+  readonly methods: readonly RephotographMethod[];
+  /** Number of photographs per pixel of the lumigraph. */
+  readonly blended: number;
 }
 
 /** How much of the room a program gets: with the camera's image, without it, or nothing of the room. */
@@ -245,13 +269,18 @@ export type FromPreview =
   | { readonly kind: 'render-failed'; readonly diagnostic: Diagnostic }
   /** The answer to `photographs-begin`, with null, and to `photograph`. Failures are answered by `render-failed`. */
   | { readonly kind: 'photographed'; readonly photograph: Photograph | null }
+  /** The answer to `rephotograph-begin`, with null, and to `rephotograph`. Failures are answered by `render-failed`. */
+  | { readonly kind: 'rephotographed'; readonly shot: DrawnRephotograph | null }
   /**
    * The answer to `draw-model`. `image`: null if the model cannot be loaded. `gpuBytes`: its textures with mipmaps and its geometry; null if it
    * cannot be read.
    */
   | { readonly kind: 'model-drawn'; readonly request: number; readonly image: ImageBitmap | null; readonly gpuBytes: number | null }
-  /** A session began. Null if it is not a recording and cannot seek. */
-  | { readonly kind: 'frames'; readonly frames: FrameTimes | null }
+  /**
+   * A session began. Frame times are null if it is not a recording and cannot seek. `shape`: width of the images of a recording divided by
+   * their height.
+   */
+  | { readonly kind: 'frames'; readonly frames: FrameTimes | null; readonly shape: number | null }
   /** All problems of the running program, or of the program of `revision` if it could not be played. */
   | { readonly kind: 'diagnostics'; readonly revision: number; readonly diagnostics: readonly Diagnostic[] }
   /**
@@ -294,6 +323,11 @@ export type FromPreview =
   | { readonly kind: 'costs'; readonly costs: readonly OperationCost[] }
   /** The answer to `poster`. `bytes`: the JPEG; null if nothing is shown. */
   | { readonly kind: 'poster'; readonly request: number; readonly bytes: Uint8Array<ArrayBuffer> | null };
+
+export interface DrawnRephotograph extends Rephotograph {
+  readonly widthPx: number;
+  readonly heightPx: number;
+}
 
 /** A recorded session. */
 export interface RecordedFiles {

@@ -1,4 +1,4 @@
-import type { CompileOptions } from '../../export/compiler/compile.ts';
+import type { CompileOptions } from '../../export/compiler/compile-options.ts';
 import type { Project } from '../../export/graph/project.ts';
 import type { ProjectFiles } from '../contract/contract.ts';
 import { type CompiledProject, compileProject } from '../services/compile-project.ts';

@@ -15,6 +15,7 @@ import { rephotographCommand } from './commands/rephotograph.ts';
 import { scoreCommand } from './commands/score.ts';
 import { shaderCheckCommand } from './commands/shader-check.ts';
 import { shaderImportCommand } from './commands/shader-import.ts';
+import { simplifyCommand } from './commands/simplify.ts';
 import { commandHelp, overviewHelp } from './help.ts';
 import { nameNodes } from './name-nodes.ts';
 import { parseCall } from './parse-call.ts';
@@ -31,6 +32,7 @@ export const COMMANDS: readonly Command[] = [
   acquireCommand,
   scoreCommand,
   reconstructCommand,
+  simplifyCommand,
   importCaptureCommand,
   rephotographCommand,
   shaderCheckCommand,

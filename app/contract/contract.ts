@@ -1,4 +1,7 @@
 import { z } from 'zod';
+import { PHOTOGRAPH_CALLS } from './photograph-calls.ts';
+import { diagnostic, handle, isWithinLimit, projectPath, side } from './shapes.ts';
+import { REPHOTOGRAPH_CALLS } from './rephotograph-calls.ts';
 
 /*
  * The contract between editor and host: inputs and outputs of all calls, and the events. The preload script of Electron, the loopback
@@ -8,35 +11,10 @@ import { z } from 'zod';
  * The host reads and writes files; it does not interpret documents. Texts are passed unchanged.
  */
 
-const diagnostic = z.object({
-  code: z.string().regex(/^SCR\d{3}$/),
-  severity: z.enum(['error', 'warning', 'info']),
-  message: z.string(),
-  nodeId: z.string().optional(),
-  port: z.string().optional(),
-  file: z.string().optional(),
-  line: z.number().optional(),
-  column: z.number().optional(),
-  fix: z.string().optional(),
-});
-
-/** Id of an open project. Valid while it is open. Never a path. */
-const handle = z.string().regex(/^[a-z0-9]{16,64}$/);
-
-/** Path relative to the project folder, with `/`. The host rejects paths that leave the folder. */
-const projectPath = z.string().min(1).max(512);
-
-/** Limit for an imported asset: larger than any model that a phone can load, and small enough for memory. */
-export const MAX_ASSET_BYTES = 512 * 2 ** 20;
-
 /** Limit for an asset that is copied with its nodes. Clipboards take some hundred megabytes of text. */
 export const MAX_COPIED_BYTES = 32 * 2 ** 20;
 
 const MAX_POSTER_BYTES = 8 * 2 ** 20;
-
-function isWithinLimit(bytes: Uint8Array): boolean {
-  return bytes.length <= MAX_ASSET_BYTES;
-}
 
 /** Text of a JSON document of a project. */
 const documentText = z.string().max(64 * 2 ** 20);
@@ -77,17 +55,6 @@ const sessionSource = z.object({ id: z.string(), title: z.string(), kind: z.enum
 
 /** Path of an image in the folder of a session. */
 const sessionFile = z.string().regex(/^(?:color\/\d{6}\.jpg|depth\/\d{6}\.png|room\.voxels)$/);
-
-/** Side of a rendered image in pixels. */
-const side = z.number().int().min(1).max(8192);
-
-/** The camera of all photographs of an acquisition: `AcquiredCamera`. */
-const acquiredCamera = z.discriminatedUnion('projection', [
-  z.object({ projection: z.literal('perspective'), widthPx: side, heightPx: side, fovYRad: z.number().positive().max(Math.PI) }),
-  z.object({ projection: z.literal('equirectangular'), widthPx: side, heightPx: side }),
-]);
-
-const pictureSize = z.object({ widthPx: side, heightPx: side });
 
 const thumbnailUrl = z.string().startsWith('data:image/jpeg;base64,').optional();
 
@@ -181,8 +148,21 @@ export const HOST_CONTRACT = {
   'menu.show': { input: z.object({ menus: z.array(platformMenu).max(16) }), output: z.object({}) },
   /** Asks for a folder with the native dialog; null if the user cancels or the host has no dialog. */
   'folder.pick': {
-    input: z.object({ purpose: z.enum(['new', 'open', 'save-as', 'export', 'render']) }),
+    input: z.object({ purpose: z.enum(['new', 'open', 'save-as', 'export', 'render', 'photographs']) }),
     output: z.object({ path: z.string().nullable() }),
+  },
+  /**
+   * Lists the folders in the folder `path`, or in its nearest ancestor that exists, for hosts without a native dialog. `path` is absolute or
+   * begins with `~/`; empty: the projects folder.
+   */
+  'folder.list': {
+    input: z.object({ path: z.string().max(4096) }),
+    output: z.object({
+      path: z.string(),
+      /** Null for the root of a drive. */
+      parent: z.string().nullable(),
+      folders: z.array(z.object({ name: z.string(), path: z.string(), isProject: z.boolean() })),
+    }),
   },
   'project.open': { input: z.object({ path: z.string().min(1).max(4096) }), output: openProject },
   /** Creates a project from a template in a new or empty folder and opens it. The name of the folder becomes the title. */
@@ -278,44 +258,8 @@ export const HOST_CONTRACT = {
   },
   /** Cancels a frame render and deletes its frames. */
   'frames.cancel': { input: z.object({ handle }), output: z.object({}) },
-  /**
-   * Begins an acquisition: photographs of the scene, which become the capture `assets/NAME.capture/`. `poses`: column-major 4×4, in the order
-   * of the photographs. One at a time per project.
-   */
-  'capture.begin': {
-    input: z.object({
-      handle,
-      name: z.string().min(1).max(80),
-      camera: acquiredCamera,
-      poses: z.array(z.array(z.number()).length(16)).min(1).max(1000),
-    }),
-    output: z.object({}),
-  },
-  /**
-   * Adds a photograph: premultiplied RGBA, and meters as 32-bit floats, little-endian; rows from the top. After an error all photographs are
-   * deleted.
-   */
-  'capture.add': {
-    input: z.object({
-      handle,
-      index: z.number().int().min(0).max(999),
-      colorSize: pictureSize,
-      rgba: z.instanceof(Uint8Array).refine(isWithinLimit, 'too large'),
-      depthSize: pictureSize,
-      meters: z.instanceof(Uint8Array).refine((bytes) => isWithinLimit(bytes) && bytes.length % 4 === 0, 'too large, or no 32-bit floats'),
-    }),
-    output: z.object({}),
-  },
-  /**
-   * Packs the photographs, reporting progress as events. `path` is that of `capture.json`, for the asset table, which the editor keeps; null if
-   * the acquisition was canceled.
-   */
-  'capture.finish': {
-    input: z.object({ handle }),
-    output: z.object({ path: projectPath.nullable(), diagnostics: z.array(diagnostic) }),
-  },
-  /** Cancels an acquisition and deletes its photographs. */
-  'capture.cancel': { input: z.object({ handle }), output: z.object({}) },
+  ...PHOTOGRAPH_CALLS,
+  ...REPHOTOGRAPH_CALLS,
   /** Cancels the export of a project, if there is one. */
   'export.cancel': { input: z.object({ handle }), output: z.object({}) },
 } as const;
@@ -329,6 +273,14 @@ export const hostEvent = z.discriminatedUnion('kind', [
   z.object({ kind: z.literal('project-changed-outside'), handle, revision: z.string() }),
   /** Progress of an export or an acquisition, as text for the user. */
   z.object({ kind: z.literal('export-progress'), handle, text: z.string() }),
+  z.object({
+    kind: z.literal('photographs-progress'),
+    handle,
+    step: z.enum(['features', 'matches', 'cameras', 'mesh', 'pack']),
+    text: z.string(),
+  }),
+  /** What COLMAP prints. */
+  z.object({ kind: z.literal('photographs-log'), handle, lines: z.array(z.string()) }),
   /** Only shaders changed on disk. `text` is null if a shader was deleted; `from` is the revision before the change. */
   z.object({
     kind: z.literal('shaders-changed-outside'),

@@ -16,6 +16,7 @@ const PICK_TITLES = {
   'save-as': 'Save Project As',
   export: 'Export Page',
   render: 'Folder for the Rendered Frames',
+  photographs: 'Folder of Photographs',
 } as const;
 
 /** Runs the editor in a window until it is closed. */

@@ -312,9 +312,11 @@ describe('the two origins', () => {
     expect(editor.headers['content-security-policy']).toContain("default-src 'none'");
     expect(editor.headers['content-security-policy']).toContain(`frame-src ${server.previewOrigin};`);
     expect(editor.headers['content-security-policy']).toContain("frame-ancestors 'none'");
+    expect(editor.headers['origin-agent-cluster']).toBe('?1');
     const preview = await raw(server.previewOrigin, '/index.html');
     expect(preview.text).toBe('<title>preview</title>');
     expect(preview.headers['content-security-policy']).toContain(`frame-ancestors ${server.editorOrigin}`);
+    expect(preview.headers['origin-agent-cluster']).toBe('?1');
     expect(await raw(server.editorOrigin, '/assets/editor.js')).toMatchObject({ status: 200 });
     expect(await raw(server.editorOrigin, '/assets/preview.js')).toMatchObject({ status: 404 });
     expect(await raw(server.previewOrigin, '/assets/preview.js')).toMatchObject({ status: 200 });

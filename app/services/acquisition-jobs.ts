@@ -1,11 +1,12 @@
-import { mkdtemp, rm } from 'node:fs/promises';
-import { tmpdir } from 'node:os';
+import { rm } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import type { Photograph } from '../../export/captures/acquire/take-photograph.ts';
 import type { AcquiredCamera } from '../../export/captures/acquire/write-transforms.ts';
 import { type PackedCapture, packCapture } from './add-capture.ts';
 import { errorCode, refusal, writeRefusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
+import { createProjectJobs } from './project-jobs.ts';
+import { makeStagingFolder } from './staging-folder.ts';
 import { type AcquisitionWriter, createAcquisitionWriter } from './write-acquisition.ts';
 
 /** Acquisitions of the editor in progress, one per open project. The editor draws the photographs; the host packs them into a capture. */
@@ -41,7 +42,6 @@ export interface AcquisitionOptions {
 }
 
 interface Job extends AcquisitionOptions {
-  readonly client: string;
   /** Holds the photographs until they are packed. */
   readonly folder: string;
   readonly writer: AcquisitionWriter;
@@ -51,47 +51,37 @@ interface Job extends AcquisitionOptions {
 const MATRIX_TOLERANCE = 1e-6;
 
 export function createAcquisitionJobs(files: FileLayer): AcquisitionJobs {
-  const jobs = new Map<string, Job>();
-  const jobOf = (projectId: string): Job => {
-    const job = jobs.get(projectId);
-    if (!job) throw refusal('SCR073', 'No photographs of this project are being taken.');
-    return job;
-  };
-  const cancel = async (projectId: string): Promise<void> => {
-    const job = jobs.get(projectId);
-    jobs.delete(projectId);
-    job?.canceled.abort();
-    if (job) await rm(job.folder, { recursive: true, force: true }).catch(() => {});
-  };
+  const jobs = createProjectJobs<Job>('No photographs of this project are being taken.', async ({ folder, canceled }) => {
+    canceled.abort();
+    await rm(folder, { recursive: true, force: true }).catch(() => {});
+  });
   return {
     begin: async (projectId, client, options) => {
-      await cancel(projectId);
+      await jobs.cancel(projectId);
       if (!options.poses.every(isAffine)) throw refusal('SCR073', 'The pose of a camera is not a matrix of a pose.');
-      const folder = await mkdtemp(join(tmpdir(), 'scrim-photographs-')).catch((error: unknown) => {
-        throw writeRefusal(error, tmpdir());
-      });
+      const folder = await makeStagingFolder();
       const write = async (path: string, bytes: Uint8Array): Promise<void> => {
         const target = join(folder, path);
         await files.makeFolder(dirname(target));
         await files.writeNew(target, bytes);
       };
       const writer = createAcquisitionWriter(write, { ...options, depthFormat: 'pfm' });
-      jobs.set(projectId, { ...options, client, folder, writer, canceled: new AbortController() });
+      await jobs.begin(projectId, client, { ...options, folder, writer, canceled: new AbortController() });
     },
     add: async (projectId, index, photograph) => {
-      const job = jobOf(projectId);
+      const job = jobs.of(projectId);
       const { color, depth } = photograph;
       const isWhole = color.pixels.length === 4 * color.widthPx * color.heightPx && depth.meters.length === depth.widthPx * depth.heightPx;
       if (!isWhole || index >= job.poses.length) throw refusal('SCR073', 'The photograph has the wrong size or number.');
       try {
         await job.writer.add(index, photograph);
       } catch (error) {
-        if (jobs.get(projectId) === job) await cancel(projectId);
+        if (jobs.has(projectId, job)) await jobs.cancel(projectId);
         throw errorCode(error) === undefined ? error : writeRefusal(error, job.folder);
       }
     },
     finish: async (projectId, say) => {
-      const job = jobOf(projectId);
+      const job = jobs.of(projectId);
       const { folder, root, name, writer, canceled } = job;
       try {
         if (writer.empty.length === writer.views.length) throw refusal('SCR069', 'No photograph shows anything.', NOTHING_FIX);
@@ -113,16 +103,12 @@ export function createAcquisitionJobs(files: FileLayer): AcquisitionJobs {
         if (canceled.signal.aborted) return null;
         throw errorCode(error) === undefined ? error : writeRefusal(error, folder);
       } finally {
-        if (jobs.get(projectId) === job) await cancel(projectId);
+        if (jobs.has(projectId, job)) await jobs.cancel(projectId);
       }
     },
-    cancel,
-    left: (client) => {
-      for (const [projectId, job] of jobs) if (job.client === client) void cancel(projectId);
-    },
-    dispose: () => {
-      for (const projectId of [...jobs.keys()]) void cancel(projectId);
-    },
+    cancel: jobs.cancel,
+    left: jobs.left,
+    dispose: jobs.dispose,
   };
 }
 

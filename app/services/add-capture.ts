@@ -56,6 +56,8 @@ export interface CaptureJob {
     /** Null: depth files where they are, else the mesh. */
     readonly from: 'files' | 'mesh' | 'none' | null;
   };
+  /** Makes the mesh of the folder smaller; absent: it stays as it is. */
+  readonly simplify?: (mesh: CaptureMesh) => Promise<CaptureMesh>;
   readonly files: FileLayer;
   /** Receives progress texts. */
   readonly say: (text: string) => void;
@@ -128,7 +130,8 @@ export async function packCapture(job: CaptureJob): Promise<PackedCapture> {
 async function packWhole(job: CaptureJob): Promise<PackedCapture> {
   const { folder, root, files, say, interrupted } = job;
   say('Reading cameras and mesh…');
-  const { source, views, mesh: ownMesh, diagnostics: warnings } = await readCaptureFolder(resolve(folder));
+  const { source, views, mesh: wholeMesh, diagnostics: warnings } = await readCaptureFolder(resolve(folder));
+  const ownMesh = wholeMesh && job.simplify ? await job.simplify(wholeMesh) : wholeMesh;
   const diagnostics = [...warnings];
   const depths = await findUsedDepths(job, views);
   const missing = views.filter((_, i) => depths[i] == null);

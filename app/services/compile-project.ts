@@ -1,5 +1,6 @@
 import { compileApart } from '../../export/bundle/compile/compile-apart.ts';
-import { type Compiled, type CompileOptions, compile } from '../../export/compiler/compile.ts';
+import { type Compiled, compile } from '../../export/compiler/compile.ts';
+import type { CompileOptions } from '../../export/compiler/compile-options.ts';
 import type { FoldedNode } from '../../export/compiler/fold/folded-node.ts';
 import { isImported } from '../../export/compiler/imported-assets.ts';
 import type { SeparateWire } from '../../export/compiler/schedule/fuse/separate-wire.ts';

@@ -57,6 +57,8 @@ function headers(policy: readonly string[]): Record<string, string> {
     'content-security-policy': policy.join('; '),
     'cross-origin-resource-policy': 'same-origin',
     'cross-origin-opener-policy': 'same-origin',
+    // Browsers then run editor and preview in processes of their own, although they are the same site: neither blocks the other.
+    'origin-agent-cluster': '?1',
     'referrer-policy': 'no-referrer',
     'x-content-type-options': 'nosniff',
   };

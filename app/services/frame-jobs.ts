@@ -1,9 +1,10 @@
-import type { FileSink } from '../../export/bundle/bundle-page.ts';
 import type { HostOutput } from '../contract/contract.ts';
 import { encodeLayer } from './encode-png.ts';
 import { errorCode, refusal, writeRefusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
-import { type FolderMark, writePageFolder } from './page-folder.ts';
+import { type HeldFolder, holdFolder } from './held-folder.ts';
+import type { FolderMark } from './page-folder.ts';
+import { createProjectJobs } from './project-jobs.ts';
 
 /** Frame renders in progress, one per open project. */
 export interface FrameJobs {
@@ -34,82 +35,48 @@ export interface FrameRenderOptions {
 }
 
 interface Job extends FrameRenderOptions {
-  readonly client: string;
-  readonly sink: FileSink;
+  readonly folder: HeldFolder;
   readonly names: string[];
-  /** Ends the job: true completes it, false discards it. */
-  readonly end: (whole: boolean) => void;
-  /** Resolves when the folder is in place or has been deleted. */
-  readonly done: Promise<unknown>;
 }
 
 const SEQUENCE_FILE = 'sequence.json';
 const MARK: FolderMark = { file: SEQUENCE_FILE, format: 'scrim-sequence', words: 'frames that were rendered earlier' };
 
 export function createFrameJobs(files: FileLayer): FrameJobs {
-  const jobs = new Map<string, Job>();
-  const jobOf = (projectId: string): Job => {
-    const job = jobs.get(projectId);
-    if (!job) throw refusal('SCR073', 'No frames of this project are being rendered.');
-    return job;
-  };
-  const cancel = async (projectId: string): Promise<void> => {
-    const job = jobs.get(projectId);
-    jobs.delete(projectId);
-    job?.end(false);
-    await job?.done.catch(() => {});
-  };
+  const jobs = createProjectJobs<Job>('No frames of this project are being rendered.', ({ folder }) => folder.discard());
   return {
     begin: async (projectId, client, options) => {
-      await cancel(projectId);
-      await new Promise<void>((resolve, reject) => {
-        const done: Promise<unknown> = writePageFolder(
-          options.out,
-          files,
-          (sink) =>
-            new Promise<true | null>((settle) => {
-              jobs.set(projectId, { ...options, client, sink, names: [], done, end: (whole) => settle(whole || null) });
-              resolve();
-            }),
-          MARK,
-        );
-        done.catch(reject);
-      });
+      await jobs.cancel(projectId);
+      await jobs.begin(projectId, client, { ...options, folder: await holdFolder(options.out, files, MARK), names: [] });
     },
     add: async (projectId, number, rgba) => {
-      const job = jobOf(projectId);
-      const { widthPx, heightPx, sink, names, out } = job;
+      const job = jobs.of(projectId);
+      const { widthPx, heightPx, folder, names, out } = job;
       if (rgba.length !== widthPx * heightPx * 4) throw refusal('SCR073', 'The frame has the wrong size.');
       const name = `${String(number).padStart(6, '0')}.png`;
       try {
-        await sink.write(name, encodeLayer({ widthPx, heightPx, pixels: rgba }));
+        await folder.sink.write(name, encodeLayer({ widthPx, heightPx, pixels: rgba }));
       } catch (error) {
-        if (jobs.get(projectId) === job) await cancel(projectId);
+        if (jobs.has(projectId, job)) await jobs.cancel(projectId);
         throw errorCode(error) === undefined ? error : writeRefusal(error, out);
       }
       names.push(name);
     },
     finish: async (projectId, { title, frameRateHz }) => {
-      const job = jobOf(projectId);
-      const { out, names, widthPx, heightPx, sink } = job;
+      const { out, names, widthPx, heightPx, folder } = jobs.of(projectId);
       const about = { format: MARK.format, version: 1, title, frameRateHz, widthPx, heightPx, files: names.map((path) => ({ path })) };
       try {
-        await sink.write(SEQUENCE_FILE, new TextEncoder().encode(`${JSON.stringify(about, null, 2)}\n`));
+        await folder.sink.write(SEQUENCE_FILE, new TextEncoder().encode(`${JSON.stringify(about, null, 2)}\n`));
       } catch (error) {
-        await cancel(projectId);
+        await jobs.cancel(projectId);
         throw errorCode(error) === undefined ? error : writeRefusal(error, out);
       }
-      jobs.delete(projectId);
-      job.end(true);
-      await job.done;
+      jobs.complete(projectId);
+      await folder.complete();
       return { out, pictures: names.length };
     },
-    cancel,
-    left: (client) => {
-      for (const [projectId, job] of jobs) if (job.client === client) void cancel(projectId);
-    },
-    dispose: () => {
-      for (const projectId of [...jobs.keys()]) void cancel(projectId);
-    },
+    cancel: jobs.cancel,
+    left: jobs.left,
+    dispose: jobs.dispose,
   };
 }

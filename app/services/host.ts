@@ -1,5 +1,6 @@
 import { homedir } from 'node:os';
 import { isAbsolute, join } from 'node:path';
+import type { ImageQuality } from '../../export/captures/evaluate/image-quality.ts';
 import type { HostEvent, HostInput, PlatformMenu } from '../contract/contract.ts';
 import type { Answer } from '../contract/host-error.ts';
 import { POSTER_SIZE } from '../contract/poster-size.ts';
@@ -16,13 +17,17 @@ import { findExamples, withThumbnail } from './find-examples.ts';
 import { createFrameJobs } from './frame-jobs.ts';
 import { importAsset } from './import-asset.ts';
 import type { Installation } from './installation.ts';
+import { listFolders } from './list-folders.ts';
 import { createOpenProjects } from './open-projects.ts';
 import { createPageServers } from './page-servers.ts';
+import { createPhotographImports } from './photograph-imports.ts';
 import { findProject, listAssets } from './project-files.ts';
 import { readAsset } from './read-asset.ts';
+import { createRephotographJobs, reportFolder } from './rephotograph/rephotograph-jobs.ts';
 import { ROOMS } from './rooms.ts';
 import { saveSession } from './save-session.ts';
 import { findSessions, SESSIONS_FOLDER } from './session-list.ts';
+import { sweepStagingFolders } from './staging-folder.ts';
 import { createProject, findTemplates } from './templates.ts';
 
 /** What a shell (Electron or the loopback server) provides to the host. */
@@ -76,7 +81,15 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
   const exports = createExportJobs();
   const frames = createFrameJobs(files);
   const acquisitions = createAcquisitionJobs(files);
+  const photographs = createPhotographImports(files);
+  const rephotographs = createRephotographJobs(files);
   const pages = createPageServers();
+  void sweepStagingFolders();
+  const show = async (folder: string, open: boolean) => {
+    const url = await pages.serve(folder);
+    if (open) await shell.openInBrowser?.(url);
+    return { url, opened: open && shell.openInBrowser !== null };
+  };
   const projects = createOpenProjects({ content, previewOrigin: shell.origins.preview, files, emit, isThere: clients.isThere });
 
   const handlers: Handlers = {
@@ -104,6 +117,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       return {};
     },
     'folder.pick': async ({ purpose }) => ({ path: shell.pickFolder ? await shell.pickFolder(purpose) : null }),
+    'folder.list': ({ path }) => listFolders(path.trim() === '' ? installation.projectsDir : fullPath(path, 'SCR004')),
     'project.open': async ({ path }, client) => {
       const typed = fullPath(path, 'SCR004');
       const root = await findProject(typed);
@@ -128,6 +142,8 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       exports.cancel(handle);
       await frames.cancel(handle);
       await acquisitions.cancel(handle);
+      photographs.cancel(handle);
+      await rephotographs.cancel(handle);
       projects.close(handle);
       return {};
     },
@@ -183,9 +199,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       projects.rootOf(handle);
       const folder = exports.lastOf(handle);
       if (folder === null) throw refusal('SCR004', 'This project has no exported page yet.');
-      const url = await pages.serve(folder);
-      if (open) await shell.openInBrowser?.(url);
-      return { url, opened: open && shell.openInBrowser !== null };
+      return show(folder, open);
     },
     'frames.begin': async ({ handle, out, widthPx, heightPx }, client) => {
       projects.rootOf(handle);
@@ -219,6 +233,43 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       await acquisitions.cancel(handle);
       return {};
     },
+    'photographs.look': async ({ handle, folder, colmap }) => {
+      projects.rootOf(handle);
+      return photographs.look({ colmap }, fullPath(folder, 'SCR004'));
+    },
+    'photographs.import': ({ handle, folder, ...options }, client) =>
+      photographs.run(handle, client, {
+        ...options,
+        root: projects.rootOf(handle),
+        folder: fullPath(folder, 'SCR004'),
+        onProgress: (progress) => emit({ kind: 'photographs-progress', handle, ...progress }),
+        onLines: (lines) => emit({ kind: 'photographs-log', handle, lines }),
+      }),
+    'photographs.cancel': async ({ handle }) => {
+      photographs.cancel(handle);
+      return {};
+    },
+    'photographs.stage': async ({ handle, ...file }) => ({ folder: await photographs.stage(projects.rootOf(handle), file) }),
+    'rephotograph.begin': ({ handle, ...options }, client) =>
+      rephotographs.begin(handle, client, { root: projects.rootOf(handle), ...options }),
+    'rephotograph.add': async ({ handle, index, method, size, picture, error, ...quality }) => {
+      await rephotographs.add(handle, index, { method, ...size, picture, error, ...mapFigures(quality, (figure) => figure ?? Number.NaN) });
+      return {};
+    },
+    'rephotograph.finish': async ({ handle }) => {
+      const means = await rephotographs.finish(handle);
+      return {
+        means: means.map(({ method, ...quality }) => ({
+          method,
+          ...mapFigures(quality, (figure) => (Number.isFinite(figure) ? figure : null)),
+        })),
+      };
+    },
+    'rephotograph.cancel': async ({ handle }) => {
+      await rephotographs.cancel(handle);
+      return {};
+    },
+    'rephotograph.show': async ({ handle, path }) => show(await reportFolder(projects.rootOf(handle), path), true),
     'export.cancel': async ({ handle }) => {
       exports.cancel(handle);
       return {};
@@ -241,6 +292,8 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
         if (clients.isThere(client)) return;
         frames.left(client);
         acquisitions.left(client);
+        photographs.left(client);
+        rephotographs.left(client);
         projects.left(client);
       };
     },
@@ -254,10 +307,18 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       exports.dispose();
       frames.dispose();
       acquisitions.dispose();
+      photographs.dispose();
+      rephotographs.dispose();
       projects.dispose();
       await Promise.all([...calls, pages.dispose()]);
     },
   };
+}
+
+/** Messages have null for figures that are no numbers. */
+function mapFigures<From, To>(quality: Record<keyof ImageQuality, From>, map: (figure: From) => To): Record<keyof ImageQuality, To> {
+  const { psnrDb, ssim, chromaError, covered } = quality;
+  return { psnrDb: map(psnrDb), ssim: map(ssim), chromaError: map(chromaError), covered: map(covered) };
 }
 
 /** The address of a folder ends in a slash. */

@@ -38,7 +38,11 @@ const MAX_PHOTO_BYTES = 256 * 2 ** 20;
 /** Folders in which reconstructions keep their cameras. */
 const CAMERA_FOLDERS = ['', 'sparse/0', 'sparse', 'colmap/sparse/0', 'sparse_bin'];
 const PHOTO_FOLDERS = ['images', ''];
-const MESH_FOLDERS = ['', 'dense'];
+/** The last one has the mesh of points that `reconstruct` makes: any other is finer. */
+const MESH_FOLDERS = ['', 'dense', 'sparse/0'];
+/** The mesh of points, beside the cameras. */
+export const SPARSE_MESH = 'mesh.ply';
+const DEPTH_FOLDERS = ['depth', 'depths', 'depth_maps', 'stereo/depth_maps'];
 /** Views below which a place has gaps from most sides. */
 const FEW_VIEWS = 4;
 /** How far the shape of a photograph may differ from that of its camera. */
@@ -86,7 +90,19 @@ function warning(message: string): Diagnostic {
   return { code: 'SCR069', severity: 'warning', message };
 }
 
-async function readCameras(folder: string): Promise<SourceCapture> {
+/** Whether a folder has files of cameras, or needs none. @throws CaptureError if they are damaged */
+export async function hasCameras(folder: string): Promise<boolean> {
+  return (await findCameras(folder)) !== null;
+}
+
+/** Reads the cameras of a folder. @throws CaptureError if it has none */
+export async function readCameras(folder: string): Promise<SourceCapture> {
+  const found = await findCameras(folder);
+  if (found) return found;
+  throw new CaptureError('it has no cameras: neither cameras.txt and images.txt (or .bin) of COLMAP nor transforms.json');
+}
+
+async function findCameras(folder: string): Promise<SourceCapture | null> {
   for (const place of CAMERA_FOLDERS) {
     const read = (name: string) => readIfThere(join(folder, place, name));
     for (const [ending, reader] of [
@@ -100,9 +116,7 @@ async function readCameras(folder: string): Promise<SourceCapture> {
   }
   const transforms = await readIfThere(join(folder, 'transforms.json'));
   if (transforms) return readTransforms(transforms);
-  const alone = await findPanorama(folder);
-  if (alone) return alone;
-  throw new CaptureError('it has no cameras: neither cameras.txt and images.txt (or .bin) of COLMAP nor transforms.json');
+  return findPanorama(folder);
 }
 
 /** What a single 360° photograph without cameras is called. */
@@ -185,14 +199,26 @@ const POINTS_FILE = /^(fused|points3D|sparse_pc)\.ply$/i;
 
 async function readMesh(folder: string): Promise<CaptureMesh | null> {
   for (const place of MESH_FOLDERS) {
-    const names = (await readdir(join(folder, place)).catch(() => [])).filter((name) => MESH_ENDING.test(name) && !POINTS_FILE.test(name));
-    const name = MESH_NAMES.find((known) => names.includes(known)) ?? names.sort()[0];
-    if (name !== undefined) return readMeshFile(join(folder, place), name);
+    const name = await findMesh(join(folder, place));
+    if (name !== null) return readMeshFile(join(folder, place), name);
   }
   return null;
 }
 
-async function readMeshFile(folder: string, name: string): Promise<CaptureMesh> {
+async function findMesh(folder: string): Promise<string | null> {
+  const names = (await readdir(folder).catch(() => [])).filter((name) => MESH_ENDING.test(name) && !POINTS_FILE.test(name));
+  return MESH_NAMES.find((known) => names.includes(known)) ?? names.sort()[0] ?? null;
+}
+
+/** Whether a folder has a mesh or depth of other programs. */
+export async function hasSurface(folder: string): Promise<boolean> {
+  const meshes = await Promise.all(MESH_FOLDERS.slice(0, -1).map((place) => findMesh(join(folder, place))));
+  const depths = await Promise.all(DEPTH_FOLDERS.map((place) => readdir(join(folder, place)).catch(() => [])));
+  return meshes.some((name) => name !== null) || depths.some((names) => names.length > 0);
+}
+
+/** Reads a mesh: PLY, OBJ, or glTF with its files. @throws CaptureError */
+export async function readMeshFile(folder: string, name: string): Promise<CaptureMesh> {
   const bytes = await readBytes(join(folder, name), MAX_FILE_BYTES);
   const ending = extname(name).toLowerCase();
   if (ending === '.ply') return readPly(bytes);

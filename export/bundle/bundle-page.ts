@@ -56,9 +56,17 @@ export interface BundleInput {
  */
 export async function bundlePage(input: BundleInput): Promise<Result<ExportReport>> {
   const { root, readAsset, compress = true, cache = null, say = () => {} } = input;
-  const { assets: usedIds } = programUse(input.program);
+  const { assets: usedIds, techniqueEdges } = programUse(input.program);
   const used = input.program.assets.filter(({ id }) => usedIds.has(id));
-  const prepared = await prepareAssets(used, { root, readAsset, compress, cache, streams: !input.singleFile, say });
+  const prepared = await prepareAssets(used, {
+    root,
+    readAsset,
+    compress,
+    cache,
+    streams: !input.singleFile,
+    findsBorders: techniqueEdges === 'of open models',
+    say,
+  });
   if (prepared.output === null) return { output: null, diagnostics: prepared.diagnostics };
   const tooLarge = input.singleFile ? prepared.output.assets.flatMap(largePlace) : [];
   if (tooLarge.length > 0) return { output: null, diagnostics: tooLarge };

@@ -2,7 +2,8 @@ import { readdir, readFile } from 'node:fs/promises';
 import { join, resolve } from 'node:path';
 import { expect, test } from '@jest/globals';
 import { build } from 'esbuild';
-import { STILL_TYPES } from '../program/may-rest.ts';
+import { DEFINITIONS } from '../../nodes/generated/definitions.gen.ts';
+import { MOVED_TYPES, STILL_TYPES } from '../program/may-rest.ts';
 import { VIEW_READERS } from '../program/reads-view.ts';
 import { PANORAMA_MAKERS } from './optional/part.ts';
 import { CAMERA_MEAN_READERS } from './optional/runtime-parts.ts';
@@ -84,4 +85,11 @@ test('the node types that say when they change are known', async () => {
     if (/^ {4}(?:get version\(\)|version: 0,)/m.test(text)) found.push(file.split(/[/\\]/).slice(0, 2).join('/'));
   }
   expect(found.sort()).toEqual(STILL_TYPES);
+});
+
+test('each node type that lists objects says when they change, or is compared', () => {
+  const listed = DEFINITIONS.filter(({ outputs }) => Object.values(outputs).some(({ type }) => type === 'objects'));
+  const types = listed.map(({ type }) => type);
+  expect(types.filter((type) => !STILL_TYPES.includes(type) && !MOVED_TYPES.includes(type))).toEqual([]);
+  expect(MOVED_TYPES.filter((type) => STILL_TYPES.includes(type) || !types.includes(type))).toEqual([]);
 });

@@ -2,8 +2,21 @@ import type { Capability } from '../../nodes/kit/definition.ts';
 import type { TableType } from '../../nodes/kit/wire-types.ts';
 import { mayRest } from '../program/may-rest.ts';
 import type { Tier } from '../program/needs.ts';
-import type { NodeOperation, Operation, Program, ProgramAsset, Resource, SizeExpression, TargetSize } from '../program/program.ts';
+import type {
+  BuiltinUniform,
+  NodeOperation,
+  Operation,
+  PassSampler,
+  Program,
+  ProgramAsset,
+  Resource,
+  SizeExpression,
+  SlotType,
+  TargetSize,
+} from '../program/program.ts';
 import { drawsScenes, readsView } from '../program/reads-view.ts';
+
+type TargetFormat = Extract<Resource, { kind: 'target' }>['format'];
 
 /** The parts of Scrim that a program needs. */
 export interface ProgramUse {
@@ -28,8 +41,10 @@ export interface ProgramUse {
   readonly glass: boolean;
   /** Whether materials compute effects. */
   readonly materialEffects: boolean;
-  /** Whether techniques of the program draw edges as lines. */
-  readonly techniqueEdges: boolean;
+  /**
+   * Which edges techniques of the program draw as lines: all, or those of meshes with a border, which only models may have, or none.
+   */
+  readonly techniqueEdges: 'all' | 'of open models' | 'none';
   /** Whether a technique reads the direction field of meshes. */
   readonly techniqueDirections: boolean;
   /** Whether a technique reads the radial curvature of meshes. */
@@ -46,6 +61,7 @@ export interface ProgramUse {
   readonly workerTypes: ReadonlySet<string>;
   readonly operationKinds: ReadonlySet<Operation['kind']>;
   readonly resourceKinds: ReadonlySet<Resource['kind']>;
+  readonly targetFormats: ReadonlySet<TargetFormat>;
   /** Whether the size of a target is another than that of what it is relative to. */
   readonly computedSizes: boolean;
   /** Types of the params that its shaders read from textures. */
@@ -56,6 +72,13 @@ export interface ProgramUse {
   readonly depthMeshes: boolean;
   /** Whether it draws captures with weights per vertex. */
   readonly vertexWeights: boolean;
+  /** Kinds of what passes read as textures. */
+  readonly samplerKinds: ReadonlySet<PassSampler['source']['kind']>;
+  /** Uniforms of ISF that passes read. */
+  readonly builtins: ReadonlySet<BuiltinUniform>;
+  readonly slotTypes: ReadonlySet<SlotType>;
+  /** Words of its expressions and of the sizes of its targets. */
+  readonly words: ReadonlySet<string>;
   /** Whether its shaders import images. */
   readonly importsImages: boolean;
   /** Whether a pass is drawn once per frame, whatever the number of views. */
@@ -103,9 +126,7 @@ export function programUse(program: Program): ProgramUse {
     panoramas: uses('environment'),
     glass: program.operations.some((operation) => 'glass' in operation && operation.glass === true),
     materialEffects: program.operations.some((operation) => 'effects' in operation && operation.effects !== undefined),
-    techniqueEdges: program.resources.some(
-      (resource) => resource.kind === 'technique' && resource.passes.some(({ side }) => side === 'edges'),
-    ),
+    techniqueEdges: edgesOf(program),
     techniqueRadial: program.resources.some((resource) => resource.kind === 'technique' && resource.fragment.includes(RADIAL)),
     techniqueDirections: program.resources.some(
       (resource) => resource.kind === 'technique' && DIRECTIONS.some((field) => resource.fragment.includes(field)),
@@ -117,11 +138,16 @@ export function programUse(program: Program): ProgramUse {
     labels: nodes.some(({ type }) => type === 'objects/label'),
     operationKinds: new Set(program.operations.map(({ kind }) => kind)),
     resourceKinds,
+    targetFormats: new Set(program.resources.flatMap((resource) => (resource.kind === 'target' ? [resource.format] : []))),
     computedSizes: program.resources.some((resource) => resource.kind === 'target' && isComputed(resource.size)),
     tableTypes: new Set(program.resources.flatMap((resource) => (resource.kind === 'table' ? [resource.of] : []))),
     assetKinds: new Set(program.assets.filter(({ id }) => assets.has(id)).map(({ kind }) => kind)),
     depthMeshes: program.assets.some(({ depthMeshes }) => depthMeshes),
     vertexWeights: nodes.some(({ type, config }) => type === 'source/capture' && Number(config.updateFrames) > 0),
+    samplerKinds: new Set(passes.flatMap(({ samplers }) => samplers.map(({ source }) => source.kind))),
+    builtins: new Set(passes.flatMap(({ uniforms }) => uniforms.flatMap(({ source }) => ('builtin' in source ? [source.builtin] : [])))),
+    slotTypes: new Set(program.slots.slots.map(({ type }) => type)),
+    words: wordsOf(program, nodes),
     importsImages: imported.length > 0,
     passesOnce: passes.some(({ view }) => view === 'once'),
     mayRest: !program.operations.some(({ kind }) => RESTLESS.has(kind)) && !program.resources.some(isCamera),
@@ -134,6 +160,48 @@ export function programUse(program: Program): ProgramUse {
     tiers: new Set(program.tiers.map(({ id }) => id)),
     assets,
   };
+}
+
+/** Node types that make objects, of which those of `source/model` have the borders that their file has. */
+const CLOSED_TYPES: ReadonlySet<string> = new Set(['objects/primitive', 'source/model']);
+
+function edgesOf(program: Program): ProgramUse['techniqueEdges'] {
+  const drawn = program.resources.filter(
+    (resource) => resource.kind === 'technique' && resource.passes.some(({ side }) => side === 'edges'),
+  );
+  const passes = drawn.flatMap((resource) => (resource.kind === 'technique' ? resource.passes : []));
+  if (drawn.length === 0) return 'none';
+  if (passes.some(({ side, open }) => side === 'edges' && open !== true)) return 'all';
+  const isClosed = (node: NodeOperation): boolean => CLOSED_TYPES.has(node.type) && node.config.shape !== 'plane';
+  return makersOf(program, new Set(drawn.map(({ id }) => id))).every(isClosed) ? 'of open models' : 'all';
+}
+
+/** The nodes that make the objects to which techniques are applied. */
+function makersOf({ resources, operations }: Program, techniques: ReadonlySet<string>): readonly NodeOperation[] {
+  const objects = new Set(resources.flatMap(({ id, kind }) => (kind === 'objects' ? [id] : [])));
+  const nodes = operations.filter((operation) => 'type' in operation);
+  const open = nodes.filter(({ reads }) => reads.some((id) => techniques.has(id)));
+  const seen = new Set(open);
+  const makers: NodeOperation[] = [];
+  for (let node = open.pop(); node; node = open.pop()) {
+    const read = node.reads.filter((id) => objects.has(id));
+    if (read.length === 0) makers.push(node);
+    for (const writer of nodes.filter(({ writes }) => writes.some((id) => read.includes(id)))) {
+      if (!seen.has(writer)) open.push(writer);
+      seen.add(writer);
+    }
+  }
+  return makers;
+}
+
+/** Params of nodes that contain an expression in postfix notation. A test compares them with the runtimes. */
+export const EXPRESSION_PARAMS = ['postfix', 'expression'];
+
+function wordsOf({ resources }: Program, nodes: ProgramUse['nodes']): ReadonlySet<string> {
+  const texts = nodes.flatMap(({ config }) => EXPRESSION_PARAMS.map((param) => String(config[param] ?? '')));
+  const sizes = resources.flatMap((resource) => (resource.kind === 'target' ? [resource.size.width, resource.size.height] : []));
+  const operations = sizes.flat().map((token) => (typeof token === 'object' && 'op' in token ? token.op : ''));
+  return new Set([...texts.flatMap((text) => text.split(' ')), ...operations]);
 }
 
 /** As in `export/runtime/scenes/materials/curvature/direction-parts.ts`. A test compares them. */

@@ -6,41 +6,20 @@ import type { ProjectLogic } from '../graph/project.ts';
 import { deviceTable, deviceWarnings } from '../program/devices/device-table.ts';
 import type { LinkedShader, Program } from '../program/program.ts';
 import { type Checked, check } from './check/check-resolved.ts';
+import type { CompileOptions } from './compile-options.ts';
 import type { FlatGraph } from './flat-graph.ts';
 import { fold } from './fold/fold.ts';
 import type { FoldedNode } from './fold/folded-node.ts';
 import type { UnchangedLayers } from './fold/unchanged.ts';
 import { link, named } from './link/link.ts';
 import { print } from './print/print-program.ts';
+import { logReads } from './relink/read-log.ts';
+import { type Compilation, type CompilationInput, relink } from './relink/relink.ts';
 import { resolve } from './resolve/resolve.ts';
 import type { SeparateWire } from './schedule/fuse/separate-wire.ts';
 import { describeLayers } from './schedule/layers.ts';
 import { type ScheduleResult, schedule } from './schedule/schedule.ts';
 import { createShaderStore, type ShaderStore } from './shaders/shader-store.ts';
-
-export interface CompileOptions {
-  /** Layers to view, as `node.port`; missing ones are left out of `program.taps`. */
-  readonly taps?: readonly string[];
-  /**
-   * Further layers to view, in small. One that would make the program request a capability, read input, show controls or depend on earlier frames is left out, so
-   * that thumbnails do not change how the program plays.
-   */
-  readonly thumbnails?: readonly string[];
-  /** Bound the loops of shaders (docs/adr/0012): for previews, never for exports. */
-  readonly loopBudget?: boolean;
-  /** Keep the source maps of shaders; true by default. */
-  readonly sourceMaps?: boolean;
-  /** Draw several passes by one shader where the image stays the same (docs/adr/0043): for exports and plans. */
-  readonly fuse?: boolean;
-  /** Ids of image assets without transparency, whose fused passes need not divide by alpha. */
-  readonly opaqueImages?: readonly string[];
-  /** Ids of model assets without transparent materials, in which effects can be computed (docs/adr/0055). */
-  readonly opaqueModels?: readonly string[];
-  /** Compute once what is the same in every frame while only controls of the page set params (docs/adr/0048): for exports and plans. */
-  readonly fold?: boolean;
-  /** Report nodes that the output does not depend on (SCR021). */
-  readonly reportUnused?: boolean;
-}
 
 export interface CompileInput {
   readonly project: ProjectLogic;
@@ -70,7 +49,8 @@ export interface ShaderAbove {
 }
 
 /**
- * Creates a compiler, which caches shaders by their text across projects and compilations.
+ * Creates a compiler, which caches shaders by their text across projects and compilations. After an edit of shaders alone, it links only
+ * these again (`relink`), unless passes are fused.
  *
  * Every uniform param that can be set at run time is in `program.slots.params`. A missing param either has no effect on the render or is
  * compiled in (such as the opacity of an `over` that blending replaces): compile again to change it.
@@ -81,37 +61,72 @@ export interface ShaderAbove {
  */
 export function createCompiler(): Compiler {
   const shaders = createShaderStore();
+  let last: Compilation | null = null;
   return {
     compile: ({ project, library: base, options = {} }) => {
-      const { taps = [], thumbnails = [], loopBudget = false, sourceMaps = true, reportUnused = false } = options;
-      const { fuse = false, fold: folds = false, opaqueImages = [], opaqueModels = [] } = options;
-      const diagnostics: Diagnostic[] = [];
-      const library = projectLibrary(base, project.sources, shaders.readDefinition);
-
-      const resolved = resolve(project, library);
-      diagnostics.push(...resolved.diagnostics);
-      if (resolved.output === null) return { output: null, diagnostics, above: [], separate: [] };
-      const checked = check(resolved.output, { taps, thumbnails });
-      diagnostics.push(...headerDiagnostics(library, resolved.output.project), ...checked.diagnostics);
-      if (checked.output === null || hasErrors(diagnostics)) return { output: null, diagnostics, above: [], separate: [] };
-      const folding = folds ? fold(checked.output, unchangedLayers(checked.output, library, shaders)) : null;
-      const used = folding?.checked ?? checked.output;
-      const known = { opaqueImages: new Set(opaqueImages), opaqueModels: new Set(opaqueModels) };
-      const scheduled = schedule(used, { library, shaders, loopBudget, fuse, ...known });
-      diagnostics.push(...scheduled.diagnostics);
-      if (scheduled.output === null) return { output: null, diagnostics, above: shadersAbove(scheduled), separate: [] };
-      const linked = link(scheduled.output, { sourceMaps });
-      if (reportUnused) diagnostics.push(...unusedNodes(resolved.output.graph, checked.output.live));
-      const program = print(resolved.output.project, scheduled.output, linked);
-      diagnostics.push(...deviceWarnings(deviceTable(program)));
-      return {
-        output: program,
-        diagnostics,
-        above: [],
-        separate: scheduled.output.separate,
-        ...(folding && { folded: folding.folded }),
-      };
+      const input = { project, options, library: projectLibrary(base, project.sources, shaders.readDefinition) };
+      if (options.fuse || options.fold) return compileWhole(input, shaders).compiled;
+      const relinked = last && relink(last, input, shaders);
+      if (relinked === null) {
+        const { compiled, compilation } = compileWhole(input, shaders);
+        last = compilation ?? last;
+        return compiled;
+      }
+      last = relinked;
+      return finish(relinked);
     },
+  };
+}
+
+/** Runs all phases. There is a compilation if there is a program. */
+function compileWhole(
+  input: CompilationInput,
+  store: ShaderStore,
+): { readonly compiled: Compiled; readonly compilation: Compilation | null } {
+  const { project, options } = input;
+  const {
+    taps = [],
+    thumbnails = [],
+    loopBudget = false,
+    fuse = false,
+    fold: folds = false,
+    opaqueImages = [],
+    opaqueModels = [],
+    reportUnused,
+  } = options;
+  const { library, shaders, log } = logReads(input.library, store);
+  const diagnostics: Diagnostic[] = [];
+  const failed = (above: readonly ShaderAbove[] = []) => ({
+    compiled: { output: null, diagnostics, above, separate: [] },
+    compilation: null,
+  });
+
+  const resolved = resolve(project, library);
+  diagnostics.push(...resolved.diagnostics);
+  if (resolved.output === null) return failed();
+  const migrated = resolved.output.project;
+  const checked = check(resolved.output, { taps, thumbnails });
+  diagnostics.push(...headerDiagnostics(input.library, migrated), ...checked.diagnostics);
+  if (checked.output === null || hasErrors(diagnostics)) return failed();
+  const folding = folds ? fold(checked.output, unchangedLayers(checked.output, library, shaders)) : null;
+  const used = folding?.checked ?? checked.output;
+  const known = { opaqueImages: new Set(opaqueImages), opaqueModels: new Set(opaqueModels) };
+  const scheduled = schedule(used, { library, shaders, loopBudget, fuse, ...known });
+  diagnostics.push(...scheduled.diagnostics);
+  if (scheduled.output === null) return failed(shadersAbove(scheduled));
+  if (reportUnused) diagnostics.push(...unusedNodes(resolved.output.graph, checked.output.live));
+  const compilation = { ...input, log, migrated, schedule: scheduled.output, diagnostics };
+  return { compiled: { ...finish(compilation), ...(folding && { folded: folding.folded }) }, compilation };
+}
+
+/** Links and prints the program. */
+function finish({ migrated, schedule: scheduled, diagnostics, options: { sourceMaps = true } }: Compilation): Compiled {
+  const program = print(migrated, scheduled, link(scheduled, { sourceMaps }));
+  return {
+    output: program,
+    diagnostics: [...diagnostics, ...deviceWarnings(deviceTable(program))],
+    above: [],
+    separate: scheduled.separate,
   };
 }
 
@@ -128,7 +143,7 @@ export function compile(input: CompileInput): Compiled {
   return createCompiler().compile(input);
 }
 
-function unchangedLayers({ graph, live }: Checked, library: ProjectLibrary, shaders: ShaderStore): UnchangedLayers {
+function unchangedLayers({ graph, live }: Checked, library: NodeLibrary, shaders: ShaderStore): UnchangedLayers {
   const shaderOf: UnchangedLayers['shaderOf'] = ({ definition: { lowering } }) => {
     const source = lowering.kind === 'image' ? library.shader(lowering.shader) : undefined;
     return source === undefined || lowering.kind !== 'image' ? null : shaders.read(lowering.shader, source).output;

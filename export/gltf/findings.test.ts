@@ -4,7 +4,7 @@ import { BoxGeometry, BufferGeometry, Float32BufferAttribute, PlaneGeometry, Sph
 import { findingsOf } from './findings.ts';
 import { imageSize } from './image-size.ts';
 import { measureModel } from './measure.ts';
-import { findEdgeFaults } from './open-edges.ts';
+import { findEdgeFaults, mayHaveBorders } from './open-edges.ts';
 import { readGltf } from './read-gltf.ts';
 
 async function model(geometry: BufferGeometry, picture?: Uint8Array) {
@@ -51,6 +51,36 @@ describe('edges', () => {
     fan.setAttribute('normal', new Float32BufferAttribute(new Float32Array(15), 3));
     fan.setIndex([0, 1, 2, 0, 1, 3, 0, 1, 4]);
     expect(findEdgeFaults(await model(fan))).toEqual({ open: 6, branching: 1 });
+  });
+});
+
+describe('whether a model may have borders', () => {
+  test.each([
+    ['a box, whose faces share no vertices', new BoxGeometry(1, 1, 1, 3, 2, 1), false],
+    ['a sphere, whose seam and poles close but for rounding', new SphereGeometry(0.3, 48, 32), false],
+    ['a sheet', new PlaneGeometry(), true],
+    ['half a sphere', new SphereGeometry(1, 16, 8, 0, 2 * Math.PI, 0, Math.PI / 2), true],
+  ])('%s', async (_, geometry, expected) => {
+    expect(mayHaveBorders(await model(geometry))).toBe(expected);
+  });
+
+  test('a box with one face of another material, and one whose lid opens by a morph target', async () => {
+    const box = await model(new BoxGeometry());
+    const { document } = box;
+    const [mesh] = document.meshes ?? [];
+    const [primitive] = mesh?.primitives ?? [];
+    if (!primitive) throw new Error('The model has no primitive.');
+    const [positions] = document.accessors ?? [];
+    const position = primitive.attributes.POSITION ?? 0;
+    const morphed = (target: number) =>
+      mayHaveBorders({ ...box, document: { ...document, meshes: [{ primitives: [{ ...primitive, targets: [{ POSITION: target }] }] }] } });
+    // The normals move the faces apart.
+    expect(morphed(primitive.attributes.NORMAL ?? 0)).toBe(true);
+    expect(morphed(position)).toBe(false);
+    const index = document.accessors?.[primitive.indices ?? -1];
+    if (!index || !positions) throw new Error('The model has no index.');
+    const accessors = (document.accessors ?? []).map((one) => (one === index ? { ...one, count: one.count - 6 } : one));
+    expect(mayHaveBorders({ ...box, document: { ...document, accessors } })).toBe(true);
   });
 });
 

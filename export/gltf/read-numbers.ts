@@ -26,7 +26,8 @@ export function readNumbers({ document, binary }: Gltf, index: number | undefine
   return numbers;
 }
 
-function componentsOf({ type }: GltfAccessor): 1 | 3 | null {
-  if (type === 'SCALAR') return 1;
-  return type === 'VEC3' ? 3 : null;
+const COMPONENTS: Readonly<Record<string, number>> = { SCALAR: 1, VEC3: 3, VEC4: 4 };
+
+function componentsOf({ type }: GltfAccessor): number | null {
+  return COMPONENTS[type] ?? null;
 }

@@ -97,7 +97,11 @@ const LAYOUT = `{
         "note-aaaa": { "x": 0, "y": 220, "width": 100, "height": 50, "text": "Two\\nlines" }
       }
     },
-    "look": {}
+    "look": {
+      "borders": {
+        "inputs": { "x": -240, "y": 16 }
+      }
+    }
   }
 }
 `;

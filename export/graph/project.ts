@@ -114,6 +114,8 @@ export interface GraphLayout {
   readonly reroutes: Readonly<Record<string, Reroute>>;
   /** Wire, as `printWire` writes it → ids of its reroutes from source to target. Wires without reroutes are absent. */
   readonly routes: Readonly<Record<string, readonly string[]>>;
+  /** Top left corners of the borders of a subgraph. A border without place stands beside the nodes. */
+  readonly borders?: Readonly<Partial<Record<keyof ExposedPorts, Place>>>;
 }
 
 /** Position in canvas units (CSS pixels at zoom 1); the origin is arbitrary, y is down. */
@@ -140,8 +142,11 @@ export interface Note {
   readonly text: string;
 }
 
-/** Center of the point. */
-export interface Reroute {
+/** Canvas units. */
+export interface Place {
   readonly x: number;
   readonly y: number;
 }
+
+/** Center of the point. */
+export type Reroute = Place;

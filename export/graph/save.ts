@@ -79,7 +79,7 @@ function saveLayout({ layout }: Project): string {
   });
 }
 
-function saveGraphLayout({ nodes, frames, notes, reroutes, routes }: GraphLayout): PrintableJson {
+function saveGraphLayout({ nodes, frames, notes, reroutes, routes, borders = {} }: GraphLayout): PrintableJson {
   const some = (record: object) => Object.keys(record).length > 0;
   return {
     ...(some(nodes) && {
@@ -93,6 +93,7 @@ function saveGraphLayout({ nodes, frames, notes, reroutes, routes }: GraphLayout
     ...(some(notes) && { notes: mapSorted(notes, ({ x, y, width, height, text }) => inline({ x, y, width, height, text })) }),
     ...(some(reroutes) && { reroutes: mapSorted(reroutes, ({ x, y }) => inline({ x, y })) }),
     ...(some(routes) && { routes: mapSorted(routes, inline) }),
+    ...(some(borders) && { borders: mapSorted(borders, ({ x, y }) => inline({ x, y })) }),
   };
 }
 

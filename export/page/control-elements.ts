@@ -1,15 +1,18 @@
 import type { Control } from '../program/program.ts';
 import type { ControlValues } from './control-values.ts';
 import { element } from './dom.ts';
+import { PHONE } from './start-card.ts';
 
 /** The elements of the page by which visitors set controls. */
 export interface Controls {
   readonly element: HTMLElement;
   /** Shows or hides the controls; they are hidden until the first frame is drawn. */
   setShown(shown: boolean): void;
+  /** Says whether a session was entered. On phones, controls are folded before, because card and controls would cover the image. */
+  setEntered(entered: boolean): void;
 }
 
-/** Number of controls that are visible at first on a phone. A button shows the others. */
+/** Number of controls that are open at first where they do not fit beside the image. A button opens more. */
 const FEW = 2;
 /** Width from which the controls fit beside the image, CSS pixels. */
 const WIDE_PX = 900;
@@ -41,13 +44,17 @@ export function createControls(document: Document, values: ControlValues): Contr
     body.hidden = !next;
     fold.setAttribute('aria-expanded', String(next));
   };
-  setOpen(controls.length <= FEW || (document.defaultView?.innerWidth ?? 0) >= WIDE_PX);
+  const page = document.defaultView;
+  const isPhone = () => page?.matchMedia(PHONE).matches ?? false;
+  const areFew = controls.length <= FEW;
+  setOpen((page?.innerWidth ?? 0) >= WIDE_PX || (areFew && !isPhone()));
   const made = element(document, 'section', { className: 'controls', hidden: true, attributes: { 'aria-label': 'Controls' } }, fold, body);
   return {
     element: made,
     setShown: (shown) => {
       made.hidden = !shown;
     },
+    setEntered: (entered) => setOpen(entered ? isOpen || areFew : isOpen && !isPhone()),
   };
 }
 

@@ -1,3 +1,4 @@
+import { controlTexts } from './control-texts.ts';
 import { element } from './dom.ts';
 import type { SessionMode } from './session-modes.ts';
 import type { StartCardOptions, StartCardState } from './start-card-state.ts';
@@ -85,29 +86,21 @@ function createModeElement({ document, onEnter }: StartCardOptions, mode: Sessio
 
 const PRIVACY = 'Everything stays on your device. This page sends no data.';
 
-function arTexts({ document, asks, controls }: StartCardOptions): HTMLElement[] {
+function arTexts({ document, asks }: StartCardOptions): HTMLElement[] {
   const motion = 'Your browser will ask whether this page may track how your device moves in the room.';
   const items = asks.flatMap(({ what, why }) => [element(document, 'dt', {}, what), element(document, 'dd', {}, why)]);
   return [
     element(document, 'p', {}, motion + (items.length === 0 ? '' : ' It may also use:')),
     ...(items.length === 0 ? [] : [element(document, 'dl', {}, ...items)]),
-    ...(controls.length === 0 ? [] : [element(document, 'p', {}, CONTROLS_IN_ROOM)]),
+    ...controlTexts(document),
     element(document, 'p', { className: 'privacy' }, PRIVACY),
   ];
 }
 
-function vrTexts({ document, controls }: StartCardOptions): HTMLElement[] {
+function vrTexts({ document }: StartCardOptions): HTMLElement[] {
   const asks = 'Your browser will ask whether this page may track your movement. You see a plain room instead of your own.';
-  return [
-    element(document, 'p', {}, asks),
-    ...(controls.length === 0 ? [] : [element(document, 'p', {}, CONTROLS_IN_ROOM)]),
-    element(document, 'p', { className: 'privacy' }, PRIVACY),
-  ];
+  return [element(document, 'p', {}, asks), ...controlTexts(document), element(document, 'p', { className: 'privacy' }, PRIVACY)];
 }
-
-/** Text about the controls in headsets, which have no DOM overlay. */
-const CONTROLS_IN_ROOM =
-  'In a headset the controls are on a panel in front of you, below your eyes. Point at it and press. Values that you set here are kept.';
 
 function cameraTexts(document: Document): HTMLElement[] {
   const asks = 'Your browser will ask for the camera, and perhaps for motion sensors.';

@@ -21,7 +21,7 @@ export interface PageRoot {
 }
 
 /**
- * The poster behind the orbit view: hidden, sharp in place of an image that only the camera gives, or soft behind objects, which it shows,
+ * The poster behind the orbit view: hidden, sharp in place of an image that only the room gives, or soft behind objects, which it shows,
  * too.
  */
 export type Backdrop = 'gone' | 'behind' | 'behind soft';
@@ -70,6 +70,7 @@ export function createPageRoot(options: PageRootOptions): PageRoot {
     notices,
     setMode: (mode) => {
       if (!leave?.setMode(mode)) return;
+      controls?.setEntered(mode !== null);
       // An emulator that used the canvas returns it as the last child, which would cover the panel.
       if (canvas.parentElement === main && main.firstElementChild !== canvas) main.prepend(canvas);
       // The focused element is hidden now.

@@ -13,7 +13,7 @@ export interface StartCard {
 }
 
 /** Where the card would cover the image: it begins with its title, two lines and its buttons. */
-const PHONE = '(width < 480px), (height < 480px) and (pointer: coarse)';
+export const PHONE = '(width < 480px), (height < 480px) and (pointer: coarse)';
 export const TOUCH = '(pointer: coarse)';
 const BY_KEYS = 'Scroll or pinch to zoom. Arrow keys work too.';
 

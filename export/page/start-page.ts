@@ -79,7 +79,7 @@ export async function startPage(page: Window, parts: PageParts): Promise<void> {
       overlay: parts.createLabelLayer?.(root) ?? null,
     });
     await controller.ready;
-    root.showCanvas(createScenes ? 'behind soft' : config.isFilter ? 'behind' : 'gone');
+    root.showCanvas(createScenes ? 'behind soft' : readsRoom(program) ? 'behind' : 'gone');
     // After the first image, which needs none of them. A device with no session to enter does not load them.
     const { loadSessions } = parts;
     const entered = loadSessions !== null && modes.fallbacks.length > 0;
@@ -92,6 +92,11 @@ export async function startPage(page: Window, parts: PageParts): Promise<void> {
   // The worker loads all files, and would take the connection from those that the page still waits for.
   await controller?.complete;
   await keepForOffline(page, config.offline);
+}
+
+/** Whether the orbit view lacks a part of the image: that of the camera, or of the depth of the room. */
+function readsRoom({ needs }: Program): boolean {
+  return needs.some(({ capability }) => capability === 'camera-image' || capability === 'depth');
 }
 
 function readConfig(document: Document): PageConfig {

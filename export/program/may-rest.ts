@@ -22,27 +22,53 @@ export const STILL_TYPES: readonly string[] = [
   'source/model',
   'source/panorama',
   'source/splats',
+  'world/measure',
 ];
 
-/** Kinds of resources that change with what a page compares: values, versions, the view, and whether there is depth of the room. */
+/**
+ * Node types that list objects and do not say when they change, because what moves them gives no sign. Only places and flags of their objects
+ * and the version of their list change by themselves, and the page compares these. What they show apart from that follows values, poses, the
+ * view, and what only the session of a device measures: surfaces, hands.
+ */
+export const MOVED_TYPES: readonly string[] = [
+  'objects/arrow',
+  'objects/hands',
+  'objects/label',
+  'objects/line',
+  'objects/place',
+  'physics/body',
+  'world/meshes',
+  'world/planes',
+  'world/surface-filter',
+];
+
+/**
+ * Kinds of resources that change with what a page compares: values, poses, pulses, versions, the view, whether there is depth of the room, and
+ * whether the pixels of an image have been read back.
+ */
 const COMPARED: ReadonlySet<Resource['kind']> = new Set([
+  'bodies',
   'environment',
   'external',
   'lights',
   'objects',
+  'pixels',
+  'pose',
+  'pulses',
   'room-depth',
   'shadow-maps',
   'table',
   'target',
   'technique',
 ]);
+const TYPES: ReadonlySet<string> = new Set([...STILL_TYPES, ...MOVED_TYPES]);
 const OBJECTS: ReadonlySet<Resource['kind']> = new Set(['environment', 'lights', 'objects']);
 const CLOCKS: ReadonlySet<string> = new Set(['DATE', 'FRAMEINDEX', 'TIME', 'TIMEDELTA']);
 
 /**
  * Whether frames of a program that draws objects or computes images on the CPU may repeat the last image: everything in it changes with values,
- * files or the view, or says when it changes. Not if anything depends on the clock, on an earlier frame (as pixels
- * that are read back do), on a pose or on a sound.
+ * poses, files or the view, or says when it changes. Not if anything depends on the clock, on a sound, or on an earlier frame, unless that is
+ * read back as pixels.
  *
  * @example
  * if (mayRest(program)) watch = createRestWatch(program, parts);
@@ -54,7 +80,9 @@ export function mayRest({ operations, resources }: Program): boolean {
     if (!('type' in operation)) return true;
     if ('effects' in operation && operation.effects?.uniforms.some(isClock)) return false;
     if (operation.kind === 'cpu') return operation.stateful === undefined;
-    return STILL_TYPES.includes(operation.type) || (operation.kind !== 'draw' && !operation.writes.some((id) => objects.has(id)));
+    // A label that is an object fades with what the room hides.
+    if (operation.type === 'objects/label') return operation.config.where === 'page';
+    return TYPES.has(operation.type) || (operation.kind !== 'draw' && !operation.writes.some((id) => objects.has(id)));
   };
   return operations.every(isStill) && resources.every(isCompared);
 }

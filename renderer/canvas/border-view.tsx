@@ -17,13 +17,13 @@ const TEXTS = {
 } as const;
 
 /** The ports that the instances of the open subgraph have on one side, and a handle that exposes another one. */
-export const BorderView = memo(function BorderView({ data: { side, ports } }: NodeProps<BorderNode>) {
+export const BorderView = memo(function BorderView({ data: { side, ports }, selected }: NodeProps<BorderNode>) {
   const isInput = side === 'inputs';
   const common = { type: isInput ? 'source' : 'target', position: isInput ? Position.Right : Position.Left } as const;
   if (useDetail() === 'overview') return null;
   const { title, add } = TEXTS[side];
   return (
-    <div className={`border border-${side}`} data-border={side}>
+    <div className={`border border-${side}${selected ? ' border-selected' : ''}`} data-border={side}>
       <div className="border-head">{title}</div>
       {ports.map((port, row) => {
         const { color, shape, label } = WIRE_TYPES[port.type];

@@ -2,10 +2,9 @@ import { useConnection, useStore as useFlowStore } from '@xyflow/react';
 import { createPortal } from 'react-dom';
 import type { Place } from '../state/editor/canvas-state.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
-import { itemOf } from '../state/editor/item-ids.ts';
+import { borderOf, itemOf } from '../state/editor/item-ids.ts';
 import { refusalOver } from '../state/graph/connect-ports.ts';
 import { portOver } from '../state/graph/drop-on-node.ts';
-import { borderOf } from './project-borders.ts';
 
 const OFFSET_PX = 16;
 

@@ -58,6 +58,7 @@ export function PaletteHost({ toCanvas, canvas }: PaletteHostProps) {
     <Palette
       definitions={definitions}
       end={request.end}
+      query={request.query ?? ''}
       at={request.at}
       purpose={purposeOf(request)}
       onPoint={showCandidate}

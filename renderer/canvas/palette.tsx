@@ -22,6 +22,8 @@ interface PaletteProps {
   readonly end: OpenEnd | null;
   /** Where the palette opens, in client pixels; clamped to the window. */
   readonly at: { readonly x: number; readonly y: number };
+  /** What is searched for at first. */
+  readonly query: string;
   /** Placeholder of the search field; null when the choice adds a plain new node. */
   readonly purpose?: string | null;
   /** Called when the pointer or a key rests on an entry, so that the preview shows it. Null: on none. */
@@ -38,8 +40,8 @@ const HEIGHT_PX = 372;
 const EDGE_PX = 12;
 
 /** Searches node types by name, and shows docs and ports of the selected one. Arrow keys select, Enter chooses. */
-export function Palette({ definitions, end, at, purpose = null, onPoint, onChoose, onClose }: PaletteProps) {
-  const [query, setQuery] = useState('');
+export function Palette({ definitions, end, at, query: asked, purpose = null, onPoint, onChoose, onClose }: PaletteProps) {
+  const [query, setQuery] = useState(asked);
   const [chosen, setChosen] = useState(0);
   /** Whether the person has pointed at an entry; the palette opens with the first one chosen. */
   const [pointed, setPointed] = useState(false);

@@ -1,9 +1,11 @@
 import type { Node, NodeHandle } from '@xyflow/react';
 import { subgraphType } from '../../export/graph/document-names.ts';
 import { inputOf } from '../../export/graph/library/node-interface.ts';
-import { type ExposedPort, type Graph, MAIN_GRAPH } from '../../export/graph/project.ts';
+import { type ExposedPort, type Graph, type GraphLayout, MAIN_GRAPH } from '../../export/graph/project.ts';
 import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts';
 import type { WireType } from '../../nodes/kit/wire-types.ts';
+import type { Place } from '../state/editor/canvas-state.ts';
+import { borderId } from '../state/editor/item-ids.ts';
 import { BODY_PADDING, HEADER_HEIGHT, PORT_SIZE, ROW_HEIGHT } from '../state/graph/node-shape.ts';
 import type { PortSide } from '../state/graph/subgraphs.ts';
 import type { CanvasNode } from './project-canvas.ts';
@@ -15,7 +17,6 @@ export const NEW_PORT = '+';
 const WIDTH = 136;
 /** Distance to the nodes, in canvas units. */
 const GAP = 104;
-const PREFIX = 'border:';
 
 export interface BorderPort {
   readonly name: string;
@@ -28,7 +29,10 @@ export interface BorderData extends Record<string, unknown> {
   readonly ports: readonly BorderPort[];
 }
 
-/** One border of an open subgraph: the ports that its instances have on this side. It is drawn, but not stored as a node. */
+/**
+ * One border of an open subgraph: the ports that its instances have on this side. It is drawn, but not stored as a node; the layout keeps
+ * its place once it was moved.
+ */
 export type BorderNode = Node<BorderData, 'border'>;
 
 export interface BordersInput {
@@ -37,6 +41,11 @@ export interface BordersInput {
   readonly graph: Graph;
   readonly library: NodeLibrary;
   readonly nodes: readonly CanvasNode[];
+  readonly layout: Pick<GraphLayout, 'borders'>;
+  /** Canvas ids of selected items. */
+  readonly selected: ReadonlySet<string>;
+  /** Positions during a drag, in canvas units. */
+  readonly dragged: Readonly<Record<string, Place>>;
 }
 
 export interface BordersView {
@@ -46,11 +55,6 @@ export interface BordersView {
 }
 
 const NONE: BordersView = { nodes: [], wires: [] };
-
-/** Side of the border with a canvas id; null for other ids. */
-export function borderOf(canvasId: string): PortSide | null {
-  return canvasId === borderId('inputs') ? 'inputs' : canvasId === borderId('outputs') ? 'outputs' : null;
-}
 
 /** The distance of a port's row from the top of its border, in canvas units. */
 export function borderRowTop(row: number): number {
@@ -62,8 +66,9 @@ export function createBordersProjection(): (input: BordersInput) => BordersView 
   let seen: readonly unknown[] = [];
   let view = NONE;
   return (input) => {
-    const { name, graph, library, nodes } = input;
-    const now = [name, graph.exposed, library, nodes];
+    const { name, graph, library, nodes, layout, selected, dragged } = input;
+    const own = [borderId('inputs'), borderId('outputs')].flatMap((id) => [selected.has(id), dragged[id]]);
+    const now = [name, graph.exposed, library, nodes, layout.borders, ...own];
     if (sameParts(now, seen)) return view;
     seen = now;
     view = name === MAIN_GRAPH || nodes.length === 0 ? NONE : projectBorders(input);
@@ -71,7 +76,7 @@ export function createBordersProjection(): (input: BordersInput) => BordersView 
   };
 }
 
-function projectBorders({ name, graph, library, nodes }: BordersInput): BordersView {
+function projectBorders({ name, graph, library, nodes, layout, selected, dragged }: BordersInput): BordersView {
   const lefts = nodes.map(({ position }) => position.x);
   const rights = nodes.map(({ position, width = 0 }) => position.x + width);
   const tops = nodes.map(({ position }) => position.y);
@@ -84,14 +89,12 @@ function projectBorders({ name, graph, library, nodes }: BordersInput): BordersV
     return {
       id: borderId(side),
       type: 'border',
-      position: { x, y: middle - height / 2 },
+      position: dragged[borderId(side)] ?? layout.borders?.[side] ?? { x, y: middle - height / 2 },
       width: WIDTH,
       height,
       measured: { width: WIDTH, height },
       data: { side, ports },
-      selectable: false,
-      draggable: false,
-      focusable: false,
+      selected: selected.has(borderId(side)),
       handles: [...ports.map((port) => port.name), NEW_PORT].map((port, row) => handleAt(side, port, row)),
       ariaLabel: side === 'inputs' ? 'Inputs of the subgraph' : 'Outputs of the subgraph',
     };
@@ -134,7 +137,7 @@ function borderWire(side: PortSide, { name, label, type }: BorderPort, exposed: 
   ];
   const [from, to] = side === 'inputs' ? [outer, inner] : [inner, outer];
   return {
-    id: `${PREFIX}${side}.${name}`,
+    id: `${borderId(side)}.${name}`,
     type: 'scrim',
     source: from.node,
     sourceHandle: from.port,
@@ -146,8 +149,4 @@ function borderWire(side: PortSide, { name, label, type }: BorderPort, exposed: 
     reconnectable: false,
     ariaLabel: `${side === 'inputs' ? 'Input' : 'Output'} ${label} of the subgraph`,
   };
-}
-
-function borderId(side: PortSide): string {
-  return `${PREFIX}${side}`;
 }

@@ -64,8 +64,8 @@ export function useCanvasView(): WholeView {
   );
   const projectBorders = useMemo(createBordersProjection, []);
   const borders = useMemo(
-    () => projectBorders({ name, graph, library, nodes: view.nodes }),
-    [projectBorders, name, graph, library, view.nodes],
+    () => projectBorders({ name, graph, library, nodes: view.nodes, layout, selected: selection.items, dragged }),
+    [projectBorders, name, graph, library, view.nodes, layout, selection.items, dragged],
   );
   return useMemo(
     () => ({

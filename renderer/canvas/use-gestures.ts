@@ -14,7 +14,7 @@ import { dragTo, dropWire, endDrag, hoverWire, offerParams, type Place } from '.
 import { layoutOf, nodeOf } from '../state/editor/document.ts';
 import type { Editor } from '../state/editor/editor.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
-import { itemOf } from '../state/editor/item-ids.ts';
+import { borderOf, itemOf } from '../state/editor/item-ids.ts';
 import { changeSelection, type SelectionChange } from '../state/editor/selection.ts';
 import { connectPorts, explainRefusal, reconnectPorts, refusalOfEnds, startWireAt } from '../state/graph/connect-ports.ts';
 import { dropOnNode } from '../state/graph/drop-on-node.ts';
@@ -25,7 +25,7 @@ import { HEADER_HEIGHT, NODE_WIDTH } from '../state/graph/node-shape.ts';
 import { addReroute, findStretch, wiresOfStretch } from '../state/graph/reroutes.ts';
 import { canExpose, openSubgraph, setPortExposed } from '../state/graph/subgraphs.ts';
 import { nodeAt } from './connection-hint.tsx';
-import { borderOf, NEW_PORT } from './project-borders.ts';
+import { NEW_PORT } from './project-borders.ts';
 import type { CanvasWire } from './project-wires.ts';
 import { useCancelGesture } from './use-cancel-gesture.ts';
 import type { AnyNode } from './use-canvas-view.ts';
@@ -52,7 +52,7 @@ export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Pla
       const [only] = moved.length === 1 ? moved : [];
       // Moves by arrow keys, and the last change of a drag, have `dragging` unset.
       if (moved.some((change) => change.dragging === true)) {
-        const isNode = only !== undefined && itemOf(only.id) === null;
+        const isNode = only !== undefined && itemOf(only.id) === null && borderOf(only.id) === null;
         hoverWire(editor.canvas, isNode && only.position ? wireBehind(editor, only.id, toClient(only.position)) : null);
         return;
       }
@@ -208,7 +208,8 @@ function withContent(editor: Editor, id: string, { x, y }: Place): Readonly<Reco
 function nodeChanges(changes: readonly NodeChange<AnyNode>[]): SelectionChange[] {
   return changes.flatMap((change): SelectionChange[] => {
     if (change.type !== 'select') return [];
-    return [{ kind: itemOf(change.id) === null ? 'node' : 'item', id: change.id, selected: change.selected }];
+    const isItem = itemOf(change.id) !== null || borderOf(change.id) !== null;
+    return [{ kind: isItem ? 'item' : 'node', id: change.id, selected: change.selected }];
   });
 }
 

@@ -1,4 +1,4 @@
-import { type Rect, useReactFlow, useStoreApi } from '@xyflow/react';
+import { useReactFlow, useStoreApi } from '@xyflow/react';
 import { useEffect, useRef } from 'react';
 import { useStore } from 'zustand';
 import { useEditor } from '../state/editor/editor-context.ts';
@@ -8,6 +8,8 @@ import { isStill, uiScale } from '../ui/appearance.ts';
 const DURATION_MS = 260;
 /** Margin around a graph that fills the view, as a fraction of the view. */
 export const FIT_PADDING = 0.06;
+/** Distance from the edge of the view to nodes that were scrolled into it, in canvas units. */
+const PAN_MARGIN = 24;
 
 /** Scrolls nodes into view on request from outside the canvas, such as the problems panel. */
 export function useReveal(): void {
@@ -32,8 +34,13 @@ export function useReveal(): void {
     const bounds = getNodesBounds([...reveal.nodes]);
     const { transform, width, height } = store.getState();
     const [x, y, zoom] = transform;
-    if (bounds.width === 0 || isInside(bounds, { x: -x / zoom, y: -y / zoom, width: width / zoom, height: height / zoom })) return;
-    void setCenter(bounds.x + bounds.width / 2, bounds.y + bounds.height / 2, { zoom, duration });
+    const seen = { x: -x / zoom, y: -y / zoom, width: width / zoom, height: height / zoom };
+    const by = {
+      x: shiftInto(bounds.x, bounds.width, seen.x, seen.width),
+      y: shiftInto(bounds.y, bounds.height, seen.y, seen.height),
+    };
+    if (bounds.width === 0 || (by.x === 0 && by.y === 0)) return;
+    void setCenter(seen.x + seen.width / 2 + by.x, seen.y + seen.height / 2 + by.y, { zoom, duration });
   }, [reveal, fitView, getNodesBounds, setCenter, store]);
 }
 
@@ -60,11 +67,13 @@ function nodesOf({ nodes }: Reveal): { nodes?: { id: string }[] } {
   return nodes.length === 0 ? {} : { nodes: nodes.map((id) => ({ id })) };
 }
 
-function isInside(inner: Rect, outer: Rect): boolean {
-  return (
-    inner.x >= outer.x &&
-    inner.y >= outer.y &&
-    inner.x + inner.width <= outer.x + outer.width &&
-    inner.y + inner.height <= outer.y + outer.height
-  );
+/**
+ * How far a view has to move along an axis to show a part: not at all if it does, else until the part has a margin, or its start has one if
+ * it does not fit.
+ */
+function shiftInto(start: number, length: number, seenStart: number, seenLength: number): number {
+  if (start >= seenStart && start + length <= seenStart + seenLength) return 0;
+  const toStart = start - PAN_MARGIN - seenStart;
+  const toEnd = start + length + PAN_MARGIN - (seenStart + seenLength);
+  return toStart < 0 ? toStart : Math.min(toStart, toEnd);
 }

@@ -70,12 +70,17 @@ export function PreviewPanel({ previewUrl }: { readonly previewUrl: string }) {
   );
 }
 
-/** Fits the preview to the panel, or gives it the shape of a device. */
+/** Gives the preview the shape of a device or of a recording, or fits it to the panel. */
 function Device({ children }: { readonly children: ReactNode }) {
   const { preview } = useEditor();
   const frame = useStore(preview, shownFrame);
+  const shape = useStore(preview, (state) => state.shape);
   return (
-    <div className="stage-device" data-frame={frame}>
+    <div
+      className="stage-device"
+      data-frame={frame}
+      {...(frame === 'fill' && shape !== null && { 'data-shaped': '', style: { ['--shape' as string]: shape } })}
+    >
       {children}
     </div>
   );

@@ -31,6 +31,7 @@ function isAnswer(message: FromPreview): message is FrameRenderAnswer {
     case 'render-finished':
     case 'render-failed':
     case 'photographed':
+    case 'rephotographed':
       return true;
     default:
       return false;

@@ -4,6 +4,7 @@ import { createModelDrawer } from './draw-model.ts';
 import { createFrameRender } from './frame-render.ts';
 import { createPhotographs } from './photographs.ts';
 import { createPreviewController } from './preview-controller.ts';
+import { createRephotographs } from './rephotographs.ts';
 
 async function main(): Promise<void> {
   const screen = document.getElementById('room');
@@ -14,9 +15,10 @@ async function main(): Promise<void> {
   window.addEventListener('resize', controller.resized);
   const frameRender = createFrameRender(editor.send);
   const photographs = createPhotographs(editor.send);
+  const rephotographs = createRephotographs(editor.send);
   const models = createModelDrawer(editor.send);
   editor.listen((message) => {
-    if ([frameRender, photographs, models].some((work) => work.receive(message))) return;
+    if ([frameRender, photographs, rephotographs, models].some((work) => work.receive(message))) return;
     controller.receive(message);
   });
   editor.send({ kind: 'ready' });

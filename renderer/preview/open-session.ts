@@ -48,6 +48,8 @@ export interface OpenSession {
 /** Controls the time of a recording. */
 export interface RecordingTransport {
   readonly frames: FrameTimes;
+  /** Width of the images divided by their height. */
+  readonly shape: number;
   /** The session shows an earlier frame while the current one is being decoded. */
   readonly isLate: boolean;
   /** Goes to a time in seconds since the recording began. */
@@ -162,6 +164,7 @@ async function openRecording(url: string, { gl, clock, onEnd, onArrival }: Sessi
     ...opened({ output: output && session, diagnostics }),
     recording: output && {
       frames: output.frames,
+      shape: output.shape,
       get isLate() {
         return session.isLate;
       },

@@ -191,7 +191,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     const opened = await openSession(from, { gl, canvas, clock, program, screen, sizePx: resolution.sizePx, onEnd, onArrival: clock.wake });
     open = opened;
     // The editor answers with the play range.
-    send({ kind: 'frames', frames: opened.recording?.frames ?? null });
+    send({ kind: 'frames', frames: opened.recording?.frames ?? null, shape: opened.recording?.shape ?? null });
     openKey = sessionKey(from, program);
     if (lightWorld) opened.moveLight(lightWorld);
     problems.setSession(opened.diagnostics);
@@ -222,7 +222,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     resolution.begin();
     panorama.beforeDraw(frame);
     sensors.beforeFrame(frame);
-    gate.show(viewer, thumbnails.beforeFrame());
+    gate.show(viewer, thumbnails.beforeFrame(frame));
     host.player.draw(frame);
     recorder.afterFrame(frame, () => host && roomOf(host.player));
     status.end(frame, open?.recording?.isLate ?? false);

@@ -1,10 +1,14 @@
 import { expect, test } from '@jest/globals';
+import type { ViewFrame } from '../../nodes/kit/session.ts';
 import { createThumbnails } from './thumbnails.ts';
 
 type Player = Parameters<ReturnType<typeof createThumbnails>['afterFrame']>[0];
 
+/** A frame that is shown again and again. */
+const STILL = { timeS: 0, framebufferWidthPx: 640, framebufferHeightPx: 480, views: [] };
+
 function playFrame(thumbnails: ReturnType<typeof createThumbnails>, player: Player): number | null {
-  thumbnails.beforeFrame();
+  thumbnails.beforeFrame(STILL);
   return thumbnails.afterFrame(player);
 }
 
@@ -87,10 +91,31 @@ test('a layer is read ten times per second at most, and drawn only in the frames
   thumbnails.setPorts(['a', 'b'], 96);
   const drawn: string[] = [];
   for (; clock.timeS < 1; clock.timeS += 1 / 60) {
-    drawn.push(...thumbnails.beforeFrame());
+    drawn.push(...thumbnails.beforeFrame(STILL));
     thumbnails.afterFrame({ inspect: () => null });
   }
   expect(drawn.filter((port) => port === 'a').length).toBeLessThanOrEqual(10);
   expect(drawn.filter((port) => port === 'a').length).toBeGreaterThanOrEqual(8);
   expect(drawn).toHaveLength(read.length);
+});
+
+test('while held, a frame of another time, size or pose is shown by all layers', () => {
+  const { clock, read, thumbnails } = readThumbnails(0);
+  const view = { worldFromView: new Float32Array(16) } as ViewFrame;
+  let frame = { ...STILL, views: [view] };
+  /** Number of layers that are read until the preview rests. */
+  const readUntilRest = () => {
+    const before = read.length;
+    for (let restS: number | null = 0; restS !== null; clock.timeS += Math.max(restS ?? 0, 1 / 60)) {
+      thumbnails.beforeFrame(frame);
+      restS = thumbnails.afterFrame({ inspect: () => null });
+    }
+    return read.length - before;
+  };
+  thumbnails.setPorts([...'abc'], 96);
+  expect(readUntilRest()).toBe(3);
+  for (const other of [{ timeS: 1 }, { framebufferWidthPx: 360 }, { views: [{ ...view, worldFromView: new Float32Array(16).fill(1) }] }]) {
+    frame = { ...frame, ...other };
+    expect(readUntilRest()).toBeGreaterThanOrEqual(3);
+  }
 });

@@ -1,6 +1,7 @@
 import type { FrameClock } from '../../export/runtime/clock.ts';
 import type { Player } from '../../export/runtime/player.ts';
 import { readColor } from '../../export/runtime/readback.ts';
+import type { SessionFrame } from '../../nodes/kit/session.ts';
 import type { FromPreview } from '../preview-protocol.ts';
 
 /**
@@ -16,8 +17,11 @@ export interface Thumbnails {
    * while someone types.
    */
   invalidateAfterPause(): void;
-  /** Returns the layers that this frame must draw for their thumbnails. The list is valid until the next call. */
-  beforeFrame(): readonly string[];
+  /**
+   * Returns the layers that this frame must draw for their thumbnails. The list is valid until the next call. A frame of another time, size
+   * or pose than the last one outdates the thumbnails, also of the last frame before a pause.
+   */
+  beforeFrame(frame: ShownFrame): readonly string[];
   /** Reads those layers. Returns the seconds until another frame is needed for outdated thumbnails; null if none is. */
   afterFrame(player: Pick<Player, 'inspect'>): number | null;
 }
@@ -37,6 +41,9 @@ const INTERVAL_S = 0.1;
 /** Pause before thumbnails are updated after a change. Each thumbnail needs a frame, which would delay the image after the next key. */
 const PAUSE_S = 0.25;
 
+/** What the image of a frame depends on besides the program. */
+export type ShownFrame = Pick<SessionFrame, 'timeS' | 'framebufferWidthPx' | 'framebufferHeightPx' | 'views'>;
+
 type Send = (message: FromPreview, transfer: Transferable[]) => void;
 
 export function createThumbnails(clock: Pick<FrameClock, 'nowS'>, send: Send, read = readColor): Thumbnails {
@@ -52,6 +59,7 @@ export function createThumbnails(clock: Pick<FrameClock, 'nowS'>, send: Send, re
   let restUntilS = Number.NEGATIVE_INFINITY;
   let left = 0;
   const drawn: string[] = [];
+  const isOther = createFrameWatch();
   const markAll = () => {
     left = ports.length;
     fresh = new Set(ports.filter((port) => !seen.has(port)));
@@ -69,7 +77,9 @@ export function createThumbnails(clock: Pick<FrameClock, 'nowS'>, send: Send, re
       markAll();
       if (seen.size === ports.length) restUntilS = Math.max(restUntilS, clock.nowS() + PAUSE_S);
     },
-    beforeFrame: () => {
+    beforeFrame: (frame) => {
+      // Layers without an image are not asked for it again.
+      if (isOther(frame)) left = ports.length;
       const nowS = clock.nowS();
       drawn.length = 0;
       if (nowS < restUntilS) return drawn;
@@ -107,6 +117,23 @@ export function createThumbnails(clock: Pick<FrameClock, 'nowS'>, send: Send, re
       restUntilS = nowS + (nowS - beganS) * (1 / (isFirst ? FIRST_SHARE : SHARE) - 1);
       return left > 0 ? restUntilS - nowS : null;
     },
+  };
+}
+
+/** Returns a function that tells whether a frame has another time, size or pose than the one before. */
+function createFrameWatch(): (frame: ShownFrame) => boolean {
+  let timeS = Number.NaN;
+  let widthPx = 0;
+  let heightPx = 0;
+  const pose = new Float32Array(16);
+  return (frame) => {
+    const worldFromView = frame.views[0]?.worldFromView ?? pose;
+    let moved = false;
+    for (let i = 0; i < pose.length; i++) moved ||= worldFromView[i] !== pose[i];
+    const isOther = moved || frame.timeS !== timeS || frame.framebufferWidthPx !== widthPx || frame.framebufferHeightPx !== heightPx;
+    ({ timeS, framebufferWidthPx: widthPx, framebufferHeightPx: heightPx } = frame);
+    pose.set(worldFromView);
+    return isOther;
   };
 }
 

@@ -16,7 +16,7 @@ const ICONS: Readonly<Record<AssetKind, IconName>> = {
 };
 
 /** Reads the picture of an asset and its size on the GPU, again when the file has another size. */
-export function useAssetFacts({ path, kind, bytes }: Pick<AssetRow, 'path' | 'kind' | 'bytes'>): AssetFacts {
+export function useAssetFacts({ path, kind, bytes, depthMeshes }: Pick<AssetRow, 'path' | 'kind' | 'bytes' | 'depthMeshes'>): AssetFacts {
   const editor = useEditor();
   const handle = useDocument(({ open }) => open?.handle);
   const assetBaseUrl = useDocument(({ open }) => open?.assetBaseUrl);
@@ -25,13 +25,13 @@ export function useAssetFacts({ path, kind, bytes }: Pick<AssetRow, 'path' | 'ki
     setFacts(NO_FACTS);
     if (handle === undefined || assetBaseUrl === undefined || bytes === null) return;
     let wanted = true;
-    void readAssetFacts(editor, { handle, assetBaseUrl, path, kind, bytes }).then((read) => {
+    void readAssetFacts(editor, { handle, assetBaseUrl, path, kind, bytes, depthMeshes }).then((read) => {
       if (wanted) setFacts(read);
     });
     return () => {
       wanted = false;
     };
-  }, [editor, handle, assetBaseUrl, path, kind, bytes]);
+  }, [editor, handle, assetBaseUrl, path, kind, bytes, depthMeshes]);
   return facts;
 }
 

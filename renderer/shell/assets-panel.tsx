@@ -97,7 +97,7 @@ interface RowProps {
 
 function Row({ row, pageBytes }: RowProps) {
   const { path, kind, bytes, id } = row;
-  const { picture, gpuBytes } = useAssetFacts(row);
+  const { picture, gpuBytes, phoneGpuBytes } = useAssetFacts(row);
   const onDragStart = (event: DragEvent) => {
     event.dataTransfer.setData(ASSET_DRAG, id ?? '');
     event.dataTransfer.effectAllowed = 'copy';
@@ -115,7 +115,14 @@ function Row({ row, pageBytes }: RowProps) {
       </th>
       <td>{bytes === null ? <span className="asset-missing">Missing</span> : byteText(bytes)}</td>
       <td>{pageBytes === undefined ? '–' : byteText(pageBytes)}</td>
-      <td>{gpuBytes === null ? '–' : byteText(gpuBytes)}</td>
+      <td>
+        {gpuBytes === null ? '–' : byteText(gpuBytes)}
+        {phoneGpuBytes !== null && (
+          <span className="asset-phones" data-tip="Pages reduce captures on phones and headsets to 128 MB">
+            {byteText(phoneGpuBytes)} on phones
+          </span>
+        )}
+      </td>
       <td>
         <Uses row={row} />
       </td>
@@ -160,6 +167,14 @@ function Actions({ row, id }: { readonly row: AssetRow; readonly id: string }) {
         small
         onPress={() => void addAssetToGraph(editor, id, canvasCenter(editor))}
       />
+      {kind === 'capture' && (
+        <IconButton
+          icon="weight"
+          label={`Rephotograph ${name}…`}
+          small
+          onPress={() => editor.ui.setState({ dialog: { kind: 'rephotograph', path } })}
+        />
+      )}
       {isFileKind(kind) && <ReplaceButton id={id} kind={kind} label={bytes === null ? `Find ${name}…` : `Replace ${name}…`} />}
       {canReveal && bytes !== null && (
         <IconButton icon="folder" label={`Show ${name} in its folder`} small onPress={() => void revealAsset(editor, path)} />

@@ -1,17 +1,26 @@
 import { useMemo, useState } from 'react';
 import { type AppCommandId, appCommand, runCommand } from '../state/commands/app-commands.ts';
+import { openPalette } from '../state/commands/command-actions.ts';
 import { findCommands } from '../state/commands/find-commands.ts';
 import { keybindingsOf } from '../state/commands/keybindings.ts';
 import { showKeybinding } from '../state/commands/show-keybinding.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 import { SearchDialog } from '../ui/search-dialog.tsx';
 
-/** Command palette. Disabled commands come last. */
+/** A row of the list: a command, or the search among nodes. */
+type Row = AppCommandId | typeof NODES;
+
+const NODES = 'nodes';
+
+/** Command palette. Disabled commands come last, then a search for nodes by the same words. */
 export function CommandsDialog({ onClose }: { readonly onClose: () => void }) {
   const editor = useEditor();
   const [query, setQuery] = useState('');
-  const isEnabled = (id: AppCommandId) => appCommand(id).enabled(editor);
-  const found = useMemo(() => findCommands(editor, query), [editor, query]);
+  const isEnabled = (row: Row) => row === NODES || appCommand(row).enabled(editor);
+  const found = useMemo((): readonly Row[] => {
+    const commands = findCommands(editor, query);
+    return query.trim() === '' || !appCommand('graph.add').enabled(editor) ? commands : [...commands, NODES];
+  }, [editor, query]);
   return (
     <SearchDialog
       title="Commands"
@@ -22,21 +31,25 @@ export function CommandsDialog({ onClose }: { readonly onClose: () => void }) {
       query={query}
       onQuery={setQuery}
       found={found}
-      keyOf={(id) => id}
+      keyOf={(row) => row}
       isEnabled={isEnabled}
-      onPick={(id) => runCommand(editor, id)}
+      onPick={(row) => (row === NODES ? openPalette(editor, query) : runCommand(editor, row))}
       onClose={onClose}
     >
-      {(id) => (
-        <>
-          <span>{appCommand(id).label.replace('…', '')}</span>
-          <span className="search-aside">
-            {keybindingsOf(editor, id).map((keybinding) => (
-              <kbd key={keybinding}>{showKeybinding(keybinding, editor.mac)}</kbd>
-            ))}
-          </span>
-        </>
-      )}
+      {(row) =>
+        row === NODES ? (
+          <span>Search nodes for “{query.trim()}”</span>
+        ) : (
+          <>
+            <span>{appCommand(row).label.replace('…', '')}</span>
+            <span className="search-aside">
+              {keybindingsOf(editor, row).map((keybinding) => (
+                <kbd key={keybinding}>{showKeybinding(keybinding, editor.mac)}</kbd>
+              ))}
+            </span>
+          </>
+        )
+      }
     </SearchDialog>
   );
 }

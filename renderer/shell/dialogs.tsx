@@ -11,7 +11,9 @@ import { LibraryNameDialog, LibraryRemoveDialog } from './library-dialogs.tsx';
 import { NewDialog } from './new-dialog.tsx';
 import { OpenDialog } from './open-dialog.tsx';
 import { PhotographDialog } from './photograph-dialog.tsx';
+import { PhotographsDialog } from './photographs-dialog.tsx';
 import { RenderDialog } from './render-dialog.tsx';
+import { RephotographDialog, RephotographedDialog } from './rephotograph-dialogs.tsx';
 import { SaveAsDialog } from './save-as-dialog.tsx';
 import { ShadertoyDialog } from './shadertoy-dialog.tsx';
 import { ShortcutsDialog } from './shortcuts-dialog.tsx';
@@ -37,6 +39,12 @@ export function Dialogs() {
       return <RenderDialog onClose={close} />;
     case 'photograph':
       return <PhotographDialog onClose={close} />;
+    case 'photographs':
+      return <PhotographsDialog folder={dialog.folder} onClose={close} />;
+    case 'rephotograph':
+      return <RephotographDialog path={dialog.path} onClose={close} />;
+    case 'rephotographed':
+      return <RephotographedDialog means={dialog.rephotographed} onClose={close} />;
     case 'unsaved':
       return <UnsavedDialog proceed={dialog.proceed} onClose={close} />;
     case 'recovery':

@@ -1,8 +1,10 @@
 import { useEffect, useMemo, useState } from 'react';
+import { useStore } from 'zustand';
 import { POSTER_SIZE } from '../../app/contract/poster-size.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { chosenSource, isLoading } from '../state/editor/preview-state.ts';
 import { base64Of } from '../state/files/base64.ts';
-import { followPreview, frameObjects, keepPoster, nextPoster } from '../state/files/poster.ts';
+import { followPreview, frameObjects, keepPoster, nextPoster, roomToShow } from '../state/files/poster.ts';
 import { Button } from '../ui/button.tsx';
 import { Icon } from '../ui/icon.tsx';
 
@@ -17,10 +19,12 @@ export interface ShownPoster {
 /** Reads the chosen poster, or takes one of the preview, once and again when another is chosen. */
 export function usePoster(): ShownPoster {
   const editor = useEditor();
-  // The framing, too, changes the poster.
+  // The framing and the source of the preview, too, change the poster.
   const page = useDocument(({ project }) => project.page);
+  const source = useStore(editor.preview, (state) => (isLoading(state) ? null : (chosenSource(state)?.id ?? null)));
   const [bytes, setBytes] = useState<Uint8Array<ArrayBuffer> | null>(null);
   const [reading, setReading] = useState(true);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: another source shows another image
   useEffect(() => {
     let wanted = true;
     setReading(true);
@@ -32,7 +36,7 @@ export function usePoster(): ShownPoster {
     return () => {
       wanted = false;
     };
-  }, [editor, page]);
+  }, [editor, page, source]);
   return { bytes, reading, take: async () => (await editor.posters.take?.(POSTER_SIZE)) ?? null };
 }
 
@@ -48,6 +52,7 @@ export function ExportPoster({ poster: { bytes, reading, take }, busy }: ExportP
   const path = useDocument(({ project }) => project.page.poster);
   const framing = useDocument(({ project }) => project.page.framing);
   const framed = framing !== undefined;
+  const room = useStore(editor.preview, (state) => roomToShow(state, framing));
   const frame = () => {
     editor.viewer.setState({ framing: true });
     editor.ui.setState({ dialog: null });
@@ -68,9 +73,11 @@ export function ExportPoster({ poster: { bytes, reading, take }, busy }: ExportP
         <p className="exported-note">
           {path !== undefined
             ? 'Links and the page show the image that is kept in the project.'
-            : framed
-              ? 'Links and the page show what you framed, drawn again at each export.'
-              : 'Links and the page show the selected objects, or all objects, drawn again at each export.'}
+            : room
+              ? `You framed the room “${room.title}”, but the preview shows another source: this export draws the same part of that one.`
+              : framed
+                ? 'Links and the page show what you framed, drawn again at each export.'
+                : 'Links and the page show the selected objects, or all objects, drawn again at each export.'}
         </p>
         {path === undefined ? (
           <>
@@ -80,6 +87,11 @@ export function ExportPoster({ poster: { bytes, reading, take }, busy }: ExportP
             <Button disabled={busy || bytes === null} onPress={() => void keepPoster(editor, bytes)}>
               Keep this image
             </Button>
+            {room && (
+              <Button look="quiet" disabled={busy} onPress={() => editor.preview.setState({ sourceId: room.id })}>
+                Preview the room
+              </Button>
+            )}
             {framed && (
               <Button look="quiet" disabled={busy} onPress={() => frameObjects(editor)}>
                 Frame the objects

@@ -1,7 +1,10 @@
+import { useState } from 'react';
 import type { HostInput } from '../../app/contract/contract.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { askForFolder } from '../state/files/files.ts';
 import { Button } from '../ui/button.tsx';
+import { FolderBrowser } from './folder-browser.tsx';
+import { joinPath, splitPath } from './folder-path.ts';
 import './folder-field.css';
 
 interface FolderFieldProps {
@@ -12,13 +15,18 @@ interface FolderFieldProps {
   readonly example?: string;
   /** Purpose for the native folder dialog. Absent: the path can only be typed. */
   readonly purpose?: HostInput<'folder.pick'>['purpose'];
+  /** `itself`: an existing folder is chosen. Default: a new folder is made in the chosen one, with the last part of `path` as its name. */
+  readonly chooses?: 'itself' | 'place';
   readonly onChange: (path: string) => void;
 }
 
-/** Field for the path of a folder, with a button for the native folder dialog. */
-export function FolderField({ id, label, path, example = '/home/me/projects/my-effect', purpose, onChange }: FolderFieldProps) {
+/** Field for the path of a folder, with a button for the native folder dialog, or else for a list of folders below the field. */
+export function FolderField(props: FolderFieldProps) {
+  const { id, label, path, example = '/home/me/projects/my-effect', purpose, chooses = 'place', onChange } = props;
   const editor = useEditor();
   const canPick = useDocument((state) => state.canPickFolders);
+  const [isOpen, setOpen] = useState(false);
+  const [place, name] = chooses === 'itself' ? [path, ''] : splitPath(path);
   return (
     <>
       <label htmlFor={id}>{label}</label>
@@ -43,7 +51,13 @@ export function FolderField({ id, label, path, example = '/home/me/projects/my-e
             Choose…
           </Button>
         )}
+        {!canPick && (
+          <Button icon="folder" expanded={isOpen} onPress={() => setOpen(!isOpen)}>
+            Browse
+          </Button>
+        )}
       </div>
+      {isOpen && <FolderBrowser from={place} onGo={(folder) => onChange(chooses === 'itself' ? folder : joinPath(folder, name))} />}
     </>
   );
 }

@@ -106,7 +106,7 @@ export function OpenDialog({ onClose }: { readonly onClose: () => void }) {
         )}
       </div>
       <form className="dialog-form open-folder" onSubmit={submit}>
-        <FolderField id={id} label="Project folder" path={path} onChange={setPath} />
+        <FolderField id={id} label="Project folder" path={path} chooses="itself" onChange={setPath} />
       </form>
       <DialogError />
     </Dialog>

@@ -2,6 +2,7 @@ import { useId, useState } from 'react';
 import { useStore } from 'zustand';
 import { type FrameTimes, timeOfFrame } from '../../nodes/kit/frame-times.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
+import { suggestFolder } from '../state/files/suggest-folder.ts';
 import { lastFrame, playedRange } from '../state/preview/playback.ts';
 import { type FrameRenderOptions, planFrames, ROOM_RATE_HZ, rateOf, renderFrames } from '../state/preview/render-frames.ts';
 import { FormDialog } from '../ui/form-dialog.tsx';
@@ -16,6 +17,7 @@ const FORMATS: readonly SelectOption<FrameRenderOptions['what']>[] = [
 ];
 const RATES = ['24', '25', '30', '50', '60'].map((value) => ({ value, label: value }));
 const MOST_PX = 8192;
+const SHORT_SIDE_PX = 1080;
 const MOST_FRAMES = 100_000;
 /** Default range in an emulated room: three seconds. */
 const ROOM_RANGE = { from: 0, to: 3 * ROOM_RATE_HZ - 1 };
@@ -31,7 +33,7 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
   const [range, setRange] = useState(() => asTexts(inRoom ? ROOM_RANGE : playedRange(preview.getState())));
   const [size, setSize] = useState(() => sizeOf(preview.getState().status));
   const [rate, setRate] = useState(inRoom ? String(ROOM_RATE_HZ) : 'own');
-  const [out, setOut] = useState('');
+  const [out, setOut] = useState(() => suggestFolder(editor, editor.document.getState().project.title, '-frames'));
 
   const from = wholeIn(range.from, 0, MOST_FRAMES);
   const to = wholeIn(range.to, from ?? 0, MOST_FRAMES);
@@ -98,8 +100,12 @@ function asTexts({ from, to }: { readonly from: number; readonly to: number }) {
 }
 
 /** Size of the preview in pixels, or 1280 × 720. */
+/** The shape of the preview, at 1080 pixels in the shorter direction. Even, because video encoders require it. */
 function sizeOf(status: { readonly widthPx: number; readonly heightPx: number } | null) {
-  return { width: String(status?.widthPx ?? 1280), height: String(status?.heightPx ?? 720) };
+  const { widthPx, heightPx } = status ?? { widthPx: 16, heightPx: 9 };
+  const scale = SHORT_SIDE_PX / Math.min(widthPx, heightPx);
+  const even = (px: number) => String(2 * Math.round((px * scale) / 2));
+  return { width: even(widthPx), height: even(heightPx) };
 }
 
 function wholeIn(text: string, least: number, most: number): number | null {

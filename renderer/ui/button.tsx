@@ -12,11 +12,23 @@ interface ButtonProps {
   readonly disabled?: boolean;
   /** State of a toggle button. */
   readonly pressed?: boolean;
+  /** Whether what the button shows below is open. */
+  readonly expanded?: boolean;
   readonly tip?: string;
   readonly autoFocus?: boolean;
 }
 
-export function Button({ children, onPress, icon, look = 'plain', disabled = false, pressed, tip, autoFocus = false }: ButtonProps) {
+export function Button({
+  children,
+  onPress,
+  icon,
+  look = 'plain',
+  disabled = false,
+  pressed,
+  expanded,
+  tip,
+  autoFocus = false,
+}: ButtonProps) {
   return (
     <button
       type="button"
@@ -24,6 +36,7 @@ export function Button({ children, onPress, icon, look = 'plain', disabled = fal
       onClick={onPress}
       disabled={disabled}
       aria-pressed={pressed}
+      aria-expanded={expanded}
       data-tip={tip}
       data-autofocus={autoFocus ? '' : undefined}
     >

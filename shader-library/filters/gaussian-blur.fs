@@ -31,22 +31,23 @@ vec4 tap(vec2 uv) {
   return color;
 }
 
-// The weight of a pixel in a Gaussian blur, relative to the center. `sigma` is the standard deviation, in pixels.
-float weight(int distancePx, float sigma) {
-  float x = float(distancePx) / sigma;
-  return exp(-0.5 * x * x);
-}
-
-// One linearly filtered sample between two pixels weighs both, so half as many samples are needed.
+// One linearly filtered sample between two pixels weighs both, so half as many samples are needed. The weights of pixels at increasing
+// distances are products of a ratio that shrinks by the same factor from pixel to pixel, which takes no exponential per pixel (Turkowski,
+// "Incremental Computation of the Gaussian", GPU Gems 3, chapter 40).
 vec4 blurred(vec2 stepUv) {
   float sigma = max(radius, MIN_SIGMA);
   int reach = int(ceil(REACH * sigma));
+  float ratio = exp(-0.5 / (sigma * sigma));
+  float shrink = ratio * ratio;
+  float weight = 1.0;
   vec4 sum = tap(isf_FragNormCoord);
   float total = 1.0;
   for (int i = 1; i <= MAX_REACH; i += 2) {
     if (i > reach) break;
-    float near = weight(i, sigma);
-    float far = i < reach ? weight(i + 1, sigma) : 0.0;
+    float near = weight * ratio;
+    weight = near * ratio * shrink;
+    ratio *= shrink * shrink;
+    float far = i < reach ? weight : 0.0;
     float both = near + far;
     vec2 offset = stepUv * (float(i) + far / both);
     sum += both * (tap(isf_FragNormCoord + offset) + tap(isf_FragNormCoord - offset));

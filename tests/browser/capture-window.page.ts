@@ -1,11 +1,11 @@
-import { pictureUrl } from '../../app/cli/rephotograph/photo-pixels.page.ts';
-import { compareImages } from '../../export/captures/image-quality.ts';
+import { compareImages } from '../../export/captures/evaluate/image-quality.ts';
 import { createCaptureDrawing } from '../../nodes/kit/capture-drawing/capture-drawing.ts';
 import { createWindowedDrawing } from '../../nodes/kit/capture-drawing/windowed/windowed-drawing.ts';
 import { multiplyMatrices } from '../../nodes/kit/matrices.ts';
 import { setPassState } from '../../nodes/kit/pass-state.ts';
 import { bumpyCapture, poseTowardsMiddle } from '../../tools/bench/pages/bumpy-capture.ts';
 import { trackGl } from '../support/gl-leaks.ts';
+import { pictureUrl } from '../support/photo-pixels.page.ts';
 import { createGl, createLayer, lookingAt, viewOf } from './scenes-kit.ts';
 
 export interface WindowRun {

@@ -17,8 +17,28 @@ const SIMPLE: GraphText = {
   places: { 'video-aaaa': [0, 0], 'number-aaaa': [0, 200], 'screen-aaaa': [520, 0] },
 };
 
+/** Longer than a click takes on a slow machine. */
+const BUSY_MS = 8000;
+
 const openEditor = useEditor();
 const start = (graph: GraphText = SIMPLE) => openEditor(graph);
+
+test('a preview that is busy does not hold up the editor', async () => {
+  const { page, editor } = await start();
+  const preview = page.frames().find((frame) => frame !== page.mainFrame());
+  let isBusy = true;
+  const busy = preview
+    ?.evaluate((ms) => {
+      for (const untilMs = performance.now() + ms; performance.now() < untilMs; );
+    }, BUSY_MS)
+    .then(() => {
+      isBusy = false;
+    });
+  await editor.node('number').locator('.node-title').click();
+  await editor.inspector.getByRole('heading', { name: 'Number' }).waitFor();
+  expect(isBusy).toBe(true);
+  await busy;
+});
 
 describe('wires', () => {
   test('a wire that cannot be is dimmed, says why beside the pointer, and again when let go', async () => {

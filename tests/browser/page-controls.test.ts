@@ -121,6 +121,21 @@ describe('controls of an exported page', () => {
     }
   });
 
+  test('are folded on a phone even if they are few, until a session is entered', async () => {
+    const few = await servePage({ ...LAMP, controls: LAMP.controls?.slice(1, 3) ?? [] });
+    const page = await chromium.browser.newPage({ viewport: { width: 390, height: 844 } });
+    opened.push(page);
+    await page.goto(few.url);
+    const fold = page.getByRole('button', { name: 'Controls' });
+    await fold.waitFor();
+    expect(await fold.getAttribute('aria-expanded')).toBe('false');
+    await page.getByRole('button', { name: 'Use the camera' }).click();
+    await page.getByRole('switch', { name: 'Light' }).waitFor();
+    await page.getByRole('button', { name: 'Stop the camera' }).click();
+    await page.getByRole('switch', { name: 'Light' }).waitFor({ state: 'hidden' });
+    await few.close();
+  });
+
   test('are not there where there is nothing to set', async () => {
     const without = await servePage(DISC);
     const page = await chromium.browser.newPage();

@@ -19,6 +19,13 @@ const TABLE = mergeGeometries([
   new BoxGeometry(0.8, 0.04, 0.8).translate(0, 0.72, 0),
 ]);
 
+/** A board with a slanted upper edge, of which a point is here. */
+const SLANTED = { at: [0, 0.45, 0.1], along: [0, 0.5, -0.866] } as const;
+const BOARD = new BoxGeometry(0.02, 0.4, 0.6)
+  .translate(0, -0.2, 0)
+  .rotateX(Math.PI / 6)
+  .translate(...SLANTED.at);
+
 function shadowOf(lights: readonly LightItem[], camera: PerspectiveCamera, contour = 0, shape: BufferGeometry = BOX): Uint8Array {
   const box = thing(shape);
   const sketch = createCasterStrokes({
@@ -127,6 +134,40 @@ export function borders(): readonly number[] {
     }
     return ink / count;
   });
+}
+
+/** How far the outer side of the contour of a slanted edge strays from a straight line, and the size of a texel of the map, in pixels. */
+export function straying(): { readonly strayPx: number; readonly texelPx: number } {
+  const mapSizePx = 128;
+  const towards = [-1, 1.2, 0] as const;
+  const drawn = shadowOf([sun(towards, { shadow: { ...SUN, mapSizePx, normalBiasM: 0 } })], ABOVE, 1, BOARD);
+  const pxPerM = HEIGHT / (2 * 1.6 * Math.tan((ABOVE.fov * Math.PI) / 360));
+  const onDesk = ({ x, y, z }: Vector3): Vector3 => new Vector3(x - (y / towards[1]) * towards[0], 0, z);
+  const [from, to] = [-0.12, 0.12].map((t) => onDesk(new Vector3(...SLANTED.along).multiplyScalar(t).add(new Vector3(...SLANTED.at))));
+  if (!from || !to) throw new Error('A line has two points.');
+  const inward = new Vector3(to.z - from.z, 0, from.x - to.x).normalize();
+  if (inward.x > 0) inward.negate();
+  const strays = Array.from({ length: 80 }, (_, i) => {
+    const on = from.clone().lerp(to, i / 79);
+    const step = 0.1;
+    for (let px = -20; px < 20; px += step) {
+      const { x, z } = on.clone().addScaledVector(inward, px / pxPerM);
+      if (smoothInkAt(drawn, x, z) > 0.5) return px;
+    }
+    throw new Error('There is no contour.');
+  });
+  const mean = strays.reduce((sum, px) => sum + px, 0) / strays.length;
+  return { strayPx: Math.sqrt(strays.reduce((sum, px) => sum + (px - mean) ** 2, 0) / strays.length), texelPx: (2 / mapSizePx) * pxPerM };
+}
+
+/** Alpha at a point of the desk, interpolated between four pixels. */
+function smoothInkAt(pixels: Uint8Array, x: number, z: number): number {
+  const { x: u, y: v } = new Vector3(x, 0, z).project(ABOVE);
+  const [column, row] = [(u * 0.5 + 0.5) * WIDTH - 0.5, (v * 0.5 + 0.5) * HEIGHT - 0.5];
+  const [left, foot] = [Math.floor(column), Math.floor(row)];
+  const [a, b] = [column - left, row - foot];
+  const at = (dx: number, dy: number): number => (pixels[((foot + dy) * WIDTH + left + dx) * 4 + 3] ?? 0) / 255;
+  return (1 - b) * ((1 - a) * at(0, 0) + a * at(1, 0)) + b * ((1 - a) * at(0, 1) + a * at(1, 1));
 }
 
 export function error(): number {

@@ -39,6 +39,13 @@ test('a contour surrounds the shadow', async () => {
   expect(contour - without).toBeGreaterThan(0.2);
 });
 
+test('the contour does not show the texels of a coarse map', async () => {
+  const { strayPx, texelPx } = await page.call<{ strayPx: number; texelPx: number }>('straying');
+  expect(texelPx).toBeGreaterThan(3);
+  // A level of the filtered comparisons strayed by half a texel.
+  expect(strayPx / texelPx).toBeLessThan(0.1);
+});
+
 test('without an error of WebGL', async () => {
   expect(await page.call('error')).toBe(0);
 });

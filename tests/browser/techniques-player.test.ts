@@ -1,5 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
-import { type CompileOptions, compile } from '../../export/compiler/compile.ts';
+import { compile } from '../../export/compiler/compile.ts';
+import type { CompileOptions } from '../../export/compiler/compile-options.ts';
 import { driverDiagnostics } from '../../export/glsl/driver/driver-diagnostics.ts';
 import type { Program } from '../../export/program/program.ts';
 import type { ShaderError } from '../../export/runtime/gl/program-cache.ts';

@@ -2,11 +2,13 @@ import type { Program } from '../../export/program/program.ts';
 import { createFetchAssetSource } from '../../export/runtime/assets/asset-source.ts';
 import { createPlayer, type Player } from '../../export/runtime/player.ts';
 import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
+import { SESSION_INPUTS } from '../../export/runtime/sessions/input/session-inputs.ts';
 import { setRigidInverse } from '../../export/runtime/sessions/matrix.ts';
 import { createOrbit, ORBIT_DEFAULTS } from '../../export/runtime/sessions/orbit/orbit-pose.ts';
+import { createSpatial } from '../../export/runtime/spatial/create-spatial.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import type { ParamValue } from '../../nodes/kit/definition.ts';
-import type { ViewFrame } from '../../nodes/kit/session.ts';
+import type { SessionFrame, ViewFrame } from '../../nodes/kit/session.ts';
 import { createGl, frame, HEIGHT, texture, view, WIDTH } from './runtime-kit.ts';
 
 /** Plays compiled programs frame by frame like a page does, and counts what is drawn. */
@@ -16,6 +18,7 @@ interface Playing {
   readonly player: Player;
   readonly room: WebGLTexture;
   readonly draws: { count: number };
+  readonly input: ReturnType<typeof SESSION_INPUTS.page>;
 }
 
 let playing: Playing | null = null;
@@ -38,13 +41,24 @@ const CALLS = [
 /** Opens a program that looks at the origin from 2 m in a session without a camera. Files are loaded from below `assetUrl`. */
 export async function open(program: Program, assetUrl: string): Promise<void> {
   playing?.player.dispose();
+  playing?.input.dispose();
   index = 0;
   azimuthRad = 0.3;
   hasRoom = false;
   const gl = createGl({ depth: true });
   const assets = createFetchAssetSource(new URL(assetUrl, location.href).href, (...args) => fetch(...args));
   const canvas = gl.canvas as HTMLCanvasElement;
-  const player = createPlayer({ gl, canvas, program, modules: RUNTIMES, createScenes, assets, seed: 1, onDiagnostics: () => {} });
+  const player = createPlayer({
+    gl,
+    canvas,
+    program,
+    modules: RUNTIMES,
+    createScenes,
+    createSpatial,
+    assets,
+    seed: 1,
+    onDiagnostics: () => {},
+  });
   await player.ready;
   player.setSession({ world: 'virtual', blend: 'opaque' } as never);
   const draws = { count: 0 };
@@ -56,14 +70,16 @@ export async function open(program: Program, assetUrl: string): Promise<void> {
       return call?.apply(gl, args);
     };
   }
-  playing = { gl, player, room: roomTexture(gl), draws };
+  canvas.style.cssText = `position: fixed; left: 0; top: 0; width: ${WIDTH}px; height: ${HEIGHT}px`;
+  document.body.append(canvas);
+  playing = { gl, player, room: roomTexture(gl), draws, input: SESSION_INPUTS.page(canvas) };
 }
 
 /** Draws the changes of a frame. Returns the number of calls that draw or clear. */
 export function next(widthPx = WIDTH): number {
   const { player, draws } = opened();
   draws.count = 0;
-  player.drawChanges(frame(index++, [seen(widthPx)]));
+  player.drawChanges(frameOf(index++, widthPx));
   return draws.count;
 }
 
@@ -96,6 +112,12 @@ export function turnCamera(): void {
   azimuthRad += 0.4;
 }
 
+/** Presses, or moves or lifts, a mouse at a fraction of the canvas from its top left. */
+export function point(type: 'pointerdown' | 'pointermove' | 'pointerup', x: number, y: number): void {
+  const pointer = { pointerId: 1, pointerType: 'mouse', isPrimary: true, bubbles: true, button: 0, buttons: type === 'pointerup' ? 0 : 1 };
+  opened().gl.canvas.dispatchEvent(new PointerEvent(type, { ...pointer, clientX: x * WIDTH, clientY: y * HEIGHT }));
+}
+
 /** Whether the session knows the depth of the room from now on. */
 export function showRoom(shows: boolean): void {
   hasRoom = shows;
@@ -115,13 +137,20 @@ export async function loseContext(): Promise<void> {
 export function images(): { readonly kept: number; readonly drawn: number } {
   const { player, gl } = opened();
   const kept = hashOf(gl);
-  player.draw(frame(index - 1, [seen(WIDTH)]));
+  player.draw(frameOf(index - 1, WIDTH));
   return { kept, drawn: hashOf(gl) };
 }
 
 function opened(): Playing {
   if (!playing) throw new Error('Nothing is open.');
   return playing;
+}
+
+function frameOf(at: number, widthPx: number): SessionFrame {
+  const { input } = opened();
+  const made = frame(at, [seen(widthPx)]);
+  input.fill(made as Parameters<typeof input.fill>[0]);
+  return made;
 }
 
 function seen(widthPx: number): ViewFrame {

@@ -1,4 +1,5 @@
-import { type CompileOptions, compile } from '../../export/compiler/compile.ts';
+import { compile } from '../../export/compiler/compile.ts';
+import type { CompileOptions } from '../../export/compiler/compile-options.ts';
 import type { DrawOperation, PassOperation, Program } from '../../export/program/program.ts';
 import { formatDiagnostic } from '../../nodes/kit/diagnostics.ts';
 import { TEST_LIBRARY as library } from '../support/test-library.ts';

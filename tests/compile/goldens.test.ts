@@ -1,5 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
-import { type CompileOptions, compile } from '../../export/compiler/compile.ts';
+import { compile } from '../../export/compiler/compile.ts';
+import type { CompileOptions } from '../../export/compiler/compile-options.ts';
 import { TEST_LIBRARY as library } from '../support/test-library.ts';
 import type { TestStudio } from '../support/test-studio.ts';
 import { expectText } from '../support/texts.ts';

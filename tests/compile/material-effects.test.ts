@@ -81,7 +81,6 @@ describe('materials compute effects over a layer of opaque objects', () => {
     expect(isInMaterials(pair)).toBe(true);
     expect(pair.fused.operations.find(({ kind }) => kind === 'draw')?.reads).toContain('tap-a.tapped');
     expect(programFaults(pair.fused)).toEqual([]);
-    expect(mayRest(pair.fused)).toBe(false);
   });
 
   test('and errors point to the author’s line, by a pass that is only compiled', () => {

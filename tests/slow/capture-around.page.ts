@@ -1,7 +1,6 @@
 import { Mesh, MeshBasicMaterial, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-import { pictureUrl } from '../../app/cli/rephotograph/photo-pixels.page.ts';
-import { compareImages } from '../../export/captures/image-quality.ts';
+import { compareImages } from '../../export/captures/evaluate/image-quality.ts';
 import { createFetchAssetSource } from '../../export/runtime/assets/asset-source.ts';
 import { loadCapture } from '../../export/runtime/assets/capture/load-capture.ts';
 import { createGlObjects } from '../../export/runtime/gl/gl-objects.ts';
@@ -10,6 +9,7 @@ import { createDepthMeshDrawing } from '../../nodes/kit/capture-drawing/depth-me
 import { multiplyMatrices } from '../../nodes/kit/matrices.ts';
 import { setPassState } from '../../nodes/kit/pass-state.ts';
 import { createGl } from '../browser/scenes-kit.ts';
+import { pictureUrl } from '../support/photo-pixels.page.ts';
 
 const SIZE = { widthPx: 320, heightPx: 240 };
 const FIELD_OF_VIEW_DEG = 60;

@@ -1,4 +1,4 @@
-import { compareImages } from '../../export/captures/image-quality.ts';
+import { compareImages } from '../../export/captures/evaluate/image-quality.ts';
 import { createFetchAssetSource } from '../../export/runtime/assets/asset-source.ts';
 import { type LoadedCapture, loadCapture } from '../../export/runtime/assets/capture/load-capture.ts';
 import { createGlObjects } from '../../export/runtime/gl/gl-objects.ts';

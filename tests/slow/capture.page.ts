@@ -1,5 +1,4 @@
-import { photoPixels, pictureUrl } from '../../app/cli/rephotograph/photo-pixels.page.ts';
-import { compareImages } from '../../export/captures/image-quality.ts';
+import { compareImages } from '../../export/captures/evaluate/image-quality.ts';
 import { createFetchAssetSource } from '../../export/runtime/assets/asset-source.ts';
 import { type LoadedCapture, loadCapture } from '../../export/runtime/assets/capture/load-capture.ts';
 import { createGlObjects } from '../../export/runtime/gl/gl-objects.ts';
@@ -12,6 +11,7 @@ import { definition } from '../../nodes/source/capture/definition.ts';
 import { create } from '../../nodes/source/capture/runtime.ts';
 import { createGl, createLayer, drawView } from '../browser/scenes-kit.ts';
 import { fakeContext } from '../support/node-context.ts';
+import { photoPixels, pictureUrl } from '../support/photo-pixels.page.ts';
 
 export type Method = 'plain' | 'nearest' | 'lumigraph' | 'lumigraph per vertex' | 'depth-meshes' | 'nearest without occlusion';
 

@@ -1,3 +1,4 @@
+import { basename, dirname, join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import type { Locator } from 'playwright-core';
 import { axeFindings } from '../support/axe.ts';
@@ -69,6 +70,32 @@ test.each([
   await expectNothingFound();
   await close(dialog);
   await expect(page.getByRole('log', { name: 'Messages' }).locator('.toast-error').count()).resolves.toBe(0);
+});
+
+test('folders are chosen from a list: the name of a new one stays, and an existing project is opened', async () => {
+  const { page, project } = open;
+  const above = dirname(project);
+  await run('New');
+  const made = page.getByRole('dialog', { name: 'New project' });
+  const folder = made.getByRole('textbox', { name: 'Folder' });
+  await folder.fill(join(project, 'my-effect'));
+  await made.getByRole('button', { name: 'Browse' }).click();
+  await made.getByRole('region', { name: `Folders in ${project}` }).waitFor();
+  await expectNothingFound();
+  await made.getByRole('button', { name: `Up to ${above}` }).click();
+  await made.getByRole('region', { name: `Folders in ${above}` }).waitFor();
+  expect(await folder.inputValue()).toBe(join(above, 'my-effect'));
+  await close(made);
+
+  await run('Open');
+  const opened = page.getByRole('dialog', { name: 'Open project' });
+  await opened.getByRole('textbox', { name: 'Project folder' }).fill(above);
+  await opened.getByRole('button', { name: 'Browse' }).click();
+  await opened.getByRole('button', { name: `${basename(project)} Project` }).click();
+  expect(await opened.getByRole('textbox', { name: 'Project folder' }).inputValue()).toBe(project);
+  await opened.getByRole('button', { name: 'Open', exact: true }).click();
+  await opened.waitFor({ state: 'detached' });
+  await open.editor.settled();
 });
 
 test('a folder without a project is refused in the dialog that opens projects', async () => {

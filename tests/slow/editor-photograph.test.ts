@@ -154,11 +154,12 @@ test('photographs of a scene become a capture, which a node shows', async () => 
   expect(estimateKb * 1000).toBeGreaterThan(bytes / 2);
   expect(estimateKb * 1000).toBeLessThan(bytes * 2);
 
+  await editor.hold();
+  const scene = await editor.picture();
   const row = page.getByRole('row', { name: /Red-box\.capture/ });
   await row.getByRole('button', { name: 'Add a node with Red-box.capture' }).click();
   await page.locator('.react-flow__node', { hasText: 'Red-box' }).waitFor();
-  await editor.hold();
-  const scene = await editor.picture();
+  // It lies over the scene; alone, it shows what it has of it.
   await editor.wire([await editor.nodeId('capture'), 'layer'], ['screen-aaaa', 'layer']);
   const place = await editor.imageOtherThan(scene, 100);
   if (process.env.SHOT) await page.screenshot({ path: `${process.env.SHOT}-node.png` });

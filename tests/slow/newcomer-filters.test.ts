@@ -26,7 +26,7 @@ const browser = useBrowser();
 
 async function inEditor(use: (page: Page, editor: EditorDriver) => Promise<void>): Promise<void> {
   const server = await startServer({ installation: installationAt(ROOT, '0.0.0'), startPath: null, log: () => {} });
-  const page = await browser.browser.newPage({ viewport: { width: 1440, height: 900 } });
+  const page = await browser.browser.newPage({ viewport: { width: 1440, height: 900 }, reducedMotion: 'reduce' });
   const errors = collectErrors(page);
   try {
     await page.goto(server.invite());

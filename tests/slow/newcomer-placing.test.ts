@@ -49,7 +49,7 @@ async function twist(xr: XrPage, [x, y]: readonly [number, number], radius: numb
 
 test('a newcomer makes a page in which a model is placed, dragged, turned, measured and labeled, in at most 20 interactions', async () => {
   const server = await startServer({ installation: installationAt(ROOT, '0.0.0'), startPath: null, log: () => {} });
-  const page = await browser.browser.newPage({ viewport: { width: 1440, height: 900 } });
+  const page = await browser.browser.newPage({ viewport: { width: 1440, height: 900 }, reducedMotion: 'reduce' });
   const errors = collectErrors(page);
   const exportTo = join(base, 'page');
   try {

@@ -27,7 +27,7 @@ const browser = useBrowser();
 
 test('a newcomer makes a page with an occluded, shadowed cartoon in few interactions', async () => {
   const server = await startServer({ installation: installationAt(ROOT, '0.0.0'), startPath: null, log: () => {} });
-  const page = await browser.browser.newPage({ viewport: { width: 1440, height: 900 } });
+  const page = await browser.browser.newPage({ viewport: { width: 1440, height: 900 }, reducedMotion: 'reduce' });
   const errors = collectErrors(page);
   const [project, exportTo] = [join(base, 'first'), join(base, 'page')];
   try {

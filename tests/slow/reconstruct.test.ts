@@ -1,24 +1,15 @@
 import { cp, mkdir, mkdtemp, readdir, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { runCli } from '../../app/cli/run-cli.ts';
 import { installationAt } from '../../app/services/installation.ts';
 import { readCaptureFolder } from '../../app/services/read-capture-folder.ts';
-import { COLMAP, findTool } from '../../app/services/reconstruct/outside-tools.ts';
-import { describeMissing } from '../support/required.ts';
+import { describeWithProgram } from '../support/colmap.ts';
 import { scrim } from '../support/scrim.ts';
 import { describeWithData } from '../support/shared-data.ts';
 
-const colmap = await findTool(COLMAP, null).catch(() => null);
 const PHOTOS = ['00000.jpg', '00010.jpg', '00020.jpg', '00030.jpg', '00040.jpg', '00050.jpg'];
-
-/** Tests that run the program COLMAP. Skipped with the reason where it is missing. */
-function describeWithProgram(name: string, tests: () => void): void {
-  if (colmap === null)
-    describeMissing(name, 'colmap', `COLMAP is in no folder of PATH (Debian: apt install colmap; others: ${COLMAP.url})`);
-  else describe(name, tests);
-}
 
 describeWithProgram('scrim reconstruct', () => {
   describeWithData('of photographs of a room', 'captures/icl-livingroom', (room) => {

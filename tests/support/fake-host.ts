@@ -57,6 +57,7 @@ export function createFakeHost(
     'app.close': () => ({}),
     'menu.show': () => ({}),
     'folder.pick': () => ({ path: null }),
+    'folder.list': ({ path }) => ({ path, parent: null, folders: [] }),
     'project.open': ({ path }) => open(path),
     'project.create': ({ path }) => open(path),
     'project.save': (input) => {
@@ -100,6 +101,22 @@ export function createFakeHost(
     'capture.add': () => ({}),
     'capture.finish': () => ({ path: 'assets/scene.capture/capture.json', diagnostics: [] }),
     'capture.cancel': () => ({}),
+    'photographs.look': () => ({ photographs: 12, hasCameras: false, colmap: '3.8 (/usr/bin/colmap)', diagnostic: null }),
+    'photographs.import': () => ({
+      path: 'assets/kitchen.capture/capture.json',
+      photographs: 12,
+      found: 12,
+      isRough: true,
+      start: { positionM: [1, 2, 3], yawRad: 0.5 },
+      diagnostics: [],
+    }),
+    'photographs.cancel': () => ({}),
+    'photographs.stage': ({ folder }) => ({ folder: `/project/.scrim/photographs/${folder}` }),
+    'rephotograph.begin': ({ method }) => ({ methods: [method ?? 'lumigraph'], views: 2 }),
+    'rephotograph.add': () => ({}),
+    'rephotograph.finish': () => ({ means: [{ method: 'lumigraph', psnrDb: 30.5, ssim: 0.9, chromaError: 2, covered: 1 }] }),
+    'rephotograph.cancel': () => ({}),
+    'rephotograph.show': () => ({ url: 'http://127.0.0.1:2/', opened: false }),
     ...handlers,
   };
   return {

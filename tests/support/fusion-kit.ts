@@ -1,6 +1,7 @@
 import { spawnSync } from 'node:child_process';
 import { basename } from 'node:path';
-import { type CompileOptions, createCompiler } from '../../export/compiler/compile.ts';
+import { createCompiler } from '../../export/compiler/compile.ts';
+import type { CompileOptions } from '../../export/compiler/compile-options.ts';
 import type { FoldedNode } from '../../export/compiler/fold/folded-node.ts';
 import type { SeparateWire } from '../../export/compiler/schedule/fuse/separate-wire.ts';
 import { readIsf } from '../../export/glsl/isf/read-isf.ts';

@@ -1,4 +1,4 @@
-import type { CompileOptions } from '../../export/compiler/compile.ts';
+import type { CompileOptions } from '../../export/compiler/compile-options.ts';
 import type { SeparateReason } from '../../export/compiler/schedule/fuse/separate-wire.ts';
 import { type CompiledTwins, type Twins, twins, versionOf } from './fusion-kit.ts';
 

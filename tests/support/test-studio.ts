@@ -1,4 +1,5 @@
-import { type CompileOptions, createCompiler } from '../../export/compiler/compile.ts';
+import { createCompiler } from '../../export/compiler/compile.ts';
+import type { CompileOptions } from '../../export/compiler/compile-options.ts';
 import { putAsset } from '../../export/graph/commands/asset-commands.ts';
 import type { Change } from '../../export/graph/commands/change.ts';
 import { moveNodes } from '../../export/graph/commands/layout-commands.ts';

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import type { Page } from 'playwright-core';
 import { useBrowser } from '../support/browser.ts';
-import { pixelAt, type RgbaImage } from '../support/image.ts';
+import { encodeImage, pixelAt, type RgbaImage } from '../support/image.ts';
 import { type ServedExport, serveProjectText } from '../support/project-page.ts';
 import { openXrPage, readCapture } from './xr-page.ts';
 
@@ -113,4 +113,39 @@ test('passes that look the same to both eyes are drawn once per frame, and both 
   };
   for (const eyeX of [0, half])
     for (let x = 6; x < half - 12; x += 24) expect(rednessAt(eyeX + x)).toBeGreaterThan(rednessAt(eyeX + x + 12) + 40);
+});
+
+test('effects of an image file have the size of the file and are drawn once for both eyes, which then fit it to their views', async () => {
+  const image = { width: 64, height: 32, data: Uint8Array.from({ length: 64 * 32 * 4 }, (_, i) => (i % 4 === 3 ? 255 : (i * 37) % 256)) };
+  const served = await serveProjectText(
+    {
+      title: 'A blurred file over the room',
+      nodes: {
+        'file-a1b2': ['source/image-file', { file: 'photo' }],
+        'blur-a1b2': ['filter/gaussian-blur', { radius: { expression: '3 + frame % 2' } }],
+        'camera-a1b2': 'source/camera-video',
+        'sepia-a1b2': 'filter/sepia',
+        'mix-a1b2': ['operator/over', { opacity: 0.5 }],
+        'screen-a1b2': 'output/screen',
+      },
+      wires: [
+        'file-a1b2.layer -> blur-a1b2.inputImage',
+        'blur-a1b2.layer -> mix-a1b2.top',
+        'camera-a1b2.layer -> sepia-a1b2.inputImage',
+        'sepia-a1b2.layer -> mix-a1b2.bottom',
+        'mix-a1b2.layer -> screen-a1b2.layer',
+      ],
+      assets: { photo: { path: 'assets/photo.png', kind: 'image' } },
+    },
+    { 'assets/photo.png': encodeImage(image) },
+  );
+  const options = { room: livingRoom, device: 'headset', extra: ['camera-access'] } as const;
+  const xr = await openXrPage(chromium.browser, served.url, options, { width: 480, height: 240 }, WATCH_DRAWS);
+  await xr.enter();
+  const draws = await drawsOfFrame(xr.page);
+  expect(xr.errors).toEqual([]);
+  await xr.close();
+  await served.close();
+  // Across and along. Each eye has a camera image of its own: its filter and the mix are one pass on the screen.
+  expect(draws).toEqual([1, 1, 2]);
 });

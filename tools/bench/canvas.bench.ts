@@ -55,7 +55,6 @@ async function framesOf(root: string, browser: Browser, what: Case): Promise<num
   try {
     await page.goto(url);
     await page.locator('.react-flow__node').first().waitFor();
-    await page.getByRole('button', { name: 'Pause', exact: true }).click();
     const from = what.columns === 0 ? await oneNode(page) : await selectColumns(page, what.columns);
     return await drag(page, from);
   } finally {

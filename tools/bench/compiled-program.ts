@@ -1,6 +1,6 @@
 import type { ProjectFiles } from '../../app/contract/contract.ts';
 import { compileProject } from '../../app/services/compile-project.ts';
-import type { CompileOptions } from '../../export/compiler/compile.ts';
+import type { CompileOptions } from '../../export/compiler/compile-options.ts';
 import type { Program } from '../../export/program/program.ts';
 
 /** Compiles a project that must have no mistakes, without source maps, as exports do. */

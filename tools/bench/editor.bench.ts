@@ -8,7 +8,7 @@ import type { ToolContext } from '../lib/tool.ts';
 import { type Bench, quantile, timeMs } from './bench.ts';
 import { createKeyParts, type KeyParts } from './key-parts.ts';
 import { startBenchBrowser } from './open-page.ts';
-import { drawn, look } from './preview-image.ts';
+import { changed, drawn, look } from './preview-image.ts';
 
 /** Pause in which earlier edits are compiled and drawn. */
 const REST_MS = 3000;
@@ -63,7 +63,7 @@ function typingBench(context: ToolContext, name: string, example: string, node: 
       // A digit more or less of a factor that darkens everything.
       const ms = await timeMs(async () => {
         await page.keyboard.press(digits++ % 2 === 0 ? '5' : 'Backspace');
-        while ((await look(page)).equals(before)) if (page.isClosed()) throw new Error('The editor is gone.');
+        await changed(page, before);
       });
       await parts.take(page);
       return ms;
@@ -99,13 +99,12 @@ function createHost({ root }: ToolContext, example: string) {
 
 let digits = 0;
 
-/** Pauses the preview and puts the cursor into a number at the end of a filter's shader. */
+/** Puts the cursor into a number at the end of a filter's shader. */
 async function openShader(browser: Browser, url: string, node: string, parts: KeyParts): Promise<Page> {
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
   await parts.prepare(page);
   await page.goto(url);
   await drawn(page);
-  await page.getByRole('button', { name: 'Pause', exact: true }).click();
   await page.locator('.node-title', { hasText: node }).click();
   await page.getByRole('button', { name: 'Edit shader', exact: true }).click();
   await page.locator('.monaco-editor .view-line').first().waitFor();

@@ -16,10 +16,13 @@ const FIGURES: readonly (readonly [name: string, unit: Bench['unit'], of: (traff
   ['bytes of targets', 'kB', ({ targetBytes }) => targetBytes / 1000],
   ['bytes read per frame', 'kB', ({ readBytes }) => readBytes / 1000],
   ['bytes written per frame', 'kB', ({ writtenBytes }) => writtenBytes / 1000],
+  ['draws of objects', 'count', ({ draws }) => draws],
+  ['bytes written per frame by draws of objects', 'kB', ({ drawnBytes }) => drawnBytes / 1000],
+  ['bytes read per frame to resolve samples', 'kB', ({ resolvedBytes }) => resolvedBytes / 1000],
 ];
 
 /**
- * Passes, targets and bytes of a frame of 1280 × 720 pixels of every example, with fusion and without; also of figure 11 of the paper with a
+ * Passes, draws of objects, targets and bytes of a frame of 1280 × 720 pixels of every example, with fusion and without; also of figure 11 of the paper with a
  * filter over all of it, and of objects with filters, without antialiasing. They are computed from the programs, so they are the same on every machine.
  */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {

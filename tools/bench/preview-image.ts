@@ -1,3 +1,4 @@
+import { decode } from 'fast-png';
 import type { Page } from 'playwright-core';
 
 const PREVIEW = 'iframe[title="Preview"]';
@@ -7,15 +8,24 @@ const PREVIEW = 'iframe[title="Preview"]';
  */
 const LOOK = { x: 40, y: 60, width: 24, height: 24 };
 
-/** Waits until the preview shows its first image. */
+/** Waits until the preview shows its first image, which is not of one color as the empty panel is. */
 export async function drawn(page: Page): Promise<void> {
   await page.locator(PREVIEW).waitFor();
-  await changed(page, await look(page));
+  while (isPlain(await look(page))) failIfClosed(page);
+}
+
+function isPlain(png: Buffer): boolean {
+  const { data, channels } = decode(png);
+  return data.every((value, i) => value === data[i % channels]);
 }
 
 /** Waits until the preview looks other than `before`. */
 export async function changed(page: Page, before: Buffer): Promise<void> {
-  while ((await look(page)).equals(before)) if (page.isClosed()) throw new Error('The editor is gone.');
+  while ((await look(page)).equals(before)) failIfClosed(page);
+}
+
+function failIfClosed(page: Page): void {
+  if (page.isClosed()) throw new Error('The editor is gone.');
 }
 
 export async function look(page: Page): Promise<Buffer> {

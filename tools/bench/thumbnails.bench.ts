@@ -67,6 +67,8 @@ async function openEditor(root: string): Promise<Opened> {
   });
   await page.goto(url);
   await page.locator('.react-flow__node').first().waitFor();
+  // A project that opens for the first time stands at its first frame.
+  await page.getByRole('button', { name: 'Play', exact: true }).click();
   await page.waitForFunction(() => /[1-9]/.test(document.querySelector('.transport-time span')?.textContent ?? ''));
   const preview = page.frames().find((frame) => frame !== page.mainFrame());
   if (!preview) throw new Error('There is no preview.');

@@ -14,7 +14,7 @@ import { GALLERY_FILES, makeGallery } from './gallery.ts';
 import { makeGlossyBall } from './glossy-ball.ts';
 import { LAMP_AND_WINDOW, makeLampAndWindow } from './lamp-and-window.ts';
 import { makeLitRoom, makeLitRoomShot } from './lit-room.ts';
-import { makeNight, makePages, makeValley } from './paper/book.ts';
+import { makeLectern, makeNight, makePages, makePanes, makeValley } from './paper/book.ts';
 import { makeBracket } from './paper/bracket.ts';
 import { makeHands } from './paper/hands.ts';
 import { makeProject } from './paper/recipe.ts';
@@ -116,6 +116,8 @@ async function placePaper(root: string): Promise<void> {
 async function placeBook(root: string): Promise<void> {
   const assets = 'examples/the-world-in-the-book/assets';
   await place(root, [`${assets}/pages.glb`], await makePages());
+  await place(root, [`${assets}/panes.glb`], await makePanes());
+  await place(root, [`${assets}/lectern.glb`], await makeLectern());
   await place(root, [`${assets}/valley.glb`], await makeValley());
   await place(root, [`${assets}/night.glb`], await makeNight());
 }

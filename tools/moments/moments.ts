@@ -86,7 +86,8 @@ export const MOMENTS: readonly Moment[] = [
       await title(page, 'ink').click();
       await title(page, 'lines').click({ modifiers: ['Shift'] });
       await page.keyboard.press('Control+g');
-      await title(page, 'subgraph').dblclick();
+      // Beside the title, which a double-click edits.
+      await page.locator('[data-node^="subgraph"]').dblclick({ position: { x: 40, y: 45 } });
       await isSettled(page);
       await run(page, 'Fit graph to view');
     },

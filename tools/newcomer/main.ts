@@ -46,7 +46,7 @@ export const main: ToolMain = async ([wanted = ''], { root }) => {
   try {
     for (const [i, { file, play }] of FILMS.filter((film) => film.file.includes(wanted)).entries()) {
       const server = await startServer({ installation: installationAt(root, '0.0.0'), startPath: null, log: console.log });
-      const page = await browser.newPage({ viewport: SIZE, colorScheme: 'dark' });
+      const page = await browser.newPage({ viewport: SIZE, colorScheme: 'dark', reducedMotion: 'reduce' });
       await page.goto(server.invite());
       const frames: AnimationFrame[] = [];
       const onDone = async (done: Interaction) => {

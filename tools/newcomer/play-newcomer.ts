@@ -18,7 +18,6 @@ export async function playNewcomer(options: NewcomerOptions): Promise<readonly I
   const video = onWire(await output('video', 'layer'), await input('over', 'bottom'), 0.4);
   await hands.drag('Composite it under the model', clipped, video);
   await options.page.waitForFunction(() => document.querySelectorAll('[data-node^="over"]').length === 2);
-  await hands.press('Tidy up: L', 'l');
   await steps.exportTo(options.exportTo);
   return hands.done;
 }

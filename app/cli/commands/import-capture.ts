@@ -3,9 +3,11 @@ import type { DepthUnit } from '../../../export/captures/depth/depth-scale.ts';
 import { AXES, type Axis } from '../../../export/captures/upright.ts';
 import { type CaptureJob, type ImportedCapture, importCapture } from '../../services/add-capture.ts';
 import { NODE_FILES } from '../../services/file-layer.ts';
+import { simplifyMesh } from '../../services/outside/simplify-mesh.ts';
 import { findProject } from '../../services/project-files.ts';
 import { readKnownSize } from '../capture/known-size.ts';
 import { type Call, type Command, UsageError } from '../command.ts';
+import { simplifyOptions } from './simplify.ts';
 
 const DEPTH_WORDS: Readonly<Record<DepthKind, string>> = { z: 'along the axis of the camera', ray: 'along the rays of pixels' };
 const SOURCES = ['files', 'mesh', 'none'] as const;
@@ -62,6 +64,13 @@ export const importCaptureCommand: Command = {
       value: 'KIND',
       doc: 'What depth is: z (along the axis of the camera) or ray (along the ray of the pixel). Default: what fits the mesh.',
     },
+    triangles: {
+      type: 'string',
+      value: 'N',
+      doc: 'Reduces a mesh of the folder to so many triangles, as scrim simplify does. Default: it stays as it is.',
+    },
+    program: { type: 'string', value: 'NAME', doc: 'With --triangles: blender or instant-meshes. Default: blender.' },
+    path: { type: 'string', value: 'PATH', doc: 'With --triangles: the executable file of that program.' },
   },
   examples: [
     { line: 'scrim import capture scans/kitchen --project my-room', says: 'Adds assets/kitchen.capture to the project.' },
@@ -77,6 +86,7 @@ export const importCaptureCommand: Command = {
   run: async (call, { say, interrupted }) => {
     const project = call.text('project');
     if (project === null) throw new UsageError('The project is missing: add --project PROJECT.');
+    const simplify = simplifyOptions(call, { say, interrupted });
     const imported = await importCapture({
       folder: call.project,
       root: await findProject(project),
@@ -86,6 +96,7 @@ export const importCaptureCommand: Command = {
       known: readKnownSize(call),
       up: axis(call),
       depth: { from: depthSource(call), unit: depthUnit(call), kind: depthKind(call) },
+      ...(simplify && { simplify: async (mesh) => (await simplifyMesh(mesh, simplify)).mesh }),
       files: NODE_FILES,
       say,
       interrupted,

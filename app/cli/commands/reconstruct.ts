@@ -1,5 +1,5 @@
 import { realFolder } from '../../services/confine.ts';
-import { COLMAP, findTool } from '../../services/reconstruct/outside-tools.ts';
+import { COLMAP, findTool } from '../../services/outside/outside-tools.ts';
 import { reconstruct } from '../../services/reconstruct/reconstruct-photographs.ts';
 import { type Call, type Command, UsageError } from '../command.ts';
 import { quoted } from '../quoted.ts';
@@ -8,7 +8,7 @@ export const reconstructCommand: Command = {
   name: 'reconstruct',
   usage: 'FOLDER',
   summary: 'Find the cameras of photographs, with COLMAP',
-  doc: `Runs COLMAP (${COLMAP.url}) on the photographs in FOLDER or FOLDER/images, and writes their cameras to FOLDER/sparse. Where COLMAP was built with CUDA, it also computes depth and a mesh (FOLDER/dense). scrim import capture reads both. Everything that COLMAP prints is in FOLDER/.scrim-reconstruction/colmap.log. After an interrupt, the same command continues with the step that was interrupted.`,
+  doc: `Runs COLMAP (${COLMAP.url}) on the photographs in FOLDER or FOLDER/images, and writes their cameras to FOLDER/sparse. Where COLMAP was built with CUDA, it also computes depth and a mesh (FOLDER/dense); elsewhere, a rough mesh of the points that photographs share (FOLDER/sparse/0/mesh.ply). scrim import capture reads both. Everything that COLMAP prints is in FOLDER/.scrim-reconstruction/colmap.log. After an interrupt, the same command continues with the step that was interrupted.`,
   project: 'required',
   operand: { word: 'FOLDER', doc: 'the folder with the photographs' },
   options: {
@@ -22,7 +22,11 @@ export const reconstructCommand: Command = {
       value: 'one|many',
       doc: 'Whether one camera with one focal length took all photographs. Default: one.',
     },
-    dense: { type: 'string', value: 'yes|no', doc: 'Whether to compute depth and a mesh. Default: where COLMAP was built with CUDA.' },
+    dense: {
+      type: 'string',
+      value: 'yes|no',
+      doc: 'Whether to compute depth, for a fine mesh. Default: where COLMAP was built with CUDA.',
+    },
   },
   examples: [
     { line: 'scrim reconstruct scans/kitchen', says: 'Finds the cameras of scans/kitchen/images.' },
@@ -34,18 +38,21 @@ export const reconstructCommand: Command = {
     const colmap = await findTool(COLMAP, call.text('colmap'));
     const folder = await realFolder(call.project);
     const result = await reconstruct({ folder, colmap, oneCamera, dense: dense && dense === 'yes', say, interrupted });
-    const { photographs, found, mesh, kept } = result;
+    const { photographs, found, mesh, isDense, kept, diagnostics } = result;
     const lines = [
       `Found the cameras of ${found} of ${photographs} photographs.`,
       ...(kept.length > 0 ? [`Already done: ${kept.join(', ')}.`] : []),
-      mesh === null
-        ? 'There is no mesh yet: COLMAP needs CUDA for depth. Put a mesh of another tool into the folder as mesh.ply, or depth into depth/.'
-        : `Wrote the mesh ${mesh}.`,
-      `Next: scrim import capture ${quoted(mesh === null ? call.project : `${call.project}/dense/0`)} --project PROJECT`,
+      meshWords(mesh, isDense),
+      `Next: scrim import capture ${quoted(isDense ? `${call.project}/dense/0` : call.project)} --project PROJECT`,
     ];
-    return { status: 0, json: { ok: true, ...result }, text: lines.join('\n'), diagnostics: [] };
+    return { status: 0, json: { ok: true, ...result }, text: lines.join('\n'), diagnostics };
   },
 };
+
+function meshWords(mesh: string | null, isDense: boolean): string {
+  if (mesh === null) return 'The folder has depth or a mesh already.';
+  return isDense ? `Wrote the mesh ${mesh}.` : `Wrote the mesh ${mesh}: a rough one of points, because COLMAP needs CUDA for depth.`;
+}
 
 function choice<T extends string>(call: Call, option: string, words: readonly T[]): T | null {
   const text = call.text(option);

@@ -1,5 +1,7 @@
+import type { RephotographMethod } from '../../../export/captures/evaluate/rephotograph.ts';
 import { findChromium } from '../../services/chromium.ts';
 import { refusal } from '../../services/file-errors.ts';
+import type { MeasuredShot } from '../../services/rephotograph/rephotograph-report.ts';
 import { NO_BROWSER } from '../../services/start-browser.ts';
 import { withPage } from '../render/with-page.ts';
 import type * as RephotographPage from './rephotograph.page.ts';
@@ -9,11 +11,10 @@ export interface RephotographJob {
   readonly root: string;
   /** Real path of the folder of the capture. */
   readonly folder: string;
-  readonly methods: readonly RephotographPage.Method[];
+  readonly methods: readonly RephotographMethod[];
   /** Number of photographs per pixel (lumigraph). */
   readonly blended: number;
-  readonly keepsPictures: boolean;
-  readonly onView: (index: number, shots: readonly RephotographPage.Rephotograph[]) => Promise<void>;
+  readonly onView: (index: number, shots: readonly MeasuredShot[]) => Promise<void>;
   readonly say: (text: string) => void;
   readonly interrupted: AbortSignal;
 }
@@ -37,7 +38,11 @@ export async function rephotographViews(job: RephotographJob): Promise<void> {
     for (let index = 0; index < count; index++) {
       job.interrupted.throwIfAborted();
       job.say(`Rendering photographs (${index + 1} of ${count})…`);
-      await job.onView(index, await call('rephotograph', index, job.keepsPictures));
+      const shots = await call('rephotographView', index);
+      await job.onView(
+        index,
+        shots.map((shot) => ({ ...shot, picture: bytesOf(shot.picture), error: bytesOf(shot.error) })),
+      );
     }
   });
 }
@@ -46,4 +51,8 @@ export async function rephotographViews(job: RephotographJob): Promise<void> {
 function asRefusal(error: unknown, folder: string): unknown {
   const message = /CaptureError: (.*)/.exec(error instanceof Error ? error.message : '')?.[1];
   return message === undefined ? error : refusal('SCR032', `${folder} cannot be shown: ${message}.`);
+}
+
+function bytesOf(dataUrl: string): Uint8Array {
+  return Buffer.from(dataUrl.slice(dataUrl.indexOf(',') + 1), 'base64');
 }

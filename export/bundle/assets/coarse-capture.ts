@@ -2,10 +2,9 @@ import { createHash } from 'node:crypto';
 import { decode, encode } from 'jpeg-js';
 import { MeshoptSimplifier } from 'meshoptimizer/simplifier';
 import type { CaptureMesh } from '../../../nodes/kit/capture.ts';
+import { COARSE_CAPTURE_TRIANGLES } from '../../../nodes/kit/capture-size.ts';
 import type { AssetCache } from './model-cache.ts';
 
-/** Triangles of a coarse mesh: 54 KB, which arrive in 0.3 s over 1.6 Mbit/s. */
-const COARSE_TRIANGLES = 3000;
 /** An error as large as the mesh: the number of triangles decides. */
 const ANY_ERROR = 1;
 
@@ -15,12 +14,12 @@ const ANY_ERROR = 1;
  * @returns Null for a mesh that is not much larger.
  */
 export async function coarseMesh({ positions, indices }: CaptureMesh): Promise<CaptureMesh | null> {
-  if (indices.length < 2 * 3 * COARSE_TRIANGLES) return null;
+  if (indices.length < 2 * 3 * COARSE_CAPTURE_TRIANGLES) return null;
   await MeshoptSimplifier.ready;
   // Meshes may have vertices of their own for each triangle.
   const remap = MeshoptSimplifier.generatePositionRemap(positions, 3);
   const welded = indices.map((vertex) => remap[vertex] ?? vertex);
-  const target = 3 * COARSE_TRIANGLES;
+  const target = 3 * COARSE_CAPTURE_TRIANGLES;
   let [kept] = MeshoptSimplifier.simplify(welded, positions, 3, target, ANY_ERROR);
   // Many small pieces cannot be reduced edge by edge.
   if (kept.length > 2 * target) [kept] = MeshoptSimplifier.simplifySloppy(welded, positions, 3, null, target, ANY_ERROR);

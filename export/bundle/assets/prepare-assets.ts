@@ -20,6 +20,7 @@ import { SplatError, splatGpuBytes } from '../../../nodes/kit/splats/splats.ts';
 import { DECODER_FILES, DECODER_FILES_FOLDER, DECODERS, type DecoderFile, type DecoderName, neededDecoders } from '../../gltf/decoders.ts';
 import { ModelError } from '../../gltf/document.ts';
 import { imageSize } from '../../gltf/image-size.ts';
+import { mayHaveBorders } from '../../gltf/open-edges.ts';
 import { readGltf } from '../../gltf/read-gltf.ts';
 import { readWholeModel } from '../../gltf/whole-model.ts';
 import type { ProgramAsset } from '../../program/program.ts';
@@ -41,6 +42,8 @@ export interface AssetOptions {
   readonly cache: AssetCache | null;
   /** Whether the page loads files one by one, so that it shows a capture before all of it has arrived. A page of one file does not. */
   readonly streams: boolean;
+  /** Whether it matters which models have surfaces with a border; otherwise all count as having some. Default: false. */
+  readonly findsBorders?: boolean;
   /** Receives progress texts. */
   readonly say: (text: string) => void;
 }
@@ -121,8 +124,10 @@ export async function prepareAssets(assets: readonly ProgramAsset[], options: As
   const documents = models.map(({ bytes }) => readGltf(bytes).document);
   const needed = new Set(documents.flatMap(neededDecoders));
   const decoders = DECODERS.filter((name) => needed.has(name));
+  // Before they are compressed. Vertices with equal values still have equal ones afterwards.
+  const open = !options.findsBorders || read.some(({ asset, bytes }) => asset.kind === 'model' && mayHaveBorders(readGltf(bytes)));
   return {
-    output: { assets: prepared, decoders, models: modelUse(documents), decoderFiles: await readDecoders(options.root, decoders) },
+    output: { assets: prepared, decoders, models: modelUse(documents, open), decoderFiles: await readDecoders(options.root, decoders) },
     diagnostics,
   };
 }

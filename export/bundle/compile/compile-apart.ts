@@ -1,6 +1,7 @@
 import { Worker } from 'node:worker_threads';
 import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
-import type { Compiled, CompileInput, CompileOptions } from '../../compiler/compile.ts';
+import type { Compiled, CompileInput } from '../../compiler/compile.ts';
+import type { CompileOptions } from '../../compiler/compile-options.ts';
 import { bundleWorker } from '../bundle-worker.ts';
 
 /** Input of the compiler as data that can be sent to a thread. */

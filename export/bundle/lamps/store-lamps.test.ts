@@ -59,7 +59,7 @@ test('an HDR file of the project: the page has its lamps, equal to those that it
   const { page } = await bundleScripts(ROOT, {
     ...use,
     decoders: [],
-    models: { extensions: new Set(), points: false },
+    models: { extensions: new Set(), points: false, open: false },
     credits: false,
     singleFile: false,
   });

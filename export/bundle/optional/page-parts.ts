@@ -9,6 +9,11 @@ export const PAGE_PARTS: readonly OptionalPart[] = [
     otherwise: `export const createControls = () => null;\n${absent('sliderText')}`,
   },
   {
+    file: 'export/page/control-texts.ts',
+    isNeeded: ({ controls }) => controls,
+    otherwise: 'export const controlTexts = () => [];',
+  },
+  {
     file: 'export/page/credits-list.ts',
     isNeeded: ({ credits }) => credits,
     otherwise: 'export const createCredits = () => [];',

@@ -71,9 +71,41 @@ export const RUNTIME_PARTS: readonly OptionalPart[] = [
     otherwise: `export const createImports = () => ({ release() {} });`,
   },
   {
+    // The loops of a page are not bounded.
+    file: 'export/runtime/passes/guarded-drawing.ts',
+    isNeeded: () => false,
+    otherwise: absent('createGate', 'guardDrawing'),
+  },
+  {
     file: 'export/runtime/passes/change-watch.ts',
     isNeeded: ({ passesOnce, mayRest }) => passesOnce || mayRest,
     otherwise: 'export const createChangeWatch = () => null;',
+  },
+  {
+    file: 'export/runtime/program-instance/prepare-materials.ts',
+    isNeeded: ({ scenes }) => scenes,
+    otherwise: 'export const prepareMaterials = async () => {};',
+  },
+  {
+    file: 'export/runtime/program-instance/missing-floats.ts',
+    isNeeded: ({ targetFormats }) => targetFormats.has('scene16f'),
+    otherwise: 'export const reportMissingFloats = () => {};',
+  },
+  {
+    file: 'export/runtime/operations/occlusion.ts',
+    isNeeded: ({ operationKinds }) => operationKinds.has('draw'),
+    otherwise: 'export const createOcclusion = () => null;',
+  },
+  {
+    file: 'export/runtime/operations/pulse-overflow.ts',
+    isNeeded: ({ pulses }) => pulses,
+    otherwise: 'export const reportOverflows = () => {};',
+  },
+  {
+    // The compiler has checked the assets of a page.
+    file: 'export/runtime/assets/asset-mistakes.ts',
+    isNeeded: () => false,
+    otherwise: absent('missing', 'wrongKind'),
   },
   {
     file: 'export/runtime/program-instance/rest-watch.ts',
@@ -84,7 +116,7 @@ export const RUNTIME_PARTS: readonly OptionalPart[] = [
     // The page has the watch above only if its program may rest.
     file: 'export/program/may-rest.ts',
     isNeeded: () => false,
-    otherwise: 'export const STILL_TYPES = [];\nexport const mayRest = () => true;',
+    otherwise: 'export const STILL_TYPES = [];\nexport const MOVED_TYPES = [];\nexport const mayRest = () => true;',
   },
   {
     file: 'export/runtime/passes/direct-draw.ts',

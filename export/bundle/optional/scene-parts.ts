@@ -5,6 +5,10 @@ import { ABSENT, absent, hasPanoramas, type OptionalPart, plays } from './part.t
 const followsEdges = (use: PageUse): boolean =>
   plays('world/depth', { filter: 'by-sensor' })(use) || plays('world/depth', { filter: 'edge-aware' })(use);
 
+/** Whether techniques draw edges of the objects of a page as lines. */
+const drawsEdges = ({ techniqueEdges, models }: PageUse): boolean =>
+  techniqueEdges === 'all' || (techniqueEdges === 'of open models' && models.open);
+
 /** Node types that draw shadows. A test compares them with the runtimes. */
 export const SHADOW_CATCHERS: readonly string[] = ['layer/negative-shadow', 'layer/shadow'];
 
@@ -65,12 +69,13 @@ export const RADIAL_VERTEX = { declarations: '', main: '' };`,
   },
   {
     file: 'export/runtime/scenes/materials/edges/edge-geometry.ts',
-    isNeeded: ({ techniqueEdges }) => techniqueEdges,
-    otherwise: absent('edgeGeometryOf'),
+    isNeeded: drawsEdges,
+    // Of a mesh without a border.
+    otherwise: 'export const edgeGeometryOf = () => null;',
   },
   {
     file: 'export/runtime/scenes/materials/edges/edge-wrapper.ts',
-    isNeeded: ({ techniqueEdges }) => techniqueEdges,
+    isNeeded: drawsEdges,
     otherwise: absent('techniqueEdges'),
   },
   {
@@ -82,6 +87,11 @@ export const RADIAL_VERTEX = { declarations: '', main: '' };`,
     file: 'export/runtime/scenes/materials/shadow-strokes.ts',
     isNeeded: plays('layer/shadow', { drawing: 'strokes' }),
     otherwise: `export const GAP = '';\n${absent('createStrokeUniforms', 'gapOf', 'strokeParts')}`,
+  },
+  {
+    file: 'export/runtime/scenes/materials/shadow-contours.ts',
+    isNeeded: plays('layer/shadow', { drawing: 'strokes' }),
+    otherwise: absent('contourParts', 'flatContour', 'cubeContour'),
   },
   {
     file: 'nodes/layer/shadow/strokes.ts',

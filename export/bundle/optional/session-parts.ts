@@ -64,6 +64,12 @@ ${absent('createPointer', 'addPointer', 'deriveTaps', 'rest', 'nextTap')}`,
     otherwise: 'export const createRoomCapture = () => null;',
   },
   {
+    file: 'export/runtime/sessions/webxr/view-sources.ts',
+    isNeeded: (use) => needs('depth')(use) || needs('camera-image')(use),
+    otherwise: `const nothing = () => null;
+export const createViewSources = () => ({ depth: nothing, cameraImage: nothing, dispose: nothing });`,
+  },
+  {
     file: 'export/runtime/sessions/webxr/cpu-depth.ts',
     isNeeded: needs('depth'),
     otherwise: absent('createCpuDepth'),

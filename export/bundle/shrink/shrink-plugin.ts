@@ -2,10 +2,12 @@ import { readFile } from 'node:fs/promises';
 import { relative, resolve, sep } from 'node:path';
 import type { Plugin } from 'esbuild';
 import type { PageUse } from '../page-entry.ts';
+import { dropCases, dropMembers } from './drop-cases.ts';
 import { dropMethods } from './drop-methods.ts';
 import { dropBranches } from './glsl-conditionals.ts';
 import { changeTemplates, stripGlsl } from './glsl-templates.ts';
 import { THREE_PARTS, UNUSED_METHODS, undefinedMacros } from './three-parts.ts';
+import { TRIMS, type Trim } from './trims.ts';
 
 /** The license of three.js, which its bundled file has at its top, but not its source files. */
 const THREE_LICENSE = `/**
@@ -17,7 +19,7 @@ const THREE_LICENSE = `/**
 
 /**
  * Bundles three.js from its source files and leaves out what the page does not need: files, methods, and branches of shaders. Removes
- * comments and indentation from all shaders.
+ * comments and indentation from all shaders, and from Scrim's own files what `TRIMS` lists.
  */
 export function shrink(root: string, use: PageUse): Plugin {
   const three = resolve(root, 'node_modules/three/src');
@@ -25,6 +27,7 @@ export function shrink(root: string, use: PageUse): Plugin {
     THREE_PARTS.filter(({ isNeeded }) => isNeeded?.(use) !== true).map(({ file, otherwise }) => [resolve(three, file), otherwise]),
   );
   const never = undefinedMacros(use);
+  const trims = new Map(TRIMS.map((trim) => [resolve(root, trim.file), trim]));
   return {
     name: 'shrink',
     setup: ({ onResolve, onLoad, resolve: resolvePath }) => {
@@ -40,8 +43,18 @@ export function shrink(root: string, use: PageUse): Plugin {
       });
       onLoad({ filter: /[\\/](export|nodes)[\\/].*\.ts$/ }, async ({ path }) => {
         const text = await readFile(path, 'utf8');
-        return { contents: changeTemplates(text, stripGlsl), loader: 'ts' };
+        const trim = trims.get(path);
+        return { contents: changeTemplates(trim ? trimmed(text, trim, use) : text, stripGlsl), loader: 'ts' };
       });
     },
   };
+}
+
+/** Cuts out of a source file of Scrim what the page does not need. */
+export function trimmed(text: string, { cases, members = {} }: Trim, use: PageUse): string {
+  const names = Object.keys(members).filter((name) => members[name]?.(use) !== true);
+  const shorter = names.length > 0 ? dropMembers(text, names) : text;
+  if (!cases) return shorter;
+  const needed = cases.needed(use);
+  return dropCases(shorter, (label) => cases.labels.includes(label) && !needed.has(label));
 }

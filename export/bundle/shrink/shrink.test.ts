@@ -85,7 +85,7 @@ describe('three.js', () => {
     const { listFiles } = await import('../../../tools/lib/files.ts');
     const files = (await listFiles(resolve(THREE, 'renderers/shaders'))).filter((file) => file.endsWith('.js'));
     const text = (await Promise.all(files.map((file) => readFile(resolve(THREE, 'renderers/shaders', file), 'utf8')))).join();
-    const all = undefinedMacros({ models: { extensions: new Set(), points: false }, nodeTypes: [] });
+    const all = undefinedMacros({ models: { extensions: new Set(), points: false, open: false }, nodeTypes: [] });
     expect([...all].filter((macro) => !new RegExp(`\\b${macro}\\b`).test(text))).toEqual([]);
   });
 
@@ -102,7 +102,7 @@ describe('three.js', () => {
 
   test('a macro stays for models with its extension', () => {
     const macros = (...extensions: string[]) =>
-      undefinedMacros({ models: { extensions: new Set(extensions), points: false }, nodeTypes: [] });
+      undefinedMacros({ models: { extensions: new Set(extensions), points: false, open: false }, nodeTypes: [] });
     expect(macros().has('USE_CLEARCOAT')).toBe(true);
     expect(macros('KHR_materials_clearcoat').has('USE_CLEARCOAT')).toBe(false);
     expect(macros('KHR_materials_clearcoat').has('USE_SHEEN')).toBe(true);

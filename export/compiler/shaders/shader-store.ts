@@ -44,20 +44,25 @@ interface Entry {
   readonly source: string;
   readonly vertex: string | null;
   readonly shader: Result<IsfShader>;
-  definition: Result<NodeDefinition> | null;
   readonly links: Map<string, ShaderLink<readonly PartedPass[]>>;
   readonly depths: Map<string, PartedPass>;
 }
 
+interface Definition {
+  readonly source: string;
+  readonly definition: Result<NodeDefinition>;
+}
+
 export function createShaderStore(): ShaderStore {
   const entries = new Map<string, Entry>();
+  const definitions = new Map<string, Definition>();
   const techniques = createTechniqueStore();
 
   function entryOf(file: string, source: string, vertex: string | null): Entry {
     const known = entries.get(file);
     if (known?.source === source && known.vertex === vertex) return known;
     const shader = readImageShader(source, file, vertex);
-    const made: Entry = { source, vertex, shader, definition: null, links: new Map(), depths: new Map() };
+    const made: Entry = { source, vertex, shader, links: new Map(), depths: new Map() };
     entries.set(file, made);
     return made;
   }
@@ -72,9 +77,14 @@ export function createShaderStore(): ShaderStore {
     read: (file, source) => headerOf(file, source).shader,
     readDefinition: (file, source) => {
       if (isTechnique(source, file)) return techniques.readDefinition(file, source);
-      const entry = headerOf(file, source);
-      entry.definition ??= { ...entry.shader, output: entry.shader.output && isfDefinition(entry.shader.output, shaderName(file)) };
-      return entry.definition;
+      const known = definitions.get(file);
+      if (known?.source === source) return known.definition;
+      // Without its vertex shader, so that the node type depends on the text alone.
+      const { vertex, shader } = headerOf(file, source);
+      const { output, diagnostics } = vertex === null ? shader : readImageShader(source, file, null);
+      const definition = { output: output && isfDefinition(output, shaderName(file)), diagnostics };
+      definitions.set(file, { source, definition });
+      return definition;
     },
     link: (file, source, vertex, variant) => {
       const { shader, links } = entryOf(file, source, vertex);

@@ -1,6 +1,6 @@
 import { castDraft } from 'immer';
 import { isEntryId } from '../document-names.ts';
-import type { Frame, Note, Project, Reroute } from '../project.ts';
+import type { ExposedPorts, Frame, Note, Place, Project, Reroute } from '../project.ts';
 import { getOwn } from '../record.ts';
 import { type Change, change, graphOf } from './change.ts';
 import { draftLayout } from './node-commands.ts';
@@ -14,17 +14,19 @@ export interface MoveNodes {
   readonly positions: Readonly<Record<string, { readonly x: number; readonly y: number }>>;
   /** Reroutes by id. */
   readonly reroutes?: Readonly<Record<string, Reroute>>;
+  /** Places of the borders of a subgraph; null: beside the nodes again. */
+  readonly borders?: Readonly<Partial<Record<keyof ExposedPorts, Place | null>>>;
 }
 
 /**
- * Moves nodes and reroutes. Unknown ids are ignored.
+ * Moves nodes, reroutes and borders. Unknown ids are ignored.
  *
  * @returns The change; this command is never refused.
  *
  * @example
  * moveNodes(project, { graph: 'main', positions: { 'sepia-k7q2': { x: 240, y: 80 } } });
  */
-export function moveNodes(project: Project, { graph, positions, reroutes = {} }: MoveNodes): Change {
+export function moveNodes(project: Project, { graph, positions, reroutes = {}, borders = {} }: MoveNodes): Change {
   const { nodes } = graphOf(project, graph);
   return change(project, (draft) => {
     const layout = draftLayout(draft, graph).nodes;
@@ -39,7 +41,25 @@ export function moveNodes(project: Project, { graph, positions, reroutes = {} }:
       const reroute = draft.layout[graph]?.reroutes[id];
       if (reroute) Object.assign(reroute, rounded(place));
     }
+    for (const side of ['inputs', 'outputs'] as const) {
+      const place = borders[side];
+      if (place) moveBorder(draftLayout(draft, graph), side, rounded(place));
+      else if (place === null) releaseBorder(draft.layout[graph], side);
+    }
   });
+}
+
+function moveBorder(layout: ReturnType<typeof draftLayout>, side: keyof ExposedPorts, place: Place): void {
+  const kept = layout.borders?.[side];
+  if (kept) Object.assign(kept, place);
+  else layout.borders = { ...layout.borders, [side]: place };
+}
+
+function releaseBorder(layout: ReturnType<typeof draftLayout> | undefined, side: keyof ExposedPorts): void {
+  if (!layout?.borders?.[side]) return;
+  const { [side]: _, ...kept } = layout.borders;
+  if (Object.keys(kept).length > 0) layout.borders = kept;
+  else delete layout.borders;
 }
 
 export interface SetCollapsed {

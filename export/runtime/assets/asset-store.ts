@@ -1,4 +1,4 @@
-import { ASSET_WORDS, oneAsset } from '../../../nodes/kit/asset-words.ts';
+import { ASSET_WORDS } from '../../../nodes/kit/asset-words.ts';
 import type { AssetHandle, AssetService, EnvironmentAsset, ImageAsset, ModelAsset, VideoAsset } from '../../../nodes/kit/assets.ts';
 import type { CaptureAsset } from '../../../nodes/kit/capture-asset.ts';
 import type { AssetKind } from '../../../nodes/kit/definition.ts';
@@ -9,6 +9,7 @@ import type { ProgramAsset } from '../../program/program.ts';
 import type { FrameClock } from '../clock.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
 import type { LoadedEnvironment, LoadedModel, SceneBackend } from '../scene-backend.ts';
+import { missing, wrongKind } from './asset-mistakes.ts';
 import type { AssetSource } from './asset-source.ts';
 import { type LoadedCapture, loadCapture } from './capture/load-capture.ts';
 import { type LoadedAudio, loadAudio } from './load-audio.ts';
@@ -197,25 +198,28 @@ function decode(
   }
 }
 
-function missing(id: string): Omit<Diagnostic, 'nodeId'> {
-  return { code: 'SCR030', severity: 'error', message: `The asset "${id}" is not in the project.`, fix: 'Choose another one.' };
-}
-
-function wrongKind(asset: ProgramAsset, wanted: AssetKind): Omit<Diagnostic, 'nodeId'> {
-  const message = `"${asset.path}" is ${oneAsset(asset.kind)}, but the node needs ${oneAsset(wanted)}.`;
-  return { code: 'SCR033', severity: 'error', message, fix: 'Choose another asset.' };
-}
-
 function unreadable(asset: ProgramAsset, error: unknown): Omit<Diagnostic, 'nodeId'> {
   const message = `The ${ASSET_WORDS[asset.kind]} "${asset.path}" cannot be read: ${reason(error)}.`;
-  return { code: 'SCR030', severity: 'error', message, fix: 'Check that the file is in the project folder, or choose another one.' };
+  return {
+    code: 'SCR030',
+    severity: 'error',
+    message,
+    fix: 'Check that the file is in the project folder, or choose another one.',
+  };
 }
 
 function undecodable(asset: ProgramAsset, error: unknown): Omit<Diagnostic, 'nodeId'> {
   const message = `The ${ASSET_WORDS[asset.kind]} "${asset.path}" cannot be decoded: ${reason(error)}.`;
-  const known = error instanceof Error && 'fix' in error && typeof error.fix === 'string' ? error.fix : null;
-  const fix = known ?? 'Check that the file opens in another program, or save it again.';
-  return { code: 'SCR032', severity: 'error', message, fix };
+  return {
+    code: 'SCR032',
+    severity: 'error',
+    message,
+    fix: knownFix(error) ?? 'Check that the file opens in another program, or save it again.',
+  };
+}
+
+function knownFix(error: unknown): string | null {
+  return error instanceof Error && 'fix' in error && typeof error.fix === 'string' ? error.fix : null;
 }
 
 function reason(error: unknown): string {

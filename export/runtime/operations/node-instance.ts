@@ -1,21 +1,21 @@
 import type { PlayedModule } from '../../../nodes/kit/cpu-filter.ts';
 import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
-import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { Clock, NodeContext, NodeRuntime, SceneService, SessionService, WorkerService } from '../../../nodes/kit/runtime.ts';
-import { PULSE_CAPACITY } from '../../../nodes/kit/runtime.ts';
 import type { ResetCause } from '../../../nodes/kit/session.ts';
-import type { DrawOperation, NodeOperation, ProgramAsset } from '../../program/program.ts';
+import type { NodeOperation, ProgramAsset } from '../../program/program.ts';
 import type { AssetStore } from '../assets/asset-store.ts';
 import { type CpuMeans, createCpuFilter } from '../cpu/run-cpu-filter.ts';
 import type { StartWorker } from '../cpu/worker-source.ts';
 import type { DiagnosticsBoard } from '../diagnostics-board.ts';
 import { createRandom } from '../random.ts';
-import { type LiveResources, liveResource } from '../resources/resources.ts';
-import type { DrawBinding, SceneBackend, ShadowMaps } from '../scene-backend.ts';
-import { createSlotView, type Slots } from '../values/slots.ts';
+import type { LiveResources } from '../resources/resources.ts';
+import type { SceneBackend, ShadowMaps } from '../scene-backend.ts';
+import type { Slots } from '../values/slots.ts';
 import { createMaterialEffects, type LiveEffects } from './material-effects.ts';
 import { isDraw } from './node-key.ts';
 import { createNodePorts } from './node-ports.ts';
+import { createOcclusion } from './occlusion.ts';
+import { reportOverflows } from './pulse-overflow.ts';
 
 /** A node of the running program. */
 export interface NodeInstance {
@@ -97,12 +97,7 @@ export function createNodeInstance(
     workers: createWorkerService('worker' in module ? module.worker : undefined, operation.type, host.startWorker),
     report,
   } satisfies Record<keyof NodeContext<NodeDefinition>, unknown>;
-  for (const [port, queue] of ports.pulseOutputs) {
-    queue.onOverflow = () => {
-      queue.onOverflow = null;
-      report(overflow(port));
-    };
-  }
+  reportOverflows(ports.pulseOutputs, report);
   const runtime = create(module);
 
   function create(played: PlayedModule): NodeRuntime {
@@ -142,38 +137,4 @@ function createWorkerService(text: string | undefined, type: string, startWorker
       return startWorker(text, listener);
     },
   };
-}
-
-function overflow(port: string): Omit<Diagnostic, 'nodeId'> {
-  return {
-    code: 'SCR056',
-    severity: 'warning',
-    port,
-    message: `The output emitted more than ${PULSE_CAPACITY} pulses in one frame. The rest are lost.`,
-    fix: 'Emit fewer pulses: lower the rate of the node, or add a Gate before it.',
-  };
-}
-
-interface Occlusion {
-  readonly binding: NonNullable<DrawBinding['occlusion']>;
-  point(operation: NodeOperation, slots: Slots): void;
-}
-
-function createOcclusion(operation: NodeOperation, resources: LiveResources, slots: Slots): Occlusion | null {
-  const occlusion = occlusionOf(operation);
-  if (!occlusion) return null;
-  const views = Object.entries(occlusion.params).map(([name, slot]) => ({ name, view: createSlotView(slots, slot) }));
-  return {
-    binding: {
-      roomDepth: liveResource(resources, occlusion.roomDepth, 'room-depth').depth,
-      params: Object.fromEntries(views.map(({ name, view }) => [name, view])) as NonNullable<DrawBinding['occlusion']>['params'],
-    },
-    point: (next, nextSlots) => {
-      for (const { name, view } of views) view.point(nextSlots, occlusionOf(next)?.params[name] ?? -1);
-    },
-  };
-}
-
-function occlusionOf(operation: NodeOperation): DrawOperation['occlusion'] {
-  return isDraw(operation) ? operation.occlusion : null;
 }

@@ -1,11 +1,11 @@
 import { LOOP_BUDGET_UNIFORM, tooManyIterations } from '../../program/loop-budget.ts';
 import type { LinkedShader, PassOperation } from '../../program/program.ts';
 import type { Engine } from '../engine.ts';
-import { GATED_COPY_SHADER } from '../gl/copy-shader.ts';
+import { GATED_COPY_SHADER } from '../gl/gated-copy-shader.ts';
 import { createLoopProbe, type LoopProbe } from '../gl/loop-probe.ts';
 import type { GlProgram } from '../gl/program-cache.ts';
 import type { LoadedProgram } from '../loading.ts';
-import type { PassGuard } from '../passes/pass.ts';
+import type { PassGuard } from '../passes/guarded-drawing.ts';
 
 /**
  * Tracks which nodes of a program exceed the loop budget. A node that exceeds it and whose loops may never end is bypassed until a probe

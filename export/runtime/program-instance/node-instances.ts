@@ -86,6 +86,14 @@ export function disposeNodeInstances(instances: NodeInstances, kept: Members = N
   for (const [id, { maps }] of instances.shadowMaps) if (!kept.shadowMaps.has(id)) maps.dispose();
 }
 
+/**
+ * Whether a node is a value node, which survives the loss of the context. Other nodes hold GPU objects of three.js, if only through their
+ * outputs.
+ */
+export function makesValues({ operations }: Program, id: string): boolean {
+  return operations.some((operation) => operation.id === id && (operation.kind === 'value' || operation.kind === 'behavior'));
+}
+
 export function isNode(operation: Operation): operation is NodeOperation {
   return operation.kind !== 'pass' && operation.kind !== 'shadow-maps' && operation.kind !== 'readback';
 }

@@ -1,5 +1,5 @@
 import type { NodeRuntime } from '../../../nodes/kit/runtime.ts';
-import type { ResetCause, SessionFrame } from '../../../nodes/kit/session.ts';
+import type { ResetCause } from '../../../nodes/kit/session.ts';
 import type { Operation, PassOperation, Program } from '../../program/program.ts';
 import { createCpuStep, isCpu } from '../cpu/cpu-step.ts';
 import type { Engine } from '../engine.ts';
@@ -10,15 +10,16 @@ import { type DirectDraw, findDirectDraws } from '../passes/direct-draw.ts';
 import { createImports, type Imports } from '../passes/imports.ts';
 import { createPass, type Pass, type PassParts } from '../passes/pass.ts';
 import { createReadbackStep, isReadback } from '../pixels/pixels-step.ts';
-import { EMPTY_FRAME, enterView } from '../play-state.ts';
+import { enterView } from '../play-state.ts';
 import { createBackground, type SessionTraits } from '../present/background.ts';
 import { createResources, disposeUnused, type LiveResources, pointResources } from '../resources/resources.ts';
-import { createSessionFrame } from '../sessions/session-frame.ts';
 import { createTargetSizes } from '../targets/target-sizes.ts';
 import { createSlots, type Slots } from '../values/slots.ts';
 import { createDrawStep } from './draw-step.ts';
 import type { LoopGuard, LoopWatch } from './loop-watch.ts';
-import { createNodeInstances, disposeNodeInstances, isShadowMaps, type NodeInstances } from './node-instances.ts';
+import { reportMissingFloats } from './missing-floats.ts';
+import { createNodeInstances, disposeNodeInstances, isShadowMaps, makesValues, type NodeInstances } from './node-instances.ts';
+import { prepareMaterials } from './prepare-materials.ts';
 import { createRestWatch } from './rest-watch.ts';
 import type { Step } from './step.ts';
 import { monitored } from './step.ts';
@@ -141,22 +142,7 @@ export function createProgramInstance(
         if (resource.kind === 'pixels') resource.pixels.forget();
       }
     },
-    prepare: async () => {
-      const backend = engine.scenesIfMade();
-      if (!backend) return;
-      state.frame = createEmptyWorld();
-      enterView(state, 0);
-      for (const [id, { runtime }] of instances.nodes) {
-        // Nodes with state begin with the first frame.
-        if (makesValues(program, id)) runtime.prepare?.();
-        else runtime.update(state.frame);
-      }
-      const compiled = backend.prepare(() => {
-        for (const step of [...once, ...each]) step.prepare?.(state);
-      });
-      state.frame = EMPTY_FRAME;
-      await compiled;
-    },
+    prepare: () => prepareMaterials(engine, program, instances, [...once, ...each]),
     release: (next) => {
       if (!next) disposeNodeInstances(instances);
       loops?.release(next?.loops ?? null);
@@ -179,47 +165,6 @@ export function createProgramInstance(
       return { resources: left.resources, instances: left, loops: null };
     },
   };
-}
-
-/**
- * Reports at the first node with a scene layer that the GPU cannot draw 16-bit floats, so scene layers are stored in 8 bits as display
- * layers are.
- */
-function reportMissingFloats({ resources, operations }: Program, { objects, host }: Engine): void {
-  if (objects.limits.halfFloatTargets) return;
-  const scenes = new Set(
-    resources.flatMap((resource) => (resource.kind === 'target' && resource.format === 'scene16f' ? [resource.id] : [])),
-  );
-  const first = operations.find(({ writes }) => writes.some((id) => scenes.has(id)));
-  if (!first) return;
-  host.board.report(first.node, {
-    code: 'SCR055',
-    severity: 'warning',
-    message: 'This GPU cannot draw to 16-bit floats, so scene layers lose what is brighter than white.',
-    fix: 'Use display layers, or keep the light of the scene below white.',
-  });
-}
-
-const PREPARED_SIDE_PX = 64;
-
-/** A frame with one view of an empty world. */
-function createEmptyWorld(): SessionFrame {
-  const frame = createSessionFrame();
-  const [view] = frame.views;
-  frame.viewCount = 1;
-  if (view) {
-    view.viewport.widthPx = PREPARED_SIDE_PX;
-    view.viewport.heightPx = PREPARED_SIDE_PX;
-  }
-  return frame;
-}
-
-/**
- * Whether a node is a value node, which survives the loss of the context. Other nodes hold GPU objects of three.js, if only through their
- * outputs.
- */
-function makesValues({ operations }: Program, id: string): boolean {
-  return operations.some((operation) => operation.id === id && (operation.kind === 'value' || operation.kind === 'behavior'));
 }
 
 /** Draws a pass only in frames that change its image. */

@@ -1,4 +1,5 @@
 import { MAY_CHANGE } from '../../../nodes/kit/runtime.ts';
+import type { ObjectList } from '../../../nodes/kit/scene-lists.ts';
 import { mayRest } from '../../program/may-rest.ts';
 import type { Operation, Program } from '../../program/program.ts';
 import type { CpuFilter } from '../cpu/run-cpu-filter.ts';
@@ -29,7 +30,7 @@ interface Answers {
 }
 
 /** Operations that `ChangeWatch` does not compare. */
-const COMPARED: ReadonlySet<Operation['kind']> = new Set(['draw', 'cpu', 'shadow-maps']);
+const COMPARED: ReadonlySet<Operation['kind']> = new Set(['draw', 'cpu', 'shadow-maps', 'readback']);
 
 /** Returns null for programs of passes alone, which `ChangeWatch` looks at, and for those of which every frame has to be drawn. */
 export function createRestWatch(program: Program, { resources, slots, nodes }: RestParts): RestWatch | null {
@@ -43,14 +44,37 @@ export function createRestWatch(program: Program, { resources, slots, nodes }: R
   const answers: Answers[] = [];
   /** Whether it may differ from the last frame without a sign. */
   const restless: (() => boolean)[] = [];
-  for (const { runtime } of nodes.values()) {
+  /** Comparisons of numbers, which remember what they compared. */
+  const moves: (() => boolean)[] = [];
+  for (const operation of program.operations) {
+    const runtime = nodes.get(operation.id)?.runtime;
+    if (runtime === undefined) continue;
     facts.push(() => runtime.version);
     if ('shown' in runtime) answers.push({ count: () => (runtime as CpuFilter).shown, enough: 0 });
+    if (runtime.version !== undefined) continue;
+    for (const id of operation.writes) {
+      const written = resources.get(id);
+      if (written?.kind === 'objects') moves.push(listMove(written.list));
+    }
   }
   for (const resource of resources.values()) {
     if (resource.kind === 'room-depth') {
       facts.push(() => resource.depth.views[0] ?? null);
       restless.push(() => !!resource.depth.views[0]);
+    }
+    if (resource.kind === 'pixels') answers.push({ count: () => resource.pixels.taken, enough: 0 });
+    if (resource.kind === 'pulses') {
+      facts.push(() => resource.queue.count > 0);
+      restless.push(() => resource.queue.count > 0);
+    }
+    if (resource.kind === 'pose') {
+      const { pose } = resource;
+      const last = new Float32Array(16);
+      facts.push(
+        () => pose.valid,
+        () => pose.jumps,
+      );
+      moves.push(() => copyChanges(pose.worldFromPose, last));
     }
     if (resource.kind === 'external') {
       const [shown] = resource.layer.views;
@@ -87,13 +111,16 @@ export function createRestWatch(program: Program, { resources, slots, nodes }: R
         if (fact !== lastFacts[i]) changed = true;
         lastFacts[i] = fact;
       }
+      for (let i = 0; i < moves.length; i++) if (moves[i]?.()) changed = true;
+      // Only devices measure them, and they change without a sign.
+      if (frame.surfaces || frame.light) changed = true;
       for (let i = 0; i < restless.length; i++) if (restless[i]?.()) changed = true;
       if (showsWorld && session?.world === 'image' && seen.cameraImage) changed = true;
       let waits = false;
       for (let i = 0; i < answers.length; i++) {
         const each = answers[i];
         if (!each) continue;
-        // The first answer may have been asked for before the change.
+        // The first answer may have been asked for before the change. Pixels are read when the frame is drawn.
         if (changed) each.enough = each.count() + 2;
         if (each.count() < each.enough) waits = true;
       }
@@ -105,8 +132,35 @@ export function createRestWatch(program: Program, { resources, slots, nodes }: R
   };
 }
 
+/** Numbers per listed object: its matrix and its flags. */
+const ITEM_NUMBERS = 17;
+
+/** Compares the places and flags of listed objects, and the version of their list. */
+function listMove(list: ObjectList): () => boolean {
+  let last = new Float64Array();
+  let version = -1;
+  return () => {
+    const { items } = list;
+    let changed = version !== list.version;
+    version = list.version;
+    if (last.length !== items.length * ITEM_NUMBERS) last = new Float64Array(items.length * ITEM_NUMBERS).fill(Number.NaN);
+    for (let i = 0, at = 0; i < items.length; i++) {
+      const item = items[i];
+      if (!item) continue;
+      const { elements } = item.worldFromObject;
+      const flags = (item.hidden ? 1 : 0) + (item.castsShadow ? 2 : 0) + (item.receivesShadow ? 4 : 0);
+      for (let n = 0; n < ITEM_NUMBERS; n++, at++) {
+        const number = elements[n] ?? flags;
+        if (number !== last[at]) changed = true;
+        last[at] = number;
+      }
+    }
+    return changed;
+  };
+}
+
 /** Copies numbers. Returns whether one of them was another. */
-function copyChanges(now: Float32Array | Float64Array, last: Float32Array | Float64Array): boolean {
+function copyChanges(now: Readonly<Float32Array | Float64Array>, last: Float32Array | Float64Array): boolean {
   let changed = false;
   for (let i = 0; i < now.length; i++) if (now[i] !== last[i]) changed = true;
   last.set(now);

@@ -15,6 +15,8 @@ import type { Figure } from './figure.ts';
 
 /** The lines and ends of a measurement as objects, which the room hides like other objects. */
 export interface Drawing {
+  /** Changes whenever the objects do, apart from their color. */
+  readonly version: number;
   /**
    * Updates the objects.
    *
@@ -48,7 +50,18 @@ export function createDrawing(output: ObjectList, { lines, ends }: Figure): Draw
   const balls = make('ends', new SphereGeometry(0.5, 16, 12), ends.length);
   output.version++;
 
-  function show({ mesh, item }: typeof rods, count: number): void {
+  let version = 0;
+  /** Sets the matrix of an instance to `scratchMatrix`. Returns whether it was another. */
+  function put({ mesh }: typeof rods, index: number): boolean {
+    const { array } = mesh.instanceMatrix;
+    let changed = false;
+    for (let n = 0; n < 16; n++) if (array[16 * index + n] !== Math.fround(scratchMatrix.elements[n] ?? 0)) changed = true;
+    if (changed) mesh.setMatrixAt(index, scratchMatrix);
+    return changed;
+  }
+  function show({ mesh, item }: typeof rods, count: number, moved: boolean): void {
+    if (!moved && mesh.count === count) return;
+    version++;
     item.hidden = count === 0;
     mesh.count = count;
     mesh.instanceMatrix.needsUpdate = true;
@@ -56,21 +69,27 @@ export function createDrawing(output: ObjectList, { lines, ends }: Figure): Draw
   }
 
   return {
+    get version() {
+      return version;
+    },
     update: (figure, widthM, color) => {
       setMaterialColor(material, color);
+      let rodsMoved = false;
+      let ballsMoved = false;
       for (let i = 0; i < figure.lineCount; i++) {
         const [from, to] = [figure.lines[2 * i] as Vector3, figure.lines[2 * i + 1] as Vector3];
         const lengthM = scratchAlong.subVectors(to, from).length();
         scratchRotation.setFromUnitVectors(UP, lengthM > 0 ? scratchAlong.divideScalar(lengthM) : UP);
         scratchMiddle.addVectors(from, to).multiplyScalar(0.5);
-        rods.mesh.setMatrixAt(i, scratchMatrix.compose(scratchMiddle, scratchRotation, scratchScale.set(widthM, lengthM, widthM)));
+        scratchMatrix.compose(scratchMiddle, scratchRotation, scratchScale.set(widthM, lengthM, widthM));
+        if (put(rods, i)) rodsMoved = true;
       }
       for (let i = 0; i < figure.endCount; i++) {
         scratchMatrix.makeScale(END_RATIO * widthM, END_RATIO * widthM, END_RATIO * widthM).setPosition(figure.ends[i] as Vector3);
-        balls.mesh.setMatrixAt(i, scratchMatrix);
+        if (put(balls, i)) ballsMoved = true;
       }
-      show(rods, widthM > 0 ? figure.lineCount : 0);
-      show(balls, widthM > 0 ? figure.endCount : 0);
+      show(rods, widthM > 0 ? figure.lineCount : 0, rodsMoved);
+      show(balls, widthM > 0 ? figure.endCount : 0, ballsMoved);
     },
     dispose: () => {
       rods.mesh.geometry.dispose();

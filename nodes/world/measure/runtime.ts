@@ -178,6 +178,9 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   }
 
   return {
+    get version() {
+      return drawing?.version ?? 0;
+    },
     update: (frame) => {
       noise.alongM = alongM.value;
       noise.referenceM = referenceM.value;

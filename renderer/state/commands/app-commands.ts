@@ -32,6 +32,7 @@ import {
   always,
   canRedo,
   canUndo,
+  hasCapture,
   hasFrames,
   hasNodes,
   hasOneNode,
@@ -50,7 +51,7 @@ const COMMANDS = {
   // Browsers reserve Ctrl+N.
   'file.new': {
     label: 'New…',
-    keywords: ['create', 'start', 'template'],
+    keywords: ['create', 'start', 'template', 'new project'],
     keys: ['Mod+Alt+N'],
     enabled: always,
     run: newProject,
@@ -58,7 +59,7 @@ const COMMANDS = {
   },
   'file.open': {
     label: 'Open…',
-    keywords: ['load', 'recent', 'example'],
+    keywords: ['load', 'recent', 'example', 'open project'],
     keys: ['Mod+O'],
     enabled: always,
     run: openProject,
@@ -110,6 +111,21 @@ const COMMANDS = {
     enabled: isOpen,
     run: ({ ui }) => ui.setState({ dialog: { kind: 'photograph' } }),
     whileTyping: true,
+  },
+  'file.photographs': {
+    label: 'Import photographs…',
+    keywords: ['capture', 'colmap', 'photogrammetry', 'reconstruct', 'scan', 'place', 'room'],
+    keys: ['Mod+Alt+I'],
+    enabled: isOpen,
+    run: ({ ui }) => ui.setState({ dialog: { kind: 'photographs', folder: '' } }),
+    whileTyping: true,
+  },
+  'file.rephotograph': {
+    label: 'Rephotograph a capture…',
+    keywords: ['quality', 'measure', 'evaluation', 'PSNR', 'SSIM', 'error map', 'leave one out'],
+    keys: [],
+    enabled: hasCapture,
+    run: ({ ui }) => ui.setState({ dialog: { kind: 'rephotograph' } }),
   },
   'edit.undo': { label: 'Undo', keywords: ['back', 'revert'], keys: ['Mod+Z'], enabled: canUndo, run: undoOrCancelDrag },
   'edit.redo': { label: 'Redo', keys: ['Mod+Shift+Z', 'Mod+Y'], enabled: canRedo, run: redo },

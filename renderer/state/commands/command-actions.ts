@@ -21,12 +21,12 @@ export function canvasCenter({ canvas }: Editor): Place {
 }
 
 /** Opens the palette. If exactly one wire is selected, the new node is inserted into it; if exactly one node is, it continues that node. */
-export function openPalette({ ui, selection }: Editor): void {
+export function openPalette({ ui, selection }: Editor, query = ''): void {
   const selected = selection.getState();
   const [wire] = selected.nodes.size === 0 && selected.wires.size === 1 ? selected.wires : [];
   const after = wire === undefined ? soleNode(selected) : null;
   const where = wire === undefined ? (after === null ? {} : { after }) : { wire };
-  ui.setState({ palette: { at: middleOfWindow(), place: null, end: null, ...where } });
+  ui.setState({ palette: { at: middleOfWindow(), place: null, end: null, query, ...where } });
 }
 
 /** Cycles through system, light and dark. */

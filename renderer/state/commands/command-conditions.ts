@@ -6,6 +6,8 @@ import { selectedSubgraph } from '../graph/subgraphs.ts';
 
 export const always = () => true;
 export const isOpen = ({ document }: Editor) => document.getState().open !== null;
+export const hasCapture = ({ document }: Editor) =>
+  document.getState().open !== null && Object.values(document.getState().project.assets).some(({ kind }) => kind === 'capture');
 export const isUnsaved = ({ document }: Editor) => document.getState().open !== null && isDirty(document.getState());
 export const canUndo = ({ document }: Editor) => document.getState().history.past.length > 0;
 export const canRedo = ({ document }: Editor) => document.getState().history.future.length > 0;

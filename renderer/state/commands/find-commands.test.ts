@@ -1,12 +1,11 @@
 import { expect, test } from '@jest/globals';
 import { openTestEditor } from '../../../tests/support/test-editor.ts';
+import { searchPalette } from '../graph/palette-search.ts';
 import { findCommands } from './find-commands.ts';
 
 test.each([
   ['theme', 'view.theme'],
-  ['tint', 'view.theme'],
   ['filter', 'graph.new-filter'],
-  ['effect', 'graph.add'],
   ['effect', 'graph.add'],
   ['publish', 'file.export'],
   ['video', 'file.render'],
@@ -21,6 +20,14 @@ test.each([
 ])('“%s” finds the command %s first', async (query, id) => {
   const { editor } = await openTestEditor();
   expect(findCommands(editor, query)[0]).toBe(id);
+});
+
+test('a word for what an image should look like finds no command, but nodes', async () => {
+  const { editor } = await openTestEditor();
+  expect(findCommands(editor, 'tint')).toEqual([]);
+  const { library } = editor.document.getState();
+  const definitions = [...library.types()].flatMap((type) => library.definition(type) ?? []);
+  expect(searchPalette(definitions, 'tint', null).map(({ definition }) => definition.type)).toContain('filter/sepia');
 });
 
 test('commands that cannot run come last', async () => {

@@ -21,6 +21,8 @@ export const MENUS: readonly { readonly label: string; readonly entries: readonl
       'file.exported',
       'file.render',
       'file.photograph',
+      'file.photographs',
+      'file.rephotograph',
     ],
   },
   {

@@ -186,7 +186,7 @@ export const VIEW_COMMANDS = {
     enabled: always,
     run: (editor) => dockPreview(editor, 'below'),
   },
-  'view.theme': { label: 'Theme', keywords: ['light', 'dark', 'appearance', 'tint'], keys: [], enabled: always, run: switchTheme },
+  'view.theme': { label: 'Theme', keywords: ['light', 'dark', 'appearance'], keys: [], enabled: always, run: switchTheme },
   // No keys, because Ctrl with plus zooms the browser or the window.
   'view.larger': {
     label: 'Increase UI scale',

@@ -7,9 +7,9 @@ import { printWire } from '../../../export/graph/wires.ts';
 import { hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import { type DocumentState, graphOf, layoutOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
-import { placeOfItem } from '../editor/item-ids.ts';
+import { borderOf, placeOfItem } from '../editor/item-ids.ts';
 import { keepInSelection } from '../editor/selection.ts';
-import { toastDiagnostic } from '../editor/ui.ts';
+import { revealNodes, toastDiagnostic } from '../editor/ui.ts';
 import { diagnosticWithTitles } from './message-titles.ts';
 
 /**
@@ -21,9 +21,18 @@ export function apply(editor: Editor, label: string, made: Change, key?: string)
   for (const diagnostic of change.diagnostics) toastDiagnostic(editor.ui, diagnosticWithTitles(editor.document.getState(), diagnostic));
   if (hasErrors(change.diagnostics)) return false;
   if (change.patches.length === 0) return true;
-  const before = editor.document.getState().history;
-  commit(editor, change.project, history.record(before, change, key === undefined ? { label } : { label, key }));
+  const before = editor.document.getState();
+  commit(editor, change.project, history.record(before.history, change, key === undefined ? { label } : { label, key }));
+  showAdded(editor, before);
   return true;
+}
+
+/** Scrolls to the nodes that a change has added to the open graph. */
+function showAdded(editor: Editor, before: DocumentState): void {
+  const known = graphOf(before).nodes;
+  const { nodes } = graphOf(editor.document.getState());
+  const added = nodes === known ? [] : Object.keys(nodes).filter((id) => getOwn(known, id) === undefined);
+  if (added.length > 0) revealNodes(editor.ui, added);
 }
 
 /** Ends the current undo step. The next change starts another one. */
@@ -110,7 +119,7 @@ function commit(editor: Editor, project: Project, next: history.History): void {
   const exists = {
     node: (id: string) => getOwn(nodes, id) !== undefined,
     wire: (id: string) => ids.has(id),
-    item: (id: string) => placeOfItem(layout, id) !== undefined,
+    item: (id: string) => placeOfItem(layout, id) !== undefined || borderOf(id) !== null,
   };
   keepInSelection(editor.selection, (kind, id) => exists[kind](id));
 }

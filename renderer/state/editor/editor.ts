@@ -30,7 +30,10 @@ export interface ImageSize {
 }
 
 export type FrameRenderQuestion = Exclude<HiddenWork, { kind: 'draw-model' }>;
-export type FrameRenderAnswer = Extract<FromPreview, { kind: 'frame-rendered' | 'render-finished' | 'render-failed' | 'photographed' }>;
+export type FrameRenderAnswer = Extract<
+  FromPreview,
+  { kind: 'frame-rendered' | 'render-finished' | 'render-failed' | 'photographed' | 'rephotographed' }
+>;
 
 /** A page that renders frames or takes photographs one by one. It answers each message before the next is sent. */
 export interface FrameRenderLink {

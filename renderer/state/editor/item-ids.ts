@@ -1,5 +1,5 @@
 import type { LayoutKind } from '../../../export/graph/document-names.ts';
-import type { GraphLayout } from '../../../export/graph/project.ts';
+import type { ExposedPorts, GraphLayout } from '../../../export/graph/project.ts';
 import { getOwn } from '../../../export/graph/record.ts';
 import type { Place } from './canvas-state.ts';
 
@@ -16,6 +16,18 @@ export function itemId(kind: ItemKind, id: string): string {
 export function itemOf(canvasId: string): { readonly kind: ItemKind; readonly id: string } | null {
   const [kind, id] = canvasId.split(':');
   return (kind === 'frame' || kind === 'note' || kind === 'reroute') && id !== undefined ? { kind, id } : null;
+}
+
+/** The borders of an open subgraph, by their canvas ids. */
+const BORDERS: Readonly<Record<string, keyof ExposedPorts>> = { 'border:inputs': 'inputs', 'border:outputs': 'outputs' };
+
+export function borderId(side: keyof ExposedPorts): string {
+  return `border:${side}`;
+}
+
+/** Side of the border with a canvas id; null for other ids. */
+export function borderOf(canvasId: string): keyof ExposedPorts | null {
+  return getOwn(BORDERS, canvasId) ?? null;
 }
 
 export function itemIds(layout: GraphLayout): readonly string[] {
@@ -37,9 +49,14 @@ export function placeOfItem(layout: GraphLayout, canvasId: string): Place | unde
   return item === null ? undefined : getOwn<Place>(layout[`${item.kind}s`], item.id);
 }
 
-/** Splits positions into those of nodes and of reroutes, as `moveNodes` takes them. Omits frames and notes. */
-export function nodesAndReroutes(places: Readonly<Record<string, Place>>) {
+/** Splits positions into those of nodes, reroutes and borders, as `moveNodes` takes them. Omits frames and notes. */
+export function byKind(places: Readonly<Record<string, Place>>) {
   const entries = Object.entries(places);
+  const borders = entries.flatMap(([canvasId, place]) => {
+    const side = borderOf(canvasId);
+    return side === null ? [] : [[side, place]];
+  });
   const reroutes = entries.flatMap(([canvasId, place]) => idsOfKind([canvasId], 'reroute').map((id) => [id, place]));
-  return { positions: Object.fromEntries(entries.filter(([id]) => itemOf(id) === null)), reroutes: Object.fromEntries(reroutes) };
+  const nodes = entries.filter(([id]) => itemOf(id) === null && borderOf(id) === null);
+  return { positions: Object.fromEntries(nodes), reroutes: Object.fromEntries(reroutes), borders: Object.fromEntries(borders) };
 }

@@ -35,6 +35,8 @@ export interface Preferences {
   readonly favorites: readonly string[];
   /** Node types that were added last, newest first. */
   readonly recentTypes: readonly string[];
+  /** Path of COLMAP as it was typed; empty: that of the host. */
+  readonly colmap: string;
 }
 
 export type PreferencesStore = StoreApi<Preferences>;
@@ -53,6 +55,7 @@ export const DEFAULT_PREFERENCES: Preferences = {
   recent: [],
   favorites: [],
   recentTypes: [],
+  colmap: '',
 };
 
 const KEY = 'scrim-preferences';
@@ -86,6 +89,7 @@ export function loadPreferences(storage: Pick<Storage, 'getItem'>): Preferences 
     recent: Array.isArray(saved.recent) ? saved.recent.filter(isRecent).slice(0, MAX_RECENT) : [],
     favorites: readTypes(saved.favorites, MAX_FAVORITES),
     recentTypes: readTypes(saved.recentTypes, MAX_RECENT_TYPES),
+    colmap: typeof saved.colmap === 'string' ? saved.colmap : '',
   };
 }
 

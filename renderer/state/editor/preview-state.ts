@@ -51,6 +51,8 @@ export interface PreviewState {
   readonly physics: PhysicsChoice;
   /** Frame times of the recording; null if the source is not a recording. */
   readonly frames: FrameTimes | null;
+  /** Width of the images of the recording divided by their height; null if the source is not a recording. */
+  readonly shape: number | null;
   /** The play range; null for the whole recording. */
   readonly range: FrameRange | null;
   /** Whether the play range repeats. */
@@ -128,6 +130,7 @@ export function createPreviewState(frame: PreviewState['frame'] = 'auto'): Previ
     sessionRecording: 'no',
     physics: { paused: false, showsBodies: false, showsVoxels: false },
     frames: null,
+    shape: null,
     range: null,
     loop: false,
     asked: null,

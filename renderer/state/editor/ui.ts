@@ -1,5 +1,5 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { ExportedReport, ProjectFiles } from '../../../app/contract/contract.ts';
+import type { ExportedReport, HostEvent, HostOutput, ProjectFiles } from '../../../app/contract/contract.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { CanvasPlace, DraggedWire } from './canvas-state.ts';
 
@@ -46,6 +46,8 @@ export interface PaletteRequest {
   readonly swap?: string;
   /** Id of the node that the new node continues, if one of its outputs fits. */
   readonly after?: string;
+  /** What is searched for at first. Default: nothing. */
+  readonly query?: string;
 }
 
 /** Position in client pixels for a palette opened by a key, which roughly centers it. */
@@ -64,6 +66,11 @@ export type DialogRequest =
   | { readonly kind: 'render' }
   /** Photographs of the scene, for a capture. */
   | { readonly kind: 'photograph' }
+  /** Imports a folder of photographs. `folder` is its path; empty if it is not known yet. */
+  | { readonly kind: 'photographs'; readonly folder: string }
+  /** How a capture is rephotographed. `path`: the chosen capture. */
+  | { readonly kind: 'rephotograph'; readonly path?: string }
+  | { readonly kind: 'rephotographed'; readonly rephotographed: RephotographMeans }
   /** Asks about unsaved changes that an action would discard; `proceed` continues the action. */
   | { readonly kind: 'unsaved'; readonly proceed: () => void }
   | { readonly kind: 'recovery'; readonly files: ProjectFiles }
@@ -80,6 +87,16 @@ export type DialogRequest =
   | { readonly kind: 'commands' }
   | { readonly kind: 'shortcuts' }
   | { readonly kind: 'find' };
+
+/** How well a capture shows its photographs, each drawn from all others. */
+export interface RephotographMeans {
+  /** Path of its `capture.json`. */
+  readonly path: string;
+  /** Number of photographs. */
+  readonly views: number;
+  /** Means over all photographs, by method. */
+  readonly means: HostOutput<'rephotograph.finish'>['means'];
+}
 
 export interface Toast {
   readonly id: number;
@@ -114,6 +131,19 @@ export interface Exporting {
   /** A frame render or an acquisition, which the editor draws itself. Absent for an export, which the host writes. */
   readonly frames?: true;
 }
+
+/** An import of photographs, in progress or failed. */
+export interface PhotographImport {
+  /** Handle of the project. */
+  readonly handle: string;
+  readonly step: PhotographStep;
+  /** The last lines that COLMAP printed. */
+  readonly lines: readonly string[];
+  /** Why it failed; null while it runs. */
+  readonly error: Diagnostic | null;
+}
+
+export type PhotographStep = Extract<HostEvent, { kind: 'photographs-progress' }>['step'];
 
 /** How the open project is exported. */
 export interface ExportSettings {
@@ -163,6 +193,8 @@ export interface UiState {
   readonly typing: boolean;
   /** The export, frame render or acquisition in progress. */
   readonly exporting: Exporting | null;
+  /** The last import of photographs; null if there is none or it succeeded. */
+  readonly photographs: PhotographImport | null;
   /** Diagnostics of the last export. */
   readonly exportDiagnostics: readonly Diagnostic[];
   /** Why the last export failed, for its dialog. */
@@ -191,6 +223,7 @@ export function createUi(sizes: PanelSizes, dock: Dock): UiStore {
     codePosition: null,
     typing: false,
     exporting: null,
+    photographs: null,
     exportDiagnostics: [],
     exportErrors: [],
     exportSettings: DEFAULT_EXPORT_SETTINGS,

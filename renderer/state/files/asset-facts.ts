@@ -1,6 +1,6 @@
 import { imageSize } from '../../../export/gltf/image-size.ts';
 import { readCapture } from '../../../nodes/kit/capture.ts';
-import { captureSize } from '../../../nodes/kit/capture-size.ts';
+import { captureSize, PHONE_TEXTURE_PX, phoneCaptureBytes } from '../../../nodes/kit/capture-size.ts';
 import type { AssetKind } from '../../../nodes/kit/definition.ts';
 import type { Editor } from '../editor/editor.ts';
 import { bytesOf } from './base64.ts';
@@ -11,6 +11,8 @@ export interface AssetFacts {
   readonly picture: string | null;
   /** Textures with their mipmaps, and geometry. */
   readonly gpuBytes: number | null;
+  /** What a capture takes on phones and headsets, where pages limit it. */
+  readonly phoneGpuBytes: number | null;
 }
 
 export interface AssetPlace {
@@ -21,6 +23,8 @@ export interface AssetPlace {
   readonly kind: AssetKind;
   /** Size on disk. */
   readonly bytes: number;
+  /** Whether a node draws the depth meshes of a capture. */
+  readonly depthMeshes: boolean;
 }
 
 /** Size of pictures in pixels, twice that on screen. */
@@ -29,12 +33,9 @@ export const PICTURE_PX = { widthPx: 96, heightPx: 72 };
 /** Images and models above this size are not read, because the whole file is read for the picture. */
 const MAX_BYTES = 32 * 2 ** 20;
 
-/** The largest texture of most phones; captures are reduced to it. */
-const MAX_TEXTURE_PX = 4096;
-
 const RGBA8_BYTES = 4;
 
-export const NO_FACTS: AssetFacts = { picture: null, gpuBytes: null };
+export const NO_FACTS: AssetFacts = { picture: null, gpuBytes: null, phoneGpuBytes: null };
 
 /** Draws a small picture of an image, a model or a capture, and computes what the asset takes on the GPU. Never rejects. */
 export async function readAssetFacts(editor: Editor, place: AssetPlace): Promise<AssetFacts> {
@@ -66,7 +67,7 @@ async function readFile({ host }: Editor, { handle }: AssetPlace, path: string):
 /** An image is an RGBA8 texture without mipmaps (`load-image.ts`). */
 async function imageFacts(file: Uint8Array<ArrayBuffer>): Promise<AssetFacts> {
   const size = imageSize(file);
-  return { picture: await drawImage(file), gpuBytes: size && size.widthPx * size.heightPx * RGBA8_BYTES };
+  return { ...NO_FACTS, picture: await drawImage(file), gpuBytes: size && size.widthPx * size.heightPx * RGBA8_BYTES };
 }
 
 async function modelFacts({ models }: Editor, { assetBaseUrl, path }: AssetPlace): Promise<AssetFacts> {
@@ -74,17 +75,22 @@ async function modelFacts({ models }: Editor, { assetBaseUrl, path }: AssetPlace
   if (!drawn) return NO_FACTS;
   const { image, gpuBytes } = drawn;
   const picture = image && toUrl(image);
-  return { picture, gpuBytes };
+  return { ...NO_FACTS, picture, gpuBytes };
 }
 
 /** The picture of a capture is the photograph in the middle of its list. */
 async function captureFacts(editor: Editor, place: AssetPlace): Promise<AssetFacts> {
   const text = new TextDecoder().decode(await readFile(editor, place, place.path));
   const capture = readCapture(text);
-  const { gpuBytes } = captureSize(capture, { maxSidePx: MAX_TEXTURE_PX, depthMeshes: false });
+  const { depthMeshes } = place;
+  const { gpuBytes } = captureSize(capture, { maxSidePx: PHONE_TEXTURE_PX, depthMeshes });
   const view = capture.views[Math.floor(capture.views.length / 2)];
   const folder = place.path.slice(0, place.path.lastIndexOf('/') + 1);
-  return { picture: view ? await drawImage(await readFile(editor, place, folder + view.file)) : null, gpuBytes };
+  return {
+    picture: view ? await drawImage(await readFile(editor, place, folder + view.file)) : null,
+    gpuBytes,
+    phoneGpuBytes: phoneCaptureBytes(capture, depthMeshes),
+  };
 }
 
 /** Draws a small copy, so that large images do not stay in memory. Null if the browser cannot read the image. */

@@ -94,7 +94,7 @@ test('the uses are selected graph by graph', async () => {
 
 test('an asset becomes the node that outputs it', async () => {
   const { editor } = await openAssets();
-  const added = addAssetToGraph(editor, 'hall', { x: 0, y: 900 });
+  const added = await addAssetToGraph(editor, 'hall', { x: 0, y: 900 });
   expect(editor.document.getState().project.graphs.main?.nodes[added ?? '']).toMatchObject({
     type: 'source/capture',
     params: { file: { value: 'hall' } },
@@ -105,4 +105,28 @@ test('an asset becomes the node that outputs it', async () => {
       .rows.filter(isUnused)
       .map(({ id }) => id),
   ).toEqual(['tile']);
+});
+
+test('a captured place whose floor is not known stands so that the visitor sees it', async () => {
+  const { editor, host } = await openAssets();
+  /** Two cameras at these heights, 3 m to the right; both look along +x. */
+  const captureAt = (...heightsM: readonly number[]) => ({
+    ...{ format: 'scrim-capture', version: 1, mesh: { file: 'mesh.bin', vertexCount: 3, triangleCount: 1 } },
+    views: heightsM.map((y, i) => ({
+      ...{ file: `${i}.jpg`, widthPx: 4, heightPx: 3, fxPx: 4, fyPx: 4, cxPx: 2, cyPx: 1.5 },
+      worldFromCamera: [0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, 0, 3, y, 0, 1],
+    })),
+  });
+  const poseOf = async (...heightsM: readonly number[]) => {
+    host.answer('asset.read', () => ({ base64: btoa(JSON.stringify(captureAt(...heightsM))) }));
+    const node = await addAssetToGraph(editor, 'hall', { x: 0, y: 900 });
+    const { positionM, rotationRad } = editor.document.getState().project.graphs.main?.nodes[node ?? '']?.params ?? {};
+    return [positionM, rotationRad];
+  };
+  // The cameras of a photographed scene stand over its floor.
+  expect(await poseOf(1.4, 0.2)).toEqual([undefined, undefined]);
+  const [position, rotation] = await poseOf(0, 0);
+  // Turned by 90° to the left, what was at x = 3 is at z = -3: it comes to the eye, which looks along −z.
+  expect(rotation).toEqual({ value: [0, expect.closeTo(Math.PI / 2, 3), 0] });
+  expect(position).toEqual({ value: [expect.closeTo(0, 6), 1.6, 3] });
 });

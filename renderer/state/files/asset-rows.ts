@@ -10,6 +10,10 @@ export interface AssetUse {
   readonly node: string;
 }
 
+interface FoundUse extends AssetUse {
+  readonly depthMeshes: boolean;
+}
+
 /** An asset of the project, or an image that its shaders load. */
 export interface AssetRow {
   /** Id in the asset table; null for an image that only shaders load. */
@@ -21,6 +25,8 @@ export interface AssetRow {
   readonly uses: readonly AssetUse[];
   /** Names of the shaders that load it. */
   readonly shaders: readonly string[];
+  /** Whether a node draws the depth meshes of a capture. */
+  readonly depthMeshes: boolean;
 }
 
 export interface ListedAssets {
@@ -43,10 +49,11 @@ export function listAssets({ project, library, open }: Pick<DocumentState, 'proj
     bytes: sizeOf(files, path, kind),
     uses: uses.get(id) ?? [],
     shaders: loaded.get(path) ?? [],
+    depthMeshes: (uses.get(id) ?? []).some((use) => use.depthMeshes),
   }));
   const paths = new Set(own.map(({ path }) => path));
   const images = [...loaded].flatMap(([path, shaders]): AssetRow[] =>
-    paths.has(path) ? [] : [{ id: null, path, kind: 'image', bytes: sizeOf(files, path, 'image'), uses: [], shaders }],
+    paths.has(path) ? [] : [{ id: null, path, kind: 'image', bytes: sizeOf(files, path, 'image'), uses: [], shaders, depthMeshes: false }],
   );
   const rows = [...own, ...images].sort((a, b) => (a.path < b.path ? -1 : 1));
   const covered = (path: string) => path === project.page.poster || rows.some((row) => row.path === path || isPartOf(path, row));
@@ -58,14 +65,19 @@ export function isUnused({ id, uses, shaders }: AssetRow): boolean {
 }
 
 /** The nodes that use each asset, by asset id. */
-function usesOf(project: Project, library: NodeLibrary): Map<string, AssetUse[]> {
-  const uses = new Map<string, AssetUse[]>();
+function usesOf(project: Project, library: NodeLibrary): Map<string, FoundUse[]> {
+  const uses = new Map<string, FoundUse[]>();
   for (const [graph, { nodes }] of Object.entries(project.graphs)) {
     for (const [node, { type, params }] of Object.entries(nodes)) {
       const declared = library.definition(type)?.params ?? {};
       for (const [name, binding] of Object.entries(params)) {
-        const value = declared[name]?.type === 'asset' ? boundValue(binding) : undefined;
-        if (typeof value === 'string' && value !== '') uses.set(value, [...(uses.get(value) ?? []), { graph, node }]);
+        const param = declared[name];
+        const value = param?.type === 'asset' ? boundValue(binding) : undefined;
+        if (typeof value !== 'string' || value === '') continue;
+        const when = param?.type === 'asset' ? param.depthMeshes : undefined;
+        const chosen = when && (params[when.param] ?? { value: declared[when.param]?.default ?? '' });
+        const depthMeshes = chosen !== undefined && boundValue(chosen) === when?.is;
+        uses.set(value, [...(uses.get(value) ?? []), { graph, node, depthMeshes }]);
       }
     }
   }

@@ -1,6 +1,8 @@
+import { firstEye } from '../../../export/captures/first-eye.ts';
 import { putAsset, removeAsset } from '../../../export/graph/commands/asset-commands.ts';
 import { sequence } from '../../../export/graph/commands/change.ts';
 import { getOwn } from '../../../export/graph/record.ts';
+import { readCapture } from '../../../nodes/kit/capture.ts';
 import type { AssetKind } from '../../../nodes/kit/definition.ts';
 import { apply } from '../document/apply.ts';
 import type { Place } from '../editor/canvas-state.ts';
@@ -11,6 +13,7 @@ import { goToNode, pathToGraph } from '../graph/graph-path.ts';
 import { placeAsset } from '../graph/place-asset.ts';
 import { type DroppedFile, type FileKind, importWhole } from './add-files.ts';
 import { type AssetRow, isUnused, listAssets } from './asset-rows.ts';
+import { bytesOf } from './base64.ts';
 import { showRefusal } from './files.ts';
 
 /** Reads the list of asset files again, because other programs change them, too. */
@@ -63,13 +66,33 @@ export async function revealAsset({ host, document, ...editor }: Editor, path: s
   }
 }
 
-/** Adds a node for an asset of the project, and selects it. */
-export function addAssetToGraph(editor: Editor, id: string, place: Place): string | null {
+/** Adds a node for an asset of the project, and selects it. A captured place without a floor stands so that the visitor sees what a photograph shows. */
+export async function addAssetToGraph(editor: Editor, id: string, place: Place): Promise<string | null> {
   const asset = getOwn(editor.document.getState().project.assets, id);
   if (asset === undefined) return null;
-  const node = placeAsset(editor, { id, asset, label: `Add ${nameOf(asset.path)}` }, place);
+  const start = asset.kind === 'capture' ? await startOf(editor, asset.path) : null;
+  // Reading takes time, in which the asset may go.
+  if (getOwn(editor.document.getState().project.assets, id) !== asset) return null;
+  const node = placeAsset(editor, { id, asset, label: `Add ${nameOf(asset.path)}`, start }, place);
   if (node !== null) selectOnly(editor.selection, [node]);
   return node;
+}
+
+/** A camera that is lower stands in the floor, so the floor of the capture is not known. */
+const LOWEST_CAMERA_M = 0.05;
+
+/** Where a visitor begins in a captured place; null if its floor is at height 0, as in photographs of a scene, or it cannot be read. */
+async function startOf({ host, document }: Editor, path: string) {
+  const handle = document.getState().open?.handle;
+  if (handle === undefined) return null;
+  try {
+    const { base64 } = await host.call('asset.read', { handle, path });
+    const { views } = readCapture(new TextDecoder().decode(bytesOf(base64)));
+    return views.some(({ worldFromCamera }) => (worldFromCamera[13] ?? 0) < LOWEST_CAMERA_M) ? firstEye(views) : null;
+  } catch {
+    // The check of the project says what is wrong with the file.
+    return null;
+  }
 }
 
 /** Selects the nodes that use an asset: those of the open graph, or of the next graph if they are selected already. */

@@ -4,7 +4,7 @@ import { framingOf, type PosterFraming, type ViewCrop } from '../../../nodes/kit
 import type { PreviewStatus } from '../../preview-protocol.ts';
 import { apply } from '../document/apply.ts';
 import type { Editor } from '../editor/editor.ts';
-import { chosenSource } from '../editor/preview-state.ts';
+import { type ChosenSource, chosenSource, type PreviewState } from '../editor/preview-state.ts';
 import { addToast } from '../editor/ui.ts';
 import { bytesOf } from './base64.ts';
 import { refreshAssetFiles } from './edit-assets.ts';
@@ -72,6 +72,12 @@ export function keepFraming(editor: Editor, crop: ViewCrop, { tangents, worldFro
   const framing: PosterFraming = { center: [round(center[0]), round(center[1])], height: round(height), ...(room && { room }) };
   if (apply(editor, 'Frame the poster', setFraming(editor.document.getState().project, { framing })))
     addToast(editor.ui, { tone: 'success', text: 'Exports draw the poster as framed.' });
+}
+
+/** The source that shows the room of a framing; null if the framing has no room, or if the preview shows it. */
+export function roomToShow(state: PreviewState, framing: PosterFraming | undefined): ChosenSource | null {
+  const id = framing?.room ? `${ROOM_PREFIX}${framing.room.name}` : null;
+  return chosenSource(state)?.id === id ? null : (state.sources.find((source) => source.id === id) ?? null);
 }
 
 const ROOM_PREFIX = 'room/';

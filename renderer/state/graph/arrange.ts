@@ -1,4 +1,4 @@
-import { moveNodes } from '../../../export/graph/commands/layout-commands.ts';
+import { type MoveNodes, moveNodes } from '../../../export/graph/commands/layout-commands.ts';
 import type { GraphLayout, PortAddress } from '../../../export/graph/project.ts';
 import { getOwn } from '../../../export/graph/record.ts';
 import { routeOf, type Stretch, stretchesOf } from '../../../export/graph/routes.ts';
@@ -6,7 +6,7 @@ import { apply } from '../document/apply.ts';
 import type { Place } from '../editor/canvas-state.ts';
 import { graphOf, layoutOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
-import { itemId, itemOf, nodesAndReroutes } from '../editor/item-ids.ts';
+import { byKind, itemId, itemOf } from '../editor/item-ids.ts';
 import { revealNodes } from '../editor/ui.ts';
 import type { NodeBox } from './auto-layout.ts';
 import { type NodeShape, nodeShape, portCenter, THUMBNAIL_HEIGHT, unknownShape } from './node-shape.ts';
@@ -51,6 +51,7 @@ export function portPlace(editor: Editor, { node, port }: PortAddress, side: 'in
 }
 
 const NO_PORTS: ReadonlySet<string> = new Set();
+const BESIDE_THE_NODES = { inputs: null, outputs: null };
 
 /** Nodes of the open graph as boxes, with their thumbnails at full height. */
 export function boxesOf(editor: Editor, isWanted: (id: string) => boolean): readonly ShapedBox[] {
@@ -137,10 +138,10 @@ export async function tidy(editor: Editor): Promise<boolean> {
   const places = await layOut(boxes, [...stretchesOf({ wires }, layout).values()].map(endsOf));
   // The layout takes time; another graph may be open by then.
   if (editor.document.getState().graph !== graph) return false;
-  const moved = move(editor, 'Tidy up', boxes, (box) => places.get(box.id) ?? box);
+  const isWhole = boxes.filter(({ id }) => itemOf(id) === null).length === Object.keys(graphOf(editor.document.getState()).nodes).length;
+  const moved = move(editor, 'Tidy up', boxes, (box) => places.get(box.id) ?? box, isWhole ? BESIDE_THE_NODES : {});
   // The whole graph has moved, so the view may show empty canvas.
-  if (moved && boxes.filter(({ id }) => itemOf(id) === null).length === Object.keys(graphOf(editor.document.getState()).nodes).length)
-    revealNodes(editor.ui, [], 'fit');
+  if (moved && isWhole) revealNodes(editor.ui, [], 'fit');
   return moved;
 }
 
@@ -150,7 +151,13 @@ function endsOf({ source, wires, before, to }: Stretch): readonly [from: string,
   return [last === undefined ? source.node : itemId('reroute', last), to === null ? wires[0].to.node : itemId('reroute', to)];
 }
 
-function move(editor: Editor, label: string, boxes: readonly NodeBox[], placed: (box: NodeBox) => Place): boolean {
+function move(
+  editor: Editor,
+  label: string,
+  boxes: readonly NodeBox[],
+  placed: (box: NodeBox) => Place,
+  borders: MoveNodes['borders'] = {},
+): boolean {
   const { project, graph } = editor.document.getState();
   const positions = Object.fromEntries(
     boxes.map((box) => {
@@ -158,5 +165,5 @@ function move(editor: Editor, label: string, boxes: readonly NodeBox[], placed: 
       return [box.id, { x, y }];
     }),
   );
-  return apply(editor, label, moveNodes(project, { graph, ...nodesAndReroutes(positions) }));
+  return apply(editor, label, moveNodes(project, { graph, ...byKind(positions), borders }));
 }

@@ -1,4 +1,5 @@
 import { describe, expect, test } from '@jest/globals';
+import { loadProject } from '../../../export/graph/load.ts';
 import { openTestEditor } from '../../../tests/support/test-editor.ts';
 import { undo } from '../document/apply.ts';
 import { layoutOf } from '../editor/document.ts';
@@ -6,8 +7,10 @@ import type { Editor } from '../editor/editor.ts';
 import { itemIds } from '../editor/item-ids.ts';
 import { selectOnly } from '../editor/selection.ts';
 import { filesOf } from '../files/files.ts';
+import { tidy } from './arrange.ts';
 import { addNodeFromPalette, deleteSelection } from './edit-graph.ts';
 import { addFrame, addNote, boxOfItem, contentOf, editItemText, moveAll, resizeItem } from './layout-items.ts';
+import { createSubgraph, openSubgraph } from './subgraphs.ts';
 
 function add(editor: Editor, x: number, y: number): string {
   const definition = editor.document.getState().library.definition('filter/sepia');
@@ -18,6 +21,24 @@ function add(editor: Editor, x: number, y: number): string {
 
 const itemsOf = (editor: Editor) => itemIds(layoutOf(editor.document.getState()));
 const placeOf = (editor: Editor, id: string) => layoutOf(editor.document.getState()).nodes[id];
+
+test('the border of a subgraph keeps its place in the layout until the whole graph is tidied up', async () => {
+  const { editor } = await openTestEditor();
+  selectOnly(editor.selection, [add(editor, 100, 100), add(editor, 500, 100)]);
+  expect(createSubgraph(editor)).toBe(true);
+  const name = Object.keys(editor.document.getState().project.graphs).find((graph) => graph !== 'main') ?? '';
+  openSubgraph(editor, name);
+  const { project, layout } = filesOf(editor);
+  moveAll(editor, { 'border:outputs': { x: 900.4, y: 40 } });
+  moveAll(editor, { 'border:inputs': { x: -300, y: 0 } });
+  expect(filesOf(editor).project).toBe(project);
+  const read = loadProject({ project, layout: filesOf(editor).layout, sources: {} }).output;
+  expect(read?.layout[name]?.borders).toEqual({ inputs: { x: -300, y: 0 }, outputs: { x: 900, y: 40 } });
+  await tidy(editor);
+  expect(layoutOf(editor.document.getState()).borders).toBeUndefined();
+  for (let step = 0; step < 3; step++) undo(editor);
+  expect(filesOf(editor).layout).toBe(layout);
+});
 
 describe('a frame', () => {
   test('goes around the selected nodes, and takes them along, with what else lies in it', async () => {

@@ -7,7 +7,7 @@ import { apply, endGesture } from '../document/apply.ts';
 import type { Place } from '../editor/canvas-state.ts';
 import { layoutOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
-import { type ItemKind, idsOfKind, itemId, itemOf, nodesAndReroutes } from '../editor/item-ids.ts';
+import { byKind, type ItemKind, idsOfKind, itemId, itemOf } from '../editor/item-ids.ts';
 import { selectOnly } from '../editor/selection.ts';
 import { bareBoxesOf, boxesOf } from './arrange.ts';
 import type { NodeBox } from './auto-layout.ts';
@@ -72,13 +72,13 @@ export function contentOf(editor: Editor, canvasId: string): Readonly<Record<str
   return Object.fromEntries(inside.map(({ id, x, y }) => [id, { x, y }]));
 }
 
-/** Moves nodes, frames, notes and reroutes as one undo step. */
+/** Moves nodes, frames, notes, reroutes and borders as one undo step. */
 export function moveAll(editor: Editor, places: Readonly<Record<string, Place>>): boolean {
   const { project, graph } = editor.document.getState();
   const boxes = Object.entries(places).filter(([id]) => boxOfItem(layoutOf(editor.document.getState()), id) !== undefined);
   const change = sequence(
     project,
-    (before) => moveNodes(before, { graph, ...nodesAndReroutes(places) }),
+    (before) => moveNodes(before, { graph, ...byKind(places) }),
     ...boxes.map(([id, place]) => put(editor, id, { place })),
   );
   return apply(editor, 'Move', change, `move ${Object.keys(places).sort().join(' ')}`);

@@ -1,15 +1,17 @@
 import { putAsset } from '../../../export/graph/commands/asset-commands.ts';
-import { sequence, unchanged } from '../../../export/graph/commands/change.ts';
+import { type Change, sequence, unchanged } from '../../../export/graph/commands/change.ts';
 import { addNode } from '../../../export/graph/commands/node-commands.ts';
 import { makeNodeId } from '../../../export/graph/document-names.ts';
 import type { Asset, Project } from '../../../export/graph/project.ts';
 import type { AssetKind, NodeLibrary } from '../../../nodes/kit/definition.ts';
+import { POSITION_PARAM } from '../../../nodes/kit/pose-params.ts';
 import { apply } from '../document/apply.ts';
 import type { Place } from '../editor/canvas-state.ts';
 import { graphOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { revealNodes } from '../editor/ui.ts';
 import { placeFreely } from './free-places.ts';
+import { showLayer } from './show-layer.ts';
 import { showObjects } from './show-objects.ts';
 
 /** Type of the data that a drag of an asset carries: the id of the asset. */
@@ -20,13 +22,38 @@ interface PlacedAsset {
   readonly asset: Asset;
   /** Name of the undo step. */
   readonly label: string;
+  /** For a capture that is shown at once: where an eye sees it. */
+  readonly start?: CaptureStart | null;
+}
+
+/** A camera of a capture. */
+interface CaptureStart {
+  readonly positionM: readonly number[];
+  /** The angle about y of where it looks. */
+  readonly yawRad: number;
+}
+
+const EYE_HEIGHT_M = 1.6;
+/** The range of the position of a node. */
+const MOST_M: number = POSITION_PARAM.max[0];
+
+/** Params that put a capture so that this camera of it stands at the start of a visitor, and looks ahead. */
+function poseAround({ positionM: [x = 0, y = 0, z = 0], yawRad }: CaptureStart) {
+  const [cos, sin] = [Math.cos(yawRad), Math.sin(yawRad)];
+  const rounded = (value: number): number => Number(value.toFixed(4));
+  const inRange = (value: number): number => rounded(Math.min(MOST_M, Math.max(-MOST_M, value)));
+  return {
+    positionM: [-(cos * x - sin * z), EYE_HEIGHT_M - y, -(sin * x + cos * z)].map(inRange),
+    rotationRad: [0, rounded(-yawRad), 0],
+  };
 }
 
 /**
- * Adds a node that outputs an asset, and the asset unless the project has it, as one undo step. A model is also put into the scene, so that
- * it is visible at once. Returns the node to select; null if no node outputs such assets.
+ * Adds a node that outputs an asset, and the asset unless the project has it, as one undo step. A model is also put into the scene, and a
+ * captured place or splats over the layer on the screen, so that they are visible at once. Returns the node to select; null if no node
+ * outputs such assets.
  */
-export function placeAsset(editor: Editor, { id: assetId, asset, label }: PlacedAsset, place: Place): string | null {
+export function placeAsset(editor: Editor, { id: assetId, asset, label, start }: PlacedAsset, place: Place): string | null {
   const { project, library, graph } = editor.document.getState();
   const source = sourceOf(library, asset.kind);
   if (source === null) {
@@ -37,24 +64,39 @@ export function placeAsset(editor: Editor, { id: assetId, asset, label }: Placed
   const change = sequence(
     project,
     (before) => putAsset(before, { id: assetId, asset }),
-    (before) => addNode(before, { library, graph, id, type: source.type, ...place, params: { [source.param]: assetId } }),
-    asset.kind === 'model' ? showObjects({ node: id, port: 'objects' }, place, { library, random: editor.random }) : unchanged,
+    (before) =>
+      addNode(before, {
+        library,
+        graph,
+        id,
+        type: source.type,
+        ...place,
+        params: { [source.param]: assetId, ...(start && poseAround(start)) },
+      }),
+    shown(editor, asset.kind, id, place),
     placeFreely(project, { library, graph, hasThumbnail: editor.preferences.getState().thumbnails }),
   );
   if (!apply(editor, label, change)) return null;
-  return asset.kind === 'model' ? selectPlacement(editor, id, project) : id;
+  return selectPlacement(editor, id, project);
+}
+
+/** Makes a new node visible, if it is a thing to be placed or a place. Images and videos are materials for other nodes. */
+function shown({ document, random }: Editor, kind: AssetKind, id: string, place: Place): (project: Project) => Change {
+  const { library } = document.getState();
+  if (kind === 'model') return showObjects({ node: id, port: 'objects' }, place, { library, random });
+  return kind === 'capture' || kind === 'splats' ? showLayer({ node: id, port: 'layer' }, place, { library, random }) : unchanged;
 }
 
 /**
- * Scrolls to the nodes that were added with a model. Returns the Transform that places the model, or the model if no Transform was added.
+ * Scrolls to the nodes that were added to show an asset. Returns the Transform that places it, or its node if no Transform was added.
  */
-function selectPlacement(editor: Editor, model: string, before: Project): string {
+function selectPlacement(editor: Editor, source: string, before: Project): string {
   const state = editor.document.getState();
   const { nodes } = graphOf(state);
   const added = Object.keys(nodes).filter((id) => before.graphs[state.graph]?.nodes[id] === undefined);
   const outputs = Object.keys(nodes).filter((id) => nodes[id]?.type === 'output/screen');
   if (added.length > 1) revealNodes(editor.ui, [...added, ...outputs], 'fit');
-  return added.find((id) => nodes[id]?.type === 'objects/transform') ?? model;
+  return added.find((id) => nodes[id]?.type === 'objects/transform') ?? source;
 }
 
 /** The source node with an asset param of this kind; of several, the plain one: `source/capture`, not `source/capture-mesh`. */

@@ -6,6 +6,7 @@ import type { Editor } from '../editor/editor.ts';
 import { addFiles } from '../files/add-files.ts';
 import { filesOf } from '../files/files.ts';
 import { addNodeFromPalette, connect } from './edit-graph.ts';
+import { placeAsset } from './place-asset.ts';
 import { createSubgraph, openSubgraph } from './subgraphs.ts';
 
 const AT = { x: 0, y: 400 };
@@ -74,6 +75,42 @@ describe('a model that is dropped', () => {
     if (typeof subgraph === 'string') openSubgraph(editor, subgraph);
     await addFiles(editor, [MODEL], AT);
     expect(wiresOf(editor).filter((wire) => wire.startsWith('model'))).toEqual([]);
+  });
+});
+
+describe('a captured place, or splats', () => {
+  const withCapture = async () => {
+    const opened = await openTestEditor();
+    const asset = { path: 'assets/room.capture/capture.json', kind: 'capture' } as const;
+    const place = () => placeAsset(opened.editor, { id: 'room', asset, label: 'Add room' }, AT);
+    return { ...opened, place };
+  };
+
+  test('is on the screen at once, over what was there, in one undo step', async () => {
+    const { editor, place } = await withCapture();
+    const screen = add(editor, 'output/screen');
+    const empty = filesOf(editor);
+    place();
+    expect(wiresOf(editor)).toEqual(['capture > screen.layer']);
+    undo(editor);
+    expect(filesOf(editor)).toEqual(empty);
+
+    connect(editor, { node: add(editor, 'source/camera-video'), port: 'layer' }, { node: screen, port: 'layer' });
+    const before = filesOf(editor);
+    const node = place() ?? '';
+    expect(wiresOf(editor)).toEqual(['camera-video > over.bottom', 'capture > over.top', 'over > screen.layer']);
+    const places = layoutOf(editor.document.getState()).nodes;
+    expect(places[screen]?.x).toBeGreaterThan((places[node]?.x ?? Number.NaN) + 2 * 184);
+    undo(editor);
+    expect(filesOf(editor)).toEqual(before);
+    await addFiles(editor, [{ name: 'vase.sog', arrayBuffer: async () => new ArrayBuffer(8) }], AT);
+    expect(wiresOf(editor)).toEqual(['camera-video > over.bottom', 'over > screen.layer', 'splats > over.top']);
+  });
+
+  test('is left to the user where there is no output', async () => {
+    const { editor, place } = await withCapture();
+    place();
+    expect(wiresOf(editor)).toEqual([]);
   });
 });
 

@@ -1,22 +1,14 @@
 import { type Change, sequence, unchanged } from '../../../export/graph/commands/change.ts';
-import { moveNodes } from '../../../export/graph/commands/layout-commands.ts';
 import { addNode } from '../../../export/graph/commands/node-commands.ts';
-import { connect, disconnect } from '../../../export/graph/commands/wire-commands.ts';
+import { connect } from '../../../export/graph/commands/wire-commands.ts';
 import { makeNodeId } from '../../../export/graph/document-names.ts';
 import { MAIN_GRAPH, type PortAddress, type Project } from '../../../export/graph/project.ts';
-import { getOwn } from '../../../export/graph/record.ts';
-import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
 import type { Place } from '../editor/canvas-state.ts';
+import { COLUMN_PX, type ShowContext, showLayer, soleScreen } from './show-layer.ts';
 
-const COLUMN_PX = 240;
 const ROW_PX = 112;
 /** Position of new objects: on the floor, in view of the recorded studio and of a visitor at the origin. */
 const POSITION_M = [0, 0, -1.5];
-
-interface ShowObjectsContext {
-  readonly library: NodeLibrary;
-  readonly random: () => number;
-}
 
 /**
  * Makes the objects of a new node visible: they stand on the floor in front of the visitor, in the scene of the graph. Without a scene, adds
@@ -26,14 +18,13 @@ interface ShowObjectsContext {
  * @param from Output with the objects.
  * @param place Position of its node in canvas units.
  */
-export function showObjects(from: PortAddress, place: Place, { library, random }: ShowObjectsContext): (project: Project) => Change {
+export function showObjects(from: PortAddress, place: Place, { library, random }: ShowContext): (project: Project) => Change {
   return (project) => {
     const graph = MAIN_GRAPH;
-    const { nodes = {}, wires = [] } = project.graphs[graph] ?? {};
+    const { nodes = {} } = project.graphs[graph] ?? {};
     const idsOf = (type: string): string[] => Object.keys(nodes).filter((id) => nodes[id]?.type === type);
-    const [screen, ...otherScreens] = idsOf('output/screen');
     const scenes = idsOf('layer/scene');
-    if (!nodes[from.node] || screen === undefined || otherScreens.length > 0 || scenes.length > 1) return unchanged(project);
+    if (!nodes[from.node] || soleScreen(project) === null || scenes.length > 1) return unchanged(project);
 
     const steps: ((before: Project) => Change)[] = [];
     const add = (type: string, x: number, y: number, params = {}): string => {
@@ -60,21 +51,7 @@ export function showObjects(from: PortAddress, place: Place, { library, random }
     wire(objects, added, 'objects');
     const light = add('light/directional', place.x + COLUMN_PX, place.y + ROW_PX);
     wire({ node: light, port: 'lights' }, added, 'lights');
-    const layer = { node: added, port: 'layer' };
-    const shown = wires.find(({ to }) => to.node === screen && to.port === 'layer');
-    if (shown === undefined) {
-      wire(layer, screen, 'layer');
-      return sequence(project, ...steps);
-    }
-    const { x, y } = getOwn(project.layout[graph]?.nodes ?? {}, screen) ?? place;
-    const over = add('operator/over', Math.max(x, place.x + 3 * COLUMN_PX), y);
-    steps.push((before) => disconnect(before, { graph, wires: [shown] }));
-    wire(shown.from, over, 'bottom');
-    wire(layer, over, 'top');
-    wire({ node: over, port: 'layer' }, screen, 'layer');
-    steps.push((before) =>
-      moveNodes(before, { graph, positions: { [screen]: { x: Math.max(x, place.x + 3 * COLUMN_PX) + COLUMN_PX, y } } }),
-    );
+    steps.push(showLayer({ node: added, port: 'layer' }, { x: place.x + 2 * COLUMN_PX, y: place.y }, { library, random }));
     return sequence(project, ...steps);
   };
 }

@@ -185,7 +185,7 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
         storeStatus(editor, message.status);
         return;
       case 'frames':
-        editor.preview.setState({ frames: message.frames, asked: null });
+        editor.preview.setState({ frames: message.frames, shape: message.shape, asked: null });
         return;
       case 'poster':
         posters.deliver(message.request, message.bytes);
@@ -219,6 +219,7 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
         return;
       // Only pages that render frames, photographs or pictures of models send these.
       case 'photographed':
+      case 'rephotographed':
       case 'frame-rendered':
       case 'render-finished':
       case 'render-failed':

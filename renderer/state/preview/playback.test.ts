@@ -18,7 +18,7 @@ beforeEach(async () => {
   feed = createPreviewSync(editor, { postMessage: () => {}, onmessage: null, terminate: () => {} });
   sent = [];
   feed.attach((message) => void sent.push(message));
-  feed.receive({ kind: 'frames', frames: FRAMES });
+  feed.receive({ kind: 'frames', frames: FRAMES, shape: 4 / 3 });
   sent = [];
 });
 
@@ -122,7 +122,7 @@ describe('what is played', () => {
   test('is nothing where there is no recording', () => {
     setIn(editor, 3);
     sent = [];
-    feed.receive({ kind: 'frames', frames: null });
+    feed.receive({ kind: 'frames', frames: null, shape: null });
     expect(range()).toEqual([null]);
     goToFrame(editor, 3);
     expect(sent).toEqual([]);

@@ -1,33 +1,30 @@
 import type { Asset } from '../../../export/graph/project.ts';
-import { PAGE } from './book.ts';
+import { LEAN, LECTERN, PAGE } from './book.ts';
 import type { Recipe } from './recipe.ts';
 import { PAIR, TABLE, WINDOW_LIGHT } from './room.ts';
 
-/** How far the open book leans back from the vertical, and how far it turns to the visitor, in radians. */
-const LEAN = { backRad: 0.3, yawRad: 0.3 } as const;
-/** Height of the middle of the book above the table, on which its lower edge stands. */
-const MIDDLE_M = (PAGE.heightM / 2) * Math.cos(LEAN.backRad) + 0.015;
-/** The middle of the open book in the room. */
-export const BOOK_AT = [-0.15, TABLE.topM + MIDDLE_M, -0.36] as const;
+/** The middle of the open book in the room: at arm's length from where the recorded visitor stands first. */
+export const BOOK_AT = [0.26, LECTERN.middleM, 0.6] as const;
 export const LYING = { positionM: BOOK_AT, rotationRad: [Math.PI / 2 - LEAN.backRad, LEAN.yawRad, 0] } as const;
 /** The valley: its ground begins at the foot of the book, and it leans with the book, so that one looks across it from above. */
 const WORLD = {
-  positionM: [BOOK_AT[0], TABLE.topM + 0.01, BOOK_AT[2] + (PAGE.heightM / 2) * Math.sin(LEAN.backRad)],
+  positionM: [BOOK_AT[0], BOOK_AT[1] - (PAGE.heightM / 2) * Math.cos(LEAN.backRad), BOOK_AT[2] + (PAGE.heightM / 2) * Math.sin(LEAN.backRad)],
   rotationRad: [-LEAN.backRad, LEAN.yawRad, 0],
 } as const;
-const WINDOW = [PAGE.widthM - 2 * PAGE.marginM, 0, PAGE.heightM - 2 * PAGE.marginM] as const;
 
 /** Distances from the eyes to the book in meters, and what changes between them. */
 export const NEARING = {
   /** The light of the room becomes that of the valley. */
-  light: { farM: 2.2, nearM: 0.5, farK: 6500, nearK: 13_000 },
+  light: { farM: 1.05, nearM: 0.35, farK: 6500, nearK: 13_000 },
   /** A window grows from the spine, from nothing until it surrounds the visitor; sizes in open books. */
-  window: { farM: 1.1, nearM: 0.45, farSize: 0.001, nearSize: 12 },
+  window: { farM: 0.8, nearM: 0.32, farSize: 0.001, nearSize: 12 },
 } as const;
 
 const BOOK: Readonly<Record<string, Asset>> = {
   ...(PAIR['elephant-02'] ? { 'elephant-02': PAIR['elephant-02'] } : {}),
   'pages-13': { path: 'assets/pages.glb', kind: 'model', credit: 'Made by tools/examples/paper/book.ts', licence: 'MIT' },
+  'panes-13': { path: 'assets/panes.glb', kind: 'model', credit: 'Made by tools/examples/paper/book.ts', licence: 'MIT' },
+  'lectern-13': { path: 'assets/lectern.glb', kind: 'model', credit: 'Made by tools/examples/paper/book.ts', licence: 'MIT' },
   'valley-13': { path: 'assets/valley.glb', kind: 'model', credit: 'Made by tools/examples/paper/book.ts', licence: 'MIT' },
   'night-13': { path: 'assets/night.glb', kind: 'model', credit: 'Made by tools/examples/paper/book.ts', licence: 'MIT' },
 };
@@ -38,23 +35,28 @@ export const WORLD_IN_THE_BOOK: Recipe = {
   figure: '13',
   title: 'The world in the book',
   description:
-    'An open book stands on the table; put a real one there. A leaf turns, and its pages are windows to a valley at night, drawn as a cartoon under its own moon. Walk closer: the light of your room becomes that of the night, and a window opens from the spine until you are inside.',
+    'An open book lies on a lectern; hold a real one there. A leaf turns, and its pages are windows to a valley at night, drawn as a cartoon under its own moon. Walk closer: the light of your room becomes that of the night, and a window opens from the spine until you are inside.',
   nodes: {
     paper: ['source/model', 0, 0, { model: 'pages-13' }],
     lie: ['objects/transform', 1, 0, LYING],
-    block: ['objects/primitive', 0, 1, { shape: 'box', sizeM: [2 * PAGE.widthM + 0.02, 0.04, PAGE.heightM + 0.02] }],
-    under: ['objects/transform', 1, 1, { positionM: [0, -0.023, 0] }],
-    set: ['objects/transform', 2, 1, LYING],
-    board: ['objects/primitive', 0, 2, { shape: 'box', sizeM: [TABLE.widthM, TABLE.thickM, TABLE.depthM] }],
-    lay: ['objects/transform', 1, 2, { positionM: [TABLE.x, TABLE.topM - TABLE.thickM / 2, TABLE.z] }],
+    panes: ['source/model', 0, 1, { model: 'panes-13' }],
+    set: ['objects/transform', 1, 1, LYING],
+    block: ['objects/primitive', 0, 4, { shape: 'box', sizeM: [2 * PAGE.widthM - 0.02, 0.024, PAGE.heightM - 0.02] }],
+    under: ['objects/transform', 1, 4, { positionM: [0, -0.015, 0] }],
+    held: ['objects/transform', 2, 4, LYING],
+    wood: ['source/model', 0, 2, { model: 'lectern-13' }],
+    stand: ['objects/transform', 1, 2, { positionM: BOOK_AT }],
+    plane: ['objects/primitive', 0, 3, { shape: 'plane', sizeM: [5, 0, 4.6] }],
+    board: ['objects/primitive', 1, 3, { shape: 'box', sizeM: [TABLE.widthM, TABLE.thickM, TABLE.depthM] }],
+    lay: ['objects/transform', 2, 3, { positionM: [TABLE.x, TABLE.topM - TABLE.thickM / 2, TABLE.z] }],
     real: ['objects/phantom', 3, 1],
     sun: ['light/directional', 2, 2, { ...WINDOW_LIGHT, elevationRad: 0.85 }],
     reading: ['layer/scene', 4, 0, { ambient: 0.45 }],
     shadow: ['layer/shadow', 4, 1, { strength: 0.5, method: 'map' }],
 
-    head: ['input/head', 0, 4],
-    middle: ['pose/from-values', 0, 5, { positionM: BOOK_AT }],
-    away: ['pose/distance', 1, 4],
+    head: ['input/head', 0, 5],
+    middle: ['pose/from-values', 0, 6, { positionM: BOOK_AT }],
+    away: ['pose/distance', 1, 5],
     kelvin: [
       'value/remap',
       2,
@@ -80,14 +82,11 @@ export const WORLD_IN_THE_BOOK: Recipe = {
       },
     ],
 
-    hole: ['objects/primitive', 0, 6, { shape: 'plane', sizeM: WINDOW }],
-    left: ['objects/transform', 1, 6, { positionM: [-PAGE.widthM / 2, 0.002, 0] }],
-    right: ['objects/transform', 1, 7, { positionM: [PAGE.widthM / 2, 0.002, 0] }],
     whole: ['objects/primitive', 2, 7, { shape: 'plane', sizeM: [2 * PAGE.widthM, 0, PAGE.heightM] }],
     grow: ['objects/transform', 3, 7],
     rise: ['objects/transform', 4, 7, { positionM: [0, 0.003, 0] }],
-    windows: ['objects/group', 3, 6],
-    stand: ['objects/transform', 4, 6, LYING],
+    front: ['objects/transform', 5, 7, LYING],
+    windows: ['objects/group', 4, 6],
     inside: ['layer/object-mask', 5, 6],
 
     land: ['source/model', 0, 8, { model: 'valley-13' }],
@@ -110,15 +109,22 @@ export const WORLD_IN_THE_BOOK: Recipe = {
   },
   wires: [
     'paper.objects -> lie.objects',
+    'panes.objects -> set.objects',
     'block.objects -> under.objects',
-    'under.objects -> set.objects',
+    'under.objects -> held.objects',
+    'held.objects -> real.objects',
+    'wood.objects -> stand.objects',
     'board.objects -> lay.objects',
-    'set.objects -> real.objects',
+    'plane.objects -> real.objects',
     'lay.objects -> real.objects',
     'lie.objects -> reading.objects',
+    'set.objects -> reading.objects',
+    'stand.objects -> reading.objects',
     'real.objects -> reading.objects',
     'sun.lights -> reading.lights',
     'lie.objects -> shadow.casters',
+    'set.objects -> shadow.casters',
+    'stand.objects -> shadow.casters',
     'real.objects -> shadow.receivers',
     'sun.lights -> shadow.lights',
 
@@ -127,16 +133,13 @@ export const WORLD_IN_THE_BOOK: Recipe = {
     'away.distanceM -> kelvin.number',
     'away.distanceM -> opening.number',
 
-    'hole.objects -> left.objects',
-    'hole.objects -> right.objects',
-    'left.objects -> windows.objects',
-    'right.objects -> windows.objects',
     'whole.objects -> grow.objects',
     'opening.result -> grow.scale',
     'grow.objects -> rise.objects',
-    'rise.objects -> windows.objects',
-    'windows.objects -> stand.objects',
-    'stand.objects -> inside.objects',
+    'rise.objects -> front.objects',
+    'set.objects -> windows.objects',
+    'front.objects -> windows.objects',
+    'windows.objects -> inside.objects',
     'lie.objects -> inside.hiders',
 
     'land.objects -> drawn.objects',

@@ -10,22 +10,34 @@ export const PAGE = { widthM: 0.4, heightM: 0.54, marginM: 0.05 } as const;
 /** A turning leaf: strips between hinges, the duration of a turn with the pause after it, the time at which the clip begins, and keyframes. */
 const LEAF = { strips: 8, turnS: 3.2, cycleS: 4.5, startS: 1.25, keys: 60, liftM: 0.004 } as const;
 
+/** How far the open book leans back from the vertical, and how far it turns to the visitor, in radians. */
+export const LEAN = { backRad: 0.42, yawRad: 0.24 } as const;
+
+/** The lectern on which it lies: the thickness of its board and how far that stands out, and the height of the middle of the book. */
+export const LECTERN = { thickM: 0.025, rimM: 0.035, behindM: 0.03, middleM: 1.1 } as const;
+
 /**
  * The paper of an open book that lies in the x–z plane, spine along z: two pages with a printed border around a hole, and one leaf like
  * them that turns from right to left, bending, in the clip `turn`.
  */
-export async function makePages(): Promise<Uint8Array> {
+export const makePages = (): Promise<Uint8Array> => makeSheets('paper');
+
+/** What fills the holes of the pages and of the leaf, which turns with it. */
+export const makePanes = (): Promise<Uint8Array> => makeSheets('panes');
+
+async function makeSheets(what: 'paper' | 'panes'): Promise<Uint8Array> {
   const doc = new Document();
   doc.createBuffer();
-  const print = doc.createTexture('print').setImage(drawPage()).setMimeType('image/png');
-  const paper = doc.createMaterial('paper').setBaseColorTexture(print).setRoughnessFactor(0.9).setMetallicFactor(0).setDoubleSided(true);
+  const surface = doc.createMaterial(what).setRoughnessFactor(0.9).setMetallicFactor(0).setDoubleSided(true);
+  if (what === 'paper') surface.setBaseColorTexture(doc.createTexture('print').setImage(drawPage()).setMimeType('image/png'));
+  else surface.setBaseColorFactor([0.35, 0.35, 0.35, 1]);
   const accessor = (type: 'VEC3' | 'VEC2' | 'SCALAR', array: Float32Array | Uint16Array): Accessor =>
     doc.createAccessor().setType(type).setArray(array);
   const sheet = (name: string, geometry: BufferGeometry) => {
     const attribute = (key: string) => new Float32Array(geometry.getAttribute(key).array);
     const primitive = doc
       .createPrimitive()
-      .setMaterial(paper)
+      .setMaterial(surface)
       .setAttribute('POSITION', accessor('VEC3', attribute('position')))
       .setAttribute('NORMAL', accessor('VEC3', attribute('normal')))
       .setAttribute('TEXCOORD_0', accessor('VEC2', attribute('uv')))
@@ -33,6 +45,7 @@ export async function makePages(): Promise<Uint8Array> {
     return doc.createNode(name).setMesh(doc.createMesh(name).addPrimitive(primitive));
   };
   const root = doc.createNode('pages');
+  const strips = what === 'paper' ? paperStrips : paneStrips;
   const frame = mergeGeometries(strips().map((strip, i) => strip.translate(((i + 0.5) / LEAF.strips - 0.5) * PAGE.widthM, 0, 0)));
   for (const side of [1, -1]) {
     const page = side > 0 ? frame : frame.clone().rotateY(Math.PI);
@@ -69,13 +82,35 @@ function angleAt(timeS: number, hinge: number): number {
 }
 
 /** The strips of a page from its spine outwards, each centered, facing +y: whole in the margins, else above and below the hole. */
-function strips(): BufferGeometry[] {
+function paperStrips(): BufferGeometry[] {
   const margin = PAGE.marginM / PAGE.heightM;
   return Array.from({ length: LEAF.strips }, (_, i) => {
     const [from, to] = [i / LEAF.strips, (i + 1) / LEAF.strips];
     const inMargin = i === 0 || i === LEAF.strips - 1;
     return inMargin ? plate(from, to, 0, 1) : mergeGeometries([plate(from, to, 0, margin), plate(from, to, 1 - margin, 1)]);
   });
+}
+
+/** The holes of the same strips; in a margin, a sliver without area in place of one. */
+function paneStrips(): BufferGeometry[] {
+  const margin = PAGE.marginM / PAGE.heightM;
+  return Array.from({ length: LEAF.strips }, (_, i) => {
+    const inMargin = i === 0 || i === LEAF.strips - 1;
+    return plate(i / LEAF.strips, (i + (inMargin ? 0 : 1)) / LEAF.strips, margin, 1 - margin);
+  });
+}
+
+/** A wooden lectern whose board is behind the book; its origin is the middle of the book, and it stands on the floor. */
+export async function makeLectern(): Promise<Uint8Array> {
+  const { thickM, rimM, behindM, middleM } = LECTERN;
+  const [width, height] = [2 * (PAGE.widthM + rimM), PAGE.heightM + 2 * rimM];
+  const lean = (geometry: BufferGeometry) => geometry.rotateX(Math.PI / 2 - LEAN.backRad).rotateY(LEAN.yawRad);
+  const board = lean(new BoxGeometry(width, thickM, height).translate(0, -behindM - thickM / 2, 0));
+  const ledge = lean(new BoxGeometry(width, 0.08, 0.02).translate(0, -0.02, height / 2));
+  const post = new BoxGeometry(0.09, middleM - 0.06, 0.09).rotateY(LEAN.yawRad).translate(0, -0.03 - middleM / 2, -0.1);
+  const foot = new BoxGeometry(0.5, 0.04, 0.4).rotateY(LEAN.yawRad).translate(0, 0.02 - middleM, -0.1);
+  const wood = { name: 'wood', color: [0.1, 0.045, 0.022], roughness: 0.6 } as const;
+  return writeModel([{ name: 'lectern', geometry: merged([board, ledge, post, foot]), paint: wood }]);
 }
 
 /** A part of a page between shares of its width and its height; the latter from the foot. */

@@ -10,6 +10,7 @@ import {
   ROBOT,
   ROBOT_WIRES,
   robotOnRug,
+  TABLE,
   WINDOW_LIGHT,
 } from './room.ts';
 
@@ -264,11 +265,14 @@ export const SCENES: readonly Recipe[] = [
       'The shadows of an elephant on a real rug and of a robot on a real table are drawn as pencil strokes, which lie there and get denser toward the feet. A second light casts second shadows, with strokes in another direction. Elephant and robot have Gooch’s cool-to-warm tones, and the room is unchanged.',
     nodes: {
       ...elephantAndRobot(0),
+      // Back from the visitor, with light from behind them, so that their shadows lie on the floor in front.
+      elephant: ['objects/transform', 1, 0, { positionM: [0.55, 0, -0.8], rotationRad: [0, -0.9, 0], scale: 1.1 }],
+      robot: ['objects/transform', 1, 1, { positionM: [-0.45, TABLE.topM, -0.5], rotationRad: [0, 0.2, 0], scale: 1.7 }],
       ...phantoms(3),
       gooch: ['technique/gooch', 2, 1],
       drawn: ['objects/apply-technique', 3, 0],
-      light: ['light/directional', 2, 2, { ...WINDOW_LIGHT, azimuthRad: 1.7, elevationRad: 0.58, filter: 'soft' }],
-      lamp: ['light/directional', 2, 3, { ...WINDOW_LIGHT, azimuthRad: 0.5, elevationRad: 0.8, intensity: 0.5, filter: 'soft' }],
+      light: ['light/directional', 2, 2, { ...WINDOW_LIGHT, azimuthRad: 2.75, elevationRad: 0.55, areaM: 4, filter: 'soft' }],
+      lamp: ['light/directional', 2, 3, { ...WINDOW_LIGHT, azimuthRad: 1.9, elevationRad: 0.5, areaM: 4, intensity: 0.5, filter: 'soft' }],
       shadow: ['layer/shadow', 3, 1, { strength: 0.85, color: [0.1, 0.09, 0.13, 1], drawing: 'strokes', spacingPx: 8 }],
       video: ['source/camera-video', 4, 3],
       scene: ['layer/scene', 3, 0, { ambient: 0.4 }],

@@ -3,6 +3,7 @@ import type { CaptureAsset } from '../../../../nodes/kit/capture-asset.ts';
 import { CAPTURE_GLSL, createCaptureUse } from '../../../../nodes/kit/capture-glsl.ts';
 import { linkProgram } from '../../../../nodes/kit/link-program.ts';
 import { setPassState } from '../../../../nodes/kit/pass-state.ts';
+import { fillUnseen } from './fill-unseen.ts';
 
 const VERTEX = /* glsl */ `#version 300 es
 precision highp float;
@@ -78,39 +79,4 @@ export function bakeColors(
   gl.deleteProgram(program);
   fillUnseen(colors, indices);
   return colors;
-}
-
-/** Rings of neighbors that are filled, so that a large capture is not searched endlessly. */
-const MAX_RINGS = 64;
-
-/**
- * Gives each vertex with alpha 0 the mean color of its neighbors, ring by ring. What stays without a colored neighbor is gray.
- *
- * @param colors RGBA, 8 bits; changed in place.
- */
-export function fillUnseen(colors: Uint8Array, indices: Uint32Array): void {
-  const sums = new Float64Array(colors.length);
-  for (let ring = 0; ring < MAX_RINGS; ring++) {
-    sums.fill(0);
-    let found = false;
-    for (let i = 0; i < indices.length; i++) {
-      const to = 4 * (indices[i] ?? 0);
-      if (colors[to + 3] !== 0) continue;
-      const first = i - (i % 3);
-      for (let corner = first; corner < first + 3; corner++) {
-        const from = 4 * (indices[corner] ?? 0);
-        if (colors[from + 3] === 0) continue;
-        found = true;
-        for (let c = 0; c < 4; c++) sums[to + c] = (sums[to + c] ?? 0) + (c === 3 ? 1 : (colors[from + c] ?? 0));
-      }
-    }
-    if (!found) break;
-    for (let at = 0; at < colors.length; at += 4) {
-      const weight = sums[at + 3] ?? 0;
-      if (weight === 0) continue;
-      for (let c = 0; c < 3; c++) colors[at + c] = Math.round((sums[at + c] ?? 0) / weight);
-      colors[at + 3] = 255;
-    }
-  }
-  for (let at = 0; at < colors.length; at += 4) if (colors[at + 3] === 0) colors.set([128, 128, 128, 255], at);
 }

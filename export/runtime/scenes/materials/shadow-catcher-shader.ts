@@ -1,5 +1,6 @@
 import { MAX_GLOW_SPOTS } from '../../../../nodes/kit/scene-look.ts';
 import { BEHIND_TRANSLUCENT } from '../lights/translucent-shadow.ts';
+import { contourParts, cubeContour, flatContour } from './shadow-contours.ts';
 import { type CubeLight, cubeLit, cubeParts, type FlatLight, flatLit, flatParts } from './shadow-filter-shader.ts';
 import { GAP, gapOf, strokeParts } from './shadow-strokes.ts';
 
@@ -142,10 +143,13 @@ export function catcherFragment(
       ? `all += light.x; gapM[ ${light} ] = - 1.0; fullPart[ ${light} ] = light.x; ownPart[ ${light} ] = unlessGrazing( light, lit ); blocked += ownPart[ ${light} ];`
       : 'all += light.x; blocked += unlessGrazing( light, lit );';
   const addPlain = (light: number): string =>
-    strokes ? `fullPart[ ${light} ] = light.x; ownPart[ ${light} ] = 0.0; gapM[ ${light} ] = - 1.0;` : '';
+    strokes ? `fullPart[ ${light} ] = light.x; ownPart[ ${light} ] = 0.0; gapM[ ${light} ] = - 1.0; contours[ ${light} ] = vec4( 1.0, 0.0, 0.0, 1.0 );` : '';
   const lines = [
-    ...flat.map((light, i) => `${arrives(i)} ${flatLit(light, i)} ${add(i)}${strokes ? gapOf(light.last, i) : ''}`),
-    ...cube.map((light, i) => `${arrives(flat.length + i)} ${cubeLit(light, i, flat.length + i)} ${add(flat.length + i)}`),
+    ...flat.map((light, i) => `${arrives(i)} ${flatLit(light, i)} ${add(i)}${strokes ? gapOf(light.last, i) + flatContour(i) : ''}`),
+    ...cube.map((light, i) => {
+      const at = flat.length + i;
+      return `${arrives(at)} ${cubeLit(light, i, at)} ${add(at)}${strokes ? cubeContour(i, at) : ''}`;
+    }),
     ...Array.from(
       { length: plain },
       (_, i) => `${arrives(flat.length + cube.length + i)} all += light.x; ${addPlain(flat.length + cube.length + i)}`,
@@ -162,6 +166,7 @@ ${BEHIND_TRANSLUCENT}
 ${flatParts(flat, extras)}
 ${strokes && flat.length > 0 ? GAP : ''}
 ${cubeParts(cube)}
+${strokes ? contourParts(flat, cube) : ''}
 void main() {
   ${find}
   vec2 light;

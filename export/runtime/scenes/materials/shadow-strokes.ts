@@ -65,6 +65,8 @@ uniform float strokeHeights[ ${MAX_STROKE_CASTERS} ];
 float ownPart[ ${Math.max(count, 1)} ];
 float fullPart[ ${Math.max(count, 1)} ];
 float gapM[ ${Math.max(count, 1)} ];
+// x: part of the light that arrives, smoothed; yz: its change per pixel; w: pixels over which it is smoothed.
+vec4 contours[ ${Math.max(count, 1)} ];
 
 // The smallest distance between strokes, meters.
 const float FINEST_M = 0.0009765625;
@@ -73,8 +75,8 @@ const float STROKE_LENGTH = 14.0;
 const float STROKE_OFFSET = 0.2;
 // Angle between the strokes of one light and the next. No small multiple of it is half a turn.
 const float NEXT_LIGHT = 1.1;
-// The fraction of its light at which a shadow has its contour.
-const float CONTOUR_AT = 0.35;
+// Half width of a contour in distances between strokes.
+const float CONTOUR_WIDTH = 0.2;
 // At contact, the bias of a map may place the receiver before the caster by this much, meters.
 const float TOUCH_M = 0.02;
 // Density far from all objects. Strokes at a distance of 0 are twice as dense.
@@ -162,17 +164,21 @@ float strokeInk( const in vec3 normal, const in float all ) {
   float ink = 0.0;
   for ( int i = 0; i < ${count}; i ++ ) {
     float own = fullPart[ i ] > 0.0 ? ownPart[ i ] / fullPart[ i ] : 0.0;
-    float steep = fwidth( own );
     float share = all > 0.0 ? ownPart[ i ] / all : 0.0;
     float most = all > 0.0 ? fullPart[ i ] / all : 0.0;
     float angle = strokeTurn + NEXT_LIGHT * float( i );
     float density = mix( FAR_DENSITY, 1.0, gapM[ i ] > - TOUCH_M ? nearness( max( gapM[ i ], 0.0 ) ) : nearCylinder );
-    if ( share > 0.01 ) ink = 1.0 - ( 1.0 - ink ) * ( 1.0 - surfaceInk( sides, pixelX, pixelY, angle, min( 1.5 * density * sqrt( share ), 1.0 ), 4096 * i ) );
-    // In pixels, from where the shadow crosses the level of the contour.
-    float away = abs( own - CONTOUR_AT ) / max( steep, 0.03 );
-    float line = 1.0 - smoothstep( 0.6, 1.4, away );
-    // Derivatives of blocks of two pixels miss parts of an edge that is hardly wider.
-    line = max( line, ( 1.0 - smoothstep( 0.3, 0.5, abs( own - 0.5 ) ) ) * smoothstep( 0.05, 0.15, steep ) );
+    // Pixels from where half of the light arrives, negative in the shadow.
+    float steep = length( contours[ i ].yz );
+    float hasBorder = smoothstep( 0.08, 0.2, steep * contours[ i ].w );
+    float away = ( contours[ i ].x - 0.5 ) / max( steep, 1e-4 );
+    float halfPx = max( CONTOUR_WIDTH * strokeSpacingPx, 0.7 );
+    if ( share > 0.01 ) {
+      float strokes = surfaceInk( sides, pixelX, pixelY, angle, min( 1.5 * density * sqrt( share ), 1.0 ), 4096 * i );
+      // Strokes end at the contour.
+      ink = 1.0 - ( 1.0 - ink ) * ( 1.0 - strokes * ( 1.0 - hasBorder * smoothstep( 0.0, halfPx, away ) ) );
+    }
+    float line = hasBorder * ( 1.0 - smoothstep( halfPx - 0.6, halfPx + 0.6, abs( away ) ) );
     ink = max( ink, strokeContour * min( 1.0, 2.0 * most ) * line );
   }
   return ink;

@@ -34,6 +34,8 @@ export interface RecordedSessionOptions {
 export interface RecordingInfo {
   readonly title: string;
   readonly frames: FrameTimes;
+  /** Width of its images divided by their height. */
+  readonly shape: number;
 }
 
 /**
@@ -174,7 +176,8 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
     if (recording.surfaces) capabilities.add('planes');
     if (file.frames.some((each) => each.input?.leftHand || each.input?.rightHand)) capabilities.add('hands');
     if (onFrame) playback?.start();
-    return { output: { title: file.title, frames: recording.frames }, diagnostics };
+    const shape = file.color.widthPx / file.color.heightPx;
+    return { output: { title: file.title, frames: recording.frames, shape }, diagnostics };
   };
   /** Recreates the textures after the WebGL context was restored. */
   const restore = (): void => {

@@ -100,3 +100,11 @@ test('a tool that does not start is not mistaken for a log that cannot be writte
   await expect(run('', [], { tool: join(base, 'none') })).rejects.toMatchObject({ diagnostic: { code: 'SCR078' } });
   await expect(run('console.log(1)', [], { log: join(base, 'none', 'log') })).rejects.toMatchObject({ code: 'ENOENT', syscall: 'open' });
 });
+
+test('a tool that does not end in its time is ended, and so is one whose log cannot be written', async () => {
+  const endless = 'setInterval(() => console.log("still here"), 20)';
+  await expect(run(endless, [], { log: null, limitMs: 300 })).rejects.toMatchObject({
+    diagnostic: { code: 'SCR078', message: expect.stringContaining('did not end within') },
+  });
+  await expect(run(endless, [], { log: '/dev/full' })).rejects.toMatchObject({ code: 'ENOSPC' });
+});

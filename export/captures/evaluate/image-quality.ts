@@ -4,6 +4,11 @@ export interface ImagePair {
   readonly truth: ArrayLike<number>;
   readonly widthPx: number;
   readonly heightPx: number;
+  /**
+   * Images of all directions: a pixel counts by the solid angle that it shows, so that the poles do not count most (Sun, Lu and Yu,
+   * “Weighted-to-spherically-uniform quality evaluation for omnidirectional video”, IEEE SPL 2017).
+   */
+  readonly isAround?: boolean;
 }
 
 export interface ImageQuality {
@@ -19,22 +24,30 @@ export interface ImageQuality {
 
 /** Compares two images over the pixels that both have. */
 export function compareImages(pair: ImagePair): ImageQuality {
-  const { shown, truth } = pair;
+  const { shown, truth, widthPx } = pair;
   let square = 0;
   let chroma = 0;
-  let count = 0;
+  let compared = 0;
+  let whole = 0;
   for (let at = 0; at < shown.length; at += 4) {
+    const weight = weightOf(pair, Math.floor(at / (4 * widthPx)) + 0.5);
+    whole += weight;
     if (shown[at + 3] === 0) continue;
-    count++;
-    for (let c = 0; c < 3; c++) square += ((shown[at + c] ?? 0) - (truth[at + c] ?? 0)) ** 2;
-    chroma += chromaErrorAt(pair, at);
+    compared += weight;
+    for (let c = 0; c < 3; c++) square += weight * ((shown[at + c] ?? 0) - (truth[at + c] ?? 0)) ** 2;
+    chroma += weight * chromaErrorAt(pair, at);
   }
   return {
-    psnrDb: 10 * Math.log10((255 * 255) / (square / (3 * count))),
+    psnrDb: 10 * Math.log10((255 * 255) / (square / (3 * compared))),
     ssim: meanSsim(pair),
-    chromaError: chroma / count,
-    covered: (4 * count) / shown.length,
+    chromaError: chroma / compared,
+    covered: compared / whole,
   };
+}
+
+/** How much a place counts. `y`: in pixels from the top edge. */
+function weightOf({ isAround, heightPx }: ImagePair, y: number): number {
+  return isAround ? Math.sin((Math.PI * y) / heightPx) : 1;
 }
 
 /**
@@ -55,17 +68,19 @@ const C2 = (0.03 * 255) ** 2;
  * Structural similarity (Wang et al., “Image quality assessment”, IEEE TIP 2004) of the luma, over windows of 8 × 8 pixels, one at every
  * fourth pixel. Windows with a pixel that is left out do not count.
  */
-function meanSsim({ shown, truth, widthPx, heightPx }: ImagePair): number {
+function meanSsim(pair: ImagePair): number {
+  const { shown, truth, widthPx, heightPx } = pair;
   const a = lumaOf(shown);
   const b = lumaOf(truth);
   let sum = 0;
   let windows = 0;
   for (let top = 0; top + SIDE <= heightPx; top += STEP) {
+    const weight = weightOf(pair, top + SIDE / 2);
     for (let left = 0; left + SIDE <= widthPx; left += STEP) {
       const value = ssimAt(a, b, shown, top * widthPx + left, widthPx);
       if (value === null) continue;
-      sum += value;
-      windows++;
+      sum += weight * value;
+      windows += weight;
     }
   }
   return sum / windows;

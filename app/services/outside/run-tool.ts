@@ -10,8 +10,10 @@ export interface ToolRun {
   readonly tool: string;
   /** Passed as they are: no shell reads them. */
   readonly args: readonly string[];
-  /** Everything that the tool prints is appended to this file. */
-  readonly log: string;
+  /** Everything that the tool prints is appended to this file; null: it is not kept. */
+  readonly log: string | null;
+  /** Ends a tool that runs longer, as a program that waits for input. Absent: it may run as long as it wants. */
+  readonly limitMs?: number;
   /** Called with each line that the tool prints. */
   readonly onLine: (line: string) => void;
   readonly interrupted: AbortSignal;
@@ -21,23 +23,25 @@ export interface ToolRun {
 const GRACE_MS = 2000;
 /** Lines that are kept for the message of a failure. */
 const KEPT_LINES = 3;
+/** Of more lines, the first ones are forgotten; the log has all. */
+const MOST_LINES = 10_000;
 
 /**
  * Runs a tool until it ends.
  *
  * @returns What it printed.
- * @throws SCR078 if it does not start, or with its last lines if it fails; system errors if the log cannot be written; the reason of the
- * signal after it was ended on an interrupt
+ * @throws SCR078 if it does not start, runs too long, or with its last lines if it fails; system errors if the log cannot be written, after
+ * the tool was ended; the reason of the signal after it was ended on an interrupt
  */
-export async function runTool({ tool, args, log, onLine, interrupted }: ToolRun): Promise<readonly string[]> {
+export async function runTool({ tool, args, log, limitMs, onLine, interrupted }: ToolRun): Promise<readonly string[]> {
   interrupted.throwIfAborted();
   let written = Promise.resolve();
   const write = (line: string): void => {
+    if (log === null) return;
     written = written.then(() => appendFile(log, `${line}\n`));
     // It is awaited when the tool has ended.
-    written.catch(() => {});
+    written.catch(() => cancel());
   };
-  write(`\n$ ${[tool, ...args].map((part) => JSON.stringify(part)).join(' ')}`);
   const isWindows = process.platform === 'win32';
   // A group of its own, so that the processes that the tool starts end with it.
   const child = spawn(tool, [...args], {
@@ -61,13 +65,21 @@ export async function runTool({ tool, args, log, onLine, interrupted }: ToolRun)
     end('SIGTERM');
     killer = setTimeout(endAtOnce, GRACE_MS);
   };
+  write(`\n$ ${[tool, ...args].map((part) => JSON.stringify(part)).join(' ')}`);
   interrupted.addEventListener('abort', cancel, { once: true });
+  let isLate = false;
+  const late = () => {
+    isLate = true;
+    cancel();
+  };
+  const limit = limitMs === undefined ? undefined : setTimeout(late, limitMs);
   process.once('exit', endAtOnce);
   const lines: string[] = [];
   const read = async (stream: NodeJS.ReadableStream): Promise<void> => {
     for await (const line of createInterface({ input: stream })) {
       write(line);
       lines.push(line);
+      if (lines.length > MOST_LINES) lines.splice(0, MOST_LINES / 2);
       onLine(line);
     }
   };
@@ -81,17 +93,23 @@ export async function runTool({ tool, args, log, onLine, interrupted }: ToolRun)
     const [status] = await Promise.all([ended, read(child.stdout), read(child.stderr)]);
     await written;
     interrupted.throwIfAborted();
+    const name = `${basename(tool)} ${args[0] ?? ''}`.trim();
+    if (isLate) throw refusal('SCR078', `${name} did not end within ${Math.round((limitMs ?? 0) / 1000)} s.`, 'Name another file.');
     if (status === 0) return lines;
     const last = lines.filter((line) => line.trim() !== '').slice(-KEPT_LINES);
     const how = typeof status === 'number' ? `with status ${status}` : `by ${status}`;
     throw refusal(
       'SCR078',
-      `${basename(tool)} ${args[0] ?? ''} ended ${how}: ${last.join(' ').trim() || 'it printed nothing'}`,
-      `Read ${log}.`,
+      `${name} ended ${how}: ${last.join(' ').trim() || 'it printed nothing'}`,
+      [status === 'SIGKILL' && MEMORY_FIX, log && `Read ${log}.`].filter((text) => text).join(' ') ||
+        'Name another file, or install it anew.',
     );
   } finally {
+    clearTimeout(limit);
     clearTimeout(killer);
     interrupted.removeEventListener('abort', cancel);
     process.off('exit', endAtOnce);
   }
 }
+
+const MEMORY_FIX = 'Systems end programs for which memory does not suffice: use fewer or smaller photographs.';

@@ -22,6 +22,20 @@ export const COLMAP: OutsideTool = {
   url: 'https://colmap.github.io/install.html',
 };
 
+export const BLENDER: OutsideTool = {
+  title: 'Blender',
+  commands: ['blender'],
+  setting: 'SCRIM_BLENDER',
+  url: 'https://www.blender.org/download/',
+};
+
+export const INSTANT_MESHES: OutsideTool = {
+  title: 'Instant Meshes',
+  commands: ['Instant Meshes', 'InstantMeshes', 'instant-meshes'],
+  setting: 'SCRIM_INSTANT_MESHES',
+  url: 'https://github.com/wjakob/instant-meshes',
+};
+
 /**
  * Finds a tool: at the path of an option, else at that of its setting, else in the folders of PATH.
  *

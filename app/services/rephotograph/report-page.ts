@@ -1,9 +1,9 @@
-import type { ImageQuality } from '../../../export/captures/image-quality.ts';
-import type { Method } from './rephotograph.page.ts';
+import type { ImageQuality } from '../../../export/captures/evaluate/image-quality.ts';
+import type { RephotographMethod } from '../../../export/captures/evaluate/rephotograph.ts';
 
 /** The figures of one view by one method, and its pictures, as paths relative to the report. */
 export interface ReportedShot extends ImageQuality {
-  readonly method: Method;
+  readonly method: RephotographMethod;
   readonly picture: string;
   readonly error: string;
 }
@@ -15,8 +15,13 @@ export interface ReportedView {
   readonly shots: readonly ReportedShot[];
 }
 
+/** The mean over views of each figure by one method. */
+export interface MethodMeans extends ImageQuality {
+  readonly method: RephotographMethod;
+}
+
 /** The mean over views of each figure, by method. */
-export function meansOf(views: readonly { readonly shots: readonly (ImageQuality & { readonly method: Method })[] }[]) {
+export function meansOf(views: readonly ReportedView[]): readonly MethodMeans[] {
   const methods = views[0]?.shots.map(({ method }) => method) ?? [];
   return methods.map((method) => {
     const shots = views.flatMap((view) => view.shots.filter((shot) => shot.method === method));
@@ -54,7 +59,7 @@ export function reportPage(title: string, views: readonly ReportedView[]): strin
 <title>${text(title)}</title>
 <style>${STYLE}</style>
 <h1>${text(title)}</h1>
-<p>Each photograph, rendered from all others at its own size. Figures are over the pixels that the mesh covers. Error maps show |ΔCb| + |ΔCr|: dark blue is 0, yellow 25.5 or more of 255.</p>
+<p>Each photograph, rendered from all others at its own size. Figures are over the pixels that the mesh covers; pixels of 360° photographs count by the angle that they show. Error maps show |ΔCb| + |ΔCr|: dark blue is 0, yellow 25.5 or more of 255.</p>
 <table>
 <tr>${head.map((cell) => `<th>${text(cell)}</th>`).join('')}</tr>
 ${[...rows, last].map((row) => `<tr>${row.map((cell) => `<td>${text(cell)}</td>`).join('')}</tr>`).join('\n')}

@@ -1,0 +1,105 @@
+import { z } from 'zod';
+import { diagnostic, handle, isWithinLimit, pictureSize, projectPath, side } from './shapes.ts';
+
+/** The camera of all photographs of an acquisition: `AcquiredCamera`. */
+const acquiredCamera = z.discriminatedUnion('projection', [
+  z.object({ projection: z.literal('perspective'), widthPx: side, heightPx: side, fovYRad: z.number().positive().max(Math.PI) }),
+  z.object({ projection: z.literal('equirectangular'), widthPx: side, heightPx: side }),
+]);
+
+/** Path of a program that the user typed; null if none. */
+const programPath = z.string().min(1).max(4096).nullable();
+
+/** Calls that make captures: of photographs that the editor takes of a scene, and of those in a folder. */
+export const PHOTOGRAPH_CALLS = {
+  /**
+   * Begins an acquisition: photographs of the scene, which become the capture `assets/NAME.capture/`. `poses`: column-major 4×4, in the order
+   * of the photographs. One at a time per project.
+   */
+  'capture.begin': {
+    input: z.object({
+      handle,
+      name: z.string().min(1).max(80),
+      camera: acquiredCamera,
+      poses: z.array(z.array(z.number()).length(16)).min(1).max(1000),
+    }),
+    output: z.object({}),
+  },
+  /**
+   * Adds a photograph: premultiplied RGBA, and meters as 32-bit floats, little-endian; rows from the top. After an error all photographs are
+   * deleted.
+   */
+  'capture.add': {
+    input: z.object({
+      handle,
+      index: z.number().int().min(0).max(999),
+      colorSize: pictureSize,
+      rgba: z.instanceof(Uint8Array).refine(isWithinLimit, 'too large'),
+      depthSize: pictureSize,
+      meters: z.instanceof(Uint8Array).refine((bytes) => isWithinLimit(bytes) && bytes.length % 4 === 0, 'too large, or no 32-bit floats'),
+    }),
+    output: z.object({}),
+  },
+  /**
+   * Packs the photographs, reporting progress as events. `path` is that of `capture.json`, for the asset table, which the editor keeps; null if
+   * the acquisition was canceled.
+   */
+  'capture.finish': {
+    input: z.object({ handle }),
+    output: z.object({ path: projectPath.nullable(), diagnostics: z.array(diagnostic) }),
+  },
+  /** Cancels an acquisition and deletes its photographs. */
+  'capture.cancel': { input: z.object({ handle }), output: z.object({}) },
+  /**
+   * Looks into a folder of photographs. Without cameras, it needs COLMAP: `colmap` has its version and path, or `diagnostic` says why there is
+   * none. `colmap` of the input is the path that the user typed; null: that of the setting, or in PATH. SCR004 if there is no such folder.
+   */
+  'photographs.look': {
+    input: z.object({ handle, folder: z.string().min(1).max(4096), colmap: programPath }),
+    output: z.object({
+      photographs: z.number(),
+      hasCameras: z.boolean(),
+      colmap: z.string().nullable(),
+      diagnostic: diagnostic.nullable(),
+    }),
+  },
+  /**
+   * Imports a folder of photographs as the capture `assets/NAME.capture/`; COLMAP finds missing cameras. Reports progress and what COLMAP prints
+   * as events. `path` is that of `capture.json`, for the asset table, which the editor keeps; null if the import was canceled. `found`: the
+   * photographs that have cameras. `isRough`: the mesh is that of points. `start`: where an eye sees what a photograph shows.
+   */
+  'photographs.import': {
+    input: z.object({
+      handle,
+      folder: z.string().min(1).max(4096),
+      name: z.string().min(1).max(80),
+      colmap: programPath,
+      /** Whether one camera with one focal length took all. */
+      oneCamera: z.boolean(),
+    }),
+    output: z.object({
+      path: projectPath.nullable(),
+      photographs: z.number(),
+      found: z.number(),
+      isRough: z.boolean(),
+      start: z.object({ positionM: z.array(z.number()).length(3), yawRad: z.number() }).nullable(),
+      diagnostics: z.array(diagnostic),
+    }),
+  },
+  /** Ends an import of photographs. What COLMAP has finished is kept for the next import of the folder. */
+  'photographs.cancel': { input: z.object({ handle }), output: z.object({}) },
+  /**
+   * Writes a file of a folder that was dropped, for `photographs.import`, which deletes the files at its end. `folder` is the name of the dropped
+   * folder, `path` that of the file inside. The first file removes those of an earlier drop.
+   */
+  'photographs.stage': {
+    input: z.object({
+      handle,
+      folder: z.string().min(1).max(255),
+      path: z.string().min(1).max(512),
+      bytes: z.instanceof(Uint8Array).refine(isWithinLimit, 'too large'),
+      first: z.boolean(),
+    }),
+    output: z.object({ folder: z.string() }),
+  },
+} as const;

@@ -1,0 +1,227 @@
+import { lstat, rm } from 'node:fs/promises';
+import { basename, dirname, join } from 'node:path';
+import { CaptureError, readCapture } from '../../nodes/kit/capture.ts';
+import type { HostEvent, HostInput, HostOutput } from '../contract/contract.ts';
+import { HostError } from '../contract/host-error.ts';
+import { packCapture } from './add-capture.ts';
+import { realFolder, resolveInside } from './confine.ts';
+import { errorCode, refusal, writeRefusal } from './file-errors.ts';
+import type { FileLayer } from './file-layer.ts';
+import { UNKNOWN_SIZE } from './measure-capture.ts';
+import { COLMAP, findTool } from './outside/outside-tools.ts';
+import { hasCameras, readCameras } from './read-capture-folder.ts';
+import { readText } from './read-file.ts';
+import { openColmap } from './reconstruct/colmap.ts';
+import { countPhotographs, type Reconstruction, reconstruct } from './reconstruct/reconstruct-photographs.ts';
+import { firstEye, guessedUnit } from './reconstruct/where-it-is-seen.ts';
+import { ensureScrimFolder, SCRIM_FOLDER } from './scrim-folder.ts';
+
+/** Imports of photographs in the editor, one at a time per open project. Cameras that are missing are found by COLMAP. */
+export interface PhotographImports {
+  /** What is in a folder, and whether COLMAP is there. */
+  look(input: Pick<HostInput<'photographs.look'>, 'colmap'>, folder: string): Promise<HostOutput<'photographs.look'>>;
+  /**
+   * Imports a folder. Cancels an earlier import of the same project. `path` is null if it was canceled.
+   *
+   * @throws SCR004, SCR060, SCR061, SCR062, SCR069, SCR078
+   */
+  run(projectId: string, client: string, job: PhotographJob): Promise<HostOutput<'photographs.import'>>;
+  /**
+   * Writes a file of a folder that was dropped into the project, for an import. `first` removes what was dropped before.
+   *
+   * @returns The absolute path of the folder.
+   * @throws SCR031, SCR060, SCR062
+   */
+  stage(root: string, file: Omit<HostInput<'photographs.stage'>, 'handle'>): Promise<string>;
+  /** Ends COLMAP; what is finished is kept for the next import of the same folder. */
+  cancel(projectId: string): void;
+  /** Cancels the imports of a closed window or tab. */
+  left(client: string): void;
+  dispose(): void;
+}
+
+export interface PhotographJob extends Pick<HostInput<'photographs.import'>, 'name' | 'colmap' | 'oneCamera'> {
+  /** Absolute path of the folder. */
+  readonly folder: string;
+  /** Real path of the project. */
+  readonly root: string;
+  readonly onProgress: (progress: Pick<Extract<HostEvent, { kind: 'photographs-progress' }>, 'step' | 'text'>) => void;
+  /** Receives what COLMAP prints, some lines at a time. */
+  readonly onLines: (lines: string[]) => void;
+}
+
+const STEPS = { features: 'features', matches: 'matches', sparse: 'cameras', dense: 'mesh', mesh: 'mesh' } as const;
+/** Folder of dropped photographs, in that of Scrim. */
+const STAGED = 'photographs';
+/** COLMAP prints thousands of lines. */
+const LINES_MS = 150;
+const MAX_SIDE_PX = 1600;
+const MAX_DOCUMENT_BYTES = 2 ** 24;
+
+export function createPhotographImports(files: FileLayer): PhotographImports {
+  const running = new Map<string, { readonly client: string; readonly canceled: AbortController }>();
+  const cancel = (projectId: string): void => running.get(projectId)?.canceled.abort();
+  return {
+    look: async ({ colmap }, typed) => {
+      const folder = await realFolder(typed);
+      const has = await hasCameras(folder).catch((error: unknown) => {
+        throw asRefusal(error, folder);
+      });
+      const photographs = await countPhotographs(folder);
+      if (has) return { photographs, hasCameras: true, colmap: null, diagnostic: null };
+      try {
+        const path = await findColmap(colmap);
+        const { version } = await openColmap(path, null, new AbortController().signal);
+        return { photographs, hasCameras: false, colmap: `${version} (${path})`, diagnostic: null };
+      } catch (error) {
+        if (!(error instanceof HostError)) throw error;
+        return { photographs, hasCameras: false, colmap: null, diagnostic: error.diagnostic };
+      }
+    },
+    run: async (projectId, client, job) => {
+      cancel(projectId);
+      const mine = { client, canceled: new AbortController() };
+      running.set(projectId, mine);
+      const interrupted = mine.canceled.signal;
+      const lines = batched(job.onLines);
+      try {
+        const folder = await realFolder(job.folder);
+        const made = (await hasCameras(folder)) && !(await isOurs(folder)) ? null : await findCameras(folder, job, interrupted, lines.add);
+        return await pack(folder, made, job, files, interrupted);
+      } catch (error) {
+        if (interrupted.aborted) return CANCELED;
+        throw asRefusal(error, job.folder);
+      } finally {
+        lines.end();
+        if (running.get(projectId) === mine) running.delete(projectId);
+      }
+    },
+    stage: async (root, { folder, path, bytes, first }) => {
+      const place = `${SCRIM_FOLDER}/${STAGED}`;
+      const target = await resolveInside(root, `${place}/${folder}/${path}`);
+      try {
+        await ensureScrimFolder(root, files);
+        if (first) await rm(await resolveInside(root, place), { recursive: true, force: true });
+        await files.makeFolder(dirname(target));
+        await files.writeNew(target, bytes);
+      } catch (error) {
+        throw errorCode(error) === undefined ? error : writeRefusal(error, target);
+      }
+      return join(root, place, folder);
+    },
+    cancel,
+    left: (client) => {
+      for (const [projectId, job] of running) if (job.client === client) cancel(projectId);
+    },
+    dispose: () => {
+      for (const projectId of running.keys()) cancel(projectId);
+    },
+  };
+}
+
+/** The error as one of the host. */
+function asRefusal(error: unknown, folder: string): unknown {
+  if (error instanceof CaptureError) return refusal('SCR069', `${folder} cannot be imported: ${error.message}.`);
+  return errorCode(error) === undefined ? error : writeRefusal(error, folder);
+}
+
+const CANCELED: HostOutput<'photographs.import'> = { path: null, photographs: 0, found: 0, isRough: false, start: null, diagnostics: [] };
+
+/**
+ * The COLMAP of the machine, or of a path that was typed. A page may not name other programs.
+ *
+ * @throws SCR078
+ */
+async function findColmap(typed: string | null): Promise<string> {
+  if (typed !== null && !/^colmap/i.test(basename(typed.replaceAll('\\', '/')))) {
+    throw refusal(
+      'SCR078',
+      `${typed} is not COLMAP: the name of its executable file begins with “colmap”.`,
+      `Get COLMAP from ${COLMAP.url}`,
+    );
+  }
+  return findTool(COLMAP, typed);
+}
+
+/** Whether an earlier import found the cameras of a folder. */
+async function isOurs(folder: string): Promise<boolean> {
+  return (await lstat(join(folder, '.scrim-reconstruction')).catch(() => null))?.isDirectory() === true;
+}
+
+async function findCameras(
+  folder: string,
+  { colmap, oneCamera, onProgress }: PhotographJob,
+  interrupted: AbortSignal,
+  onLine: (line: string) => void,
+): Promise<Reconstruction> {
+  return reconstruct({
+    folder,
+    colmap: await findColmap(colmap),
+    oneCamera,
+    dense: null,
+    say: (text, step) => onProgress({ step: STEPS[step], text }),
+    onLine,
+    interrupted,
+  });
+}
+
+async function pack(
+  asked: string,
+  made: Reconstruction | null,
+  { root, name, onProgress }: PhotographJob,
+  files: FileLayer,
+  interrupted: AbortSignal,
+): Promise<HostOutput<'photographs.import'>> {
+  const folder = made?.isDense ? join(asked, 'dense/0') : asked;
+  // COLMAP does not know how large a place is: a guess that is near enough to be seen, until “True size”.
+  const metersPerUnit = made === null ? 1 : guessedUnit((await readCameras(folder)).views);
+  const packed = await packCapture({
+    folder,
+    root,
+    name,
+    files,
+    say: (text) => onProgress({ step: 'pack', text }),
+    interrupted,
+    maxSidePx: MAX_SIDE_PX,
+    up: null,
+    metersPerUnit,
+    known: UNKNOWN_SIZE,
+    depth: { from: null, unit: null, kind: null },
+  });
+  const { views } = readCapture(await readText(await resolveInside(root, packed.path), MAX_DOCUMENT_BYTES));
+  // Photographs that were dropped are not kept twice.
+  const staged = join(root, SCRIM_FOLDER, STAGED);
+  if (asked.startsWith(staged)) await rm(staged, { recursive: true, force: true });
+  return {
+    path: packed.path,
+    photographs: made?.photographs ?? packed.views.length,
+    found: packed.views.length,
+    isRough: made !== null && !made.isDense && made.mesh !== null,
+    start: firstEye(views),
+    diagnostics: [...(made?.diagnostics ?? []), ...packed.diagnostics],
+  };
+}
+
+/** Collects lines, so that few events carry them. */
+function batched(send: (lines: string[]) => void) {
+  let lines: string[] = [];
+  let timer: NodeJS.Timeout | null = null;
+  const flush = (): void => {
+    timer = null;
+    if (lines.length > 0) send(lines.slice(-MOST_LINES));
+    lines = [];
+  };
+  return {
+    add: (line: string): void => {
+      lines.push(line);
+      timer ??= setTimeout(flush, LINES_MS);
+    },
+    end: (): void => {
+      if (timer !== null) clearTimeout(timer);
+      flush();
+    },
+  };
+}
+
+/** More lines at a time than anybody reads are in the log file. */
+const MOST_LINES = 200;

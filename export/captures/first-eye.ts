@@ -1,0 +1,16 @@
+import type { CaptureView } from '../../nodes/kit/capture.ts';
+
+/** The camera in the middle of all: from there, a visitor sees what a photograph shows. Position in meters; the angle about y of where it looks. */
+export function firstEye(views: readonly CaptureView[]): { readonly positionM: number[]; readonly yawRad: number } | null {
+  const centers = views.map(({ worldFromCamera }) => worldFromCamera.slice(12, 15));
+  const mean = [0, 1, 2].map((axis) => centers.reduce((sum, center) => sum + (center[axis] ?? 0), 0) / centers.length);
+  const away = (center: readonly number[]): number => Math.hypot(...center.map((value, axis) => value - (mean[axis] ?? 0)));
+  let best: CaptureView | null = null;
+  for (const view of views) {
+    if (best === null || away(view.worldFromCamera.slice(12, 15)) < away(best.worldFromCamera.slice(12, 15))) best = view;
+  }
+  if (best === null) return null;
+  const m = best.worldFromCamera;
+  // The camera looks along −z: its third column points backwards.
+  return { positionM: m.slice(12, 15), yawRad: Math.atan2(m[8] ?? 0, m[10] ?? 1) };
+}
