@@ -15,6 +15,7 @@ import type { ProjectFiles } from '../contract/contract.ts';
 import { checkAssets } from './check-assets.ts';
 import { checkModels } from './check-models.ts';
 import { findOpaqueImages } from './opaque-images.ts';
+import { findOpaqueModels } from './opaque-models.ts';
 
 export interface CompiledProject {
   /** The loaded project; null if the files could not be read as a project. */
@@ -55,7 +56,7 @@ export async function compileProject(
   const project = loaded.output;
   if (project === null) return { project, program: null, diagnostics: loaded.diagnostics, separate: [], folded: [] };
   const asked = optionsOf(project);
-  const options = asked.fuse ? { ...asked, opaqueImages: await findOpaqueImages(root, project.assets) } : asked;
+  const options = asked.fuse ? { ...asked, ...(await findOpaque(root, project)) } : asked;
   const compiled =
     apart !== null && isLarge(project) ? await compileMigrated(project, options, apart) : compile({ project, library: LIBRARY, options });
   const played = compiled.output?.assets ?? [];
@@ -74,6 +75,11 @@ export async function compileProject(
     separate: compiled.separate,
     folded: compiled.folded ?? [],
   };
+}
+
+async function findOpaque(root: string, { assets }: Project): Promise<Pick<CompileOptions, 'opaqueImages' | 'opaqueModels'>> {
+  const [opaqueImages, opaqueModels] = await Promise.all([findOpaqueImages(root, assets), findOpaqueModels(root, assets)]);
+  return { opaqueImages, opaqueModels };
 }
 
 /** Migrates the params and then compiles in a worker, which cannot migrate params. */

@@ -39,6 +39,8 @@ export interface ProgramUse {
   readonly panoramas: boolean;
   /** Whether techniques of the program show what is behind their objects. Models may contain glass without this. */
   readonly glass: boolean;
+  /** Whether materials compute effects. */
+  readonly materialEffects: boolean;
   /**
    * Which edges techniques of the program draw as lines: all, or those of meshes with a border, which only models may have, or none.
    */
@@ -123,6 +125,7 @@ export function programUse(program: Program): ProgramUse {
     readsView: readsView(program),
     panoramas: uses('environment'),
     glass: program.operations.some((operation) => 'glass' in operation && operation.glass === true),
+    materialEffects: program.operations.some((operation) => 'effects' in operation && operation.effects !== undefined),
     techniqueEdges: edgesOf(program),
     techniqueRadial: program.resources.some((resource) => resource.kind === 'technique' && resource.fragment.includes(RADIAL)),
     techniqueDirections: program.resources.some(

@@ -37,7 +37,8 @@ export function nodeBytes(
 }
 
 function nodesOf(operation: Operation): readonly string[] {
-  return operation.kind === 'pass' && operation.nodes ? operation.nodes : [operation.node];
+  if (operation.kind === 'pass') return operation.nodes ?? [operation.node];
+  return 'effects' in operation && operation.effects ? [operation.node, ...operation.effects.nodes] : [operation.node];
 }
 
 function typeOf(operation: Operation): string | null {

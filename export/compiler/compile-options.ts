@@ -14,6 +14,8 @@ export interface CompileOptions {
   readonly fuse?: boolean;
   /** Ids of image assets without transparency, whose fused passes need not divide by alpha. */
   readonly opaqueImages?: readonly string[];
+  /** Ids of model assets without transparent materials, in which effects can be computed (docs/adr/0055). */
+  readonly opaqueModels?: readonly string[];
   /** Compute once what is the same in every frame while only controls of the page set params (docs/adr/0048): for exports and plans. */
   readonly fold?: boolean;
   /** Report nodes that the output does not depend on (SCR021). */

@@ -84,7 +84,16 @@ function compileWhole(
   store: ShaderStore,
 ): { readonly compiled: Compiled; readonly compilation: Compilation | null } {
   const { project, options } = input;
-  const { taps = [], thumbnails = [], loopBudget = false, fuse = false, fold: folds = false, opaqueImages = [], reportUnused } = options;
+  const {
+    taps = [],
+    thumbnails = [],
+    loopBudget = false,
+    fuse = false,
+    fold: folds = false,
+    opaqueImages = [],
+    opaqueModels = [],
+    reportUnused,
+  } = options;
   const { library, shaders, log } = logReads(input.library, store);
   const diagnostics: Diagnostic[] = [];
   const failed = (above: readonly ShaderAbove[] = []) => ({
@@ -101,7 +110,8 @@ function compileWhole(
   if (checked.output === null || hasErrors(diagnostics)) return failed();
   const folding = folds ? fold(checked.output, unchangedLayers(checked.output, library, shaders)) : null;
   const used = folding?.checked ?? checked.output;
-  const scheduled = schedule(used, { library, shaders, loopBudget, fuse, opaqueImages: new Set(opaqueImages) });
+  const known = { opaqueImages: new Set(opaqueImages), opaqueModels: new Set(opaqueModels) };
+  const scheduled = schedule(used, { library, shaders, loopBudget, fuse, ...known });
   diagnostics.push(...scheduled.diagnostics);
   if (scheduled.output === null) return failed(shadersAbove(scheduled));
   if (reportUnused) diagnostics.push(...unusedNodes(resolved.output.graph, checked.output.live));

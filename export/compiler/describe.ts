@@ -120,12 +120,13 @@ function glassOf(draws: readonly DrawOperation[], { assets }: Program): keyof ty
 }
 
 function describeDraw(operation: DrawOperation, program: Program): string {
-  const { id, type, target, shadowMaps, occlusion, under } = operation;
+  const { id, type, target, shadowMaps, occlusion, under, effects } = operation;
   const glass = glassOf([operation], program);
   const parts = [
     `${id}: draws objects ${target === 'screen' ? 'onto the screen' : `into ${target}`}`,
     ...(shadowMaps === null ? [] : [`with ${shadowMaps}`]),
     ...(occlusion === null ? [] : [`hidden where ${occlusion.roomDepth} is nearer (${occlusion.node})`]),
+    ...(effects ? [`with the effects ${effects.nodes.join(', ')} in its materials`] : []),
     ...(under && glass ? [`${GLASS_WORDS[glass]} in front of ${under.resource}`] : []),
   ];
   return `${parts.join(', ')} (${type})`;

@@ -1,5 +1,6 @@
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
-import { type Program, readProgram } from '../program/program.ts';
+import type { Program } from '../program/program.ts';
+import { readProgram } from '../program/read-program.ts';
 import { type AssetSource, createFetchAssetSource } from '../runtime/assets/asset-source.ts';
 import type { CreateSceneBackend } from '../runtime/scene-backend.ts';
 import type { DecoderFiles } from '../runtime/scenes/models/decoders/decoder.ts';

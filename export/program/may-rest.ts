@@ -1,4 +1,4 @@
-import type { Operation, PassOperation, Program, Resource } from './program.ts';
+import type { Operation, PassOperation, PassUniform, Program, Resource } from './program.ts';
 
 /** Node types that list, place or draw objects and lights, and say when they change (`NodeRuntime.version`). A test compares them. */
 export const STILL_TYPES: readonly string[] = [
@@ -78,6 +78,7 @@ export function mayRest({ operations, resources }: Program): boolean {
   const isStill = (operation: Operation): boolean => {
     if (operation.kind === 'pass') return !readsClock(operation);
     if (!('type' in operation)) return true;
+    if ('effects' in operation && operation.effects?.uniforms.some(isClock)) return false;
     if (operation.kind === 'cpu') return operation.stateful === undefined;
     // A label that is an object fades with what the room hides.
     if (operation.type === 'objects/label') return operation.config.where === 'page';
@@ -88,10 +89,14 @@ export function mayRest({ operations, resources }: Program): boolean {
 
 function readsClock({ uniforms, samplers }: PassOperation): boolean {
   return (
-    uniforms.some(({ source }) => 'builtin' in source && CLOCKS.has(source.builtin)) ||
+    uniforms.some(isClock) ||
     // An imported image may be loaded later, without a sign.
     samplers.some(({ source }) => source.kind === 'import')
   );
+}
+
+function isClock({ source }: PassUniform): boolean {
+  return 'builtin' in source && CLOCKS.has(source.builtin);
 }
 
 function isCompared(resource: Resource): boolean {

@@ -248,6 +248,24 @@ export interface DrawOperation extends NodeOperation {
   readonly ownDrawing?: true;
   /** It needs no depth buffer on the screen, and one sample per pixel. */
   readonly onlyBlends?: true;
+  /** Effects that its materials compute at their end, in place of passes over its layer (ADR 55). */
+  readonly effects?: DrawEffects;
+}
+
+/** Effects in the materials of a draw whose objects are opaque. */
+export interface DrawEffects {
+  /** The nodes of the effects, in drawing order. */
+  readonly nodes: readonly string[];
+  /** Text for fragment shaders: `vec4 scrimEffects(vec4 color)`, from the color of an opaque surface to the color to draw. */
+  readonly text: string;
+  readonly uniforms: readonly PassUniform[];
+  /** Samplers of tables, if any. */
+  readonly samplers?: readonly PassSampler[];
+  /**
+   * Index into `shaders` of the pass with the same effects, which is only compiled, so that errors are on the author's line. Null in an
+   * export.
+   */
+  readonly trial: number | null;
 }
 export type DrawUnder = { readonly resource: ResourceId; readonly fit: PassSampler['fit']; readonly encoding: LayerEncoding };
 
@@ -375,24 +393,4 @@ export interface ProgramAsset {
   readonly lamps?: Readonly<Record<string, FoundLamps>>;
   /** For a capture: whether its depth meshes are drawn. */
   readonly depthMeshes?: true;
-}
-
-/**
- * Checks the format and version of a program. A page and its program are built together, so a mismatch is a programming error.
- *
- * @param json Parsed `program.json`.
- * @throws Error if this runtime cannot play it.
- *
- * @example
- * const program = readProgram(await (await fetch('program.json')).json());
- */
-export function readProgram(json: unknown): Program {
-  const header = json as { format?: unknown; version?: unknown } | null;
-  if (header?.format !== 'scrim-program') throw new Error('Not a Scrim program: the key "format" is missing or wrong.');
-  if (header.version !== PROGRAM_VERSION) {
-    throw new Error(
-      `Program version ${String(header.version)} cannot be played: this runtime plays version ${PROGRAM_VERSION}. Export again.`,
-    );
-  }
-  return json as Program;
 }

@@ -82,8 +82,20 @@ export interface LoadedEnvironment extends DerivedEnvironment {
 export interface DrawBinding {
   readonly shadowMaps: ShadowMaps | null;
   readonly occlusion: OcclusionView | null;
+  /** Effects that materials compute at their end; null for none. */
+  readonly effects?: MaterialEffects | null;
   /** Reports warnings about exceeded limits. */
   readonly report?: (diagnostic: Omit<Diagnostic, 'nodeId'>) => void;
+}
+
+/** Effects that the materials of a draw compute at their end (ADR 55). */
+export interface MaterialEffects {
+  /** Text for fragment shaders; see `DrawEffects`. */
+  readonly text: string;
+  /** Uniforms of the text. Their values change in place. */
+  readonly uniforms: Readonly<Record<string, { value: unknown }>>;
+  /** Textures of its samplers, with their own parameters. */
+  readonly textures: Readonly<Record<string, WebGLTexture>>;
 }
 
 export interface ShadowMaps {

@@ -33,7 +33,7 @@ function Passes({ id }: { readonly id: string }) {
 
 /** Sentences, one per line. */
 function linesOf(exported: ExportedProgram, node: string, titleOf: (node: string) => string): string {
-  const { passes, separate, folded } = passesOf(exported, node);
+  const { passes, inMaterialsOf, separate, folded } = passesOf(exported, node);
   if (folded !== null) {
     return `The page leaves the node out: ${folded.reason}${folded.instead === null ? '' : ` (${titleOf(folded.instead)})`}.`;
   }
@@ -47,6 +47,7 @@ function linesOf(exported: ExportedProgram, node: string, titleOf: (node: string
       ? `A texture between passes of ${titleOf(reader)}: ${reason}.`
       : `A texture between ${titleOf(writer)} and ${titleOf(reader)}: ${reason}.`;
   });
+  if (inMaterialsOf.length > 0) return `Computed in the materials of ${inMaterialsOf.map(titleOf).join(', ')}, without a pass.`;
   return [
     ...new Set(passes.length === 0 ? ['No pass: the page leaves the node out, or draws it with objects.'] : [...drawn, ...kept]),
   ].join('\n');

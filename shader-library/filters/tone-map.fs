@@ -100,10 +100,12 @@ vec3 filmic(vec3 light) {
 void main() {
   vec4 color = IMG_THIS_PIXEL(inputImage);
   vec3 light = color.rgb * exp2(stops);
+  vec3 shown;
   if (curve == FILMIC) {
-    gl_FragColor = vec4(filmic(light), color.a);
-    return;
+    shown = filmic(light);
+  } else {
+    vec3 mapped = curve == AGX ? agx(light) : curve == NEUTRAL ? neutral(light) : curve == ACES ? aces(light) : light;
+    shown = displayFromLinear(clamp(mapped, 0.0, 1.0));
   }
-  vec3 mapped = curve == AGX ? agx(light) : curve == NEUTRAL ? neutral(light) : curve == ACES ? aces(light) : light;
-  gl_FragColor = vec4(displayFromLinear(clamp(mapped, 0.0, 1.0)), color.a);
+  gl_FragColor = vec4(shown, color.a);
 }

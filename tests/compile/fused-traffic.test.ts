@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { describe, expect, test } from '@jest/globals';
 import { createCompiler } from '../../export/compiler/compile.ts';
 import { loadProject } from '../../export/graph/load.ts';
-import { filteredProject } from '../../tools/bench/filtered-project.ts';
+import { filteredObjects, filteredProject } from '../../tools/bench/filtered-project.ts';
 import { type FrameTraffic, frameTraffic } from '../../tools/bench/frame-traffic.ts';
 import { chain, passes, type Twins, twins } from '../support/fusion-kit.ts';
 import { LIBRARY } from '../support/library.ts';
@@ -31,10 +31,14 @@ function traffic({ separate, fused }: Pick<Twins, 'separate' | 'fused'>): {
 }
 
 /** A shipped example, with and without fusion. */
-async function example(name: string, change = (text: string) => text): Promise<Pick<Twins, 'separate' | 'fused'>> {
+async function example(
+  name: string,
+  change = (text: string) => text,
+  opaqueModels: readonly string[] = [],
+): Promise<Pick<Twins, 'separate' | 'fused'>> {
   const text = change(await readFile(join(TESTS_FOLDER, '../examples', name, 'project.scrim.json'), 'utf8'));
   const project = loadProject({ project: text, layout: null, sources: {} }).output;
-  const made = [false, true].map((fuse) => project && compile({ project, library: LIBRARY, options: { fuse } }).output);
+  const made = [false, true].map((fuse) => project && compile({ project, library: LIBRARY, options: { fuse, opaqueModels } }).output);
   const [separate, fused] = made;
   if (!separate || !fused) throw new Error(`${name} does not compile.`);
   return { separate, fused };
@@ -101,5 +105,15 @@ describe('a frame needs', () => {
     expect([apart.passes, together.passes]).toEqual([4, 1]);
     expect(together.readBytes + together.writtenBytes).toBeLessThan(apart.readBytes + apart.writtenBytes);
     expect(passes(pair.fused).map(({ target }) => target)).toEqual(['screen']);
+  });
+
+  test('no pass and no target for filters over objects alone, without antialiasing', async () => {
+    const filtered = (opaqueModels: readonly string[]) =>
+      example('shadows-of-real-and-virtual-things', (text) => filteredObjects(text, 'scene-f6.layer'), opaqueModels);
+    const { apart, together } = traffic(await filtered(['robot-tin1']));
+    expect(apart).toMatchObject({ passes: 2, targets: 2, readBytes: 2 * LAYER_BYTES, writtenBytes: 2 * LAYER_BYTES });
+    expect(together).toMatchObject({ passes: 0, targets: 0, targetBytes: 0, readBytes: 0, writtenBytes: 0 });
+    // Objects that may be transparent keep their layer.
+    expect(traffic(await filtered([])).together).toMatchObject({ passes: 1, targets: 1 });
   });
 });

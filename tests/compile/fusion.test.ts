@@ -3,6 +3,7 @@ import { describeSeparate } from '../../export/compiler/describe.ts';
 import { SEPARATE_REASONS } from '../../export/compiler/schedule/fuse/separate-wire.ts';
 import { totalBytes } from '../../export/compiler/target-bytes.ts';
 import { chain, EXACT_EFFECTS, passes, type Twins, twins, versionOf } from '../support/fusion-kit.ts';
+import { OBJECT_REASONS } from '../support/material-effects-kit.ts';
 
 const INPUTS = '"INPUTS": [{ "NAME": "inputImage", "TYPE": "image" }]';
 const COPY = 'gl_FragColor = IMG_THIS_PIXEL(inputImage);';
@@ -278,21 +279,11 @@ void main() { gl_FragColor = PASSINDEX == 0 ? IMG_THIS_PIXEL(inputImage) : IMG_T
     expectReason(inside, 'look-a/one-a.pass0 → look-a/two-a.pass0', 'switched');
   });
 
-  test('of a vertex shader, of loops that the preview limits, and of objects', () => {
+  test('of a vertex shader, and of loops that the preview limits', () => {
     const vertex = 'void main() { isf_vertShaderInit(); gl_Position.x *= 0.5; }';
     expectReason(around('', `void main() { ${COPY} }`, { 'own.vs': vertex }), 'own-a.pass0 → sepia-a.pass0', 'vertex');
     const endless = `void main() { vec4 sum = vec4(0.0); for (int i = 0; i < 100000; i++) { sum += IMG_THIS_PIXEL(inputImage); } gl_FragColor = sum; }`;
     expectReason(around('', endless, {}, { loopBudget: true }), 'own-a.pass0 → sepia-a.pass0', 'loops');
-    const nodes = {
-      'box-a': { type: 'objects/primitive', version: 1 },
-      'scene-a': { type: 'layer/scene', version: 1 },
-      'sepia-a': { type: 'filter/sepia', version: 1 },
-    };
-    expectReason(
-      twins(nodes, ['box-a.objects -> scene-a.objects', 'scene-a.layer -> sepia-a.inputImage', 'sepia-a.layer -> screen-a.layer']),
-      'scene-a → sepia-a.pass0',
-      'objects',
-    );
   });
 
   test('whose depth is computed of it', () => {
@@ -326,7 +317,7 @@ void main() { gl_FragColor = PASSINDEX == 0 ? IMG_THIS_PIXEL(inputImage) : IMG_T
   });
 
   test('for no other reason', () => {
-    expect([...found].sort()).toEqual(Object.keys(SEPARATE_REASONS).sort());
+    expect([...found, ...OBJECT_REASONS].sort()).toEqual(Object.keys(SEPARATE_REASONS).sort());
   });
 });
 

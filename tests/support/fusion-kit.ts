@@ -67,12 +67,16 @@ export function twins(
       'pattern-a': { type: 'generator/pattern', version: 1 },
       'other-a': { type: 'generator/other', version: 1 },
       ...nodes,
-      'screen-a': { type: 'output/screen', version: 1 },
+      'screen-a': nodes['screen-a'] ?? { type: 'output/screen', version: 1 },
     },
     wires,
   };
   const graphs = { main: graph, ...subgraphs };
-  const assets = { photo: { path: 'photo.jpg', kind: 'image' }, film: { path: 'film.webm', kind: 'video' } };
+  const assets = {
+    photo: { path: 'photo.jpg', kind: 'image' },
+    film: { path: 'film.webm', kind: 'video' },
+    robot: { path: 'robot.glb', kind: 'model' },
+  };
   const project = JSON.stringify({ format: 'scrim-project', version: 1, title: 'Test', graphs, assets });
   const loaded = needed(loadProject({ project, layout: null, sources: { ...PATTERNS, ...sources } }).output);
   const plain = compile({ project: loaded, library: LIBRARY, options });

@@ -5,7 +5,7 @@ import { exampleNames } from '../lib/example-names.ts';
 import type { ToolContext } from '../lib/tool.ts';
 import type { Bench } from './bench.ts';
 import { compiledProgram } from './compiled-program.ts';
-import { filteredProject } from './filtered-project.ts';
+import { filteredObjects, filteredProject } from './filtered-project.ts';
 import { type FrameTraffic, frameTraffic } from './frame-traffic.ts';
 
 const SIZE = { widthPx: 1280, heightPx: 720 } as const;
@@ -24,14 +24,19 @@ const FIGURES: readonly (readonly [name: string, unit: Bench['unit'], of: (traff
 
 /**
  * Passes, draws of objects, targets and bytes of a frame of 1280 × 720 pixels of every example, with fusion and without; also of figure 11 of the paper with a
- * filter over all of it. They are computed from the programs, so they are the same on every machine.
+ * filter over all of it, and of objects with filters, without antialiasing. They are computed from the programs, so they are the same on every machine.
  */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   const examples = join(root, 'examples');
   const rows: Bench[] = [];
   const subjects = (await exampleNames(root)).map((name) => ({ name, folder: join(examples, name), change: (text: string) => text }));
   const figure = { name: 'sketchy-shadow with a filter over all', folder: join(examples, 'sketchy-shadow'), change: filteredProject };
-  for (const { name, folder, change } of [...subjects, figure]) {
+  const objects = {
+    name: 'shadows-of-real-and-virtual-things with two filters over its objects, without antialiasing',
+    folder: join(examples, 'shadows-of-real-and-virtual-things'),
+    change: (text: string) => filteredObjects(text, 'scene-f6.layer'),
+  };
+  for (const { name, folder, change } of [...subjects, figure, objects]) {
     const fused = frameTraffic(await compiled(folder, change, true), SIZE);
     const separate = frameTraffic(await compiled(folder, change, false), SIZE);
     for (const [figure, unit, of] of FIGURES) {

@@ -56,6 +56,11 @@ export const RUNTIME_PARTS: readonly OptionalPart[] = [
     otherwise: absent('createDrawStep'),
   },
   {
+    file: 'export/runtime/operations/material-effects.ts',
+    isNeeded: ({ materialEffects }) => materialEffects,
+    otherwise: 'export const createMaterialEffects = () => null;',
+  },
+  {
     file: 'export/runtime/targets/multisampling.ts',
     isNeeded: ({ operationKinds }) => operationKinds.has('draw'),
     otherwise: absent('createMultisampling'),

@@ -31,6 +31,11 @@ export const SCENE_PARTS: readonly OptionalPart[] = [
     otherwise: `export { readPreparedModel as readWholeModel } from './prepared-model.ts';`,
   },
   {
+    file: 'export/runtime/scenes/materials/effects-patch.ts',
+    isNeeded: ({ materialEffects }) => materialEffects,
+    otherwise: absent('createEffectsPatch'),
+  },
+  {
     file: 'export/runtime/scenes/materials/technique-plans.ts',
     isNeeded: ({ resourceKinds }) => resourceKinds.has('technique'),
     otherwise: `const nothing = () => {};

@@ -1,5 +1,6 @@
-import type { LinkedShader, Operation, Resource, SourceMap } from '../../program/program.ts';
+import type { DrawEffects, LinkedShader, Operation, Resource, SourceMap } from '../../program/program.ts';
 import type { Schedule } from '../schedule/schedule.ts';
+import { isDrawOperation, type ScheduledEffects } from '../schedule/scheduled.ts';
 
 export interface LinkedOperations {
   readonly operations: readonly Operation[];
@@ -23,7 +24,12 @@ export function link({ operations, resources, trials }: Linkable, options: { rea
     places.set(shader.id, shaders.length);
     return shaders.push(options.sourceMaps ? named(shader, node) : withoutSourceMap(shader)) - 1;
   };
+  const linkedEffects = (effects: ScheduledEffects): DrawEffects => {
+    const [node = ''] = effects.nodes;
+    return { ...effects, trial: options.sourceMaps ? placeOf(effects.trial, node) : null };
+  };
   const linked = operations.map((operation): Operation => {
+    if (isDrawOperation(operation)) return { ...operation, ...(operation.effects && { effects: linkedEffects(operation.effects) }) };
     if (operation.kind !== 'pass') return operation;
     const { shader, parts: _, ...rest } = operation;
     return { ...rest, shader: placeOf(shader, operation.node) };

@@ -10,6 +10,7 @@ import { totalBytes } from '../target-bytes.ts';
 import { type CoverFacts, coversView } from './covers-view.ts';
 import { type DemandStart, findDemand } from './demand.ts';
 import { fuseOperations } from './fuse/fuse-operations.ts';
+import { whyNotOpaque } from './fuse/opaque-objects.ts';
 import type { SeparateWire } from './fuse/separate-wire.ts';
 import { describeLayers, layerOutput } from './layers.ts';
 import { isDelayed } from './lower/lower-delayed.ts';
@@ -33,6 +34,8 @@ export interface ScheduleOptions {
   readonly fuse: boolean;
   /** Ids of image assets without transparency. */
   readonly opaqueImages: ReadonlySet<string>;
+  /** Ids of model assets without transparent materials. */
+  readonly opaqueModels: ReadonlySet<string>;
 }
 
 /** The ordered operations with their resources: the program except for the indices of its shaders. */
@@ -80,8 +83,8 @@ export function schedule(checked: Checked, options: ScheduleOptions): ScheduleRe
   const shown = lowerShown(lowering, live, plan.leaves, demand);
   const { diagnostics, above } = lowering;
   if (hasErrors(diagnostics)) return { output: null, diagnostics, above };
-  // Of the screen alone: viewed layers add steps.
-  const shownPresentation = presentationOf(plan, lowering);
+  // Viewed layers add steps.
+  const ofScreen = new Set(lowering.steps.map(({ operation }) => operation.id));
 
   const linkable = linkableTaps(lowering, checked);
   const behind = nodesBehind(
@@ -104,13 +107,20 @@ export function schedule(checked: Checked, options: ScheduleOptions): ScheduleRe
   const shared = ({ operations, resources }: Targets) => shareTargets(operations, resources, viewedResources);
   const bytesOf = (made: Targets) => totalBytes({ resources: shared(made), slots, taps });
   const fused = options.fuse
-    ? fuseOperations({ ...plain, viewed: viewedResources, unfused }, options.opaqueImages, bytesOf)
+    ? fuseOperations({ ...plain, viewed: viewedResources, unfused }, options.opaqueImages, bytesOf, (draw) =>
+        whyNotOpaque(graph, draw, options.opaqueModels),
+      )
     : { ...plain, separate: [] };
   const resources = shared(fused);
   const covers =
     isOpaqueColor(plan.background) ||
     coversView(operations, { lowering, opaqueImages: options.opaqueImages, ...ownShaders(graph, options) });
-  const presentation: Presentation = { ...shownPresentation, ...(around && { around }), ...(covers && { covers }) };
+  const shownOperations = fused.operations.filter(({ id }) => ofScreen.has(id));
+  const presentation: Presentation = {
+    ...presentationOf(plan, shownOperations, samples),
+    ...(around && { around }),
+    ...(covers && { covers }),
+  };
   return {
     output: {
       operations: markSharedPasses({ operations: fused.operations, resources, taps }),
@@ -161,9 +171,9 @@ function demandStart({ leaves }: ScreenPlan): DemandStart {
   };
 }
 
-function presentationOf({ background }: ScreenPlan, { steps, samples }: Lowering): Presentation {
-  const draws = steps.map(({ operation }) => operation).filter(isDrawOperation);
-  const composed = steps.some(({ operation }) => isPass(operation)) || draws.some(({ target }) => target !== 'screen');
+function presentationOf({ background }: ScreenPlan, operations: readonly ScheduledOperation[], samples: number): Presentation {
+  const draws = operations.filter(isDrawOperation);
+  const composed = operations.some(isPass) || draws.some(({ target }) => target !== 'screen');
   // Full-screen passes cover whole pixels, so a multisampled framebuffer would only add the cost of resolving.
   const onScreen = draws.filter(({ target }) => target === 'screen');
   const tested = onScreen.filter(({ onlyBlends }) => onlyBlends !== true);

@@ -1,6 +1,7 @@
 import type { PassParts, WhyNotFused } from '../../glsl/link/link-parts.ts';
 import type {
   CpuOperation,
+  DrawEffects,
   DrawOperation,
   LinkedShader,
   NodeOperation,
@@ -17,7 +18,12 @@ export type ScheduledPass = Omit<PassOperation, 'shader'> & {
   readonly parts: PassParts | WhyNotFused;
 };
 
-export type ScheduledOperation = NodeOperation | DrawOperation | CpuOperation | ShadowMapOperation | ReadbackOperation | ScheduledPass;
+/** A draw whose effects contain the shader that tests them; *link* replaces it by an index. */
+export type ScheduledDraw = Omit<DrawOperation, 'effects'> & { readonly effects?: ScheduledEffects };
+
+export type ScheduledEffects = Omit<DrawEffects, 'trial'> & { readonly trial: LinkedShader };
+
+export type ScheduledOperation = NodeOperation | ScheduledDraw | CpuOperation | ShadowMapOperation | ReadbackOperation | ScheduledPass;
 
 /** A shader that tests a technique, and the node of the technique. */
 export interface ScheduledTrial {
@@ -40,6 +46,6 @@ export function isPass(operation: ScheduledOperation): operation is ScheduledPas
   return operation.kind === 'pass';
 }
 
-export function isDrawOperation(operation: ScheduledOperation): operation is DrawOperation {
+export function isDrawOperation(operation: ScheduledOperation): operation is ScheduledDraw {
   return operation.kind === 'draw';
 }

@@ -2,7 +2,7 @@ import type { BuiltinUniform, LinkedShader, TargetFormat } from '../../program/p
 import { UNIFORM_TYPES } from '../isf/given-symbols.ts';
 import { hashText } from '../link/hash.ts';
 import { colorFunction, helpersFor, type Image, type ImageUse, imageText, sizeUniform } from '../link/images.ts';
-import { createLineWriter, type MappedLines } from '../link/line-writer.ts';
+import { createLineWriter, type LineWriter, type MappedLines } from '../link/line-writer.ts';
 import type { ImagePart, PassParts } from '../link/link-parts.ts';
 import { FRAGMENT_HEAD, outputText, VERTEX_SHADER } from '../link/prelude.ts';
 import type { FusedPart } from './fused-part.ts';
@@ -21,8 +21,11 @@ import {
 /** Names that the linker gives to globals and reserved words of an author (`link/names.ts`). */
 const GLOBAL = /\ba\d*_/g;
 
+/** The variable with the color of the objects in whose materials passes are computed. */
+export const DRAWN_COLOR = 'scrim_drawn';
+
 /** GLSL functions that round a color as a target of a format stores it. */
-const ROUNDING: Readonly<Record<TargetFormat, 'scrim_as8' | 'scrim_asHalf' | null>> = {
+export const ROUNDING: Readonly<Record<TargetFormat, 'scrim_as8' | 'scrim_asHalf' | null>> = {
   rgba8: 'scrim_as8',
   scene16f: 'scrim_asHalf',
   rgba16f: 'scrim_asHalf',
@@ -34,7 +37,7 @@ const ROUNDING: Readonly<Record<TargetFormat, 'scrim_as8' | 'scrim_asHalf' | nul
  * 8 bits are rounded to the nearest step, as OpenGL ES 3.0.6, section 2.1.6.2, prefers. The conversion to integers also removes NaN, which
  * colors in [0, 1] do not contain.
  */
-const ROUNDING_TEXT = {
+export const ROUNDING_TEXT = {
   scrim_as8: 'vec4 scrim_as8(vec4 color) { return vec4(ivec4(roundEven(clamp(color, 0.0, 1.0) * 255.0))) / 255.0; }',
   scrim_clampedAs8: `vec4 scrim_clampedAs8(vec4 color) { return roundEven(color * 255.0) / 255.0; }
 vec3 scrim_clampedAs8(vec3 color) { return roundEven(color * 255.0) / 255.0; }`,
@@ -71,36 +74,10 @@ export function fusedName(index: number, name: string): string {
 export function fusePasses(passes: readonly FusedPart[]): LinkedShader {
   const moved = movedLayers(passes);
   const isMoved = passesMoved(moved);
-  const images = passes.map((_, i) => atPlace(printImages(passes, i, moved), isMoved.has(i)));
-  const outputs = passes.map((_, i) => storeText(passes, i));
-  const called = [...images, ...outputs].join('\n');
-  const projects = passes.some(({ parts }) => parts.projects);
-  const head = [
-    FRAGMENT_HEAD,
-    ...builtinsOf(passes, isMoved.size > 0).map((name) => `uniform ${UNIFORM_TYPES[name]} ${name};`),
-    ...passes.flatMap(({ parts }, i) => parts.params.map(({ type, name }) => `uniform ${type} ${fusedName(i, name)};`)),
-    ...helpersFor(called, projects),
-    ...Object.entries(ROUNDING_TEXT).flatMap(([name, text]) => (called.includes(`${name}(`) ? [text] : [])),
-    ...passes.slice(1).map((_, i) => `vec4 ${layerName(i)};`),
-    ...(passes.some(({ parts }) => parts.usesFragCoord) ? ['vec4 scrim_fragCoord;'] : []),
-    ...(passes.some(({ parts }) => parts.discards) ? ['bool scrim_discarded;'] : []),
-    'vec4 scrim_fragColor;',
-    ...(isMoved.size > 0 ? [`vec2 ${MOVED_POSITION};`] : []),
-    ...[...isMoved].map((i) => `void ${mainName(i)}();`),
-    ...images.filter((text) => text !== ''),
-  ];
+  const composed = composePasses(passes, moved, isMoved);
   const writer = createLineWriter(0);
-  writer.own(head.join('\n'));
-  passes.forEach(({ parts }, i) => {
-    writer.append(inPass(parts.functions, parts, i, isMoved.has(i)));
-    writer.own(`void ${mainName(i)}() {`);
-    if (parts.discards) writer.own('  scrim_discarded = false;');
-    writer.append(inPass(parts.body, parts, i, isMoved.has(i)));
-    writer.indent(1);
-    writer.own(outputs[i] ?? '');
-    writer.indent(-1);
-    writer.own('}');
-  });
+  writer.own([FRAGMENT_HEAD, ...composed.declarations].join('\n'));
+  composed.printPasses(writer);
   const calls = passes.flatMap((_, i) => (isMoved.has(i) ? [] : [`  ${mainName(i)}();`]));
   writer.own(['void main() {', ...(isMoved.size > 0 ? [`  ${MOVED_POSITION} = scrim_uv;`] : []), ...calls, '}'].join('\n'));
   const fragment = `${writer.lines.join('\n')}\n`;
@@ -114,6 +91,58 @@ export function fusePasses(passes: readonly FusedPart[]): LinkedShader {
       lines: writer.map,
     },
   };
+}
+
+/** Parts of a shader that computes passes. */
+export interface ComposedPasses {
+  /** Uniforms, functions and variables. */
+  readonly declarations: readonly string[];
+  /** Prints a function `mainName(i)` for each pass, which leaves the output of the last one in `scrim_output`. */
+  printPasses(writer: LineWriter): void;
+}
+
+/**
+ * Composes the parts of a shader for several passes.
+ *
+ * @param placed Passes that take their position from `MOVED_POSITION`.
+ */
+export function composePasses(passes: readonly FusedPart[], moved: MovedLayers, placed: ReadonlySet<number>): ComposedPasses {
+  const images = passes.map((_, i) => atPlace(printImages(passes, i, moved), placed.has(i)));
+  const outputs = passes.map((_, i) => storeText(passes, i));
+  const called = [...images, ...outputs].join('\n');
+  const projects = passes.some(({ parts }) => parts.projects);
+  return {
+    declarations: [
+      ...builtinsOf(passes, moved.size > 0).map((name) => `uniform ${UNIFORM_TYPES[name]} ${name};`),
+      ...passes.flatMap(({ parts }, i) => parts.params.map(({ type, name }) => `uniform ${type} ${fusedName(i, name)};`)),
+      ...helpersFor(called, projects),
+      ...roundingFunctions(called),
+      ...passes.slice(1).map((_, i) => `vec4 ${layerName(i)};`),
+      ...(passes.some(({ parts }) => parts.usesFragCoord) ? ['vec4 scrim_fragCoord;'] : []),
+      ...(passes.some(({ parts }) => parts.discards) ? ['bool scrim_discarded;'] : []),
+      'vec4 scrim_fragColor;',
+      ...(placed.size > 0 ? [`vec2 ${MOVED_POSITION};`] : []),
+      ...[...placed].map((i) => `void ${mainName(i)}();`),
+      ...images.filter((text) => text !== ''),
+    ],
+    printPasses: (writer) => {
+      passes.forEach(({ parts }, i) => {
+        writer.append(inPass(parts.functions, parts, i, placed.has(i)));
+        writer.own(`void ${mainName(i)}() {`);
+        if (parts.discards) writer.own('  scrim_discarded = false;');
+        writer.append(inPass(parts.body, parts, i, placed.has(i)));
+        writer.indent(1);
+        writer.own(outputs[i] ?? '');
+        writer.indent(-1);
+        writer.own('}');
+      });
+    },
+  };
+}
+
+/** The rounding functions that a text calls. */
+function roundingFunctions(called: string): string[] {
+  return Object.entries(ROUNDING_TEXT).flatMap(([name, text]) => (called.includes(`${name}(`) ? [text] : []));
 }
 
 /** The statements at the end of a pass: its color becomes the output of the shader, or a layer for later passes. */
@@ -180,6 +209,7 @@ function printImages(passes: readonly FusedPart[], index: number, moved: MovedLa
   const { parts, from } = pass;
   const texts = parts.images.map((part) => {
     const { image, uses, reading } = part;
+    if (pass.drawn?.has(image.sampler)) return `vec4 ${colorFunction(image)}(vec2 uv) { return ${DRAWN_COLOR}; }`;
     const producer = from.get(image.sampler);
     if (producer === undefined) {
       const isAligned = pass.aligned.has(image.sampler);

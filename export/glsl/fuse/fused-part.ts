@@ -13,4 +13,6 @@ export interface FusedPart {
   readonly hardEdged: ReadonlySet<string>;
   /** Samplers of textures that cover what is drawn, as targets do: positions on both are equal. */
   readonly aligned: ReadonlySet<string>;
+  /** Samplers of the layer of the objects in whose materials the pass is computed (`materialEffects`); absent in fused passes. */
+  readonly drawn?: ReadonlySet<string>;
 }

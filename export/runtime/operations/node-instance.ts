@@ -11,6 +11,8 @@ import { createRandom } from '../random.ts';
 import type { LiveResources } from '../resources/resources.ts';
 import type { SceneBackend, ShadowMaps } from '../scene-backend.ts';
 import type { Slots } from '../values/slots.ts';
+import { createMaterialEffects, type LiveEffects } from './material-effects.ts';
+import { isDraw } from './node-key.ts';
 import { createNodePorts } from './node-ports.ts';
 import { createOcclusion } from './occlusion.ts';
 import { reportOverflows } from './pulse-overflow.ts';
@@ -21,6 +23,8 @@ export interface NodeInstance {
   readonly runtime: NodeRuntime;
   /** Shadow maps that a drawing node was created with; null for none. */
   readonly shadowMaps: ShadowMaps | null;
+  /** Effects in the materials of a drawing node; null for none. */
+  readonly effects: LiveEffects | null;
   /** Whether the node has used its context's `gl`, `assets` or `scenes`, whose objects are lost with the GL context. */
   readonly usesGpu: boolean;
   /** Connects the node to a recompiled program, whose operation has the same key. */
@@ -60,6 +64,7 @@ export function createNodeInstance(
   const ports = createNodePorts(operation, resources, slots);
   const random = createRandom(host.seed, node);
   const occlusion = createOcclusion(operation, resources, slots);
+  const effects = isDraw(operation) ? createMaterialEffects(operation, resources, slots) : null;
   const report: NodeContext<NodeDefinition>['report'] = (diagnostic) => host.board.report(node, diagnostic);
   let scenes: SceneService | null = null;
   let usesGpu = false;
@@ -84,7 +89,7 @@ export function createNodeInstance(
     },
     // A getter, so that pages without objects need no three.js.
     get scenes() {
-      scenes ??= host.scenes().serviceFor({ shadowMaps, occlusion: occlusion?.binding ?? null, report });
+      scenes ??= host.scenes().serviceFor({ shadowMaps, occlusion: occlusion?.binding ?? null, effects, report });
       return onGpu(scenes);
     },
     session: host.session,
@@ -105,6 +110,7 @@ export function createNodeInstance(
     key,
     runtime,
     shadowMaps,
+    effects,
     get usesGpu() {
       return usesGpu;
     },

@@ -22,7 +22,9 @@ export function nodeKey(
     sorted(operation.params, slotType),
     sorted(operation.config, (value) => value),
     sorted(operation.assets, (asset) => [asset, assetPath(asset)]),
-    isDraw(operation) ? [operation.shadowMaps, drawOcclusion(operation, slotType)] : null,
+    isDraw(operation)
+      ? [operation.shadowMaps, drawOcclusion(operation, slotType), ...(operation.effects ? [operation.effects] : [])]
+      : null,
   ]);
 }
 

@@ -17,7 +17,7 @@ export function createDrawStep(
   resources: LiveResources,
 ): Step {
   const { gl } = engine.objects;
-  const { runtime } = instance;
+  const { runtime, effects } = instance;
   const sampled = operation.reads.flatMap((id) => {
     const resource = resources.get(id);
     return resource?.kind === 'target' ? [resource] : [];
@@ -52,6 +52,7 @@ export function createDrawStep(
     run: (state) => {
       const { view, viewIndex } = state;
       if (!view) return;
+      effects?.set(state);
       // Resolves multisampled images that techniques read, before a framebuffer is bound.
       for (let i = 0; i < sampled.length; i++) sampled[i]?.target.front(sampled[i]?.domain === 'view' ? viewIndex : 0);
       if (destination) {

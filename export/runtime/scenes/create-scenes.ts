@@ -9,6 +9,7 @@ import { type CreateGlass, createGlass } from './glass/glass-scene.ts';
 import { createLightLimits, createTextureLimits, mapLimitsOf } from './lights/light-limits.ts';
 import { createShadowMaps, type RenderedShadowMaps } from './lights/shadow-maps.ts';
 import { createMaskScene } from './mask-scene.ts';
+import { createEffectsPatch } from './materials/effects-patch.ts';
 import { createOcclusionPatch } from './materials/occlusion-patch.ts';
 import { createModelLoader, type ModelTools, NO_TOOLS } from './models/load-model.ts';
 import { createSceneRenderer } from './scene-renderer.ts';
@@ -64,6 +65,7 @@ function create(host: SceneHost, tools: SceneTools): SceneBackend {
                 encoding: look.encoding ?? 'display',
                 shadowMaps,
                 occlusion,
+                effects: binding.effects ? createEffectsPatch(binding.effects) : null,
                 glass,
                 watchLimits: createLightLimits(binding.report, 'all', limits),
                 textureLimits: createTextureLimits(binding.report),

@@ -14,6 +14,7 @@ import { blendsWithoutDepth, createDepthTwin } from './materials/depth-twin.ts';
 import { isOpaque, isTransmissive } from './materials/layer-blending.ts';
 import { createLayerTwin, type LayerTwinOptions } from './materials/layer-twin.ts';
 import type { OcclusionPatch } from './materials/occlusion-patch.ts';
+import type { ShaderPatch } from './materials/shader-patch.ts';
 import { createTechniquePlans } from './materials/technique-plans.ts';
 import { createTranslucentShadowPatch } from './materials/translucent-shadow-patch.ts';
 import { createTwinCache } from './materials/twins.ts';
@@ -33,6 +34,8 @@ export interface ShadedSceneOptions {
   readonly encoding: LayerEncoding;
   readonly shadowMaps: RenderedShadowMaps | null;
   readonly occlusion: OcclusionPatch | null;
+  /** Effects that materials compute at their end; null for none. */
+  readonly effects: ShaderPatch | null;
   /** Draws glass; null where the page has none. */
   readonly glass: Glass | null;
   readonly watchLimits: LightLimits;
@@ -51,7 +54,7 @@ type Side = LayerTwinOptions['side'];
 
 /** Creates a scene that draws virtual objects with their own materials, lights and shadows, and the depth of phantoms. */
 export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
-  const { renderer, encoding, shadowMaps, occlusion, watchLimits, textureLimits } = options;
+  const { renderer, encoding, shadowMaps, occlusion, effects, watchLimits, textureLimits } = options;
   const scene = new Scene();
   scene.matrixWorldAutoUpdate = false;
   const view = createViewCamera();
@@ -67,7 +70,7 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
     outdated = true;
   };
   const glass = options.glass?.forScene(scene, encoding) ?? null;
-  const layerOptions = { encoding, occlusion, translucentShadows, onChange, patchGlass: glass?.patch ?? null };
+  const layerOptions = { encoding, occlusion, effects, translucentShadows, onChange, patchGlass: glass?.patch ?? null };
   const techniques = createTechniquePlans({ twins, translucentShadows, occlusion, onChange, behind: glass?.forTechniques ?? null });
 
   function plan(master: Drawable, item: ObjectItem): readonly ProxyPlan[] {

@@ -15,6 +15,8 @@ export interface ExportedProgram {
 export interface NodePasses {
   /** The other nodes of each pass that draws the node. Empty: no pass draws it. */
   readonly passes: readonly (readonly string[])[];
+  /** The scenes whose materials compute the node. */
+  readonly inMaterialsOf: readonly string[];
   /** Layers that the node draws to a texture or reads from one, with the node that reads each. */
   readonly separate: readonly { readonly layer: string; readonly reader: string; readonly reason: string }[];
   /** Why the page leaves the node out; null if it does not. */
@@ -58,6 +60,9 @@ export function passesOf({ program, separate, folded }: ExportedProgram, node: s
   });
   return {
     passes,
+    inMaterialsOf: program.operations.flatMap((operation) =>
+      'effects' in operation && operation.effects?.nodes.includes(node) ? [operation.node] : [],
+    ),
     separate: separate
       .filter((wire) => wire.node === node || wire.resource.startsWith(`${node}.`))
       .map(({ resource, node: reader, reason }) => ({ layer: resource, reader, reason: SEPARATE_REASONS[reason] })),

@@ -221,7 +221,7 @@ function basesOfParts(targets: Iterable<Target>): ReadonlySet<ResourceId> {
 }
 
 /** Whether a pass makes large steps of the rounding before it, which devices do differently. */
-function isUnstable(pass: ScheduledPass | null): boolean {
+export function isUnstable(pass: ScheduledPass | null): boolean {
   return pass !== null && typeof pass.parts !== 'string' && UNSTABLE_SHADERS.includes(pass.parts.file);
 }
 

@@ -1,12 +1,13 @@
-import { fusedName, fusePasses } from '../../../glsl/fuse/fuse-passes.ts';
-import type { FusedPart } from '../../../glsl/fuse/fused-part.ts';
-import type { PassSampler, PassUniform, Resource, ResourceId } from '../../../program/program.ts';
+import { fusePasses } from '../../../glsl/fuse/fuse-passes.ts';
+import type { Resource, ResourceId } from '../../../program/program.ts';
 import { isPass, type ScheduledOperation, type ScheduledPass } from '../scheduled.ts';
-import { isWhole, type Target } from '../whole-size.ts';
 import type { FuseInput } from './find-groups.ts';
+import { fusedParts, isAligned, type LayerFacts } from './fused-parts.ts';
 import { hardEdgedLayers } from './hard-edged-layers.ts';
 import { findGroupsWithCopies, findGroupsWithoutCopies, type Recomputed } from './recompute.ts';
 import type { SeparateWire } from './separate-wire.ts';
+import { sinkEffects, type WhyNotOpaque } from './sink-effects.ts';
+import { withoutTargets } from './without-targets.ts';
 
 export interface Fused {
   readonly operations: readonly ScheduledOperation[];
@@ -27,11 +28,13 @@ const MAX_LAYERS = [Number.POSITIVE_INFINITY, 8, 4, 2, -1];
  *
  * @param opaqueImages Ids of image assets without transparency.
  * @param bytesOf Memory of the targets.
+ * @param whyNotOpaque Why effects cannot be computed in the materials of a draw (ADR 55).
  */
 export function fuseOperations(
   input: Omit<FuseInput, 'maxLayers' | 'repeated'>,
   opaqueImages: ReadonlySet<string>,
   bytesOf: (program: Pick<Fused, 'operations' | 'resources'>) => number,
+  whyNotOpaque: WhyNotOpaque,
 ): Fused {
   const mostBytes = bytesOf(input);
   const { operations, resources } = input;
@@ -39,19 +42,11 @@ export function fuseOperations(
   let fused: Fused = { operations, resources, separate: [] };
   for (const maxLayers of MAX_LAYERS) {
     for (const find of [findGroupsWithCopies, findGroupsWithoutCopies]) {
-      fused = fuseGroups(find({ ...input, maxLayers }), hardEdged);
+      fused = fuseGroups(sinkEffects(find({ ...input, maxLayers }), input, whyNotOpaque), hardEdged);
       if (bytesOf(fused) <= mostBytes) return fused;
     }
   }
   return fused;
-}
-
-/** What fusion knows about layers. */
-interface LayerFacts {
-  /** Textures whose alpha is 0 or 1 (`hardEdgedLayers`). */
-  readonly hardEdged: ReadonlySet<ResourceId>;
-  /** Targets, and images of their own size, whose textures are placed as the layers are. */
-  readonly placed: ReadonlySet<ResourceId>;
 }
 
 function fuseGroups({ operations, resources, groups, separate }: Recomputed, hardEdged: ReadonlySet<ResourceId>): Fused {
@@ -84,10 +79,6 @@ function readsPlaced({ parts, copies, samplers }: ScheduledPass, facts: LayerFac
   return typeof parts !== 'string' && !copies && samplers.some((sampler) => isAligned(sampler, facts));
 }
 
-function isAligned({ source, fit }: PassSampler, { placed }: LayerFacts): boolean {
-  return source.kind === 'color' && fit === 'none' && placed.has(source.resource);
-}
-
 /** A pass that stays alone, with a shader that reads textures where they are, as fused passes do. */
 function withoutPlacement(pass: ScheduledPass, facts: LayerFacts): ScheduledPass {
   const { samplers, uniforms, shader } = fusePass([pass], facts);
@@ -97,26 +88,7 @@ function withoutPlacement(pass: ScheduledPass, facts: LayerFacts): ScheduledPass
 function fusePass(passes: readonly ScheduledPass[], facts: LayerFacts): ScheduledPass {
   const last = passes.at(-1);
   if (last === undefined) throw new Error('A group has passes.');
-  const drawnBy = new Map(passes.map(({ target }, i) => [target, i]));
-  const samplers: PassSampler[] = [];
-  const uniforms = new Map<string, PassUniform>();
-  const parts = passes.map((pass, i): FusedPart => {
-    const from = new Map<string, number>();
-    for (const sampler of pass.samplers) {
-      const drawn = sampler.source.kind === 'color' ? drawnBy.get(sampler.source.resource) : undefined;
-      // What this or a later pass draws to is a persistent target, read as it was in the previous frame.
-      if (drawn === undefined || drawn >= i) samplers.push({ ...sampler, name: fusedName(i, sampler.name) });
-      else from.set(sampler.name, drawn);
-    }
-    for (const uniform of pass.uniforms) {
-      const name = fusedName(i, uniform.name);
-      uniforms.set(name, { ...uniform, name });
-    }
-    if (typeof pass.parts === 'string') throw new Error(`${pass.id} cannot be fused.`);
-    const named = (holds: (sampler: PassSampler) => boolean) => new Set(pass.samplers.filter(holds).map(({ name }) => name));
-    const hardEdged = named(({ source }) => source.kind === 'color' && facts.hardEdged.has(source.resource));
-    return { node: pass.node, parts: pass.parts, from, hardEdged, aligned: named((sampler) => isAligned(sampler, facts)) };
-  });
+  const { parts, samplers, uniforms, drawn } = fusedParts(passes, facts);
   const shader = fusePasses(parts);
   // The size of a layer in the shader is that of the target, which perhaps no pass reads itself.
   if (shader.fragment.includes('uniform vec2 RENDERSIZE;'))
@@ -125,7 +97,7 @@ function fusePass(passes: readonly ScheduledPass[], facts: LayerFacts): Schedule
   const { copies: _, ...own } = last;
   return {
     ...own,
-    reads: [...new Set(passes.flatMap(({ reads }) => reads))].filter((id) => !drawnBy.has(id) || id === last.target),
+    reads: [...new Set(passes.flatMap(({ reads }) => reads))].filter((id) => !drawn.has(id) || id === last.target),
     samplers,
     uniforms: [...uniforms.values()],
     shader,
@@ -138,21 +110,4 @@ const WIDEST_FIRST = ['persistent', 'resize', 'neighborhood', 'displaced', 'poin
 
 function widestAccess(passes: readonly ScheduledPass[]): NonNullable<ScheduledPass['access']> {
   return WIDEST_FIRST.find((access) => passes.some((pass) => pass.access === access)) ?? 'pointwise';
-}
-
-/** Drops targets. Sizes that are relative to a dropped one become relative to what its size is relative to. */
-function withoutTargets(resources: readonly Resource[], dropped: ReadonlySet<ResourceId>): Resource[] {
-  const targets = new Map(resources.flatMap((resource) => (resource.kind === 'target' ? [[resource.id, resource] as const] : [])));
-  return resources.flatMap((resource): Resource[] => {
-    if (dropped.has(resource.id)) return [];
-    return resource.kind === 'target' ? [rebased(resource, targets, dropped)] : [resource];
-  });
-}
-
-function rebased(target: Target, targets: ReadonlyMap<ResourceId, Target>, dropped: ReadonlySet<ResourceId>): Target {
-  let { size } = target;
-  for (let base = targets.get(size.base); base !== undefined && dropped.has(base.id); base = targets.get(size.base)) {
-    size = isWhole(size) ? base.size : { ...size, base: base.size.base };
-  }
-  return size === target.size ? target : { ...target, size };
 }

@@ -168,7 +168,8 @@ function renamed(pass: ScheduledPass, nameOf: (id: ResourceId) => ResourceId): S
   return { ...pass, samplers, reads: pass.reads.map(nameOf), writes: pass.writes.map(nameOf), target: nameOf(pass.target) };
 }
 
-function originalId(id: string): string {
+/** The id of an operation or a resource of which a copy has another. */
+export function originalId(id: string): string {
   return id.replace(/~.*$/, '');
 }
 

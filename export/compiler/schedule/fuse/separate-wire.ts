@@ -2,7 +2,12 @@ import type { ResourceId } from '../../../program/program.ts';
 
 /** Why the passes at the two ends of a wire stay separate. `scrim plan --why` shows the texts. */
 export const SEPARATE_REASONS = {
-  objects: 'objects are drawn into it, or a worker computes it',
+  objects: 'what is drawn into it has no materials of its own objects, or a worker computes it',
+  samples: 'objects are drawn into it with several samples per pixel, and the reader needs their mean',
+  transparent: 'objects that are drawn into it may be transparent, or fade at a soft border of the room',
+  background: 'the reader may color pixels without objects',
+  position: 'the reader depends on the position in the image, and objects are drawn into it',
+  textures: 'the reader reads other images too, and objects are drawn into it',
   viewed: 'the editor shows it',
   switched: 'fusion is turned off for one of the two nodes',
   kept: 'its content is kept for the next frame',

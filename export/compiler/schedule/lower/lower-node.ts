@@ -5,6 +5,7 @@ import { parseValue } from '../../../graph/expression/param-expression.ts';
 import type { DrawOperation, DrawUnder, InputRef, NodeOperation, OutputRef, Resource, ResourceId } from '../../../program/program.ts';
 import { type FlatNode, portKey, type Source, sourcesAt } from '../../flat-graph.ts';
 import { drawsItself, isDraw, layerInputs, layerOutput, onlyBlends } from '../layers.ts';
+import type { ScheduledDraw } from '../scheduled.ts';
 import { movingBinding, startValue } from '../slot-allocator.ts';
 import { depthAt } from './lower-depth.ts';
 import { lowerReadback } from './lower-readback.ts';
@@ -48,7 +49,7 @@ export interface DrawRequest {
 }
 
 /** Lowers a node that draws objects, to the screen or to a texture for its layer or its occlusion's. */
-export function lowerDraw(lowering: Lowering, { node, occlusion, target, id }: DrawRequest): DrawOperation {
+export function lowerDraw(lowering: Lowering, { node, occlusion, target, id }: DrawRequest): ScheduledDraw {
   const shown = layerOutput(occlusion ?? node);
   const drawn = layerOutput(node);
   if (!shown || !drawn) throw new Error(`${node.id} draws no layer.`);
@@ -60,7 +61,7 @@ export function lowerDraw(lowering: Lowering, { node, occlusion, target, id }: D
   const under = underLayer(lowering, node, styled);
   const own = [...base.reads, ...(shadowMaps === null ? [] : [shadowMaps]), ...(hiding ? [hiding.roomDepth] : [])];
   const reads = [...new Set([...own, ...styled.flatMap(({ layers }) => layers), ...(under ? [under.resource] : [])])];
-  const operation: DrawOperation = {
+  const operation: ScheduledDraw = {
     ...base,
     kind: 'draw',
     view: 'each',

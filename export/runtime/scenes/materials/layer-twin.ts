@@ -35,6 +35,8 @@ export interface LayerTwinOptions {
   readonly encoding: LayerEncoding;
   /** Fades fragments behind the room; null without occlusion. */
   readonly occlusion: ShaderPatch | null;
+  /** Effects at the end of opaque materials; null for none. */
+  readonly effects: ShaderPatch | null;
   readonly translucentShadows: TranslucentShadowPatch;
   /** Creates the patch of a transmissive material; null where the page has no glass. */
   readonly patchGlass: ((master: MeshPhysicalMaterial) => GlassPatch) | null;
@@ -57,6 +59,7 @@ export function createLayerTwin(master: Material, options: LayerTwinOptions): Tw
       glass,
       options.occlusion,
       options.encoding === 'scene' ? FINITE_PATCH : null,
+      options.effects,
     ].filter((patch) => patch !== null),
   );
   options.translucentShadows.attach(material);
