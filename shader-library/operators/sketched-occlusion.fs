@@ -6,13 +6,14 @@
   "CATEGORIES": ["Composite", "Depth", "Occlusion", "Style", "Confidence", "Uncertainty", "Sketch", "NPR", "Border", "World space"],
   "SCRIM_ALPHA": "premultiplied",
   "SCRIM_DEPTH": "same",
+  "SCRIM_RENAMED": [{ "widthPx": { "TO": "widthPx", "WAS": 20 }, "surePx": { "TO": "surePx", "WAS": 16 } }],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to occlude. It needs depth." },
     { "NAME": "room", "TYPE": "depth", "LABEL": "Room depth", "DOC": "Distance to real surfaces." },
     { "NAME": "confidence", "TYPE": "image", "LABEL": "Confidence", "DOC": "How certain the depth is: the output of “Room depth”." },
     { "NAME": "biasM", "TYPE": "float", "LABEL": "Depth bias", "DOC": "How far behind a real surface an object may be and stay visible.", "MIN": 0.0, "MAX": 0.5, "DEFAULT": 0.0, "UNIT": "m" },
-    { "NAME": "widthPx", "TYPE": "float", "LABEL": "Width", "DOC": "Width of the band that sketched borders take on either side.", "MIN": 4.0, "MAX": 64.0, "DEFAULT": 20.0, "UNIT": "px" },
-    { "NAME": "surePx", "TYPE": "float", "LABEL": "Sure within", "DOC": "A border is sure if the depth is certain this near to it, on both sides. Four samples of the sensor are enough: 4 pixels where it has as many samples as the view has pixels, 32 on most phones.", "MIN": 2.0, "MAX": 64.0, "DEFAULT": 16.0, "UNIT": "px" },
+    { "NAME": "widthPx", "TYPE": "float", "LABEL": "Width", "DOC": "Width of the band that sketched borders take on either side. 0: two and a half samples of the sensor as they appear in the view, from 8 to 64 pixels.", "MIN": 0.0, "MAX": 64.0, "DEFAULT": 0.0, "UNIT": "px" },
+    { "NAME": "surePx", "TYPE": "float", "LABEL": "Sure within", "DOC": "A border is sure if the depth is certain this near to it, on both sides. 0: four samples of the sensor as they appear in the view, from 4 to 6 pixels, so that all borders are sketched where a sample is larger than two pixels.", "MIN": 0.0, "MAX": 64.0, "DEFAULT": 0.0, "UNIT": "px" },
     { "NAME": "tolerance", "TYPE": "float", "LABEL": "Tolerance", "DOC": "How much uncertainty counts as sure. 1 sketches nothing.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.2, "UNIT": "ratio" },
     { "NAME": "linePx", "TYPE": "float", "LABEL": "Line width", "DOC": "Width of the lines.", "MIN": 0.5, "MAX": 8.0, "DEFAULT": 1.8, "UNIT": "px" },
     { "NAME": "lineColor", "TYPE": "color", "LABEL": "Lines", "DOC": "Color of the lines.", "DEFAULT": [0.09, 0.08, 0.12, 1.0] }
@@ -37,6 +38,12 @@ const int LINES = 3;
 // certain.
 const int NEAR_TAPS = 2;
 
+// What both distances are by themselves: samples of the sensor, and the limits in pixels.
+const float BAND_SAMPLES = 2.5;
+const vec2 BAND_PX = vec2(8.0, 64.0);
+const float SURE_SAMPLES = 4.0;
+const vec2 SURE_PX = vec2(4.0, 6.0);
+
 // Where the lines run, in widths of the band, and how far they stray from there.
 const float APART = 0.3;
 const float STRAY = 0.4;
@@ -58,16 +65,31 @@ const float RANGE = 0.3;
 const float PERIOD = 509.0;
 
 #ifdef SCRIM
+vec2 sensorSamples() { return IMG_SAMPLES(confidence); }
 float layerM(vec2 uv) { return LAYER_DEPTH(inputImage, uv); }
 float roomM(vec2 uv) { return ROOM_DEPTH(room, uv); }
 mat4 projection() { return SCRIM_CLIP_FROM_VIEW; }
 mat4 pose() { return SCRIM_WORLD_FROM_VIEW; }
 #else
+vec2 sensorSamples() { return IMG_SIZE(confidence); }
 float layerM(vec2 uv) { return 0.0; }
 float roomM(vec2 uv) { return 0.0; }
 mat4 projection() { return mat4(1.0); }
 mat4 pose() { return mat4(1.0); }
 #endif
+
+// The view, pixels: all passes but the last have half of its size.
+vec2 viewPx() { return IMG_SIZE(inputImage); }
+
+// Size of a sample of the sensor in the view, pixels.
+float samplePx() {
+  vec2 view = viewPx();
+  vec2 samples = max(sensorSamples(), vec2(1.0));
+  return max(1.0, sqrt(view.x * view.y / (samples.x * samples.y)));
+}
+
+float bandPx() { return widthPx > 0.0 ? max(widthPx, 4.0) : clamp(BAND_SAMPLES * samplePx(), BAND_PX.x, BAND_PX.y); }
+float nearPx() { return surePx > 0.0 ? max(surePx, 2.0) : clamp(SURE_SAMPLES * samplePx(), SURE_PX.x, SURE_PX.y); }
 
 // 1 where the layer is in front, 0 where a real surface is. Unknown depth hides nothing.
 float inFront(float layer, float real) {
@@ -143,18 +165,18 @@ vec3 worldAt(vec2 uv, float meters) {
 // curve approximates it.
 float awayPx(float front) {
   float share = clamp(front, 0.002, 0.998);
-  return 0.5 * widthPx * log(share / (1.0 - share)) / 1.702;
+  return 0.5 * bandPx() * log(share / (1.0 - share)) / 1.702;
 }
 
 // Ink of the lines along a border that is `away` pixels away.
 float borderInk(vec2 uv, float away, float meters) {
   vec3 world = worldAt(uv, meters);
-  float waveM = WAVE * widthPx * 2.0 * meters / (projection()[1].y * RENDERSIZE.y);
+  float waveM = WAVE * bandPx() * 2.0 * meters / (projection()[1].y * RENDERSIZE.y);
   float ink = 0.0;
   for (int i = 0; i < LINES; i++) {
     float seed = 17.0 * float(i);
     float stray = STRAY * (2.0 * strayAt(world, waveM, seed) - 1.0);
-    float center = widthPx * (APART * (float(i) - 0.5 * float(LINES - 1)) + stray);
+    float center = bandPx() * (APART * (float(i) - 0.5 * float(LINES - 1)) + stray);
     // The middle line is hardly interrupted.
     float pressure = smoothstep(GAP.x, GAP.y, strayAt(world, 1.5 * waveM, seed + 7.0) + (i == LINES / 2 ? 0.2 : 0.0));
     float halfPx = 0.5 * linePx * pressure;
@@ -183,7 +205,7 @@ vec4 occluded(vec2 uv) {
   vec4 sides = IMG_NORM_PIXEL(smoothSides, uv);
   if (unsureHere <= 0.0 || meters <= 0.0 || sides.y <= 0.0) return cut;
   float away = awayPx(sides.x / sides.y);
-  vec4 faded = color * smoothstep(-0.2 * widthPx, 0.8 * widthPx, away);
+  vec4 faded = color * smoothstep(-0.2 * bandPx(), 0.8 * bandPx(), away);
   float ink = borderInk(uv, away, meters) * lineColor.a * color.a;
   return mix(cut, faded * (1.0 - ink) + vec4(lineColor.rgb, 1.0) * ink, unsureHere);
 }
@@ -199,14 +221,14 @@ void main() {
   if (PASSINDEX == 0) {
     gl_FragColor = sidesAt(uv);
   } else if (PASSINDEX == 1) {
-    for (int i = -TAPS; i <= TAPS; i++) sum += weightOf(i) * IMG_NORM_PIXEL(sides, uv + offsetOf(i, rowStep, widthPx));
+    for (int i = -TAPS; i <= TAPS; i++) sum += weightOf(i) * IMG_NORM_PIXEL(sides, uv + offsetOf(i, rowStep, bandPx()));
     gl_FragColor = sum / sum.w;
   } else if (PASSINDEX == 2) {
-    for (int i = -TAPS; i <= TAPS; i++) sum += weightOf(i) * IMG_NORM_PIXEL(rows, uv + offsetOf(i, columnStep, widthPx));
+    for (int i = -TAPS; i <= TAPS; i++) sum += weightOf(i) * IMG_NORM_PIXEL(rows, uv + offsetOf(i, columnStep, bandPx()));
     gl_FragColor = sum / sum.w;
   } else if (PASSINDEX == 3) {
     for (int i = -TAPS; i <= TAPS; i++) {
-      vec4 side = IMG_NORM_PIXEL(sides, uv + offsetOf(i, rowStep, surePx));
+      vec4 side = IMG_NORM_PIXEL(sides, uv + offsetOf(i, rowStep, nearPx()));
       if (side.y <= 0.5) continue;
       vec2 which = side.x > 0.5 ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
       best = max(best, mix(vec2(ABSENT), vec2(side.z), which));
@@ -215,17 +237,17 @@ void main() {
     gl_FragColor = vec4(best, near);
   } else if (PASSINDEX == 4) {
     for (int i = -TAPS; i <= TAPS; i++) {
-      vec4 row = IMG_NORM_PIXEL(sureRows, uv + offsetOf(i, columnStep, surePx));
+      vec4 row = IMG_NORM_PIXEL(sureRows, uv + offsetOf(i, columnStep, nearPx()));
       best = max(best, row.xy);
       if (i >= -NEAR_TAPS && i <= NEAR_TAPS) near = max(near, row.zw);
     }
     float isBorder = min(near.x, near.y) > 0.5 ? 1.0 : 0.0;
     gl_FragColor = vec4(isBorder * unsureOf(best), isBorder, 0.0, 1.0);
   } else if (PASSINDEX == 5) {
-    for (int i = -TAPS; i <= TAPS; i++) sum += weightOf(i) * IMG_NORM_PIXEL(unsure, uv + offsetOf(i, rowStep, 1.5 * widthPx));
+    for (int i = -TAPS; i <= TAPS; i++) sum += weightOf(i) * IMG_NORM_PIXEL(unsure, uv + offsetOf(i, rowStep, 1.5 * bandPx()));
     gl_FragColor = sum / sum.w;
   } else if (PASSINDEX == 6) {
-    for (int i = -TAPS; i <= TAPS; i++) sum += weightOf(i) * IMG_NORM_PIXEL(unsureRows, uv + offsetOf(i, columnStep, 1.5 * widthPx));
+    for (int i = -TAPS; i <= TAPS; i++) sum += weightOf(i) * IMG_NORM_PIXEL(unsureRows, uv + offsetOf(i, columnStep, 1.5 * bandPx()));
     gl_FragColor = sum / sum.w;
   } else {
     vec4 result = occluded(uv);

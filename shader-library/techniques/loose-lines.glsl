@@ -111,7 +111,7 @@ float suggestiveInk(const in Surface s) {
   float facing = max(dot(s.normal, s.towardsEye), 0.05);
   float least = FAINTEST * pow(RANGE, 1.0 - suggestive);
   // Strokes get thinner and end where the derivative falls to the threshold.
-  float strength = smoothstep(least, 3.0 * least, s.radial.y / facing);
+  float strength = smoothstep(least, 1.8 * least, s.radial.y / facing);
   float fromLinePx = s.radial.x / max(change, 0.000001);
   float ink = 0.0;
   for (int stroke = 0; stroke < 3; stroke++) {

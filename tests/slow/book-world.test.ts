@@ -81,9 +81,7 @@ function shown(i: number): { readonly share: number; readonly outside: number } 
     .multiply(worldFromBook());
   // The leaf reaches as far above the pages as these are wide.
   const corners = [-1, 1].flatMap((x) =>
-    [-1, 1].flatMap((z) =>
-      [0, PAGE.widthM].map((y) => new Vector3(x * PAGE.widthM, y, (z * PAGE.heightM) / 2).applyMatrix4(clipFromBook)),
-    ),
+    [-1, 1].flatMap((z) => [0, PAGE.widthM].map((y) => new Vector3(x * PAGE.widthM, y, (z * PAGE.heightM) / 2).applyMatrix4(clipFromBook))),
   );
   const [xs, ys] = [corners.map(({ x }) => ((x + 1) / 2) * WIDTH), corners.map(({ y }) => ((1 - y) / 2) * HEIGHT)];
   let [count, outside] = [0, 0];

@@ -125,6 +125,15 @@ export function leftBehind(place: Place): number {
   return (counts[1] ?? 0) - (counts[0] ?? 0);
 }
 
+/** Lines of a flat sheet of 1 × 0.7 m, seen from the front at a distance; its border is drawn by strokes of their full width. */
+export function linesOfSheet(distanceM: number, values: Values): Lines {
+  return linesOfShape(
+    'sheet',
+    { eye: [0, 0, distanceM], target: [0, 0, 0] },
+    { loosePx: 0, overshootPx: 0, taper: 0, depthWeight: 0, lightWeight: 0, strokePx: 8, waveM: 1, ...values },
+  );
+}
+
 function measure(root: Object3D, { eye, target }: Place, values: Values): Lines {
   const at = normalizing(root);
   const camera = lookingAt(eye, target, WIDTH / HEIGHT);

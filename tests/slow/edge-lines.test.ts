@@ -64,6 +64,67 @@ function blotsIn(pixels: readonly number[], [left, right, top, bottom]: Box): nu
   return count;
 }
 
+/** Left, right, bottom and top of the pixels of ink, from the bottom left. */
+function extentOf({ pixels }: Lines): readonly [number, number, number, number] {
+  const extent: [number, number, number, number] = [480, 0, 360, 0];
+  for (let i = 0; i < 480 * 360; i++) {
+    if ((pixels[4 * i + 3] ?? 0) < 100 || (pixels[4 * i] ?? 255) > 110) continue;
+    const [x, y] = [i % 480, Math.floor(i / 480)];
+    extent[0] = Math.min(extent[0], x);
+    extent[1] = Math.max(extent[1], x);
+    extent[2] = Math.min(extent[2], y);
+    extent[3] = Math.max(extent[3], y);
+  }
+  return extent;
+}
+
+/** Mean width in pixels of the upper and the lower line of the border of a sheet, at a share of their length. */
+function widthAt(lines: Lines, share: number): number {
+  const [left, right] = extentOf(lines);
+  const columns = [share, 1 - share].map((part) => Math.round(left + part * (right - left)));
+  let ink = 0;
+  for (const x of columns)
+    for (let y = 0; y < 360; y++) {
+      const i = 4 * (y * 480 + x);
+      if ((lines.pixels[i + 3] ?? 0) > 100 && (lines.pixels[i] ?? 255) < 110) ink++;
+    }
+  return ink / 4;
+}
+
+describe('strokes of the border of a sheet', () => {
+  test('go beyond its corners by the overshoot', async () => {
+    const [short, long] = [
+      extentOf(await drawn('sheet', 'linesOfSheet', 2.4, {})),
+      extentOf(await drawn('sheet-overshoot', 'linesOfSheet', 2.4, { overshootPx: 20 })),
+    ];
+    // The longest of three strokes goes all of it. Without, half the width of the line across goes beyond the corner.
+    for (const [i, at] of short.entries()) expect(Math.abs(Math.abs((long[i] ?? 0) - at) + 4 - 20)).toBeLessThanOrEqual(3);
+  });
+
+  test('taper toward their ends', async () => {
+    const even = await drawn('sheet', 'linesOfSheet', 2.4, {});
+    const tapering = await drawn('sheet-taper', 'linesOfSheet', 2.4, { taper: 1 });
+    expect(Math.abs(widthAt(even, 0.06) - widthAt(even, 0.5))).toBeLessThan(1);
+    expect(widthAt(tapering, 0.06)).toBeLessThan(0.7 * widthAt(tapering, 0.5));
+  });
+
+  test('are thicker where the sheet is nearer, by the square root of the distance', async () => {
+    const [near, far] = [
+      widthAt(await drawn('sheet-near', 'linesOfSheet', 2, { depthWeight: 1 }), 0.5),
+      widthAt(await drawn('sheet-far', 'linesOfSheet', 4, { depthWeight: 1 }), 0.5),
+    ];
+    expect(Math.abs(near / far - Math.SQRT2)).toBeLessThan(0.3);
+  });
+
+  test('are thinner in the light', async () => {
+    const [shaded, lit] = [
+      widthAt(await drawn('sheet', 'linesOfSheet', 2.4, {}), 0.5),
+      widthAt(await drawn('sheet-light', 'linesOfSheet', 2.4, { lightWeight: 1 }), 0.5),
+    ];
+    expect(lit).toBeLessThan(0.85 * shaded);
+  });
+});
+
 describeWithData('lines of models', 'models', () => {
   test.each([
     ['LeePerrySmith.glb', FACE],

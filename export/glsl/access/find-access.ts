@@ -103,7 +103,9 @@ function countReads(shader: CheckedShader, passIndex: number, kindOf: FindKind):
     const read = classifyImageCall(call);
     const [image] = call.args;
     // A curve or a gradient is the same for all pixels.
-    if (read === null || read.use === 'size' || isTableRead(read) || image === undefined) return;
+    if (read === null || isTableRead(read) || image === undefined) return;
+    // The size of a texture is lost where its pass is fused with this one.
+    if (read.use === 'size' && !read.isStored) return;
     if (image.kind !== 'name' || image.symbol?.role !== 'image') unclear = true;
     add(into, image.token.text, { ...NONE, [kindOf(call, read)]: 1 }, times);
   }
@@ -142,7 +144,8 @@ function createKinds(calls: Map<FunctionSymbol, CallExpression[]>): FindKind {
   const isTexel = createTexelReads(calls);
 
   function isHere(call: CallExpression, read: ImageCall): boolean {
-    if (read.use === 'size' || isTableRead(read) || (read.use === 'color' && read.position === 'here')) return true;
+    if (read.use === 'size') return read.isStored !== true;
+    if (isTableRead(read) || (read.use === 'color' && read.position === 'here')) return true;
     const [image, at] = call.args;
     if (image === undefined || at === undefined) return false;
     const position = positionOf(at, image.token.text);

@@ -14,6 +14,7 @@ const IMAGE_FUNCTIONS: ReadonlyMap<string, readonly [returns: GlslType, ...args:
   // The spelling of docs.isf.video.
   ['IMG_NORM_THIS_PIXEL', ['vec4']],
   ['IMG_SIZE', ['vec2']],
+  ['IMG_SAMPLES', ['vec2']],
   ['LAYER_DEPTH', ['float', 'vec2']],
   ['ROOM_DEPTH', ['float', 'vec2']],
   ['CURVE', ['float', 'float']],

@@ -37,6 +37,10 @@ export const ISF_FUNCTIONS: ReadonlyMap<string, BuiltinFunction> = new Map(
     ['vec4 IMG_NORM_THIS_PIXEL(image)', 'Color of an image at this pixel.'],
     ['vec2 IMG_SIZE(image)', 'Width and height of an image, pixels.'],
     [
+      'vec2 IMG_SAMPLES(image)',
+      'Width and height of the texture of an image, such as the samples of a depth sensor in its confidence. Scrim only.',
+    ],
+    [
       'float LAYER_DEPTH(image, vec2 place)',
       'Distance of what the layer shows at a place from 0 to 1, meters; 0 where there is nothing. Scrim only.',
     ],

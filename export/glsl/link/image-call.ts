@@ -6,12 +6,12 @@ import { GlslError } from '../syntax/token.ts';
 import type { ImageUse } from './images.ts';
 
 /**
- * What a call reads of an image. The argument `position`: `here` is the current pixel; `norm` is (0, 0) to (1, 1), or a direction for
+ * What a call reads of an image. A size with `isStored` is that of its texture, which may differ from the size of the view. The argument `position`: `here` is the current pixel; `norm` is (0, 0) to (1, 1), or a direction for
  * cubes; `pixel` is in pixels; `direction` is for cubes only; the others are the positions of GLSL's own texture functions.
  */
 export type ImageCall =
   | { readonly use: 'color'; readonly position: 'here' | 'norm' | 'pixel' | 'projected' | 'texel' | 'offset' | 'direction' }
-  | { readonly use: 'size'; readonly whole: boolean }
+  | { readonly use: 'size'; readonly whole: boolean; readonly isStored?: true }
   | { readonly use: 'depth'; readonly room: boolean }
   | { readonly use: TableType };
 
@@ -44,6 +44,8 @@ export function classifyImageCall(call: CallExpression): ImageCall | null {
       return { use: 'color', position: 'pixel' };
     case 'IMG_SIZE':
       return { use: 'size', whole: false };
+    case 'IMG_SAMPLES':
+      return { use: 'size', whole: false, isStored: true };
     case 'textureSize':
       return { use: 'size', whole: true };
     case 'LAYER_DEPTH':
@@ -69,6 +71,7 @@ export function classifyImageCall(call: CallExpression): ImageCall | null {
 
 /** The data that a call needs of its image: reading the color at a position in pixels also needs the size. */
 export function usesOf(call: ImageCall): readonly ImageUse[] {
+  if (call.use === 'size' && call.isStored) return ['color', 'size'];
   if (call.use !== 'color') return [call.use];
   return call.position === 'pixel' || call.position === 'texel' || call.position === 'offset' ? ['color', 'size'] : ['color'];
 }

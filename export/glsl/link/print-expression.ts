@@ -215,7 +215,9 @@ function printImageCall(call: CallExpression, read: ImageCall, context: PrintCon
   if (positionCount(read) === 1 && position === undefined)
     throw new GlslError(call.token, `"${call.token.text}" needs the ${isTableRead(read) ? read.use : 'image'} and a position on it.`);
   if (read.use === 'size') {
-    writer.write(read.whole ? `ivec2(${sizeUniform(image)})` : sizeUniform(image), call.token);
+    const isTexture = read.isStored && image.kind !== 'absent';
+    const size = isTexture ? `vec2(textureSize(${image.sampler}, 0))` : sizeUniform(image);
+    writer.write(read.whole ? `ivec2(${size})` : size, call.token);
     return;
   }
   const functionOf = { color: colorFunction, depth: depthFunction, curve: tableFunction, gradient: tableFunction }[read.use];

@@ -8,7 +8,11 @@ export const BOOK_AT = [0.26, LECTERN.middleM, 0.6] as const;
 export const LYING = { positionM: BOOK_AT, rotationRad: [Math.PI / 2 - LEAN.backRad, LEAN.yawRad, 0] } as const;
 /** The valley: its ground begins at the foot of the book, and it leans with the book, so that one looks across it from above. */
 const WORLD = {
-  positionM: [BOOK_AT[0], BOOK_AT[1] - (PAGE.heightM / 2) * Math.cos(LEAN.backRad), BOOK_AT[2] + (PAGE.heightM / 2) * Math.sin(LEAN.backRad)],
+  positionM: [
+    BOOK_AT[0],
+    BOOK_AT[1] - (PAGE.heightM / 2) * Math.cos(LEAN.backRad),
+    BOOK_AT[2] + (PAGE.heightM / 2) * Math.sin(LEAN.backRad),
+  ],
   rotationRad: [-LEAN.backRad, LEAN.yawRad, 0],
 } as const;
 

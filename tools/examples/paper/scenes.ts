@@ -334,7 +334,7 @@ export const SCENES: readonly Recipe[] = [
       light: ['light/directional', 2, 1, WINDOW_LIGHT],
       scene: ['layer/scene', 3, 0, { ambient: 0.4 }],
       depth: ['world/depth', 3, 1],
-      occlusion: ['operator/sketched-occlusion', 4, 0, { surePx: 4, widthPx: 28, linePx: 3, lineColor: [0.98, 0.95, 0.88, 1] }],
+      occlusion: ['operator/sketched-occlusion', 4, 0, { linePx: 3, lineColor: [0.98, 0.95, 0.88, 1] }],
       video: ['source/camera-video', 4, 1],
       merge: ['operator/over', 5, 0],
       screen: ['output/screen', 6, 0],

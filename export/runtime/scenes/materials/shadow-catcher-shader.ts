@@ -143,7 +143,9 @@ export function catcherFragment(
       ? `all += light.x; gapM[ ${light} ] = - 1.0; fullPart[ ${light} ] = light.x; ownPart[ ${light} ] = unlessGrazing( light, lit ); blocked += ownPart[ ${light} ];`
       : 'all += light.x; blocked += unlessGrazing( light, lit );';
   const addPlain = (light: number): string =>
-    strokes ? `fullPart[ ${light} ] = light.x; ownPart[ ${light} ] = 0.0; gapM[ ${light} ] = - 1.0; contours[ ${light} ] = vec4( 1.0, 0.0, 0.0, 1.0 );` : '';
+    strokes
+      ? `fullPart[ ${light} ] = light.x; ownPart[ ${light} ] = 0.0; gapM[ ${light} ] = - 1.0; contours[ ${light} ] = vec4( 1.0, 0.0, 0.0, 1.0 );`
+      : '';
   const lines = [
     ...flat.map((light, i) => `${arrives(i)} ${flatLit(light, i)} ${add(i)}${strokes ? gapOf(light.last, i) + flatContour(i) : ''}`),
     ...cube.map((light, i) => {
