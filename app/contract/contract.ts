@@ -1,6 +1,6 @@
 import { z } from 'zod';
+import { diagnostic, handle, isWithinLimit, projectPath, side } from './call-parts.ts';
 import { PHOTOGRAPH_CALLS } from './photograph-calls.ts';
-import { diagnostic, handle, isWithinLimit, projectPath, side } from './shapes.ts';
 
 /*
  * The contract between editor and host: inputs and outputs of all calls, and the events. The preload script of Electron, the loopback
