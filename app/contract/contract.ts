@@ -1,6 +1,6 @@
 import { z } from 'zod';
+import { diagnostic, handle, isWithinLimit, projectPath, side } from './call-parts.ts';
 import { PHOTOGRAPH_CALLS } from './photograph-calls.ts';
-import { diagnostic, handle, isWithinLimit, projectPath, side } from './shapes.ts';
 import { REPHOTOGRAPH_CALLS } from './rephotograph-calls.ts';
 
 /*

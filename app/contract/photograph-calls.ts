@@ -1,5 +1,5 @@
 import { z } from 'zod';
-import { diagnostic, handle, isWithinLimit, pictureSize, projectPath, side } from './shapes.ts';
+import { diagnostic, handle, isWithinLimit, pictureSize, projectPath, side } from './call-parts.ts';
 
 /** The camera of all photographs of an acquisition: `AcquiredCamera`. */
 const acquiredCamera = z.discriminatedUnion('projection', [

@@ -1,5 +1,5 @@
 import { z } from 'zod';
-import { handle, isWithinLimit, pictureSize, projectPath } from './shapes.ts';
+import { handle, isWithinLimit, pictureSize, projectPath } from './call-parts.ts';
 
 const rephotographMethod = z.enum(['plain', 'nearest', 'lumigraph', 'depth-meshes']);
 

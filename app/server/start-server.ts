@@ -1,7 +1,7 @@
 import { createServer, type IncomingMessage, type RequestListener, type Server, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { pipeline } from 'node:stream/promises';
-import { MAX_ASSET_BYTES } from '../contract/shapes.ts';
+import { MAX_ASSET_BYTES } from '../contract/call-parts.ts';
 import type { Content } from '../services/content.ts';
 import type { Origins } from '../services/content-policy.ts';
 import { createHost, type HostService } from '../services/host.ts';

@@ -1,7 +1,7 @@
 import { readdir, rm, stat, utimes } from 'node:fs/promises';
 import { join } from 'node:path';
 import type { AssetCache } from '../../export/bundle/assets/model-cache.ts';
-import { MAX_ASSET_BYTES } from '../contract/shapes.ts';
+import { MAX_ASSET_BYTES } from '../contract/call-parts.ts';
 import { resolveInside } from './confine.ts';
 import type { FileLayer } from './file-layer.ts';
 import { readBytes } from './read-file.ts';

@@ -1,6 +1,6 @@
+import { MAX_ASSET_BYTES } from '../contract/call-parts.ts';
 import { MAX_COPIED_BYTES } from '../contract/contract.ts';
 import { HostError } from '../contract/host-error.ts';
-import { MAX_ASSET_BYTES } from '../contract/shapes.ts';
 import { resolveInside } from './confine.ts';
 import { errorCode, readRefusal, refusal } from './file-errors.ts';
 import { ASSETS_FOLDER } from './project-files.ts';

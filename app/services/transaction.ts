@@ -1,7 +1,7 @@
 import { randomBytes } from 'node:crypto';
 import { lstat } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
-import { MAX_ASSET_BYTES } from '../contract/shapes.ts';
+import { MAX_ASSET_BYTES } from '../contract/call-parts.ts';
 import { resolveInside } from './confine.ts';
 import { errorCode } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';

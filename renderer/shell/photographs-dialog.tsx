@@ -128,14 +128,14 @@ function useLook(folder: string, colmap: string): FolderLook | null {
     setLook(null);
     if (folder === '') return;
     let isCurrent = true;
-    const timer = setTimeout(() => {
+    const stop = editor.clock.after(PAUSE_MS, () => {
       void lookIntoFolder(editor, folder, colmap).then((found) => {
         if (isCurrent) setLook(found);
       });
-    }, PAUSE_MS);
+    });
     return () => {
       isCurrent = false;
-      clearTimeout(timer);
+      stop();
     };
   }, [editor, folder, colmap]);
   return look;

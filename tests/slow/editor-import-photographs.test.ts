@@ -20,7 +20,7 @@ let base = '';
 let folder = '';
 beforeAll(async () => {
   base = await mkdtemp(join(tmpdir(), 'scrim-import-'));
-  folder = join(base, '-Küche & "Flur" 1');
+  folder = join(base, '-Café & "Hall" 1');
 });
 afterAll(() => rm(base, { recursive: true, force: true }));
 

@@ -5,6 +5,8 @@ import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { runCli } from '../../app/cli/run-cli.ts';
 import { installationAt } from '../../app/services/installation.ts';
 import { readCaptureFolder } from '../../app/services/read-capture-folder.ts';
+import { depthSeen } from '../../export/captures/depth/depth-from-mesh.ts';
+import { pinholeFor } from '../../export/captures/undistort.ts';
 import { describeWithProgram } from '../support/colmap.ts';
 import { scrim } from '../support/scrim.ts';
 import { describeWithData } from '../support/shared-data.ts';
@@ -55,7 +57,30 @@ describeWithProgram('scrim reconstruct', () => {
       expect(await centerRatios(folder)).toEqual((await centerRatios(room)).map((ratio) => expect.closeTo(ratio, 1)));
 
       const again = await reconstructed();
-      expect([again.found, again.kept]).toEqual([6, ['features', 'matches', 'sparse']]);
+      expect([again.found, again.kept]).toEqual([6, ['features', 'matches', 'sparse', 'mesh']]);
+    });
+
+    test('makes a mesh of the points, which is where the room is', async () => {
+      const [ours, truth] = [await readCaptureFolder(folder), await readCaptureFolder(room)];
+      expect(ours.mesh?.indices.length).toBeGreaterThan(3000);
+      const centers = (views: typeof ours.views) =>
+        PHOTOS.map((name) => views.find(({ view }) => view.name === name)?.view.worldFromCamera.slice(12, 15));
+      const length = ([first, second]: ReturnType<typeof centers>) =>
+        Math.hypot(...(second ?? []).map((x, axis) => x - (first?.[axis] ?? 0)));
+      const scale = length([centers(truth.views)[0], centers(truth.views)[5]]) / length([centers(ours.views)[0], centers(ours.views)[5]]);
+      const errors = PHOTOS.flatMap((name) => {
+        const viewIn = ({ views }: typeof ours) => views.find(({ view }) => view.name === name);
+        const lens = viewIn(truth)?.lens;
+        const [a, b] = [ours, truth].map((place) => {
+          const pose = viewIn(place)?.view.worldFromCamera;
+          if (!place.mesh || !pose || !lens) throw new Error(`${name} has no camera, or the place no mesh.`);
+          return depthSeen(place.mesh, pinholeFor(lens, 160), pose).values;
+        });
+        return [...(b ?? [])].flatMap((m, i) => (m > 0 ? [(a?.[i] ?? 0) > 0 ? Math.abs((scale * (a?.[i] ?? 0)) / m - 1) : 1] : []));
+      }).sort((a, b) => a - b);
+      // What it does not cover counts as 1.
+      if (process.env.SCRIM_FIGURES) console.log('median and 90 %', errors[errors.length >> 1], errors[Math.floor(0.9 * errors.length)]);
+      expect(errors[errors.length >> 1]).toBeLessThan(0.1);
     });
 
     test('does not replace cameras that it did not find', async () => {

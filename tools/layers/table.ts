@@ -117,7 +117,12 @@ export const LAYERS: readonly Layer[] = [
     ],
   },
 
-  { name: 'contract', files: ['app/contract/*contract*.ts'], imports: ['kit'], packages: ['zod'] },
+  {
+    name: 'contract',
+    files: ['app/contract/contract.ts', 'app/contract/call-parts.ts', 'app/contract/*-calls.ts'],
+    imports: ['kit'],
+    packages: ['zod'],
+  },
   // What the editor calls its host with; without zod, whose generated checks a strict CSP refuses.
   { name: 'host client', files: ['app/contract/**'], types: ['contract'] },
   {

@@ -1,7 +1,7 @@
 import { randomBytes } from 'node:crypto';
 import { createServer, type IncomingMessage, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
-import { MAX_ASSET_BYTES } from '../../contract/shapes.ts';
+import { MAX_ASSET_BYTES } from '../../contract/call-parts.ts';
 import { resolveInside } from '../../services/confine.ts';
 import { passiveMediaTypeOf } from '../../services/media-types.ts';
 import { readBytes } from '../../services/read-file.ts';

@@ -33,18 +33,24 @@ interface CaptureStart {
   readonly yawRad: number;
 }
 
-const EYE_HEIGHT_M = 1.6;
+/** Where an eye is before the first frame: at the height of a visitor. Column-major 4×4. */
+const USUAL_EYE = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1.6, 0, 1];
 /** The range of the position of a node. */
 const MOST_M: number = POSITION_PARAM.max[0];
 
-/** Params that put a capture so that this camera of it stands at the start of a visitor, and looks ahead. */
-function poseAround({ positionM: [x = 0, y = 0, z = 0], yawRad }: CaptureStart) {
-  const [cos, sin] = [Math.cos(yawRad), Math.sin(yawRad)];
+/**
+ * Params that put a capture so that this camera of it is where the eye is, and looks to the same side.
+ *
+ * @param eye Column-major pose of the eye.
+ */
+function poseAround({ positionM: [x = 0, y = 0, z = 0], yawRad }: CaptureStart, eye: readonly number[]) {
+  const turn = Math.atan2(eye[8] ?? 0, eye[10] ?? 1) - yawRad;
+  const [cos, sin] = [Math.cos(turn), Math.sin(turn)];
   const rounded = (value: number): number => Number(value.toFixed(4));
-  const inRange = (value: number): number => rounded(Math.min(MOST_M, Math.max(-MOST_M, value)));
+  const turned = [cos * x + sin * z, y, cos * z - sin * x];
   return {
-    positionM: [-(cos * x - sin * z), EYE_HEIGHT_M - y, -(sin * x + cos * z)].map(inRange),
-    rotationRad: [0, rounded(-yawRad), 0],
+    positionM: turned.map((value, axis) => rounded(Math.min(MOST_M, Math.max(-MOST_M, (eye[12 + axis] ?? 0) - value)))),
+    rotationRad: [0, rounded(Math.atan2(sin, cos)), 0],
   };
 }
 
@@ -71,7 +77,7 @@ export function placeAsset(editor: Editor, { id: assetId, asset, label, start }:
         id,
         type: source.type,
         ...place,
-        params: { [source.param]: assetId, ...(start && poseAround(start)) },
+        params: { [source.param]: assetId, ...(start && poseAround(start, editor.preview.getState().status?.worldFromView ?? USUAL_EYE)) },
       }),
     shown(editor, asset.kind, id, place),
     placeFreely(project, { library, graph, hasThumbnail: editor.preferences.getState().thumbnails }),
