@@ -4,7 +4,7 @@ import { createThumbnails } from './thumbnails.ts';
 
 type Player = Parameters<ReturnType<typeof createThumbnails>['afterFrame']>[0];
 
-/** A frame that is shown again and again. */
+/** A frame that is shown repeatedly. */
 const STILL = { timeS: 0, framebufferWidthPx: 640, framebufferHeightPx: 480, views: [] };
 
 function playFrame(thumbnails: ReturnType<typeof createThumbnails>, player: Player): number | null {

@@ -19,8 +19,9 @@ const GRAPH: GraphText = {
 
 const open = useOneEditor(GRAPH, { size: { width: 1440, height: 900 }, colorScheme: 'dark', panels: 'usual' });
 
+/** The room of the preview beside its rail. A recording fills it in one direction. */
 async function previewBox() {
-  const box = await open.page.locator('iframe[title="Preview"]').boundingBox();
+  const box = await open.page.locator('.stage-room').boundingBox();
   if (!box) throw new Error('The preview has no box.');
   return box;
 }
@@ -56,6 +57,12 @@ describe('the layout of the window', () => {
     );
     expect(heights.length).toBeGreaterThanOrEqual(4);
     expect(Math.min(...heights)).toBeGreaterThanOrEqual(10.9);
+  });
+
+  test('shows a recording in its own shape', async () => {
+    const box = await open.page.locator('iframe[title="Preview"]').boundingBox();
+    // Whole pixels.
+    expect(Math.abs((box?.width ?? 0) - (box?.height ?? 0) * (4 / 3))).toBeLessThan(1.5);
   });
 
   test('docks the preview left and below without loading its page again, and fits the graph', async () => {

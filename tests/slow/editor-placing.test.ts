@@ -23,14 +23,14 @@ test('what a tap places in the preview stays while the recorded room repeats', a
 test('two fingers on the preview scale it', async () => {
   await open.editor.hold();
   const before = await ballPixels(open.editor);
-  const box = await open.page.locator('iframe[title="Preview"]').boundingBox();
-  if (!box) throw new Error('There is no preview.');
+  const preview = open.page.frames().find((frame) => frame !== open.page.mainFrame());
+  if (!preview) throw new Error('There is no preview.');
   const [xPx, yPx] = await ballMiddle(open.editor);
-  const client = await open.page.context().newCDPSession(open.page);
+  const client = await open.page.context().newCDPSession(preview);
   const touch = (type: 'touchStart' | 'touchMove', halfPx: number) =>
     client.send('Input.dispatchTouchEvent', {
       type,
-      touchPoints: [-halfPx, halfPx].map((dx, id) => ({ x: box.x + xPx + dx, y: box.y + yPx, id })),
+      touchPoints: [-halfPx, halfPx].map((dx, id) => ({ x: xPx + dx, y: yPx, id })),
     });
   await touch('touchStart', 6);
   // The browser itself would zoom from here on.

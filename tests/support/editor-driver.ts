@@ -209,8 +209,9 @@ export class EditorDriver {
     await this.keepSize();
     const box = await this.page.locator('iframe[title="Preview"]').boundingBox();
     if (!box) throw new Error('There is no preview.');
-    const clip = { x: box.x, y: box.y + FLAG_PX, width: box.width, height: box.height - FLAG_PX };
-    return decodeImage(await this.page.screenshot({ clip }));
+    // Cropped here: a screenshot of a part of an iframe in a process of its own differs by a few steps in some pixels.
+    const { width, height, data } = decodeImage(await this.page.screenshot({ clip: box }));
+    return { width, height: height - FLAG_PX, data: data.slice(FLAG_PX * width * 4) };
   }
 
   /**

@@ -5,25 +5,29 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Browser, Frame, Page } from 'playwright-core';
 import type { ToolContext } from '../lib/tool.ts';
-import type { Bench } from './bench.ts';
+import { type Bench, timeMs } from './bench.ts';
 import { childrenCpuMs } from './cpu-time.ts';
 import { openServer, startBenchBrowser } from './open-page.ts';
 
 const PROJECT = 'near-in-colour-far-in-ink';
 const FRAMES = 20;
 const SAMPLES = 7;
+const CHANGES = 15;
+/** Time after a change in which its last thumbnails are read. */
+const REST_MS = 1000;
 
 /**
- * Measures what thumbnails on nodes cost while a recording plays. Passes of their own draw the layers of the thumbnails, in the frames in
+ * Measures what thumbnails on nodes cost while a recording plays, and how long the thumbnail of a node takes to show a changed value. Passes of their own draw the layers of the thumbnails, in the frames in
  * which a thumbnail is read back. Counts the CPU time of editor and preview together if the system reports it, else wall-clock time.
  */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   let opened: Promise<Opened> | undefined;
   const open = () => {
-    opened ??= openEditor(root);
+    opened ??= openEditor(root, PROJECT, false).then(play);
     return opened;
   };
   return [
+    changeBench(root),
     {
       name: 'frame of the editor with pictures on its nodes, against none',
       unit: 'ratio',
@@ -37,15 +41,52 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
         return withThumbnails / without;
       },
       dispose: async () => {
-        if (!opened) return;
-        const { browser, server, folder } = await opened;
-        await browser.close();
-        server.kill();
-        await once(server, 'exit');
-        await rm(folder, { recursive: true, force: true });
+        if (opened) await close(await opened);
       },
     },
   ];
+}
+
+/** Time from the Enter of a number to the changed thumbnail of its node, in a paused preview. */
+function changeBench(root: string): Bench {
+  let opened: Promise<Opened> | undefined;
+  let changes = 0;
+  return {
+    name: 'editor, from a changed value to the changed picture on its node',
+    unit: 'ms',
+    samples: CHANGES,
+    sample: async () => {
+      opened ??= openEditor(root, 'sepia', true);
+      const { page } = await opened;
+      await page.locator('.node-title', { hasText: 'Sepia' }).click();
+      const amount = page.getByRole('complementary', { name: 'Inspector' }).getByRole('textbox', { name: 'Amount' });
+      await amount.fill(changes++ % 2 === 0 ? '0.2' : '0.9');
+      await page.waitForTimeout(REST_MS);
+      const before = await page.evaluate(sepiaThumbnail);
+      return timeMs(async () => {
+        await page.keyboard.press('Enter');
+        await page.waitForFunction((old) => {
+          const canvas = document.querySelector<HTMLCanvasElement>('[data-node^="filter"] .node-thumbnail canvas');
+          return canvas !== null && canvas.toDataURL() !== old;
+        }, before);
+      });
+    },
+    dispose: async () => {
+      if (opened) await close(await opened);
+    },
+  };
+}
+
+/** Runs in the page. */
+function sepiaThumbnail(): string | undefined {
+  return document.querySelector<HTMLCanvasElement>('[data-node^="filter"] .node-thumbnail canvas')?.toDataURL();
+}
+
+async function close({ browser, server, folder }: Opened): Promise<void> {
+  await browser.close();
+  server.kill();
+  await once(server, 'exit');
+  await rm(folder, { recursive: true, force: true });
 }
 
 interface Opened {
@@ -56,23 +97,28 @@ interface Opened {
   readonly folder: string;
 }
 
-async function openEditor(root: string): Promise<Opened> {
+async function openEditor(root: string, project: string, thumbnails: boolean): Promise<Opened> {
   const folder = await mkdtemp(join(tmpdir(), 'scrim-bench-'));
-  await cp(join(root, 'examples', PROJECT), folder, { recursive: true });
+  await cp(join(root, 'examples', project), folder, { recursive: true });
   const { server, url } = await openServer(root, folder);
   const browser = await startBenchBrowser();
   const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
-  await page.addInitScript(() => {
-    if (window.top === window) localStorage.setItem('scrim-preferences', '{"thumbnails":false}');
-  });
+  await page.addInitScript((shown) => {
+    if (window.top === window) localStorage.setItem('scrim-preferences', JSON.stringify({ thumbnails: shown }));
+  }, thumbnails);
   await page.goto(url);
   await page.locator('.react-flow__node').first().waitFor();
-  // A project that opens for the first time stands at its first frame.
-  await page.getByRole('button', { name: 'Play', exact: true }).click();
-  await page.waitForFunction(() => /[1-9]/.test(document.querySelector('.transport-time span')?.textContent ?? ''));
   const preview = page.frames().find((frame) => frame !== page.mainFrame());
   if (!preview) throw new Error('There is no preview.');
   return { server, browser, page, preview, folder };
+}
+
+/** A project that opens for the first time stands at its first frame. */
+async function play(opened: Opened): Promise<Opened> {
+  const { page } = opened;
+  await page.getByRole('button', { name: 'Play', exact: true }).click();
+  await page.waitForFunction(() => /[1-9]/.test(document.querySelector('.transport-time span')?.textContent ?? ''));
+  return opened;
 }
 
 /** Switches thumbnails on or off, and waits until the change is drawn. */

@@ -17,8 +17,8 @@ const PAUSE_MS = 300;
 const SIDE_FRACTION = 0.4;
 /** Width of the rail beside the image. */
 const RAIL_PX = 33;
-/** Height ÷ width of a new preview, without its transport. */
-const PREVIEW_SHAPE = 0.7;
+/** Height ÷ width of a new preview, without its transport: that of most cameras, so that a recording fills it. */
+const PREVIEW_SHAPE = 0.75;
 const TRANSPORT_PX = 38;
 /** Fraction of the window's height that the preview leaves to the inspector below it. */
 const INSPECTOR_FRACTION = 0.42;
