@@ -4,8 +4,6 @@ import { undoOrCancelDrag } from '../document/cancel-drag.ts';
 import type { Editor } from '../editor/editor.ts';
 import { toggleMode } from '../editor/gizmo-state.ts';
 import { frameOf } from '../editor/preview-state.ts';
-import { lastExport, openExportDialog } from '../files/export-page.ts';
-import { newProject, openProject, revertToSaved, save, saveAs } from '../files/files.ts';
 import { align, distribute, tidy } from '../graph/arrange.ts';
 import { deleteSelection, selectAll, toggleCollapsed, toggleMuted, toggleUnfused } from '../graph/edit-graph.ts';
 import { addFrame, addNote } from '../graph/layout-items.ts';
@@ -24,7 +22,6 @@ import {
   togglePlay,
 } from '../preview/playback.ts';
 import { canRecordSession, toggleSessionRecording } from '../preview/record-session.ts';
-import { openRenderDialog } from '../preview/render-frames.ts';
 import { newFilter } from '../shaders/new-filter.ts';
 import type { AppCommand } from './app-command.ts';
 import { askToSaveSubgraph, canvasCenter, openPalette, openSwapPalette } from './command-actions.ts';
@@ -32,7 +29,6 @@ import {
   always,
   canRedo,
   canUndo,
-  hasCapture,
   hasFrames,
   hasNodes,
   hasOneNode,
@@ -42,91 +38,13 @@ import {
   hasSubgraph,
   isInside,
   isOpen,
-  isUnsaved,
 } from './command-conditions.ts';
+import { FILE_COMMANDS } from './file-commands.ts';
 import { startTour } from './tour.ts';
 import { VIEW_COMMANDS } from './view-commands.ts';
 
 const COMMANDS = {
-  // Browsers reserve Ctrl+N.
-  'file.new': {
-    label: 'New…',
-    keywords: ['create', 'start', 'template', 'new project'],
-    keys: ['Mod+Alt+N'],
-    enabled: always,
-    run: newProject,
-    whileTyping: true,
-  },
-  'file.open': {
-    label: 'Open…',
-    keywords: ['load', 'recent', 'example', 'open project'],
-    keys: ['Mod+O'],
-    enabled: always,
-    run: openProject,
-    whileTyping: true,
-  },
-  'file.save': { label: 'Save', keys: ['Mod+S'], enabled: isOpen, run: (editor) => void save(editor), whileTyping: true },
-  'file.save-as': {
-    label: 'Save as…',
-    keywords: ['copy', 'duplicate project', 'rename'],
-    keys: ['Mod+Shift+S'],
-    enabled: isOpen,
-    run: (editor) => void saveAs(editor),
-    whileTyping: true,
-  },
-  'file.revert': {
-    label: 'Revert to saved',
-    keywords: ['discard changes', 'undo all', 'last save'],
-    keys: [],
-    enabled: isUnsaved,
-    run: revertToSaved,
-  },
-  'file.export': {
-    label: 'Export page…',
-    keywords: ['publish', 'share', 'web page', 'html', 'upload'],
-    keys: ['Mod+E'],
-    enabled: isOpen,
-    run: openExportDialog,
-    whileTyping: true,
-  },
-  'file.exported': {
-    label: 'Exported page…',
-    keywords: ['qr code', 'size of the page', 'open in browser', 'publish', 'last export'],
-    keys: [],
-    enabled: (editor) => lastExport(editor) !== null,
-    run: ({ ui }) => ui.setState({ dialog: { kind: 'exported' } }),
-  },
-  'file.render': {
-    label: 'Render frames…',
-    keywords: ['video', 'movie', 'image sequence', 'png'],
-    keys: ['Mod+Shift+E'],
-    enabled: isOpen,
-    run: openRenderDialog,
-    whileTyping: true,
-  },
-  'file.photograph': {
-    label: 'Photograph the scene…',
-    keywords: ['capture', 'acquisition', 'lumigraph', 'image-based rendering', '360', 'photos'],
-    keys: ['Mod+Alt+P'],
-    enabled: isOpen,
-    run: ({ ui }) => ui.setState({ dialog: { kind: 'photograph' } }),
-    whileTyping: true,
-  },
-  'file.photographs': {
-    label: 'Import photographs…',
-    keywords: ['capture', 'colmap', 'photogrammetry', 'reconstruct', 'scan', 'place', 'room'],
-    keys: ['Mod+Alt+I'],
-    enabled: isOpen,
-    run: ({ ui }) => ui.setState({ dialog: { kind: 'photographs', folder: '' } }),
-    whileTyping: true,
-  },
-  'file.rephotograph': {
-    label: 'Rephotograph a capture…',
-    keywords: ['quality', 'measure', 'evaluation', 'PSNR', 'SSIM', 'error map', 'leave one out'],
-    keys: [],
-    enabled: hasCapture,
-    run: ({ ui }) => ui.setState({ dialog: { kind: 'rephotograph' } }),
-  },
+  ...FILE_COMMANDS,
   'edit.undo': { label: 'Undo', keywords: ['back', 'revert'], keys: ['Mod+Z'], enabled: canUndo, run: undoOrCancelDrag },
   'edit.redo': { label: 'Redo', keys: ['Mod+Shift+Z', 'Mod+Y'], enabled: canRedo, run: redo },
   'edit.cut': { label: 'Cut', keys: ['Mod+X'], enabled: hasNodes, run: (editor) => void cutSelection(editor), byEvent: true },
