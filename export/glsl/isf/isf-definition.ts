@@ -174,7 +174,7 @@ function outputOf(shader: IsfShader, access: ReturnType<typeof findAccess>): Out
   const port = { type: 'layer', label: 'Layer', doc: 'The result.', ...outputEncoding(shader) } as const;
   if (imageInputs(shader).length === 0) return { ...port, domain: 'view', depth: false };
   const stays = access === 'pointwise' || access === 'neighborhood';
-  const depth = { auto: stays ? ('same' as const) : false, same: 'same' as const, none: false, over: true }[shader.depth];
+  const depth = { auto: stays ? ('same' as const) : false, same: 'same' as const, none: false, over: true, nearer: true }[shader.depth];
   return { ...port, domain: 'same', depth };
 }
 

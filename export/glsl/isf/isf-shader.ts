@@ -36,7 +36,7 @@ export interface IsfShader {
    */
   readonly opaqueImages: readonly string[];
   /** `SCRIM_DEPTH`: depth of the output; `auto` depends on the access. */
-  readonly depth: 'auto' | 'same' | 'none' | 'over';
+  readonly depth: 'auto' | 'same' | 'none' | 'over' | 'nearer';
   /**
    * `SCRIM_ENCODING`: encoding of the layers that the shader reads and outputs; `either`: the shader accepts both encodings, and its output
    * has that of its inputs.

@@ -39,7 +39,7 @@ export function readIsf(source: string, file: string, vertex: string | null = nu
     imported: readImported(header),
     premultiplied: readWord(header, 'SCRIM_ALPHA', ['straight', 'premultiplied']) === 'premultiplied',
     opaqueImages: items(property(header.root, 'SCRIM_OPAQUE')).flatMap((node) => textOf(node) ?? []),
-    depth: readWord(header, 'SCRIM_DEPTH', ['auto', 'same', 'none', 'over']),
+    depth: readWord(header, 'SCRIM_DEPTH', ['auto', 'same', 'none', 'over', 'nearer']),
     encoding,
     readsScene: encoding === 'scene' || encoding === 'scene to display',
     writesScene: encoding === 'scene' || encoding === 'display to scene',

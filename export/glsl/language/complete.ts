@@ -206,7 +206,7 @@ function valuesAt(key: string, isTechnique: boolean, inputs: readonly string[]):
     case 'SCRIM_ALPHA':
       return { straight: '', premultiplied: '' };
     case 'SCRIM_DEPTH':
-      return { auto: '', same: '', none: '', over: '' };
+      return { auto: '', same: '', none: '', over: '', nearer: '' };
     case 'SCRIM_ENCODING':
       return Object.fromEntries(SHADER_ENCODINGS.map((word) => [word, '']));
     case 'SIDE':

@@ -116,7 +116,7 @@ export const HEADER_KEYS: Readonly<Record<'root' | 'input' | 'pass', Readonly<Re
     SCRIM_OPAQUE: 'Images that make the output opaque if they and the colors are. Scrim believes it of its own files only.',
     SCRIM_ENCODING:
       'Encoding of the layers that the shader reads and outputs: "display" (default), "scene" for linear, unclamped light, "either", where SCRIM_SCENE is defined for scene layers, "scene to display" or "display to scene".',
-    SCRIM_DEPTH: 'How the output gets its depth: "auto", "same", "none" or "over".',
+    SCRIM_DEPTH: 'How the output gets its depth: "auto", "same", "none", "over" or "nearer".',
     SCRIM_UNITS: 'Units of inputs, by name.',
     SCRIM_RENAMED: 'What inputs were called in earlier versions of the file.',
   },

@@ -1,7 +1,7 @@
 import { givenSymbols } from '../isf/given-symbols.ts';
 import { findInput, type IsfShader, imageInputs } from '../isf/isf-shader.ts';
 import type { VariableSymbol } from '../syntax/ast.ts';
-import { colorFunction, depthFunction, helpersFor, type ImageUse, imageText, samplerFor } from './images.ts';
+import { colorFunction, depthFunction, helpersFor, type Image, type ImageUse, imageText, samplerFor } from './images.ts';
 import { createLineWriter } from './line-writer.ts';
 import type { PartedPass } from './link-parts.ts';
 import { linkedShader } from './link-pass.ts';
@@ -14,16 +14,22 @@ import { FRAGMENT_HEAD } from './prelude.ts';
 const OPACITY = 'opacity';
 
 /**
- * Links the pass that computes the depth of a file with `"SCRIM_DEPTH": "over"`, in meters: that of the first image where its alpha, times
- * `opacity` if there is such an input, exceeds one half, else that of the second (docs/ARCHITECTURE.md, “Drawing”). It is drawn only if the
- * depth is read.
+ * Links the pass that computes the depth of a file with two images, in meters (docs/ARCHITECTURE.md, “Drawing”). It is drawn only if the depth
+ * is read.
+ *
+ * - `"SCRIM_DEPTH": "over"`: that of the first image where its alpha, times `opacity` if there is such an input, exceeds one half, else that
+ *   of the second.
+ * - `"SCRIM_DEPTH": "nearer"`: that of the nearer image where its alpha exceeds one half, else that of the other. An image without depth is
+ *   farther than one with it.
  *
  * @throws Error if the file's depth is not computed (`definition.outputs.layer.depth` is not `true`).
  */
 export function linkIsfDepth(shader: IsfShader, options: LinkOptions): PartedPass {
   const [firstPass] = planPasses(shader);
   const [topInput, bottomInput] = imageInputs(shader);
-  if (shader.depth !== 'over' || topInput === undefined || firstPass === undefined) throw new Error(`${shader.file} computes no depth.`);
+  const isNearer = shader.depth === 'nearer';
+  if ((!isNearer && shader.depth !== 'over') || topInput === undefined || firstPass === undefined)
+    throw new Error(`${shader.file} computes no depth.`);
   const given = givenSymbols(shader);
   const { names, images } = namePass({ shader, given, options }, firstPass);
   const top = images.get(topInput.name);
@@ -34,15 +40,27 @@ export function linkIsfDepth(shader: IsfShader, options: LinkOptions): PartedPas
   const fades = opacity?.role === 'input' && findInput(shader, OPACITY)?.type === 'float';
   const uniforms: LinkedUniform[] = fades ? [{ name: names.of(opacity as VariableSymbol), type: 'float', source: { param: OPACITY } }] : [];
   const uses = new Map([[top, new Set<ImageUse>(['color', 'depth'])]]);
-  if (bottom !== top) uses.set(bottom, new Set<ImageUse>(['depth']));
+  if (bottom !== top) uses.set(bottom, new Set<ImageUse>(isNearer ? ['color', 'depth'] : ['depth']));
   const texts = [...uses].map(([image, use]) => imageText(image, use, shader));
   const head = [FRAGMENT_HEAD, ...uniforms.map((u) => `uniform ${u.type} ${u.name};`), ...helpersFor(texts.join('\n'), false), ...texts];
-  const alpha = `${colorFunction(top)}(scrim_uv).a${uniforms.map((u) => ` * ${u.name}`).join('')}`;
+  const alphaOf = (image: Image): string => `${colorFunction(image)}(scrim_uv).a`;
+  const depthOf = (image: Image): string => `${depthFunction(image)}(scrim_uv)`;
+  const opaque = `${alphaOf(top)}${uniforms.map((u) => ` * ${u.name}`).join('')} > 0.5`;
   const writer = createLineWriter(0);
-  writer.own(`void main() {
-  bool isTop = ${alpha} > 0.5;
-  scrim_output = vec4(isTop ? ${depthFunction(top)}(scrim_uv) : ${depthFunction(bottom)}(scrim_uv), 0.0, 0.0, 1.0);
-}`);
+  writer.own(
+    isNearer
+      ? `void main() {
+  float first = ${depthOf(top)};
+  float second = ${depthOf(bottom)};
+  bool isFirst = second <= 0.0 || (first > 0.0 && first <= second);
+  bool isOpaque = (isFirst ? ${alphaOf(top)} : ${alphaOf(bottom)}) > 0.5;
+  scrim_output = vec4(isFirst == isOpaque ? first : second, 0.0, 0.0, 1.0);
+}`
+      : `void main() {
+  bool isTop = ${opaque};
+  scrim_output = vec4(isTop ? ${depthOf(top)} : ${depthOf(bottom)}, 0.0, 0.0, 1.0);
+}`,
+  );
   const samplers = [...uses].flatMap(([image, use]) => [...use].map((one) => samplerFor(image, one)));
   return {
     shader: linkedShader({ shader, options }, head.join('\n'), writer),
