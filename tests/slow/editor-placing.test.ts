@@ -24,15 +24,19 @@ test('two fingers on the preview scale it', async () => {
   await open.editor.hold();
   const before = await ballPixels(open.editor);
   const preview = open.page.frames().find((frame) => frame !== open.page.mainFrame());
-  if (!preview) throw new Error('There is no preview.');
+  const box = await open.page.locator('iframe[title="Preview"]').boundingBox();
+  if (!preview || !box) throw new Error('There is no preview.');
   const [xPx, yPx] = await ballMiddle(open.editor);
+  // Touches reach a frame in a process of its own only by its session, at points of the page.
   const client = await open.page.context().newCDPSession(preview);
   const touch = (type: 'touchStart' | 'touchMove', halfPx: number) =>
     client.send('Input.dispatchTouchEvent', {
       type,
-      touchPoints: [-halfPx, halfPx].map((dx, id) => ({ x: xPx + dx, y: yPx, id })),
+      touchPoints: [-halfPx, halfPx].map((dx, id) => ({ x: box.x + xPx + dx, y: box.y + yPx, id })),
     });
   await touch('touchStart', 6);
+  // The preview reads fingers once per frame: one must see where they begin.
+  await open.editor.restingImage();
   // The browser itself would zoom from here on.
   for (const halfPx of [9, 12, 18, 24]) await touch('touchMove', halfPx);
   await eventually(async () => expect(await ballPixels(open.editor)).toBeGreaterThan(2 * before));

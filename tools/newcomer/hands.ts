@@ -50,16 +50,11 @@ export class Hands {
 
   /** Puts two fingers on opposite sides of a point of the preview and turns them about it, clockwise as seen. */
   async twist(what: string, { x, y }: Point, radiusPx: number, turnRad: number): Promise<void> {
-    // Touches do not reach a frame in a process of its own through the page.
+    // Touches reach a frame in a process of its own only by its session, at points of the page.
     const preview = this.page.frames().find((frame) => frame !== this.page.mainFrame()) ?? this.page.mainFrame();
-    const box = await (await preview.frameElement()).boundingBox();
     const client = await this.page.context().newCDPSession(preview);
     const put = async (type: 'touchStart' | 'touchMove', rad: number) => {
-      const touchPoints = [rad, rad + Math.PI].map((at, id) => ({
-        x: x - (box?.x ?? 0) + radiusPx * Math.cos(at),
-        y: y - (box?.y ?? 0) + radiusPx * Math.sin(at),
-        id,
-      }));
+      const touchPoints = [rad, rad + Math.PI].map((at, id) => ({ x: x + radiusPx * Math.cos(at), y: y + radiusPx * Math.sin(at), id }));
       await client.send('Input.dispatchTouchEvent', { type, touchPoints });
       // The preview reads pointers once per frame.
       await this.page.waitForTimeout(TOUCH_MS);
