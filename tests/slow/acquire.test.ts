@@ -2,6 +2,7 @@ import { cp, mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/pr
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { decode } from 'fast-png';
 import { runCli } from '../../app/cli/run-cli.ts';
 import { installationAt } from '../../app/services/installation.ts';
 import { acquire, likenessOf, placeText } from '../support/acquisition.ts';
@@ -154,3 +155,24 @@ async function contentOf(folder: string): Promise<Readonly<Record<string, string
   });
   return Object.fromEntries(await Promise.all(entries));
 }
+
+test('each of two 360° photographs is rendered from the other', async () => {
+  const photos = join(base, 'around');
+  const place = join(base, 'around-place');
+  await acquire(await sceneProject(), photos, ...AROUND);
+  await writeProject(place, { 'project.scrim.json': projectText({ nodes: { 'screen-a1': 'output/screen' }, wires: [] }) });
+  await succeed('import', 'capture', photos, '--project', place, '--name', 'around');
+  const out = join(base, 'around-report');
+  await succeed('rephotograph', join(place, 'assets/around.capture'), '--out', out, '--method', 'lumigraph');
+  const { views } = JSON.parse(await readFile(join(out, 'report.json'), 'utf8')) as {
+    views: { shots: { psnrDb: number; covered: number }[] }[];
+  };
+  expect(views).toHaveLength(2);
+  for (const { shots } of views) {
+    expect(shots).toMatchObject([{ method: 'lumigraph' }]);
+    // What only one of them sees has no color in the other.
+    expect(shots[0]?.psnrDb).toBeGreaterThan(20);
+    expect(shots[0]?.covered).toBeGreaterThan(0.2);
+  }
+  expect(decode(await readFile(join(out, 'views/001-lumigraph-error.png')))).toMatchObject({ width: 256, height: 128 });
+});

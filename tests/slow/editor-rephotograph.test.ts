@@ -30,8 +30,7 @@ async function withBall(): Promise<GraphText> {
 test('an imported capture is shown by one press of its button, and undone by one', async () => {
   const { page, editor } = await open(await withBall());
   await editor.settled();
-  await editor.hold();
-  const before = await editor.picture();
+  const before = await editor.rewind();
   await page.keyboard.press('Shift+r');
   const row = page.getByRole('row', { name: /ball\.capture/ });
   await row.getByText('on phones').waitFor();
