@@ -1,5 +1,6 @@
 import { lstat, rm } from 'node:fs/promises';
 import { basename, dirname, join } from 'node:path';
+import { firstEye } from '../../export/captures/first-eye.ts';
 import { CaptureError, readCapture } from '../../nodes/kit/capture.ts';
 import type { HostEvent, HostInput, HostOutput } from '../contract/contract.ts';
 import { HostError } from '../contract/host-error.ts';
@@ -12,8 +13,8 @@ import { COLMAP, findTool } from './outside/outside-tools.ts';
 import { hasCameras, readCameras } from './read-capture-folder.ts';
 import { readText } from './read-file.ts';
 import { openColmap } from './reconstruct/colmap.ts';
+import { guessedUnit } from './reconstruct/guessed-unit.ts';
 import { countPhotographs, type Reconstruction, reconstruct } from './reconstruct/reconstruct-photographs.ts';
-import { firstEye, guessedUnit } from './reconstruct/where-it-is-seen.ts';
 import { ensureScrimFolder, SCRIM_FOLDER } from './scrim-folder.ts';
 
 /** Imports of photographs in the editor, one at a time per open project. Cameras that are missing are found by COLMAP. */
