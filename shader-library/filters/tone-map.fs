@@ -5,7 +5,6 @@
   "CREDIT": "Scrim. AgX: T. Sobotka, fit by B. Wrensch 2023. ACES: S. Hill's fit of the RRT and ODT. Neutral: Khronos PBR Neutral Tone Mapper 2024. Transfer function: IEC 61966-2-1",
   "CATEGORIES": ["Light", "HDR", "Convert", "Encoding", "Color space", "AgX", "ACES", "Filmic", "Khronos Neutral", "Exposure", "Highlights"],
   "SCRIM_ENCODING": "scene to display",
-  "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The scene layer to convert." },
     { "NAME": "curve", "TYPE": "long", "LABEL": "Curve", "DOC": "How bright light is compressed. Clip cuts off what is brighter than white.", "VALUES": [0, 1, 2, 3, 4], "LABELS": ["AgX", "Khronos Neutral", "ACES", "Filmic", "Clip"], "DEFAULT": 0 },
