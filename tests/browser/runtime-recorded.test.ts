@@ -171,7 +171,11 @@ describe('a recorded session', () => {
   test('gives each frame its own pose, time and light', async () => {
     const result = await page.call<Stepped>('step', 'sessions/ramp/', 'color', [40, 30], [0, 2, 1], []);
     expect(result.ready).toEqual({
-      output: { title: 'A ramp', frames: { timesS: [0, 0.1, 0.2].map((s) => expect.closeTo(s, 6)), durationS: expect.closeTo(0.3, 6) } },
+      output: {
+        title: 'A ramp',
+        frames: { timesS: [0, 0.1, 0.2].map((s) => expect.closeTo(s, 6)), durationS: expect.closeTo(0.3, 6) },
+        shape: 4 / 3,
+      },
       diagnostics: [],
     });
     expect(result.capabilities).toEqual(['camera-image', 'depth', 'light-estimation']);

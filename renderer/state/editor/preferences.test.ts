@@ -26,7 +26,7 @@ describe('preferences', () => {
     expect(loadPreferences(storage).keybindings['graph.note']).toEqual(['Mod+Alt+J']);
   });
 
-  test.each([null, 'nonsense', '[]', 'null', '{"theme":7,"motion":{},"scale":9,"keybindings":["x"],"recent":[{"path":1}]}'])(
+  test.each([null, 'nonsense', '[]', 'null', '{"theme":7,"motion":{},"scale":9,"keybindings":["x"],"recent":[{"path":1}],"colmap":{}}'])(
     'of %s are the defaults',
     (text) => {
       const { keybindings, ...others } = loadPreferences(memory(text));
@@ -40,6 +40,7 @@ describe('preferences', () => {
         recent: [],
         favorites: [],
         recentTypes: [],
+        colmap: '',
       });
       expect(appCommandIds().some((id) => Object.hasOwn(keybindings, id))).toBe(false);
     },
