@@ -101,8 +101,11 @@ const AT_ONCE = 50;
 
 test('random graphs of effects draw what they drew in passes', async () => {
   const graphs = fc.sample(plans, { seed: 7, numRuns: GRAPHS });
+  const count = { separate: 0, fused: 0 };
   for (let first = 0; first < graphs.length; first += AT_ONCE) {
     const { separate, fused } = await expectSameGraphs(page, graphs.slice(first, first + AT_ONCE));
-    expect(passes(fused).length).toBeLessThan(passes(separate).length / 2);
+    count.separate += passes(separate).length;
+    count.fused += passes(fused).length;
   }
+  expect(count.fused).toBeLessThan(count.separate / 2);
 });

@@ -61,6 +61,7 @@ describe('pointwise', () => {
 describe('displaced', () => {
   test.each([
     ['one other pixel', 'void main() { gl_FragColor = IMG_NORM_PIXEL(inputImage, isf_FragNormCoord + shift); }'],
+    ['the size of a texture', 'void main() { gl_FragColor = vec4(IMG_SAMPLES(inputImage), 0.0, 1.0); }'],
     [
       'one of each image',
       'void main() { gl_FragColor = IMG_NORM_PIXEL(inputImage, isf_FragNormCoord.yx) + IMG_NORM_PIXEL(other, shift); }',

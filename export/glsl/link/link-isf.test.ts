@@ -183,6 +183,12 @@ describe('what a pass is given', () => {
     expect(pass?.shader.fragment).not.toMatch(/third|a_a\b|a_inputImage_size/);
   });
 
+  test('the size of its image, or the size of the texture that holds it', () => {
+    const [pass] = link('void main() { gl_FragColor = vec4(IMG_SIZE(inputImage), IMG_SAMPLES(inputImage)); }', { INPUTS: [IMAGE] });
+    expect(pass?.shader.fragment).toContain('vec4(a_inputImage_size, vec2(textureSize(a_inputImage, 0)))');
+    expect(pass?.samplers).toMatchObject([{ name: 'a_inputImage' }]);
+  });
+
   test('nothing for functions that nobody calls, though they are printed', () => {
     const [pass] = link('vec4 f() { return IMG_THIS_PIXEL(inputImage) * TIME; }\nvoid main() { gl_FragColor = vec4(1.0); }', {
       INPUTS: [IMAGE],
