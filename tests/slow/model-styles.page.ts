@@ -43,7 +43,7 @@ function layerOf(widthPx: number, heightPx: number): ReturnType<typeof createLay
   return layer;
 }
 
-async function draw(name: string, style: string, values: Values, shot: Shot): Promise<Uint8Array> {
+async function draw(name: string, style: string | null, values: Values, shot: Shot): Promise<Uint8Array> {
   await loadImages();
   const { root, at, mixer } = await modelOf(name);
   if (shot.timeS !== undefined) {
@@ -54,7 +54,7 @@ async function draw(name: string, style: string, values: Values, shot: Shot): Pr
   const { backend, gl } = stand;
   const layer = layerOf(widthPx, heightPx);
   const camera = lookingAt(shot.eye, shot.target, widthPx / heightPx);
-  const list = objects(drawnWith(root, technique(style, values), at));
+  const list = objects(drawnWith(root, style === null ? null : technique(style, values), at));
   const scene = backend.serviceFor({ shadowMaps: null, occlusion: null }).createScene({ kind: 'shaded', ambient: { value: 0.25 } });
   scene.update([list], [lights(sun([0.6, 0.8, 0.9]))]);
   layer.clear();
@@ -72,6 +72,33 @@ export async function picture(name: string, style: string, values: Values, shot:
   let text = '';
   for (let from = 0; from < pixels.length; from += 32768) text += String.fromCharCode(...pixels.subarray(from, from + 32768));
   return btoa(text);
+}
+
+/** How light a square of a picture is, as strokes and as a shaded model: linear luminance from 0 to 1. */
+export interface Tone {
+  readonly drawn: number;
+  readonly shaded: number;
+}
+
+/** The tones of each square of `sidePx` that is all on the model, in a style and without one. */
+export async function tones(name: string, style: string, values: Values, shot: Shot, sidePx: number): Promise<Tone[]> {
+  const [drawn, shaded] = [await draw(name, style, values, shot), await draw(name, null, {}, shot)];
+  const found: Tone[] = [];
+  for (let y = 0; y + sidePx <= shot.heightPx; y += sidePx) {
+    for (let x = 0; x + sidePx <= shot.widthPx; x += sidePx) {
+      const at = Array.from({ length: sidePx ** 2 }, (_, i) => ((y + Math.floor(i / sidePx)) * shot.widthPx + x + (i % sidePx)) * 4);
+      if (at.some((i) => (shaded[i + 3] ?? 0) < 255)) continue;
+      const mean = (pixels: Uint8Array): number => at.reduce((sum, i) => sum + linear(pixels[i + 1] ?? 0) / at.length, 0);
+      found.push({ drawn: mean(drawn), shaded: mean(shaded) });
+    }
+  }
+  return found;
+}
+
+/** Linear light of an sRGB step (IEC 61966-2-1). */
+function linear(step: number): number {
+  const value = step / 255;
+  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
 }
 
 /** The strokes in a square of a picture. */

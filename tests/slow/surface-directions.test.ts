@@ -4,7 +4,7 @@ import { describe, expect, test } from '@jest/globals';
 import { useModule } from '../support/browser.ts';
 import { encodeImage, fromGl } from '../support/image.ts';
 import { describeWithData } from '../support/shared-data.ts';
-import type { Shot, Square } from './model-styles.page.ts';
+import type { Shot, Square, Tone } from './model-styles.page.ts';
 
 /** Strokes of hatching against the form of what they are on; the pictures are kept in `tests/output/surface-directions`. */
 
@@ -55,6 +55,23 @@ describe('strokes along the curvature', () => {
     expect(off.length).toBeGreaterThan(80);
     expect(quantile(off, 0.5)).toBeLessThan(8);
     expect(quantile(off, 0.9)).toBeLessThan(25);
+  });
+});
+
+describe('tones of strokes', () => {
+  test('can be told apart at 480 × 360: six steps of light on a torus are six of paper, in order', async () => {
+    const shot = around(2.5, 1.4, { widthPx: 480, heightPx: 360 });
+    const all = await page.call<Tone[]>('tones', 'torus', 'hatching', BLACK, shot, 12);
+    all.sort((a, b) => a.shaded - b.shaded);
+    const steps = Array.from({ length: 6 }, (_, i) => all.slice((i * all.length) / 6, ((i + 1) * all.length) / 6));
+    const mean = (step: readonly Tone[], of: (tone: Tone) => number): number => step.reduce((sum, tone) => sum + of(tone), 0) / step.length;
+    const paper = steps.map((step) => mean(step, ({ drawn }) => drawn));
+    const light = steps.map((step) => mean(step, ({ shaded }) => shaded));
+    expect(light[5]).toBeGreaterThan(4 * (light[0] ?? 1));
+    paper.forEach((part, i) => {
+      expect(Math.abs(part - (light[i] ?? 0))).toBeLessThan(0.05);
+      if (i > 0) expect(part - (paper[i - 1] ?? 1)).toBeGreaterThan(0.6 * ((light[i] ?? 0) - (light[i - 1] ?? 0)));
+    });
   });
 });
 
