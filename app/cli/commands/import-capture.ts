@@ -67,7 +67,7 @@ export const importCaptureCommand: Command = {
     triangles: {
       type: 'string',
       value: 'N',
-      doc: 'Reduces a mesh of the folder to so many triangles, as scrim simplify does. Default: it stays as it is.',
+      doc: 'Reduces the mesh of the folder to at most N triangles, as scrim simplify does. Default: the mesh is kept as it is.',
     },
     program: { type: 'string', value: 'NAME', doc: 'With --triangles: blender or instant-meshes. Default: blender.' },
     path: { type: 'string', value: 'PATH', doc: 'With --triangles: the executable file of that program.' },

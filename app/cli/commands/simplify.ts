@@ -25,7 +25,7 @@ export const simplifyCommand: Command = {
   project: 'required',
   operand: { word: 'MESH', doc: 'the file of the mesh, or the folder of a capture in a project' },
   options: {
-    triangles: { type: 'string', value: 'N', doc: 'The most triangles; Instant Meshes comes near.' },
+    triangles: { type: 'string', value: 'N', doc: 'Largest number of triangles. Instant Meshes only comes close to it.' },
     out: {
       type: 'string',
       value: 'FILE',

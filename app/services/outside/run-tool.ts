@@ -86,7 +86,7 @@ export async function runTool({ tool, args, log, limitMs, onLine, interrupted }:
   try {
     const ended = new Promise<number | string | null>((resolve, reject) => {
       child.on('error', ({ message }) =>
-        reject(refusal('SCR078', `${tool} does not start: ${message}.`, 'Install it anew, or name another file.')),
+        reject(refusal('SCR078', `${tool} does not start: ${message}.`, 'Install it again, or name another file.')),
       );
       child.on('close', (code, signal) => resolve(signal ?? code));
     });
@@ -102,7 +102,7 @@ export async function runTool({ tool, args, log, limitMs, onLine, interrupted }:
       'SCR078',
       `${name} ended ${how}: ${last.join(' ').trim() || 'it printed nothing'}`,
       [status === 'SIGKILL' && MEMORY_FIX, log && `Read ${log}.`].filter((text) => text).join(' ') ||
-        'Name another file, or install it anew.',
+        'Name another file, or install it again.',
     );
   } finally {
     clearTimeout(limit);
@@ -112,4 +112,4 @@ export async function runTool({ tool, args, log, limitMs, onLine, interrupted }:
   }
 }
 
-const MEMORY_FIX = 'Systems end programs for which memory does not suffice: use fewer or smaller photographs.';
+const MEMORY_FIX = 'The system may have ended it because memory ran out: use fewer or smaller photographs.';

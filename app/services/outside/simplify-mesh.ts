@@ -17,7 +17,7 @@ export interface SimplifyOptions {
   readonly program: Simplifier;
   /** Path of the program that the user named; null: that of its setting, or in PATH. */
   readonly path: string | null;
-  /** The most triangles of Blender; Instant Meshes comes near. */
+  /** Largest number of triangles. Instant Meshes only comes close to it. */
   readonly triangles: number;
   /** Whether to unwrap the surface into texture coordinates. Blender only. */
   readonly unwrap: boolean;

@@ -31,7 +31,7 @@ export async function stageFolder(editor: Editor, { name, files }: DroppedFolder
       addToast(editor.ui, {
         tone: 'error',
         text: `${name} has no photographs.`,
-        detail: 'A folder that is dropped has photographs (.jpg, .png) of a place. Drop other files one by one.',
+        detail: 'Drop a folder of photographs (.jpg, .png) of a place. Drop other files one by one.',
       });
       return;
     }
