@@ -110,7 +110,8 @@ async function show(
   });
   await refreshAssetFiles(editor);
   for (const warning of diagnostics as readonly Diagnostic[]) toastDiagnostic(editor.ui, warning);
-  const count = found === photographs ? `${found} photographs.` : `${found} of ${photographs} photographs: COLMAP found no cameras for the others.`;
+  const count =
+    found === photographs ? `${found} photographs.` : `${found} of ${photographs} photographs: COLMAP found no cameras for the others.`;
   addToast(editor.ui, {
     tone: 'success',
     text: `Added ${nameOf(path)}.`,
