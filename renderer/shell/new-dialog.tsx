@@ -2,10 +2,11 @@ import { useId, useState } from 'react';
 import { useStore } from 'zustand';
 import { useEditor } from '../state/editor/editor-context.ts';
 import { createProject } from '../state/files/files.ts';
-import { suggestFolder } from '../state/files/suggest-folder.ts';
+import { freeFolder, suggestFolder } from '../state/files/suggest-folder.ts';
 import { FormDialog } from '../ui/form-dialog.tsx';
 import { DialogError } from './dialog-error.tsx';
 import { FolderField } from './folder-field.tsx';
+import { useTakenFolders } from './use-taken-folders.ts';
 import './new-dialog.css';
 
 interface NewDialogProps {
@@ -23,7 +24,8 @@ export function NewDialog({ chosen, onClose }: NewDialogProps) {
   const [name, setName] = useState('My effect');
   /** The folder that the user typed; null while the folder follows the name. */
   const [typedPath, setTypedPath] = useState<string | null>(null);
-  const path = typedPath ?? suggestFolder(editor, name);
+  const taken = useTakenFolders();
+  const path = typedPath ?? freeFolder(suggestFolder(editor, name), taken);
   const [busy, setBusy] = useState(false);
   const ready = !busy && path.trim() !== '' && template !== '';
   const go = async () => {

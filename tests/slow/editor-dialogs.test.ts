@@ -1,3 +1,4 @@
+import { mkdir, rm } from 'node:fs/promises';
 import { basename, dirname, join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import type { Locator } from 'playwright-core';
@@ -96,6 +97,24 @@ test('folders are chosen from a list: the name of a new one stays, and an existi
   await opened.getByRole('button', { name: 'Open', exact: true }).click();
   await opened.waitFor({ state: 'detached' });
   await open.editor.settled();
+});
+
+test('a folder that exists is not suggested for a new project', async () => {
+  const { page, project } = open;
+  const made = page.getByRole('dialog', { name: 'New project' });
+  // The projects folder is that of the person who runs this test, so the name is one that nobody has.
+  const name = `taken-${basename(project)}`;
+  await run('New');
+  await made.getByRole('textbox', { name: 'Name' }).fill(name);
+  const first = await made.getByRole('textbox', { name: 'Folder' }).inputValue();
+  expect(basename(first)).toBe(name.toLowerCase());
+  await close(made);
+  await mkdir(first, { recursive: true });
+  await run('New');
+  await made.getByRole('textbox', { name: 'Name' }).fill(name);
+  await page.waitForFunction((path) => [...document.querySelectorAll('input')].some(({ value }) => value === path), `${first}-2`);
+  await close(made);
+  await rm(first, { recursive: true });
 });
 
 test('a folder without a project is refused in the dialog that opens projects', async () => {

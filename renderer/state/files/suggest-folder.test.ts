@@ -1,6 +1,6 @@
 import { expect, test } from '@jest/globals';
 import { openTestEditor } from '../../../tests/support/test-editor.ts';
-import { suggestFolder } from './suggest-folder.ts';
+import { freeFolder, suggestFolder } from './suggest-folder.ts';
 
 test('a folder is suggested in the projects folder, named after the title', async () => {
   const { editor } = await openTestEditor();
@@ -12,4 +12,9 @@ test('a folder is suggested in the projects folder, named after the title', asyn
   expect(suggestFolder(editor, 'A b')).toBe('C:\\Users\\me\\Scrim\\a-b');
   editor.document.setState({ projectsDir: '' });
   expect(suggestFolder(editor, 'A b')).toBe('');
+});
+
+test('a folder that is taken gets the next free number', () => {
+  expect(freeFolder('/Scrim/my-effect', new Set(['/Scrim/other']))).toBe('/Scrim/my-effect');
+  expect(freeFolder('/Scrim/my-effect', new Set(['/Scrim/my-effect', '/Scrim/my-effect-2']))).toBe('/Scrim/my-effect-3');
 });

@@ -11,6 +11,13 @@ export function suggestFolder({ document }: Pick<Editor, 'document'>, title: str
   return projectsDir === '' ? '' : `${projectsDir}${separator}${fileName(title)}${ending}`;
 }
 
+/** The folder, or the first of `PATH-2`, `PATH-3` and so on that is not taken. */
+export function freeFolder(path: string, taken: ReadonlySet<string>): string {
+  let free = path;
+  for (let number = 2; taken.has(free); number++) free = `${path}-${number}`;
+  return free;
+}
+
 /** Letters and digits of all scripts stay; everything else becomes one hyphen. */
 function fileName(title: string): string {
   const name = title
