@@ -111,7 +111,8 @@ export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Pla
       if (draggedWire === null || end.isValid === true || canceling.current) return;
       if (end.toHandle && borderOf(end.toHandle.nodeId) !== null) return;
       const client = clientOf(event);
-      if (wireUnder !== null && !end.toHandle && !rewiring.current) {
+      // Near a port that refuses it, the marked wire takes it.
+      if (wireUnder !== null && !rewiring.current) {
         const { x, y } = toCanvas(client);
         compositeOver(editor, draggedWire, wireUnder, { x: x - NODE_WIDTH / 2, y: y - HEADER_HEIGHT });
         return;

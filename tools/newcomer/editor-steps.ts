@@ -40,6 +40,32 @@ export function onWire(from: Point, to: Point, part = 0.5): Point {
   return { x: from.x + part * (to.x - from.x), y: from.y + part * (to.y - from.y) };
 }
 
+/**
+ * A point on the drawn wire into an input that no node covers, in client pixels; the one nearest the middle.
+ *
+ * @throws If nodes cover the whole wire, or there is none.
+ */
+export async function freePointOnWire(page: Page, from: string, input: string): Promise<Point> {
+  const point = await page.evaluate(
+    ({ wire }) => {
+      const path = document.querySelector<SVGPathElement>(wire);
+      const matrix = path?.getScreenCTM();
+      if (!path || !matrix) return null;
+      const parts = Array.from({ length: 19 }, (_, i) => (i + 1) / 20).sort((a, b) => Math.abs(a - 0.5) - Math.abs(b - 0.5));
+      for (const part of parts) {
+        const { x, y } = path.getPointAtLength(part * path.getTotalLength()).matrixTransform(matrix);
+        const all = document.elementsFromPoint(x, y);
+        if (all.some((e) => e.closest('.react-flow__edge') !== null) && !all.some((e) => e.closest('.react-flow__node') !== null))
+          return { x, y };
+      }
+      return null;
+    },
+    { wire: `.react-flow__edge[data-id^="${from}"][data-id$=".${input}"] .react-flow__edge-path` },
+  );
+  if (point === null) throw new Error(`No free point on a wire from “${from}” to “${input}” was found.`);
+  return point;
+}
+
 /** How the scripts with a model begin: a new project, in which a dropped model is seen. */
 export async function startWithModel({ page, model, project, onDone }: NewcomerOptions) {
   const hands = new Hands(page, onDone ?? (async () => {}));

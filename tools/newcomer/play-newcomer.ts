@@ -1,4 +1,4 @@
-import { type NewcomerOptions, onWire, startWithModel } from './editor-steps.ts';
+import { freePointOnWire, type NewcomerOptions, startWithModel } from './editor-steps.ts';
 import type { Interaction } from './hands.ts';
 
 /**
@@ -15,7 +15,7 @@ export async function playNewcomer(options: NewcomerOptions): Promise<readonly I
   await steps.insert(await output('scene', 'layer'), await input('over', 'top'), 'depth occlusion', 'depth-occlusion');
   await steps.grow(await output('transform', 'objects'), at(430, 700), 'shadow on floor', 'shadow');
   const clipped = await steps.port(options.page.locator('[data-node^="depth-occlusion"]').last(), 'layer', 'source');
-  const video = onWire(await output('video', 'layer'), await input('over', 'bottom'), 0.4);
+  const video = await freePointOnWire(options.page, 'video', 'bottom');
   await hands.drag('Composite it under the model', clipped, video);
   await options.page.waitForFunction(() => document.querySelectorAll('[data-node^="over"]').length === 2);
   await steps.exportTo(options.exportTo);
