@@ -159,14 +159,24 @@ describe('a layer of objects stays a texture', () => {
     expectReason({ effects: [['filter/holes']], sources: { 'holes.fs': discards } }, 'background');
   });
 
-  test.each(['gl_FragCoord.x / 300.0', 'isf_FragNormCoord.x', 'RENDERSIZE.x / 900.0', 'IMG_SIZE(inputImage).x / 900.0', 'dFdx(c.r)'])(
-    'where its reader computes with %s',
-    (value) => {
-      const text = own(`vec4 c = IMG_THIS_PIXEL(inputImage); gl_FragColor = vec4(c.rgb * ${value}, c.a);`);
-      const reason = value.startsWith('dFdx') ? 'elsewhere' : 'position';
-      expectReason({ effects: [['filter/placed']], sources: { 'placed.fs': text } }, reason);
-    },
-  );
+  test('where its reader needs more tables than every device has textures for', () => {
+    expect(isInMaterials(filteredScene({ effects: [['filter/curves']] }))).toBe(true);
+    expectReason({ effects: [['filter/curves'], ['filter/curves']] }, 'limits');
+  });
+
+  test.each([
+    'gl_FragCoord.x / 300.0',
+    'isf_FragNormCoord.x',
+    'RENDERSIZE.x / 900.0',
+    'IMG_SIZE(inputImage).x / 900.0',
+    'dFdx(c.r)',
+    'float(gl_FrontFacing)',
+    'gl_PointCoord.x',
+  ])('where its reader computes with %s', (value) => {
+    const text = own(`vec4 c = IMG_THIS_PIXEL(inputImage); gl_FragColor = vec4(c.rgb * ${value}, c.a);`);
+    const reason = value.startsWith('dFdx') ? 'elsewhere' : 'position';
+    expectReason({ effects: [['filter/placed']], sources: { 'placed.fs': text } }, reason);
+  });
 
   test('where its reader reads another image too', () => {
     const mixed = {
@@ -201,7 +211,7 @@ describe('a layer of objects stays a texture', () => {
   });
 
   test('for no other reason of its own', () => {
-    const known: readonly SeparateReason[] = ['elsewhere', 'unstable', 'viewed', 'switched'];
+    const known: readonly SeparateReason[] = ['elsewhere', 'limits', 'unstable', 'viewed', 'switched'];
     expect([...found].filter((reason) => !known.includes(reason)).sort()).toEqual(OBJECT_REASONS);
   });
 });

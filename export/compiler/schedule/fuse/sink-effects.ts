@@ -21,6 +21,15 @@ const OF_FRAME: ReadonlySet<BuiltinUniform> = new Set(['TIME', 'TIMEDELTA', 'FRA
 /** Nothing is known about textures, because the effects read none. */
 const NO_FACTS: LayerFacts = { hardEdged: new Set(), placed: new Set() };
 
+/** What a rasterizer tells of a triangle: a pass always draws the front of one. */
+const OF_TRIANGLE = /\bgl_(FrontFacing|PointCoord)\b/;
+
+/**
+ * The most tables that materials can read: those of one Curves node. With six maps of a glTF material, the environment, room depth and three
+ * shadows, these are the 16 textures that every device has.
+ */
+const MOST_TABLES = 5;
+
 /** A group of passes with the draw whose layer it reads. */
 interface Above {
   readonly passes: readonly ScheduledPass[];
@@ -130,6 +139,7 @@ function whySeparate({ passes, draw, layer }: Above, facts: Facts): SeparateReas
   if (!parts.every(ignoresPosition)) return 'position';
   if (!parts.every(keepsTransparent)) return 'background';
   if (layer.samples > 1) return 'samples';
+  if (new Set(passes.flatMap(({ samplers }) => samplers.flatMap(tableOf))).size > MOST_TABLES) return 'limits';
   const target = last.target === 'screen' ? null : targets.get(last.target);
   if (target === undefined || !isWhole(layer.size) || (target && !fits(target))) return 'size';
   // What the draw reads is complete before all draws.
@@ -150,9 +160,10 @@ function readsOthers({ samplers }: ScheduledPass, layer: ResourceId, passes: rea
 }
 
 /** Whether a pass computes the same color wherever its pixel is. */
-function ignoresPosition({ moves, usesFragCoord, projects, builtins, images }: PassParts): boolean {
+function ignoresPosition({ moves, usesFragCoord, projects, builtins, images, functions, body }: PassParts): boolean {
   const readsSize = images.some(({ uses }) => uses.has('size'));
-  return moves && !usesFragCoord && !projects && !readsSize && builtins.every((name) => OF_FRAME.has(name));
+  const readsTriangle = [...functions.lines, ...body.lines].some((line) => OF_TRIANGLE.test(line));
+  return moves && !usesFragCoord && !projects && !readsSize && !readsTriangle && builtins.every((name) => OF_FRAME.has(name));
 }
 
 /** Whether a pass hands alpha on, and multiplies its color with it: what is transparent stays so. */
