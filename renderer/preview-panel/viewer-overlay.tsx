@@ -1,4 +1,4 @@
-import type { KeyboardEvent, PointerEvent } from 'react';
+import { type KeyboardEvent, type PointerEvent, useState } from 'react';
 import { useStore } from 'zustand';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { layerTitle } from '../state/editor/layer-names.ts';
@@ -45,6 +45,7 @@ function Pinned() {
 function Wipe() {
   const { viewer } = useEditor();
   const split = useStore(viewer, (state) => state.split ?? 1);
+  const [pressed, setPressed] = useState(false);
   const move = (to: number) => viewer.setState({ split: Math.min(1, Math.max(0, to)) });
   const onPointerMove = (event: PointerEvent<HTMLElement>) => {
     const box = event.currentTarget.parentElement?.getBoundingClientRect();
@@ -66,10 +67,18 @@ function Wipe() {
       aria-valuemin={0}
       aria-valuemax={100}
       aria-valuenow={Math.round(split * 100)}
-      onPointerDown={(event) => event.currentTarget.setPointerCapture(event.pointerId)}
+      onPointerDown={(event) => {
+        event.currentTarget.setPointerCapture(event.pointerId);
+        setPressed(true);
+      }}
       onPointerMove={onPointerMove}
+      onLostPointerCapture={() => setPressed(false)}
+      onPointerUp={() => setPressed(false)}
       onKeyDown={onKeyDown}
-    />
+    >
+      {/* The frame of the preview belongs to another process, which would get the moves over it. */}
+      {pressed && <span className="look-wipe-cover" />}
+    </div>
   );
 }
 
