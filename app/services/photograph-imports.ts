@@ -1,4 +1,4 @@
-import { lstat, rm } from 'node:fs/promises';
+import { rm } from 'node:fs/promises';
 import { basename, dirname, join } from 'node:path';
 import { firstEye } from '../../export/captures/first-eye.ts';
 import { CaptureError, readCapture } from '../../nodes/kit/capture.ts';
@@ -14,7 +14,7 @@ import { hasCameras, readCameras } from './read-capture-folder.ts';
 import { readText } from './read-file.ts';
 import { openColmap } from './reconstruct/colmap.ts';
 import { guessedUnit } from './reconstruct/guessed-unit.ts';
-import { countPhotographs, type Reconstruction, reconstruct } from './reconstruct/reconstruct-photographs.ts';
+import { countPhotographs, isReconstructed, type Reconstruction, reconstruct } from './reconstruct/reconstruct-photographs.ts';
 import { ensureScrimFolder, SCRIM_FOLDER } from './scrim-folder.ts';
 
 /** Imports of photographs in the editor, one at a time per open project. Cameras that are missing are found by COLMAP. */
@@ -87,7 +87,8 @@ export function createPhotographImports(files: FileLayer): PhotographImports {
       const lines = batched(job.onLines);
       try {
         const folder = await realFolder(job.folder);
-        const made = (await hasCameras(folder)) && !(await isOurs(folder)) ? null : await findCameras(folder, job, interrupted, lines.add);
+        const made =
+          (await hasCameras(folder)) && !(await isReconstructed(folder)) ? null : await findCameras(folder, job, interrupted, lines.add);
         return await pack(folder, made, job, files, interrupted);
       } catch (error) {
         if (interrupted.aborted) return CANCELED;
@@ -142,11 +143,6 @@ async function findColmap(typed: string | null): Promise<string> {
     );
   }
   return findTool(COLMAP, typed);
-}
-
-/** Whether an earlier import found the cameras of a folder. */
-async function isOurs(folder: string): Promise<boolean> {
-  return (await lstat(join(folder, '.scrim-reconstruction')).catch(() => null))?.isDirectory() === true;
 }
 
 async function findCameras(

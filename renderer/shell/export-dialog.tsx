@@ -1,10 +1,11 @@
-import { type FormEvent, useId, useState } from 'react';
+import { useId, useState } from 'react';
 import { useStore } from 'zustand';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { cancelExport, exportPage } from '../state/files/export-page.ts';
 import { suggestFolder } from '../state/files/suggest-folder.ts';
 import { Button } from '../ui/button.tsx';
 import { Dialog } from '../ui/dialog.tsx';
+import { DialogForm } from '../ui/dialog-form.tsx';
 import { ExportErrors } from './export-errors.tsx';
 import { ExportPoster, usePoster } from './export-poster.tsx';
 import { FolderField } from './folder-field.tsx';
@@ -51,16 +52,10 @@ export function ExportDialog({ onClose }: { readonly onClose: () => void }) {
         </>
       }
     >
-      <form
-        className="dialog-form"
-        onSubmit={(event: FormEvent) => {
-          event.preventDefault();
-          go();
-        }}
-      >
+      <DialogForm action="Export" onGo={go}>
         <FolderField id={id} label="Folder" path={path} example="/home/me/pages/my-effect" purpose="export" onChange={setPath} />
         <p className="dialog-note">A folder of static files for any web server. It must be new, empty, or an earlier export.</p>
-      </form>
+      </DialogForm>
       <ExportPoster poster={poster} busy={exporting !== null} />
       <ExportErrors onShow={onClose} />
     </Dialog>

@@ -1,4 +1,4 @@
-import { type FormEvent, useEffect, useId, useRef, useState } from 'react';
+import { useEffect, useId, useRef, useState } from 'react';
 import { useStore } from 'zustand';
 
 import { type FolderLook, importPhotographs, lookIntoFolder } from '../state/acquisition/import-photographs.ts';
@@ -8,6 +8,7 @@ import type { PhotographImport, PhotographStep } from '../state/editor/ui.ts';
 import { cancelExport } from '../state/files/export-page.ts';
 import { Button } from '../ui/button.tsx';
 import { Dialog } from '../ui/dialog.tsx';
+import { DialogForm } from '../ui/dialog-form.tsx';
 import { ChoiceField, TextField } from '../ui/form-fields.tsx';
 import { Icon } from '../ui/icon.tsx';
 import type { SelectOption } from '../ui/select-field.tsx';
@@ -76,13 +77,7 @@ export function PhotographsDialog({ folder: given, onClose }: { readonly folder:
         </>
       }
     >
-      <form
-        className="dialog-form"
-        onSubmit={(event: FormEvent) => {
-          event.preventDefault();
-          go();
-        }}
-      >
+      <DialogForm action="Import" onGo={go}>
         <FolderField
           id={`${id}-folder`}
           label="Folder"
@@ -113,8 +108,7 @@ export function PhotographsDialog({ folder: given, onClose }: { readonly folder:
         <p className="dialog-note" role="status">
           {lookWords(look)}
         </p>
-        <button type="submit" hidden aria-label="Import" />
-      </form>
+      </DialogForm>
       {last !== null && <Progress of={last} />}
     </Dialog>
   );

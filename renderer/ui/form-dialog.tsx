@@ -1,6 +1,7 @@
-import type { FormEvent, ReactNode } from 'react';
+import type { ReactNode } from 'react';
 import { Button } from './button.tsx';
 import { Dialog } from './dialog.tsx';
+import { DialogForm } from './dialog-form.tsx';
 
 interface FormDialogProps {
   readonly title: string;
@@ -39,17 +40,9 @@ export function FormDialog({ title, action, ready, onGo, onClose, wide = false, 
         </>
       }
     >
-      <form
-        className="dialog-form"
-        onSubmit={(event: FormEvent) => {
-          event.preventDefault();
-          go();
-        }}
-      >
+      <DialogForm action={action} onGo={go}>
         {children}
-        {/* Without a submit button, Enter submits only forms with a single field. */}
-        <button type="submit" hidden aria-label={action} />
-      </form>
+      </DialogForm>
     </Dialog>
   );
 }

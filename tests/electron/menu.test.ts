@@ -1,13 +1,10 @@
-import { cp, mkdtemp, rm } from 'node:fs/promises';
+import { mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
-import { join, resolve } from 'node:path';
+import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import type { ElectronApplication, Page } from 'playwright-core';
-import { collectErrors } from '../support/browser.ts';
-import { describeElectron, editorWindow, findElectron, playedTwiceAfterFault } from '../support/electron.ts';
+import { describeElectron, findElectron, openFirstLight, playedTwiceAfterFault } from '../support/electron.ts';
 import { eventually } from '../support/patience.ts';
-
-const ROOT = resolve(import.meta.dirname, '../..');
 
 interface ShownItem {
   readonly label: string;
@@ -56,12 +53,7 @@ describeElectron('the window’s menu in Electron', await findElectron(), (launc
   test('mirrors the editor’s menus, its keys and what can be done, and does each thing once', async () => {
     await playedTwiceAfterFault(launch, async (launchWatched) => {
       const project = join(base, 'project');
-      await rm(project, { recursive: true, force: true });
-      await cp(join(ROOT, 'examples', 'first-light'), project, { recursive: true });
-      const app = await launchWatched([join(ROOT, 'dist', 'electron', 'main.cjs'), `--open=${project}`]);
-      const page = await editorWindow(app);
-      const errors = collectErrors(page);
-      await page.setViewportSize({ width: 1440, height: 900 });
+      const { app, page, errors } = await openFirstLight(launchWatched, project);
       await nodes(page).first().waitFor();
 
       const labels = await app.evaluate(({ Menu }) => Menu.getApplicationMenu()?.items.map(({ label }) => label));

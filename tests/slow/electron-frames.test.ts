@@ -1,29 +1,20 @@
-import { cp, mkdtemp, readdir, readFile, rm, stat, writeFile } from 'node:fs/promises';
+import { mkdtemp, readdir, readFile, rm, stat, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
-import { join, resolve } from 'node:path';
+import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { ALL_FORMATS, BufferSource, Input } from 'mediabunny';
 import type { ElectronApplication, Page } from 'playwright-core';
-import { collectErrors } from '../support/browser.ts';
 import { chooseOption } from '../support/choose-option.ts';
 import { EditorDriver } from '../support/editor-driver.ts';
-import { describeElectron, editorWindow, findElectron, playedTwiceAfterFault } from '../support/electron.ts';
+import { chooseInMenu, describeElectron, findElectron, openFirstLight, playedTwiceAfterFault } from '../support/electron.ts';
 import { decodeImage } from '../support/image.ts';
 import { eventually } from '../support/patience.ts';
-
-const ROOT = resolve(import.meta.dirname, '../..');
 
 const dialog = (page: Page) => page.getByRole('dialog', { name: 'Render frames' });
 
 /** Opens the dialog by the window's own menu, and fills it in. */
 async function ask(app: ElectronApplication, page: Page, fields: Readonly<Record<string, string>>): Promise<void> {
-  await eventually(() =>
-    app.evaluate(({ Menu }) => {
-      const item = Menu.getApplicationMenu()?.getMenuItemById('file.render');
-      if (!item?.enabled) throw new Error('Frames cannot be rendered yet.');
-      item.click();
-    }),
-  );
+  await chooseInMenu(app, 'file.render');
   await dialog(page).waitFor();
   for (const [name, text] of Object.entries({ Width: '160', Height: '120', ...fields })) {
     await dialog(page).getByRole('textbox', { name, exact: true }).fill(text);
@@ -52,11 +43,7 @@ describeElectron('rendering frames in Electron', await findElectron(), (launch) 
     await playedTwiceAfterFault(launch, async (launchWatched) => {
       const [project, frames, video] = [join(base, 'project'), join(base, 'frames'), join(base, 'film.video')];
       for (const path of [project, frames, video]) await rm(path, { recursive: true, force: true });
-      await cp(join(ROOT, 'examples', 'first-light'), project, { recursive: true });
-      const app = await launchWatched([join(ROOT, 'dist', 'electron', 'main.cjs'), `--open=${project}`]);
-      const page = await editorWindow(app);
-      const errors = collectErrors(page);
-      await page.setViewportSize({ width: 1440, height: 900 });
+      const { app, page, errors } = await openFirstLight(launchWatched, project);
       await page.locator('.react-flow__node').first().waitFor();
       await answerDialogs(app, frames, video);
       await new EditorDriver(page).settled();

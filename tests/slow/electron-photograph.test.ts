@@ -1,27 +1,11 @@
-import { cp, mkdtemp, readFile, rm } from 'node:fs/promises';
+import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
-import { join, resolve } from 'node:path';
+import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
-import type { ElectronApplication } from 'playwright-core';
 import { readCapture } from '../../nodes/kit/capture.ts';
-import { collectErrors } from '../support/browser.ts';
 import { chooseOption } from '../support/choose-option.ts';
 import { EditorDriver } from '../support/editor-driver.ts';
-import { describeElectron, editorWindow, findElectron, playedTwiceAfterFault } from '../support/electron.ts';
-import { eventually } from '../support/patience.ts';
-
-const ROOT = resolve(import.meta.dirname, '../..');
-
-/** Presses an entry of the window's own menu. */
-function choose(app: ElectronApplication, id: string): Promise<void> {
-  return eventually(() =>
-    app.evaluate(({ Menu }, wanted) => {
-      const item = Menu.getApplicationMenu()?.getMenuItemById(wanted);
-      if (!item?.enabled) throw new Error(`${wanted} is not enabled yet.`);
-      item.click();
-    }, id),
-  );
-}
+import { chooseInMenu, describeElectron, findElectron, openFirstLight, playedTwiceAfterFault } from '../support/electron.ts';
 
 describeElectron('photographs of a scene in Electron', await findElectron(), (launch) => {
   let base = '';
@@ -33,16 +17,11 @@ describeElectron('photographs of a scene in Electron', await findElectron(), (la
   test('become a capture, which is rephotographed', async () => {
     await playedTwiceAfterFault(launch, async (launchWatched) => {
       const project = join(base, 'project');
-      await rm(project, { recursive: true, force: true });
-      await cp(join(ROOT, 'examples', 'first-light'), project, { recursive: true });
-      const app = await launchWatched([join(ROOT, 'dist', 'electron', 'main.cjs'), `--open=${project}`]);
-      const page = await editorWindow(app);
-      const errors = collectErrors(page);
-      await page.setViewportSize({ width: 1440, height: 900 });
+      const { app, page, errors } = await openFirstLight(launchWatched, project);
       await page.locator('.react-flow__node').first().waitFor();
       await new EditorDriver(page).settled();
 
-      await choose(app, 'file.photograph');
+      await chooseInMenu(app, 'file.photograph');
       const dialog = page.getByRole('dialog', { name: 'Photograph the scene' });
       await dialog.waitFor();
       await chooseOption(dialog.getByRole('combobox', { name: 'Layer' }), 'scene-s6ne.layer');
@@ -55,7 +34,7 @@ describeElectron('photographs of a scene in Electron', await findElectron(), (la
       const { views } = readCapture(await readFile(join(project, 'assets/Robot.capture/capture.json'), 'utf8'));
       expect(views.map(({ widthPx, heightPx }) => [widthPx, heightPx])).toEqual(Array.from({ length: 4 }, () => [64, 48]));
 
-      await choose(app, 'file.rephotograph');
+      await chooseInMenu(app, 'file.rephotograph');
       const form = page.getByRole('dialog', { name: 'Rephotograph a capture' });
       await form.getByRole('button', { name: 'Rephotograph' }).click();
       const result = page.getByRole('dialog', { name: 'Robot.capture, rephotographed' });

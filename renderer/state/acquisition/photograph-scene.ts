@@ -2,11 +2,11 @@ import { putAsset } from '../../../export/graph/commands/asset-commands.ts';
 import { makeAssetId } from '../../../export/graph/document-names.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import { apply } from '../document/apply.ts';
-import type { Editor, FrameRenderQuestion } from '../editor/editor.ts';
+import type { Editor } from '../editor/editor.ts';
 import { addToast, toastDiagnostic } from '../editor/ui.ts';
 import { nameOf, refreshAssetFiles } from '../files/edit-assets.ts';
 import { showRefusal } from '../files/files.ts';
-import { cancellation, isCancelled, readyProgram, showFailure, showProgress, unwrap } from '../preview/drawn-work.ts';
+import { CANCELED, isCancelled, playDrawnWork, readyProgram, showProgress } from '../preview/drawn-work.ts';
 import type { AcquisitionPlan } from './acquisition-form.ts';
 
 /**
@@ -20,52 +20,42 @@ export async function photographScene(editor: Editor, { name, camera, poses }: A
   if (open === null || editor.ui.getState().exporting !== null) return null;
   const ready = readyProgram(editor, 'The project has problems. Fix them, then take photographs.');
   if (ready === null) return null;
-  const link = editor.renderPage.open?.();
-  if (!link) return null;
   const { handle, assetBaseUrl } = open;
-  editor.ui.setState({ exporting: { handle, text: 'Loading the scene…', cancelled: false, frames: true }, dialog: null });
-  const stopped = cancellation(editor);
-  /** Sends a message to the page; resolves to null if the user cancels. */
-  const ask = (message: FrameRenderQuestion) => Promise.race([link.ask(message), stopped.promise]);
-  let begun = false;
-  try {
-    await editor.host.call('capture.begin', { handle, name, camera, poses: poses.map((pose) => [...pose]) });
-    begun = true;
-    if (unwrap(await ask({ kind: 'photographs-begin', request: { ...ready, assetBaseUrl, layer } })) === null)
-      return reportCanceled(editor);
-    for (const [index, worldFromCamera] of poses.entries()) {
-      showProgress(editor, `Photograph ${index + 1} of ${poses.length}`);
-      const answer = unwrap(await ask({ kind: 'photograph', camera, worldFromCamera }));
-      if (answer?.kind !== 'photographed' || answer.photograph === null) return reportCanceled(editor);
-      const { color, depth } = answer.photograph;
-      await editor.host.call('capture.add', {
-        handle,
-        index,
-        colorSize: { widthPx: color.widthPx, heightPx: color.heightPx },
-        rgba: color.pixels,
-        depthSize: { widthPx: depth.widthPx, heightPx: depth.heightPx },
-        meters: new Uint8Array(depth.meters.buffer),
-      });
-    }
-    if (isCancelled(editor)) return reportCanceled(editor);
-    showProgress(editor, 'Packing photographs…');
-    // The host deletes the photographs at the end, and when it fails.
-    begun = false;
-    void stopped.promise.then(() => cancelOnHost(editor, handle));
-    const { path, diagnostics } = await editor.host.call('capture.finish', { handle });
-    if (path === null || editor.document.getState().open?.handle !== handle) return reportCanceled(editor);
-    return await addCapture(editor, path, diagnostics as readonly Diagnostic[]);
-  } catch (error) {
-    // The host ends the work of a project that is closed.
-    if (editor.document.getState().open?.handle !== handle) return reportCanceled(editor);
-    showFailure(editor, error);
-    return null;
-  } finally {
-    stopped.dispose();
-    link.close();
-    editor.ui.setState({ exporting: null });
-    if (begun) await cancelOnHost(editor, handle);
-  }
+  const cancelOnHost = () => editor.host.call('capture.cancel', { handle });
+  return playDrawnWork(editor, {
+    handle,
+    text: 'Loading the scene…',
+    cancelOnHost,
+    reportCanceled: () => addToast(editor.ui, { tone: 'info', text: 'Photographs canceled.', detail: 'Nothing was added.' }),
+    run: async (page) => {
+      editor.ui.setState({ dialog: null });
+      await editor.host.call('capture.begin', { handle, name, camera, poses: poses.map((pose) => [...pose]) });
+      page.isOnHost = true;
+      if ((await page.ask({ kind: 'photographs-begin', request: { ...ready, assetBaseUrl, layer } })) === null) return CANCELED;
+      for (const [index, worldFromCamera] of poses.entries()) {
+        showProgress(editor, `Photograph ${index + 1} of ${poses.length}`);
+        const answer = await page.ask({ kind: 'photograph', camera, worldFromCamera });
+        if (answer?.kind !== 'photographed' || answer.photograph === null) return CANCELED;
+        const { color, depth } = answer.photograph;
+        await editor.host.call('capture.add', {
+          handle,
+          index,
+          colorSize: { widthPx: color.widthPx, heightPx: color.heightPx },
+          rgba: color.pixels,
+          depthSize: { widthPx: depth.widthPx, heightPx: depth.heightPx },
+          meters: new Uint8Array(depth.meters.buffer),
+        });
+      }
+      if (isCancelled(editor)) return CANCELED;
+      showProgress(editor, 'Packing photographs…');
+      // The host deletes the photographs at the end, and when it fails.
+      page.isOnHost = false;
+      void page.canceled.then(cancelOnHost).catch((error: unknown) => showRefusal(editor, error));
+      const { path, diagnostics } = await editor.host.call('capture.finish', { handle });
+      if (path === null || editor.document.getState().open?.handle !== handle) return CANCELED;
+      return addCapture(editor, path, diagnostics as readonly Diagnostic[]);
+    },
+  });
 }
 
 async function addCapture(editor: Editor, path: string, warnings: readonly Diagnostic[]): Promise<string | null> {
@@ -79,13 +69,4 @@ async function addCapture(editor: Editor, path: string, warnings: readonly Diagn
   for (const warning of warnings) toastDiagnostic(editor.ui, warning);
   addToast(editor.ui, { tone: 'success', text: `Added ${nameOf(path)} to the assets.`, detail: 'Its button + adds a node that shows it.' });
   return added;
-}
-
-async function cancelOnHost(editor: Editor, handle: string): Promise<void> {
-  await editor.host.call('capture.cancel', { handle }).catch((error: unknown) => showRefusal(editor, error));
-}
-
-function reportCanceled({ ui }: Editor): null {
-  addToast(ui, { tone: 'info', text: 'Photographs canceled.', detail: 'Nothing was added.' });
-  return null;
 }

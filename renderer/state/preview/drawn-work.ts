@@ -1,7 +1,7 @@
 import type { Program } from '../../../export/program/program.ts';
 import { type Diagnostic, hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import type { FrameRenderRequest } from '../../preview-protocol.ts';
-import type { Editor, FrameRenderAnswer } from '../editor/editor.ts';
+import type { Editor, FrameRenderAnswer, FrameRenderQuestion } from '../editor/editor.ts';
 import { addToast, toastDiagnostic } from '../editor/ui.ts';
 import { showRefusal } from '../files/files.ts';
 
@@ -30,6 +30,67 @@ export function readyProgram(editor: Editor, problems: string): ReadyProgram | n
   return { program, values: laterValues.map(({ node, param, value }) => ({ node, param, value })) };
 }
 
+/** What work by a page of its own needs. */
+export interface DrawnWork<Done> {
+  /** Handle of the project. */
+  readonly handle: string;
+  /** Shown until the first progress. */
+  readonly text: string;
+  /** Deletes what the host has of unfinished work. Called at the end if `isOnHost` is set. */
+  readonly cancelOnHost: () => Promise<unknown>;
+  /** Tells that the user canceled, or closed the project. */
+  readonly reportCanceled: () => void;
+  /** Does the work. */
+  readonly run: (page: DrawingPage) => Promise<Done | typeof CANCELED>;
+}
+
+/** The page while it works. */
+export interface DrawingPage {
+  /** Sends a message to the page; resolves to null if the user cancels. Throws if the page fails. */
+  ask(message: FrameRenderQuestion): Promise<DrawnAnswer | null>;
+  /** Resolves when the user cancels. */
+  readonly canceled: Promise<null>;
+  /** Whether the host has unfinished work. */
+  isOnHost: boolean;
+}
+
+/** The result of work that the user canceled. */
+export const CANCELED = Symbol('canceled');
+
+/**
+ * Works with a hidden page that draws, until it is done, fails or is canceled; shows failures, and tells that the user canceled. One work at a
+ * time.
+ *
+ * @returns What `run` returns; null if the user canceled, it failed, or there is no such page.
+ */
+export async function playDrawnWork<Done>(editor: Editor, { handle, text, cancelOnHost, reportCanceled, run }: DrawnWork<Done>) {
+  const link = editor.renderPage.open?.();
+  if (!link) return null;
+  editor.ui.setState({ exporting: { handle, text, cancelled: false, frames: true } });
+  const stopped = cancellation(editor);
+  const page: DrawingPage = {
+    ask: async (message) => unwrap(await Promise.race([link.ask(message), stopped.promise])),
+    canceled: stopped.promise,
+    isOnHost: false,
+  };
+  try {
+    const done = await run(page);
+    if (done !== CANCELED) return done;
+    reportCanceled();
+    return null;
+  } catch (error) {
+    // The host ends the work of a project that is closed.
+    if (editor.document.getState().open?.handle === handle) showFailure(editor, error);
+    else reportCanceled();
+    return null;
+  } finally {
+    stopped.dispose();
+    link.close();
+    editor.ui.setState({ exporting: null });
+    if (page.isOnHost) await cancelOnHost().catch((error: unknown) => showRefusal(editor, error));
+  }
+}
+
 /** A failure of the page that draws. */
 class DrawnWorkError extends Error {
   readonly diagnostic: Diagnostic;
@@ -40,8 +101,10 @@ class DrawnWorkError extends Error {
   }
 }
 
+type DrawnAnswer = Exclude<FrameRenderAnswer, { kind: 'render-failed' }>;
+
 /** The answer of the page. Throws what `showFailure` shows if the page failed. */
-export function unwrap(answer: FrameRenderAnswer | null): Exclude<FrameRenderAnswer, { kind: 'render-failed' }> | null {
+function unwrap(answer: FrameRenderAnswer | null): DrawnAnswer | null {
   if (answer?.kind === 'render-failed') throw new DrawnWorkError(answer.diagnostic);
   return answer;
 }

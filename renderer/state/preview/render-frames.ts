@@ -1,11 +1,10 @@
 import { isHistoryDependent } from '../../../export/program/history-dependence.ts';
 import { type FrameTimes, timeOfFrame } from '../../../nodes/kit/frame-times.ts';
 import type { FrameRenderRequest, FrameRenderSource, PreviewSource } from '../../preview-protocol.ts';
-import type { Editor, FrameRenderQuestion } from '../editor/editor.ts';
+import type { Editor } from '../editor/editor.ts';
 import { chosenSource, type FrameRange, towardsLight } from '../editor/preview-state.ts';
 import { addToast } from '../editor/ui.ts';
-import { showRefusal } from '../files/files.ts';
-import { cancellation, isCancelled, readyProgram, showFailure, showProgress, unwrap } from './drawn-work.ts';
+import { CANCELED, isCancelled, playDrawnWork, readyProgram, showProgress } from './drawn-work.ts';
 import { previewSource } from './preview-source.ts';
 
 /** Options of a frame render. */
@@ -101,8 +100,6 @@ export async function renderFrames(editor: Editor, options: FrameRenderOptions):
   const ready = readyProgram(editor, 'The project has problems. Fix them, then render again.');
   if (ready === null) return false;
   const { program, values } = ready;
-  const link = editor.renderPage.open?.();
-  if (!link) return false;
   const { handle } = open;
   const { what, widthPx, heightPx, frameRateHz, out } = options;
   const rateHz = over.kind === 'room' ? over.frameRateHz : (frameRateHz ?? (frames ? rateOf(frames) : 0));
@@ -112,51 +109,43 @@ export async function renderFrames(editor: Editor, options: FrameRenderOptions):
     over.kind === 'room' || frames === null
       ? planRoomFrames(options.range, rateHz)
       : planFrames(frames, options.range, frameRateHz, isHistoryDependent(program));
-  editor.ui.setState({ exporting: { handle, text: 'Preparing…', cancelled: false, frames: true } });
-  let begun = false;
-  const stopped = cancellation(editor);
-  /** Sends a message to the page; resolves to null if the user cancels. */
-  const ask = (message: FrameRenderQuestion) => Promise.race([link.ask(message), stopped.promise]);
-  try {
-    if (what === 'pictures') {
-      await editor.host.call('frames.begin', { handle, out, widthPx, heightPx });
-      begun = true;
-    }
-    // A folder that is refused is an error of the dialog.
-    editor.ui.setState({ dialog: null });
-    if (unwrap(await ask({ kind: 'render-begin', request })) === null) return reportCanceled(editor);
-    const kept = plan.filter(({ keep }) => keep).length;
-    let done = 0;
-    for (const { timeS, number, keep } of plan) {
-      if (keep) showProgress(editor, `Frame ${++done} of ${kept}`);
-      else showProgress(editor, 'Playing earlier frames…');
-      const answer = unwrap(await ask({ kind: 'render-frame', timeS, keep }));
-      if (answer === null) return reportCanceled(editor);
-      if (answer.kind === 'frame-rendered' && answer.frame) await editor.host.call('frames.add', { handle, number, rgba: answer.frame });
-    }
-    if (isCancelled(editor)) return reportCanceled(editor);
-    if (what === 'video') {
-      const answer = unwrap(await ask({ kind: 'render-end' }));
-      if (answer?.kind !== 'render-finished' || answer.file === null) return reportCanceled(editor);
-      saveVideo(editor, answer.file);
+  const done = await playDrawnWork(editor, {
+    handle,
+    text: 'Preparing…',
+    cancelOnHost: () => editor.host.call('frames.cancel', { handle }),
+    reportCanceled: () => addToast(editor.ui, { tone: 'info', text: 'Rendering canceled.', detail: 'Nothing was written.' }),
+    run: async (page) => {
+      if (what === 'pictures') {
+        await editor.host.call('frames.begin', { handle, out, widthPx, heightPx });
+        page.isOnHost = true;
+      }
+      // A folder that is refused is an error of the dialog.
+      editor.ui.setState({ dialog: null });
+      if ((await page.ask({ kind: 'render-begin', request })) === null) return CANCELED;
+      const kept = plan.filter(({ keep }) => keep).length;
+      let count = 0;
+      for (const { timeS, number, keep } of plan) {
+        if (keep) showProgress(editor, `Frame ${++count} of ${kept}`);
+        else showProgress(editor, 'Playing earlier frames…');
+        const answer = await page.ask({ kind: 'render-frame', timeS, keep });
+        if (answer === null) return CANCELED;
+        if (answer.kind === 'frame-rendered' && answer.frame) await editor.host.call('frames.add', { handle, number, rgba: answer.frame });
+      }
+      if (isCancelled(editor)) return CANCELED;
+      if (what === 'video') {
+        const answer = await page.ask({ kind: 'render-end' });
+        if (answer?.kind !== 'render-finished' || answer.file === null) return CANCELED;
+        saveVideo(editor, answer.file);
+        return true;
+      }
+      page.isOnHost = false;
+      const { title } = editor.document.getState().project;
+      const written = await editor.host.call('frames.finish', { handle, title, frameRateHz: rateHz });
+      addToast(editor.ui, { tone: 'success', text: `Rendered ${counted(written.pictures)} to ${written.out}.` });
       return true;
-    }
-    begun = false;
-    const { title } = editor.document.getState().project;
-    const written = await editor.host.call('frames.finish', { handle, title, frameRateHz: rateHz });
-    addToast(editor.ui, { tone: 'success', text: `Rendered ${counted(written.pictures)} to ${written.out}.` });
-    return true;
-  } catch (error) {
-    // The host ends the work of a project that is closed.
-    if (editor.document.getState().open?.handle !== handle) return reportCanceled(editor);
-    showFailure(editor, error);
-    return false;
-  } finally {
-    stopped.dispose();
-    link.close();
-    editor.ui.setState({ exporting: null });
-    if (begun) await editor.host.call('frames.cancel', { handle }).catch((error: unknown) => showRefusal(editor, error));
-  }
+    },
+  });
+  return done !== null;
 }
 
 /** The source of the frame render: that of the preview; for a room with its current camera pose and light. */
@@ -188,11 +177,6 @@ function saveVideo(editor: Editor, file: Blob): void {
   const name = `${title.trim() === '' ? 'Video' : title}.${file.type === 'video/mp4' ? 'mp4' : 'webm'}`;
   editor.keepFile(file, name);
   addToast(editor.ui, { tone: 'success', text: `Saved ${name} to your downloads.` });
-}
-
-function reportCanceled({ ui }: Editor): false {
-  addToast(ui, { tone: 'info', text: 'Rendering canceled.', detail: 'Nothing was written.' });
-  return false;
 }
 
 function counted(frames: number): string {
