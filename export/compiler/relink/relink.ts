@@ -48,7 +48,7 @@ export function relink(last: Compilation, input: CompilationInput, shaders: Shad
   const passes = new Map(links.flatMap(({ known, made }) => replacements(known, made)));
   const log: ReadLog = {
     ...last.log,
-    texts: new Map([...last.log.texts].map(([name, text]) => [name, edited.get(name) ?? text])),
+    texts: new Map([...last.log.texts].map(([name, text]) => [name, edited.has(name) ? edited.get(name) : text])),
     links: new Map([...last.log.links].map(([known, request]) => [links.find((link) => link.known === known)?.made ?? known, request])),
   };
   const operations = last.schedule.operations.map((operation) => {
