@@ -20,17 +20,18 @@ export function DialogError() {
   const error = useStore(ui, ({ toasts }) => [...toasts].reverse().find((toast) => toast.tone === 'error' && !earlier.has(toast)) ?? null);
   const id = error?.id ?? null;
   useEffect(() => (id === null ? undefined : () => removeToast(ui, id)), [ui, id]);
+  return <div role="alert">{error !== null && <ErrorText text={error.text} detail={error.detail} />}</div>;
+}
+
+/** An error inside a dialog, with what to do. */
+export function ErrorText({ text, detail }: { readonly text: string; readonly detail: string | undefined }) {
   return (
-    <div role="alert">
-      {error !== null && (
-        <div className="dialog-error">
-          <Icon name="error" />
-          <p>
-            {error.text}
-            {error.detail !== undefined && <span> {error.detail}</span>}
-          </p>
-        </div>
-      )}
+    <div className="dialog-error">
+      <Icon name="error" />
+      <p>
+        {text}
+        {detail !== undefined && <span> {detail}</span>}
+      </p>
     </div>
   );
 }

@@ -1,6 +1,5 @@
 import { useEffect, useId, useRef, useState } from 'react';
 import { useStore } from 'zustand';
-
 import { type FolderLook, importPhotographs, lookIntoFolder } from '../state/acquisition/import-photographs.ts';
 import { canvasCenter } from '../state/commands/command-actions.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
@@ -10,11 +9,10 @@ import { Button } from '../ui/button.tsx';
 import { Dialog } from '../ui/dialog.tsx';
 import { DialogForm } from '../ui/dialog-form.tsx';
 import { ChoiceField, TextField } from '../ui/form-fields.tsx';
-import { Icon } from '../ui/icon.tsx';
 import type { SelectOption } from '../ui/select-field.tsx';
+import { ErrorText } from './dialog-error.tsx';
 import { ExportProgress } from './export-dialog.tsx';
 import { FolderField } from './folder-field.tsx';
-import './dialog-error.css';
 import './photographs-dialog.css';
 
 const STEPS: readonly { readonly step: PhotographStep; readonly label: string }[] = [
@@ -167,12 +165,8 @@ function Progress({ of: { step, lines, error } }: { readonly of: PhotographImpor
       </ol>
       <textarea ref={log} className="field scroll" aria-label="Output of COLMAP" readOnly value={lines.join('\n')} />
       {error !== null && (
-        <div className="dialog-error" role="alert">
-          <Icon name="error" />
-          <p>
-            {error.message}
-            {error.fix !== undefined && <span> {error.fix}</span>}
-          </p>
+        <div role="alert">
+          <ErrorText text={error.message} detail={error.fix} />
         </div>
       )}
     </section>
