@@ -18,6 +18,7 @@ import { graphOf, layoutOf, nodeOf, titleOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { selectOnly } from '../editor/selection.ts';
 import { fitEncodings } from './fit-encodings.ts';
+import { placeFreely } from './free-places.ts';
 import { placesAfterInsert } from './insert-spacing.ts';
 import { fittingPort } from './palette-search.ts';
 import { findStretch } from './reroutes.ts';
@@ -174,6 +175,7 @@ export function compositeOver(editor: Editor, { node, port, route = [] }: Dragge
     connectAlong(editor, { from: at.source, to: { node: id, port: 'bottom' }, route: at.before }),
     connectAlong(editor, { from: { node, port }, to: { node: id, port: 'top' }, route }),
     fitEncodings(editor, [{ from: { node, port }, to: { node: id, port: 'top' } }]),
+    placeFreely(project, { library, graph, hasThumbnail: editor.preferences.getState().thumbnails }),
   );
   if (!apply(editor, `Composite ${titleOf(state, node)}`, change)) return null;
   selectOnly(editor.selection, [id]);

@@ -1,5 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { compile } from '../../../export/compiler/compile.ts';
+import { MAIN_GRAPH } from '../../../export/graph/project.ts';
 import { LIBRARY } from '../../../tests/support/library.ts';
 import { openTestEditor } from '../../../tests/support/test-editor.ts';
 import { undo } from '../document/apply.ts';
@@ -209,6 +210,10 @@ describe('a layer let go over a layer’s wire', () => {
     expect(soleNode(editor.selection.getState())).not.toBeNull();
     compositeOver(editor, scene, wire, AT);
     expect(wiresOf(editor)).toEqual(['camera-video > over.bottom', 'over > screen.layer', 'scene > over.top']);
+    // Not on the node that is there.
+    const { layout } = editor.document.getState().project;
+    const places = Object.values(layout[MAIN_GRAPH]?.nodes ?? {}).map(({ x, y }) => `${x} ${y}`);
+    expect(places.filter((place, i) => places.indexOf(place) !== i)).toEqual([]);
     undo(editor);
     expect(filesOf(editor)).toEqual(before);
     // Over itself there is nothing to lay it.
