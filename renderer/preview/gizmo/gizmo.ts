@@ -63,6 +63,16 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
     document.body.style.cursor = overlay.controls.axis === null ? '' : 'grab';
     overlay.draw();
   };
+  const unhover = () => {
+    if (!overlay || drag || overlay.controls.axis === null) return;
+    overlay.controls.axis = null;
+    document.body.style.cursor = '';
+    if (seen) overlay.draw();
+  };
+  /** Only events that leave the page have no related target. */
+  const onOut = (event: PointerEvent) => {
+    if (event.relatedTarget === null) unhover();
+  };
   const swallow = (event: Event) => {
     event.stopImmediatePropagation();
     event.preventDefault();
@@ -150,6 +160,7 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
     ['pointerdown', onDown],
     ['mousedown', onMouseDown],
     ['pointermove', onMove],
+    ['pointerout', onOut],
     ['pointerup', onUp],
     ['pointercancel', onCancel],
     ['keydown', onKeyDown],
@@ -169,6 +180,8 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
       readPlace(held.handles, reading, object);
       if (placedObjects(inspected, held.node, held.chain, scratchMatrix)) overlay.parent.matrix.copy(scratchMatrix);
       if (isDirection(held)) object.position.copy(ahead(view.worldFromView)).applyMatrix4(scratchMatrix.invert());
+      // The axis under the pointer is one of the last tool.
+      if (controls.mode !== MODES[held.mode]) unhover();
       controls.mode = MODES[held.mode];
       controls.space = held.space;
     }
