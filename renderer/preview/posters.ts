@@ -1,13 +1,8 @@
 import type { Player } from '../../export/runtime/player.ts';
-import { createPosterCamera, type PosterCamera } from '../../export/runtime/scenes/poster-camera.ts';
+import { createPosterCamera, type PosterCamera, type PosterSize } from '../../export/runtime/scenes/poster-camera.ts';
 import { type PosterFraming, type ViewCrop, WHOLE_VIEW } from '../../nodes/kit/poster-framing.ts';
 import type { FromPreview } from '../preview-protocol.ts';
 import type { OpenSession } from './open-session.ts';
-
-export interface PosterSize {
-  readonly widthPx: number;
-  readonly heightPx: number;
-}
 
 export interface PosterRequest extends PosterSize {
   /** Counter that the answer repeats. */
@@ -29,7 +24,7 @@ export interface CaptureSource {
 
 /** Takes posters: images of the preview for link previews of the exported page. */
 export interface Posters {
-  /** Draws the next frame in the requested size and sends the part that the camera keeps. Replaces a pending request. */
+  /** Draws the next frame in the size that the camera asks for and sends the part that the camera keeps. Replaces a pending request. */
   request(asked: PosterRequest, place: CaptureSource, player: Pick<Player, 'inspect'>, setHead: OpenSession['setHead']): void;
   /** Answers that there is no image. */
   refuse(asked: PosterRequest): void;
@@ -79,8 +74,8 @@ export function createPosters(send: (message: FromPreview, transfer?: Transferab
   return {
     request: (asked, place, player, setHead) => {
       drop();
-      const { framing, nodes, widthPx, heightPx } = asked;
-      const camera = createPosterCamera({ inspect: () => player.inspect(null), setHead, framing, nodes, shape: widthPx / heightPx });
+      const { framing, nodes } = asked;
+      const camera = createPosterCamera({ inspect: () => player.inspect(null), setHead, framing, nodes, size: asked });
       pending = { asked, place, camera, state: 'new', crop: WHOLE_VIEW };
       wake();
     },
@@ -97,9 +92,7 @@ export function createPosters(send: (message: FromPreview, transfer?: Transferab
         drop();
       }
       if (pending?.state !== 'new') return;
-      const { widthPx, heightPx } = pending.asked;
-      const zoom = pending.camera.aim();
-      pending.place.resize({ widthPx: Math.round(widthPx * zoom), heightPx: Math.round(heightPx * zoom) });
+      pending.place.resize(pending.camera.aim());
       pending.state = 'sized';
     },
     afterFrame: () => {

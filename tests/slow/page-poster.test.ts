@@ -111,6 +111,8 @@ describe('the poster of a page', () => {
     expect(await redOf(null)).toBeGreaterThan(whole * 0.95);
     // The larger robot, at half the height of the view.
     expect(await redOf({ center: [-0.13, -0.05], height: 0.55 })).toBeGreaterThan(whole * 1.25);
+    // The smaller robot, below what a poster in the middle of the view shows.
+    expect(await redOf({ center: [0.4, -0.42], height: 0.35 })).toBeGreaterThan(whole * 1.25);
     const room = { name: 'studio', eye: [0, 1.5, 1], target: [0, 1.5, 2] } as const;
     expect(await redOf({ center: [0, 0], height: 0.5, room })).toBeLessThan(whole / 10);
   });

@@ -7,7 +7,9 @@ import { findChromium } from '../../services/chromium.ts';
 import { encodeLayer } from '../../services/encode-png.ts';
 import type { Installation } from '../../services/installation.ts';
 import { startBrowser } from '../../services/start-browser.ts';
+import type { RenderSession } from './frame-source.page.ts';
 import { renderFrames } from './render-frames.ts';
+import type { SizePx } from './render-options.ts';
 import { findRenderSession } from './render-session.ts';
 
 export interface PosterJob {
@@ -27,20 +29,23 @@ export interface PosterJob {
  */
 export async function drawPoster({ program, framing, projectRoot, installation }: PosterJob): Promise<PosterImage | null> {
   const found = await findChromium();
-  // A chosen part is rendered larger, so that it has enough pixels.
-  const scale = framing ? FRAMED_SCALE : 1;
-  const size = { widthPx: POSTER_SIZE.widthPx * scale, heightPx: POSTER_SIZE.heightPx * scale };
   const room = framing?.room ? `room:${framing.room.name}` : null;
-  const session = await findRenderSession(room, projectRoot, installation, size);
-  if (found === null || session.output === null) return null;
+  const { output } = await findRenderSession(room, projectRoot, installation, null);
+  if (found === null || output === null) return null;
+  // A chosen part is rendered larger, so that it has enough pixels. Recordings keep their shape: a canvas of another one cuts them.
+  const { widthPx, heightPx } = output.session.kind === 'recorded' ? covering(output.sizePx) : POSTER_SIZE;
+  const scale = framing ? FRAMED_SCALE : 1;
+  const size = { widthPx: widthPx * scale, heightPx: heightPx * scale };
+  const session: RenderSession =
+    output.session.kind === 'room' ? { ...output.session, sizePx: [size.widthPx, size.heightPx] } : output.session;
   let png: Uint8Array | null = null;
   const said = await renderFrames({
-    ...session.output,
+    ...output,
     first: 0,
     last: 0,
     root: installation.root,
     projectRoot,
-    job: { program, session: session.output.session, ...size, subject: { kind: 'screen' }, poster: { framing, shape: SHAPE } },
+    job: { program, session, ...size, subject: { kind: 'screen' }, poster: { framing, size: POSTER_SIZE } },
     sourceOf: () => undefined,
     onImage: async (_index, { widthPx, heightPx }, pixels) => {
       png = encodeLayer({ widthPx, heightPx, pixels });
@@ -60,8 +65,13 @@ export async function drawPoster({ program, framing, projectRoot, installation }
 
 /** Enlargement of framed posters before they are cropped. */
 const FRAMED_SCALE = 2;
-const SHAPE = POSTER_SIZE.widthPx / POSTER_SIZE.heightPx;
 const VIEWPORT = { width: POSTER_SIZE.widthPx, height: POSTER_SIZE.heightPx };
+
+/** The smallest size of a shape that covers the poster. */
+function covering({ widthPx, heightPx }: SizePx): SizePx {
+  const scale = Math.max(POSTER_SIZE.widthPx / widthPx, POSTER_SIZE.heightPx / heightPx);
+  return { widthPx: Math.round(widthPx * scale), heightPx: Math.round(heightPx * scale) };
+}
 
 /** JPEG quality. The file is an eighth of the PNG, without visible loss. */
 const QUALITY = 82;

@@ -1,7 +1,7 @@
 import type { ShaderError } from '../../../export/runtime/gl/program-cache.ts';
 import type { Player } from '../../../export/runtime/player.ts';
 import { readColor, readDepth, readScreen } from '../../../export/runtime/readback.ts';
-import { createPosterCamera, type PosterCamera } from '../../../export/runtime/scenes/poster-camera.ts';
+import { createPosterCamera, type PosterCamera, type PosterSize } from '../../../export/runtime/scenes/poster-camera.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { PosterFraming, ViewCrop } from '../../../nodes/kit/poster-framing.ts';
 import type { SessionFrame } from '../../../nodes/kit/session.ts';
@@ -12,8 +12,8 @@ import { createRenderPlayer, type PlayedProgram } from './render-player.page.ts'
 export interface RenderJob extends PlayedProgram {
   readonly session: RenderSession;
   readonly subject: Subject;
-  /** Keeps of each image what a poster shows; absent: all. `framing`: null frames the objects. `shape`: width divided by height. */
-  readonly poster?: { readonly framing: PosterFraming | null; readonly shape: number };
+  /** Keeps of each image what a poster shows; absent: all. `framing`: null frames the objects. */
+  readonly poster?: { readonly framing: PosterFraming | null; readonly size: PosterSize };
 }
 
 /** What a render writes: the screen output, a layer, or the depth of a layer. `tap` is the layer as `node.port`. */

@@ -5,11 +5,12 @@ import type { ObjectItem } from '../../../nodes/kit/scene-lists.ts';
 import { createPosterCamera, type PosterCameraOptions } from './poster-camera.ts';
 
 const SHAPE = 2;
+const SIZE = { widthPx: 1200, heightPx: 600 };
 const box = new Mesh(new BoxGeometry(0.4, 0.4, 0.4), new MeshBasicMaterial());
 
 /** Boxes of two nodes and a ground, seen by a camera at eye height. `setHead` moves it. */
-function world(options: Partial<PosterCameraOptions> = {}) {
-  const camera = new PerspectiveCamera(60, SHAPE, 0.1, 100);
+function world(options: Partial<PosterCameraOptions> = {}, viewShape = SHAPE) {
+  const camera = new PerspectiveCamera(60, viewShape, 0.1, 100);
   camera.position.set(0, 1.5, 3);
   const view = { nearM: 0.1, clipFromView: new Float32Array(16), worldFromView: new Float32Array(16), viewFromWorld: new Float32Array(16) };
   const look = (matrix: Matrix4) => {
@@ -54,7 +55,7 @@ function world(options: Partial<PosterCameraOptions> = {}) {
     const clip = new Vector3(x, y, z).applyMatrix4(new Matrix4().fromArray(view.viewFromWorld)).applyMatrix4(camera.projectionMatrix);
     return [(((clip.x + 1) / 2 - crop.x) / crop.width) * 2 - 1, 1 - (((1 - clip.y) / 2 - crop.y) / crop.height) * 2] as const;
   };
-  const poster = createPosterCamera({ inspect: () => seen, setHead, framing: null, nodes: [], shape: SHAPE, ...options });
+  const poster = createPosterCamera({ inspect: () => seen, setHead, framing: null, nodes: [], size: SIZE, ...options });
   return { poster, heads, inPoster };
 }
 
@@ -66,7 +67,7 @@ function reach(inPoster: ReturnType<typeof world>['inPoster'], crop: ViewCrop, x
 
 test('the head moves so that the objects of the selected nodes fill the poster, and back', () => {
   const { poster, heads, inPoster } = world({ nodes: ['group'] });
-  expect(poster.aim()).toBe(1);
+  expect(poster.aim()).toEqual(SIZE);
   const crop = poster.crop();
   expect(crop).toEqual({ x: 0, y: 0, width: 1, height: 1 });
   expect(reach(inPoster, crop, 1)).toBeCloseTo(0.72);
@@ -82,22 +83,23 @@ test('without a selection, all objects are in the poster, without phantoms and g
   expect(farthest).toBeLessThanOrEqual(0.73);
 });
 
-test('where the head cannot be moved, the part of the view around the objects is kept, rendered larger', () => {
-  const { poster, inPoster } = world({ setHead: null, nodes: ['left'] });
-  const zoom = poster.aim();
-  expect(zoom).toBeGreaterThan(1.5);
+test('where the head cannot be moved, the part of the view around the objects is kept, rendered larger in the shape of the view', () => {
+  const viewShape = 4 / 3;
+  const { poster, inPoster } = world({ setHead: null, nodes: ['left'] }, viewShape);
+  const frame = poster.aim();
+  expect(frame.heightPx).toBeGreaterThan(1.5 * SIZE.heightPx);
+  expect(frame.widthPx / frame.heightPx).toBeCloseTo(viewShape);
   const crop = poster.crop();
-  expect(crop.height).toBeCloseTo(1 / zoom);
-  expect(crop.height).toBeCloseTo(crop.width);
-  const [u, v] = inPoster(crop, -1, 1.5, 0.2);
-  expect([Math.abs(u), Math.abs(v)].every((part) => part < 0.1)).toBe(true);
+  expect(crop.height * frame.heightPx).toBeCloseTo(SIZE.heightPx, 0);
+  expect(crop.width * frame.widthPx).toBeCloseTo(SIZE.widthPx, 0);
+  expect(reach(inPoster, crop, -1)).toBeLessThan(0.9);
 });
 
 test('a framing that was chosen wins over the selection', () => {
   const half = Math.tan(Math.PI / 6);
   const room = { name: 'studio', eye: [0, 1, 2], target: [0, 1, 1] } as const;
   const { poster, heads } = world({ nodes: ['left'], framing: { center: [0, half / 2], height: half, room } });
-  expect(poster.aim()).toBeCloseTo(2);
+  expect(poster.aim()).toEqual({ widthPx: 2 * SIZE.widthPx, heightPx: 2 * SIZE.heightPx });
   expect([...(heads[0] ?? [])].slice(12, 15)).toEqual([0, 1, 2]);
   const { x, y, width, height } = poster.crop();
   expect([x, y, width, height].map((part) => Number(part.toFixed(4)))).toEqual([0.25, 0, 0.5, 0.5]);

@@ -1,5 +1,13 @@
 import { Box3, Matrix4, Vector3 } from 'three';
-import { cropAt, cropOf, type PosterFraming, tangentsOf, type ViewCrop, WHOLE_VIEW } from '../../../nodes/kit/poster-framing.ts';
+import {
+  cropAt,
+  cropOf,
+  type PosterFraming,
+  tangentsOf,
+  type ViewCrop,
+  type ViewTangents,
+  WHOLE_VIEW,
+} from '../../../nodes/kit/poster-framing.ts';
 import type { ViewFrame } from '../../../nodes/kit/session.ts';
 import type { Inspected } from '../inspected.ts';
 import { drawnObjects } from './placed-objects.ts';
@@ -10,14 +18,21 @@ type Seen = Pick<Inspected, 'program' | 'resources' | 'engine'>;
 /** Aims the camera for a poster. */
 export interface PosterCamera {
   /**
-   * Called after a frame, before that of the poster: moves the head where the session has one. Returns by how much larger the frame of the
-   * poster must be rendered, so that the part that is kept has enough pixels: 1 to 2.
+   * Called after a frame, before that of the poster: moves the head where the session has one. Returns the size in which the frame of the
+   * poster must be rendered, so that the part that is kept has enough pixels. Sessions whose head cannot be moved cut their image to the
+   * shape of the canvas, so their frame keeps the shape of the view.
    */
-  aim(): number;
+  aim(): PosterSize;
   /** Called after the frame of the poster: the part of its first view that the poster shows. */
   crop(): ViewCrop;
   /** Gives the head back. */
   release(): void;
+}
+
+/** Size in pixels. */
+export interface PosterSize {
+  readonly widthPx: number;
+  readonly heightPx: number;
 }
 
 export interface PosterCameraOptions {
@@ -28,8 +43,8 @@ export interface PosterCameraOptions {
   readonly framing: PosterFraming | null;
   /** Nodes of the program whose objects are framed; if it is empty or they have none, all objects are. */
   readonly nodes: readonly string[];
-  /** Width of the poster divided by its height. */
-  readonly shape: number;
+  /** Size of the poster. */
+  readonly size: PosterSize;
 }
 
 /** Fraction of the poster's width or height that framed objects fill. */
@@ -45,8 +60,9 @@ const MAX_OBJECT_M = 8;
 const UP = new Vector3(0, 1, 0);
 
 /** Creates the camera of a poster. Its functions allocate, because they run once per poster. */
-export function createPosterCamera({ inspect, setHead, framing, nodes, shape }: PosterCameraOptions): PosterCamera {
+export function createPosterCamera({ inspect, setHead, framing, nodes, size }: PosterCameraOptions): PosterCamera {
   let posed = false;
+  const shape = size.widthPx / size.heightPx;
   const viewOf = (seen: Seen | null) => seen?.engine.state.frame.views[0] ?? null;
   const look = (eye: Vector3, target: Vector3) => {
     posed = true;
@@ -58,7 +74,7 @@ export function createPosterCamera({ inspect, setHead, framing, nodes, shape }: 
     if (!seen || !view) return WHOLE_VIEW;
     const tangents = tangentsOf(view.clipFromView);
     if (framing) return cropOf(framing, tangents, shape);
-    const viewShape = (tangents.right - tangents.left) / (tangents.top - tangents.bottom);
+    const viewShape = shapeOf(tangents);
     const whole = cropAt([0.5, 0.5], 1, shape / viewShape);
     const points = posed ? [] : cornersOf(seen, nodes);
     return cropAround(points, view, shape / viewShape) ?? whole;
@@ -72,7 +88,9 @@ export function createPosterCamera({ inspect, setHead, framing, nodes, shape }: 
         const points = cornersOf(seen, nodes);
         if (points.length > 0) look(...placeFor(points, view, shape));
       }
-      return posed && !framing ? 1 : Math.min(Math.max(1 / cropNow().height, 1), MAX_ZOOM);
+      const zoom = posed && !framing ? 1 : Math.min(Math.max(1 / cropNow().height, 1), MAX_ZOOM);
+      const kept = setHead || !view ? shape : shapeOf(tangentsOf(view.clipFromView));
+      return { widthPx: Math.round(size.heightPx * zoom * kept), heightPx: Math.round(size.heightPx * zoom) };
     },
     crop: cropNow,
     release: () => {
@@ -81,6 +99,8 @@ export function createPosterCamera({ inspect, setHead, framing, nodes, shape }: 
     },
   };
 }
+
+const shapeOf = ({ left, right, bottom, top }: ViewTangents): number => (right - left) / (top - bottom);
 
 /** Corners of the boxes around the visible virtual objects that passed through one of the nodes; of all if none did. */
 function cornersOf(seen: Seen, nodes: readonly string[]): Vector3[] {
