@@ -223,3 +223,17 @@ test('a slider drag with Shift and Ctrl is one undo step, and then keys mean the
     await eventually(async () => expect(await level()).toBe(value));
   }
 });
+
+test('a click on one of several selected nodes selects only it; a drag moves all of them', async () => {
+  const { page, editor } = open;
+  await title('threshold').click();
+  await title('transform').click({ modifiers: ['Shift'] });
+  await editor.inspector.getByRole('heading', { name: '2 nodes', exact: true }).waitFor();
+  const [one, other] = [await centerOf(title('threshold')), await centerOf(title('transform'))];
+  await editor.drag(one, { x: one.x + 40, y: one.y + 40 });
+  await eventually(async () => expect((await centerOf(title('transform'))).y).toBeGreaterThan(other.y));
+  expect(await page.locator('.node-selected').count()).toBe(2);
+  await title('threshold').click();
+  await editor.inspector.getByRole('heading', { name: 'Threshold', exact: true }).waitFor();
+  expect(await page.locator('.node-selected').count()).toBe(1);
+});
