@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { compile } from '../../../export/compiler/compile.ts';
-import { MAIN_GRAPH } from '../../../export/graph/project.ts';
+import { type Graph, MAIN_GRAPH } from '../../../export/graph/project.ts';
 import { LIBRARY } from '../../../tests/support/library.ts';
 import { openTestEditor } from '../../../tests/support/test-editor.ts';
 import { undo } from '../document/apply.ts';
@@ -52,7 +52,7 @@ describe('a combination', () => {
       [undefined, models[0]],
       [models[1], models[1]],
     ] as const) {
-      const shown = candidateOf(editor, { definition, port: null }, after === undefined ? {} : { after })?.graphs[MAIN_GRAPH];
+      const shown: Graph | undefined = candidateOf(editor, { definition, port: null }, after === undefined ? {} : { after })?.graphs[MAIN_GRAPH];
       const apply = shown?.wires.find(({ from }) => from.node === drawn)?.to.node ?? '';
       expect(shown?.nodes[apply]?.type).toBe('objects/apply-technique');
       expect(shown?.wires.some(({ from, to }) => from.node === apply && to.node === scene)).toBe(true);
