@@ -52,7 +52,9 @@ describe('a combination', () => {
       [undefined, models[0]],
       [models[1], models[1]],
     ] as const) {
-      const shown: Graph | undefined = candidateOf(editor, { definition, port: null }, after === undefined ? {} : { after })?.graphs[MAIN_GRAPH];
+      const shown: Graph | undefined = candidateOf(editor, { definition, port: null }, after === undefined ? {} : { after })?.graphs[
+        MAIN_GRAPH
+      ];
       const apply = shown?.wires.find(({ from }) => from.node === drawn)?.to.node ?? '';
       expect(shown?.nodes[apply]?.type).toBe('objects/apply-technique');
       expect(shown?.wires.some(({ from, to }) => from.node === apply && to.node === scene)).toBe(true);
