@@ -108,6 +108,7 @@ function CanvasInside() {
             onNodeContextMenu={menu.onNode}
             onEdgeContextMenu={menu.onWire}
             onPaneContextMenu={menu.onPane}
+            onNodeClick={handlers.onNodeClick}
             onNodeDoubleClick={handlers.onNodeDoubleClick}
             onEdgeDoubleClick={handlers.onWireDoubleClick}
             onDoubleClick={handlers.onDoubleClick}

@@ -15,7 +15,7 @@ import { layoutOf, nodeOf } from '../state/editor/document.ts';
 import type { Editor } from '../state/editor/editor.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 import { borderOf, itemOf } from '../state/editor/item-ids.ts';
-import { changeSelection, type SelectionChange } from '../state/editor/selection.ts';
+import { changeSelection, type SelectionChange, selectOnly } from '../state/editor/selection.ts';
 import { connectPorts, explainRefusal, reconnectPorts, refusalOfEnds, startWireAt } from '../state/graph/connect-ports.ts';
 import { dropOnNode } from '../state/graph/drop-on-node.ts';
 import { removeWires } from '../state/graph/edit-graph.ts';
@@ -147,6 +147,14 @@ export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Pla
     [editor],
   );
   const onNodeLeave = useCallback(() => offerParams(editor.canvas, null), [editor]);
+  /** React Flow keeps a selection when one of its nodes is clicked, so that it can be dragged. */
+  const onNodeClick = useCallback(
+    ({ shiftKey, ctrlKey, metaKey }: ReactMouseEvent, { id }: AnyNode) => {
+      const { nodes } = editor.selection.getState();
+      if (!shiftKey && !ctrlKey && !metaKey && nodes.size > 1 && nodes.has(id)) selectOnly(editor.selection, [id]);
+    },
+    [editor],
+  );
   const onNodeDoubleClick = useCallback(
     (_event: unknown, { id }: AnyNode) => {
       const name = subgraphName(nodeOf(editor.document.getState(), id)?.type ?? '');
@@ -179,6 +187,7 @@ export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Pla
     onReconnectEnd,
     onNodeEnter,
     onNodeLeave,
+    onNodeClick,
     onNodeDoubleClick,
     onWireDoubleClick,
     onDoubleClick,

@@ -2,7 +2,8 @@ import { useMemo } from 'react';
 import type { PortAddress, Wire } from '../../export/graph/project.ts';
 import type { InputPort, NodeDefinition } from '../../nodes/kit/definition.ts';
 import { PortMark } from '../canvas/port-mark.tsx';
-import { useDocumentWhile, useEditor } from '../state/editor/editor-context.ts';
+import { graphOf } from '../state/editor/document.ts';
+import { useDocument, useDocumentWhile, useEditor } from '../state/editor/editor-context.ts';
 import { connect, reorderWires } from '../state/graph/edit-graph.ts';
 import { IconButton } from '../ui/button.tsx';
 import { SelectField } from '../ui/select-field.tsx';
@@ -90,14 +91,15 @@ function SourcePicker({ node, name, port, empty }: SourcePickerProps) {
   const state = useDocumentWhile(sameForWires);
   const options = useMemo(() => sourcesFor(state, { node, port: name }), [state, node, name]);
   const choices = options.map(({ label }, value) => ({ value, label }));
-  const none = port.required ? 'Not connected (required)' : 'Not connected';
+  const isExposed = useDocument((document) => graphOf(document).exposed.inputs.some((input) => input.node === node && input.port === name));
+  const none = isExposed ? 'Input of the subgraph' : port.required ? 'Not connected (required)' : 'Not connected';
   return (
     <SelectField
       label={empty ? `Connect to ${port.label}` : `Connect another to ${port.label}`}
       value={-1}
       options={choices}
       placeholder={empty ? none : 'Add another…'}
-      needed={port.required === true && empty}
+      needed={port.required === true && empty && !isExposed}
       onChoose={(index) => {
         const chosen = options[index];
         if (chosen) connect(editor, chosen.from, { node, port: name });

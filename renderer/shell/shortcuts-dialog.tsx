@@ -24,7 +24,7 @@ const PARTS: readonly { readonly title: string; readonly rows: Rows }[] = [
   {
     title: 'Inspector',
     rows: [
-      ['Change a slider', 'Arrow keys'],
+      ['Change a slider', 'Arrow keys; Shift for fine steps, Ctrl snaps'],
       ['Move a point of a curve or gradient', 'Arrow keys'],
       ['Remove it', 'Delete'],
     ],

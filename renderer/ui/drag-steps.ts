@@ -1,4 +1,4 @@
-/** Keys held during a drag. Shift makes it ten times finer, Ctrl or Command snaps to whole tens of steps. */
+/** Keys held during a drag or with an arrow key. Shift makes it ten times finer, Ctrl or Command snaps to whole tens of steps. */
 export interface DragKeys {
   readonly fine: boolean;
   readonly snap: boolean;
@@ -30,10 +30,12 @@ const STEPS_PER_SNAP = 10;
 export function createSliderDrag(step: number): SliderDrag {
   /** Where the fine part of the drag began. */
   let fineFrom: { readonly pointed: number; readonly value: number } | null = null;
+  let lastPointed: number | null = null;
   return {
     move: (pointed, shown, { fine, snap }) => {
       if (!fine) fineFrom = null;
-      else fineFrom ??= { pointed, value: shown };
+      else fineFrom ??= { pointed: lastPointed ?? pointed, value: shown };
+      lastPointed = pointed;
       const value = fineFrom === null ? pointed : fineFrom.value + (pointed - fineFrom.pointed) / FINENESS;
       return snap ? snapped(value, step) : withoutBinaryError(value);
     },
@@ -51,12 +53,20 @@ export function scrubbedValue(from: number, steps: number, step: number, { fine,
   return snap ? snapped(value, step) : withoutBinaryError(value);
 }
 
+/** Value of a slider or a number field after an arrow key: one step on, or the next whole ten of steps with `snap`. */
+export function keyedValue(from: number, direction: 1 | -1, step: number, { fine, snap }: DragKeys): number {
+  if (!snap) return withoutBinaryError(from + (direction * step) / (fine ? FINENESS : 1));
+  const grid = step * STEPS_PER_SNAP;
+  const tens = withoutBinaryError((from * direction) / grid);
+  return withoutBinaryError((Math.floor(tens) + 1) * grid * direction);
+}
+
 function snapped(value: number, step: number): number {
   const grid = step * STEPS_PER_SNAP;
   return withoutBinaryError(Math.round(value / grid) * grid);
 }
 
 /** Removes binary rounding errors from sums of decimal steps. */
-export function withoutBinaryError(value: number): number {
+function withoutBinaryError(value: number): number {
   return Number(value.toPrecision(12));
 }

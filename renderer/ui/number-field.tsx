@@ -1,5 +1,5 @@
 import { type KeyboardEvent, type PointerEvent, useRef, useState } from 'react';
-import { dragKeysOf, scrubbedValue, withoutBinaryError } from './drag-steps.ts';
+import { dragKeysOf, keyedValue, scrubbedValue } from './drag-steps.ts';
 import { useEscape } from './escape.ts';
 import './fields.css';
 
@@ -29,8 +29,8 @@ const SCRUB_START_PX = 3;
 const PX_PER_STEP = 2;
 
 /**
- * Number field. A sideways drag changes the value by steps: a tenth with Shift, to whole tens with Ctrl. Arrow keys change it by steps:
- * ten with Shift, a tenth with Alt. Escape cancels a drag. Evaluates typed arithmetic; `=` begins an expression.
+ * Number field. A sideways drag and arrow keys change the value by steps: a tenth with Shift, to whole tens with Ctrl. Escape cancels a
+ * drag. Evaluates typed arithmetic; `=` begins an expression.
  */
 export function NumberField(props: NumberFieldProps) {
   const { value, label, id, step, suffix, format, parse, clamp, onExpression, onEdit, onEnd, onCancel } = props;
@@ -70,7 +70,7 @@ export function NumberField(props: NumberFieldProps) {
       const from = (typed === null ? null : parse(typed)) ?? value;
       changeTyped(null);
       edited.current = true;
-      onEdit(clamp(withoutBinaryError(from + stepOf(step, event) * (event.key === 'ArrowUp' ? 1 : -1))));
+      onEdit(clamp(keyedValue(from, event.key === 'ArrowUp' ? 1 : -1, step, dragKeysOf(event))));
     }
   };
   const onKeyUp = () => {
@@ -142,8 +142,4 @@ export function NumberField(props: NumberFieldProps) {
       )}
     </span>
   );
-}
-
-function stepOf(step: number, event: { readonly shiftKey: boolean; readonly altKey: boolean }): number {
-  return event.shiftKey ? step * 10 : event.altKey ? step / 10 : step;
 }

@@ -1,5 +1,5 @@
-import { useRef } from 'react';
-import { createSliderDrag, dragKeysOf, NO_DRAG_KEYS, type SliderDrag } from './drag-steps.ts';
+import { type KeyboardEvent, useRef } from 'react';
+import { createSliderDrag, dragKeysOf, keyedValue, NO_DRAG_KEYS, type SliderDrag } from './drag-steps.ts';
 import { useEscape } from './escape.ts';
 import './fields.css';
 import type { EditHandlers } from './number-field.tsx';
@@ -13,9 +13,11 @@ interface SliderProps extends EditHandlers<number> {
   readonly valueText: string;
 }
 
+const DIRECTIONS: Readonly<Record<string, 1 | -1>> = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
+
 /**
- * A range input. In a drag, Shift is finer, Ctrl snaps, and Escape cancels. After a drag it gives up the focus, so that keys mean what
- * they did before.
+ * A range input. In a drag and with arrow keys, Shift is finer and Ctrl snaps; Escape cancels a drag. After a drag, the focus goes back to
+ * the graph if it was there, so that keys mean what they did before.
  */
 export function Slider({ value, min, max, step, label, valueText, onEdit, onEnd, onCancel }: SliderProps) {
   const filled = max > min ? Math.min(Math.max((value - min) / (max - min), 0), 1) : 0;
@@ -24,6 +26,8 @@ export function Slider({ value, min, max, step, label, valueText, onEdit, onEnd,
   const escapeKey = useEscape();
   const drag = useRef<SliderDrag | null>(null);
   const keys = useRef(NO_DRAG_KEYS);
+  /** What had the focus before the slider. */
+  const before = useRef<EventTarget | null>(null);
   const begin = () => {
     canceled.current = false;
     drag.current = createSliderDrag(step);
@@ -38,6 +42,12 @@ export function Slider({ value, min, max, step, label, valueText, onEdit, onEnd,
     canceled.current = false;
     drag.current = null;
     onEnd();
+  };
+  const onKeyDown = (event: KeyboardEvent<HTMLInputElement>) => {
+    const direction = DIRECTIONS[event.key];
+    if (direction === undefined || drag.current) return;
+    event.preventDefault();
+    onEdit(Math.min(Math.max(keyedValue(value, direction, step, dragKeysOf(event)), min), max));
   };
   return (
     <input
@@ -65,10 +75,18 @@ export function Slider({ value, min, max, step, label, valueText, onEdit, onEnd,
       onPointerUp={({ currentTarget }) => {
         end();
         currentTarget.blur();
+        if (before.current instanceof HTMLElement && before.current.closest('.canvas')) before.current.focus({ preventScroll: true });
       }}
       // The browser takes over a touch without a `pointerup`.
       onPointerCancel={escapeKey.stop}
-      onKeyUp={onEnd}
+      onFocus={({ relatedTarget }) => {
+        before.current = relatedTarget;
+      }}
+      onKeyDown={onKeyDown}
+      // A key released in a drag, such as Shift, ends only the fine part of it.
+      onKeyUp={() => {
+        if (!drag.current) onEnd();
+      }}
       onBlur={end}
     />
   );

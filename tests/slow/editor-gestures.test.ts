@@ -176,3 +176,64 @@ test('the numbers of a vector can be read in a narrow window; units can be typed
   );
   expect(overlapping).toEqual([]);
 });
+
+test('a slider drag with Shift and Ctrl is one undo step, and then keys mean the selected node again', async () => {
+  const { page, editor } = open;
+  await title('threshold').click();
+  const slider = editor.inspector.getByRole('slider', { name: 'Level, slider' });
+  const level = async () => Number(await field('Level').inputValue());
+  const from = await centerOf(slider);
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  // The first step changes the param, which marks its row; the drag goes on.
+  for (const byPx of [2, 4, 6, 8]) {
+    const last = await level();
+    await page.mouse.move(from.x + byPx, from.y);
+    await eventually(async () => expect(await level()).toBeGreaterThan(last));
+  }
+  const coarse = await level();
+  await page.keyboard.down('Shift');
+  await page.mouse.move(from.x + 18, from.y, { steps: 4 });
+  await eventually(async () => expect(await level()).toBeGreaterThan(coarse));
+  expect(await level()).toBeLessThan(coarse + 0.05);
+  await page.keyboard.up('Shift');
+  await page.keyboard.down('Control');
+  await page.mouse.move(from.x + 12, from.y, { steps: 2 });
+  await eventually(async () => expect((await level()) * 10).toBeCloseTo(Math.round((await level()) * 10), 6));
+  await page.keyboard.up('Control');
+  await page.mouse.up();
+
+  const before = await centerOf(title('threshold'));
+  await page.keyboard.press('ArrowRight');
+  await eventually(async () => expect((await centerOf(title('threshold'))).x).toBeGreaterThan(before.x));
+  await page.keyboard.press('m');
+  await page.locator('[data-node="threshold-aaaa"].node-muted').waitFor();
+  for (let step = 0; step < 3; step++) await page.keyboard.press('Control+z');
+  await eventually(async () => expect(await level()).toBe(0.5));
+
+  // With the focus, arrow keys of the slider have the same modifiers.
+  await slider.focus();
+  for (const [key, value] of [
+    ['ArrowRight', 0.51],
+    ['Shift+ArrowRight', 0.511],
+    ['Control+ArrowRight', 0.6],
+    ['Control+ArrowLeft', 0.5],
+  ] as const) {
+    await page.keyboard.press(key);
+    await eventually(async () => expect(await level()).toBe(value));
+  }
+});
+
+test('a click on one of several selected nodes selects only it; a drag moves all of them', async () => {
+  const { page, editor } = open;
+  await title('threshold').click();
+  await title('transform').click({ modifiers: ['Shift'] });
+  await editor.inspector.getByRole('heading', { name: '2 nodes', exact: true }).waitFor();
+  const [one, other] = [await centerOf(title('threshold')), await centerOf(title('transform'))];
+  await editor.drag(one, { x: one.x + 40, y: one.y + 40 });
+  await eventually(async () => expect((await centerOf(title('transform'))).y).toBeGreaterThan(other.y));
+  expect(await page.locator('.node-selected').count()).toBe(2);
+  await title('threshold').click();
+  await editor.inspector.getByRole('heading', { name: 'Threshold', exact: true }).waitFor();
+  expect(await page.locator('.node-selected').count()).toBe(1);
+});

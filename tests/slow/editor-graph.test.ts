@@ -4,6 +4,7 @@ import { expect, test } from '@jest/globals';
 import { centerOf } from '../../tools/lib/center-of.ts';
 import { axeFindings } from '../support/axe.ts';
 import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
+import { eventually } from '../support/patience.ts';
 
 /** The camera's picture, blurred, goes to the screen; a sepia stands by. */
 const GRAPH: GraphText = {
@@ -119,6 +120,17 @@ test('the borders of an open subgraph show its ports; a wire to a border exposes
   expect(await wires('inputs').count()).toBe(2);
   expect(await wires('outputs').count()).toBe(1);
   await page.keyboard.press('f');
+  // An arrow key moves a border, as it does a node.
+  const head = border('inputs').locator('.border-head');
+  await head.click();
+  const { x } = await centerOf(head);
+  await page.keyboard.press('ArrowLeft');
+  await eventually(async () => expect((await centerOf(head)).x).toBeLessThan(x));
+  await page.keyboard.press('Control+z');
+  await eventually(async () => expect((await centerOf(head)).x).toBe(x));
+  // An input that the instances of the subgraph connect is not said to be missing.
+  await title('gaussian-blur').click();
+  await editor.inspector.getByRole('combobox', { name: 'Connect to Layer' }).getByText('Input of the subgraph').waitFor();
   const blurred = editor.port('gaussian-blur-aaaa', 'layer', 'source');
   await editor.drag(await centerOf(blurred), await centerOf(border('outputs').locator('.border-add')));
   await border('outputs').locator('.border-label').nth(1).waitFor();

@@ -12,7 +12,7 @@ import type { PaletteEntry } from './palette-search.ts';
 
 /**
  * The project as it would look with an entry of the palette: in the wire, in place of the node or after the node that the palette was opened
- * for, else in the wire to the output. Null if the entry does not fit there.
+ * for, else in the wire to the output, or for objects in a wire to a scene. Null if the entry fits none of them.
  */
 export function candidateOf(
   editor: Editor,
@@ -25,17 +25,28 @@ export function candidateOf(
     return hasErrors(change.diagnostics) ? null : change.project;
   }
   const next = after === undefined ? null : continuationOf(editor, after, entry.definition);
-  const through = wire ?? (next && 'wire' in next ? next.wire : wireToOutput(editor));
-  const types = through === null ? null : wireTypes(editor, through);
-  if (through === null || types === null || portsThrough(entry.definition, types) === null) return null;
+  const places = next && 'wire' in next ? [next.wire] : [...wiresToScenes(editor, after), ...wireToOutput(editor)];
+  const through = (wire === undefined ? places : [wire]).find((one) => {
+    const types = wireTypes(editor, one);
+    return types !== null && portsThrough(entry.definition, types) !== null;
+  });
+  if (through === undefined) return null;
   const { change } = additionOf(editor, entry, { x: 0, y: 0 }, null, through);
   return hasErrors(change.diagnostics) ? null : change.project;
 }
 
-/** The wire that carries the image to the output; null inside of subgraphs, and if there is none. */
-function wireToOutput({ document }: Editor): string | null {
+/** The wire that carries the image to the output; none inside of subgraphs. */
+function wireToOutput({ document }: Editor): readonly string[] {
   const state = document.getState();
-  if (state.graph !== MAIN_GRAPH) return null;
+  if (state.graph !== MAIN_GRAPH) return [];
   const wire = graphOf(state).wires.find(({ to }) => nodeOf(state, to.node)?.type === 'output/screen');
-  return wire === undefined ? null : printWire(wire);
+  return wire === undefined ? [] : [printWire(wire)];
+}
+
+/** The wires to scenes, those from a node if there are any. */
+function wiresToScenes({ document }: Editor, node: string | undefined): readonly string[] {
+  const state = document.getState();
+  const all = graphOf(state).wires.filter(({ to }) => nodeOf(state, to.node)?.type === 'layer/scene');
+  const own = all.filter(({ from }) => from.node === node);
+  return (own.length > 0 ? own : all).map(printWire);
 }

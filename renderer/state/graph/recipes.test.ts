@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { compile } from '../../../export/compiler/compile.ts';
-import { MAIN_GRAPH } from '../../../export/graph/project.ts';
+import { type Graph, MAIN_GRAPH } from '../../../export/graph/project.ts';
 import { LIBRARY } from '../../../tests/support/library.ts';
 import { openTestEditor } from '../../../tests/support/test-editor.ts';
 import { undo } from '../document/apply.ts';
@@ -11,6 +11,7 @@ import { soleNode } from '../editor/selection.ts';
 import { filesOf } from '../files/files.ts';
 import { addNodeFromPalette, connect } from './edit-graph.ts';
 import { canCompositeOver, compositeOver } from './insert-on-wire.ts';
+import { candidateOf } from './palette-candidates.ts';
 import { searchPalette } from './palette-search.ts';
 import { recipesOf } from './recipes.ts';
 
@@ -39,6 +40,28 @@ const wiresOf = (editor: Editor) => {
 };
 
 describe('a combination', () => {
+  test('is shown on the objects of a scene that the pointer rests over it, those of the selected node first', async () => {
+    const { editor } = await openTestEditor();
+    const scene = choose(editor, 'scene');
+    const models = [choose(editor, 'model'), choose(editor, 'primitive')];
+    for (const node of models) connect(editor, { node, port: 'objects' }, { node: scene, port: 'objects' });
+    const definition = ALL_RECIPES.find(({ nodes }) => nodes.technique?.type === 'technique/toon')?.definition;
+    if (!definition) throw new Error('Nothing draws objects as cartoons.');
+    const before = filesOf(editor);
+    for (const [after, drawn] of [
+      [undefined, models[0]],
+      [models[1], models[1]],
+    ] as const) {
+      const shown: Graph | undefined = candidateOf(editor, { definition, port: null }, after === undefined ? {} : { after })?.graphs[
+        MAIN_GRAPH
+      ];
+      const apply = shown?.wires.find(({ from }) => from.node === drawn)?.to.node ?? '';
+      expect(shown?.nodes[apply]?.type).toBe('objects/apply-technique');
+      expect(shown?.wires.some(({ from, to }) => from.node === apply && to.node === scene)).toBe(true);
+    }
+    expect(filesOf(editor)).toEqual(before);
+  });
+
   test('draws objects with a technique, by the technique’s name alone, in one step', async () => {
     const { editor } = await openTestEditor();
     const model = choose(editor, 'model');

@@ -39,6 +39,25 @@ test('a param of several nodes is edited by one undo step', async () => {
   expect(filesOf(editor)).toEqual(before);
 });
 
+test('an edit of one part of a vector keeps the others of each node', async () => {
+  const { editor } = await openTestEditor();
+  const nodes = [add(editor, 'objects/transform'), add(editor, 'objects/transform')] as const;
+  editParam(editor, nodes[0], 'positionM', [1, 0, -2]);
+  editParam(editor, nodes[1], 'positionM', [-1, 3, -4]);
+  endGesture(editor);
+  const position = sharedBy(editor, nodes).find(({ name }) => name === 'positionM');
+  if (!position) throw new Error('The nodes do not share their position.');
+  const before = filesOf(editor);
+  for (const y of [0.2, 0.5]) editShared(editor, nodes, position, [1, y, -2]);
+  endGesture(editor);
+  expect(nodes.map((id) => nodeOf(editor.document.getState(), id)?.params.positionM)).toEqual([
+    { value: [1, 0.5, -2] },
+    { value: [-1, 0.5, -4] },
+  ]);
+  undo(editor);
+  expect(filesOf(editor)).toEqual(before);
+});
+
 test('only params of the same kind with plain values are shared', async () => {
   const { editor } = await openTestEditor();
   const [sepia, other, number] = [add(editor, 'filter/sepia'), add(editor, 'filter/sepia'), add(editor, 'value/number')];

@@ -4,7 +4,7 @@ import type { Graph, Project } from '../../../export/graph/project.ts';
 import { getOwn } from '../../../export/graph/record.ts';
 import type { ParamDefinition, ParamValue } from '../../../nodes/kit/definition.ts';
 import { apply } from '../document/apply.ts';
-import type { OpenGraph } from '../editor/document.ts';
+import { nodeOf, type OpenGraph } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { boundValue } from './value-text.ts';
 
@@ -44,21 +44,39 @@ export function sharedParams({ nodes: all, wires }: Graph, library: OpenGraph['l
   });
 }
 
-/** Sets a param of several nodes. Successive edits form one undo step until `endGesture`. */
+/**
+ * Sets a param of several nodes. Of a vector, only the parts that differ from those of the first node: the others stay in each node.
+ * Successive edits form one undo step until `endGesture`.
+ */
 export function editShared(
   editor: Editor,
   nodes: readonly string[],
   { name, param }: Pick<SharedParam, 'name' | 'param'>,
   value: ParamValue,
 ): boolean {
-  const { project, library, graph } = editor.document.getState();
-  const steps = nodes.map((node) => (before: Project) => setParam(before, { library, graph, node, param: name, value }));
+  const state = editor.document.getState();
+  const { project, library, graph } = state;
+  const valueIn = (node: string) => {
+    const { type, params } = nodeOf(state, node) ?? {};
+    const own = getOwn(library.definition(type ?? '')?.params ?? {}, name) ?? param;
+    return boundValue(own, getOwn(params ?? {}, name));
+  };
+  const first = valueIn(nodes[0] ?? '');
+  const steps = nodes.map((node) => (before: Project) => {
+    const edited = param.type.startsWith('vector') ? withChangedParts(valueIn(node), first, value) : value;
+    return setParam(before, { library, graph, node, param: name, value: edited });
+  });
   return apply(
     editor,
     `Change ${param.label} of ${nodes.length} nodes`,
     sequence(project, ...steps),
     `param ${graph} ${nodes.join()} ${name}`,
   );
+}
+
+function withChangedParts(own: ParamValue, first: ParamValue, value: ParamValue): ParamValue {
+  if (!Array.isArray(own) || !Array.isArray(first) || !Array.isArray(value)) return value;
+  return value.map((part, i) => (part === first[i] ? (own[i] ?? part) : part)) as ParamValue;
 }
 
 function isSameKind(a: ParamDefinition, b: ParamDefinition): boolean {
