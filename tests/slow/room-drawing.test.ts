@@ -90,7 +90,7 @@ describe.each([
     }
   });
 
-  test('has the same strokes on a wall, whatever the direction in which the session began', async () => {
+  test('draws strokes on a wall as clear, whatever the direction in which the session began', async () => {
     const [straight, oblique] = [
       await drawn(shootWall(0), { ...STROKES_ALONE, medium }),
       await drawn(shootWall(Math.PI / 4), { ...STROKES_ALONE, medium }),
