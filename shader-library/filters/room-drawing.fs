@@ -62,8 +62,19 @@ const float PERIOD = 509.0;
 // The steepest surface that strokes follow, as the cosine of its angle to the ray.
 const float LEAST_COSINE = 0.12;
 
-// Below this, a surface direction has no strokes of its own.
-const float LEAST_SIDE = 0.02;
+// Power of the normal that is the share of a side, and what is taken off it: within 35° of an axis, a surface has one side. None has no side.
+const float SIDE_POWER = 8.0;
+const float SIDE_LEAST = 0.012;
+
+// Of a share of the strokes, those remain whose cover is above this power of it: strokes of two sides cover as much together as those of one.
+const float SHARE_POWER = 0.5;
+
+// How far a normal leans from the vertical, as a sine, where the strokes of a level surface begin to turn to those of the wall that it leans to,
+// and have done so. They turn in this many steps.
+const vec2 LEANING = vec2(0.25, 0.65);
+const float DIRECTIONS = 8.0;
+
+const float PI = 3.14159265;
 
 #ifdef SCRIM
 float metersAt(vec2 uv) { return ROOM_DEPTH(room, uv); }
@@ -164,8 +175,8 @@ float noiseOver(vec2 at, float seed) {
 }
 
 // Ink of parallel strokes at a point of a plane, meters, whose strokes run along y. A pixel covers `pixelM` across the strokes. Every second
-// stroke fades out before the distance between strokes doubles, so that strokes keep their place at all distances.
-float strokesAt(vec2 at, float pixelM, float cover, float width, float seed) {
+// stroke fades out before the distance between strokes doubles, so that strokes keep their place at all distances. `part` of the cover is drawn.
+float strokesAt(vec2 at, float pixelM, float cover, float part, float width, float seed) {
   float level = max(log2(max(spacingPx * pixelM, FINEST_M) / FINEST_M), 0.0);
   float octave = floor(level);
   float fading = level - octave;
@@ -184,7 +195,7 @@ float strokesAt(vec2 at, float pixelM, float cover, float width, float seed) {
     float gap = noiseAlong(along, line + seed);
     if (stays) gap = mix(gap, noiseAlong(at.y / (2.0 * spacing * LENGTH) + randomOf(line, seed + 7.0), line + seed), fading);
     // A stroke becomes thin toward its ends.
-    float pressure = smoothstep(gap - TAPER, gap + TAPER, cover * (1.0 + 2.0 * TAPER) - TAPER);
+    float pressure = smoothstep(gap - TAPER, gap + TAPER, cover * part * (1.0 + 2.0 * TAPER) - TAPER);
     float presence = min(1.0, 3.0 * pressure) * (stays ? 1.0 : 1.0 - fading);
     float halfWidth = 0.5 * width * spacing * (1.0 + fading) * sqrt(pressure);
     float soft = max(0.75 * pixelM, medium == CHARCOAL ? 0.3 * spacing * (1.0 + fading) : 0.0);
@@ -198,20 +209,23 @@ float strokesAt(vec2 at, float pixelM, float cover, float width, float seed) {
   return ink * smoothstep(grain - 0.35, grain + 0.35, cover * 1.2);
 }
 
-// Ink for a darkness from 0 to 1 on a plane, and on its strokes that cross. `pixelX` and `pixelY` are what one pixel covers to the right and
-// upward, meters.
-float drawnOn(vec2 place, vec2 pixelX, vec2 pixelY, float darkness, float seed) {
-  float ink = 0.0;
+// What strokes for a darkness from 0 to 1, and strokes that cross them, leave of the paper on a side. `right` and `up` are its axes; the columns of
+// `spot` are a place and what one pixel covers to the right and upward, meters. Of a `share` of the strokes each has its full contrast: they come
+// and go one by one where the share changes.
+float clearOf(mat3 spot, vec3 right, vec3 up, float angle, float share, float darkness, float seed) {
+  float clear = 1.0;
+  float part = pow(share, SHARE_POWER);
   for (int i = 0; i < 2; i++) {
-    float angle = turn + float(i) * CROSSING;
-    vec2 across = vec2(cos(angle), sin(angle));
-    vec2 onto = vec2(dot(place, across), dot(place, vec2(-across.y, across.x)));
-    float pixelM = length(vec2(dot(pixelX, across), dot(pixelY, across)));
+    vec3 across = right * cos(angle) + up * sin(angle);
+    vec3 along = up * cos(angle) - right * sin(angle);
+    vec3 on = across * spot;
     float cover = i == 0 ? darkness * 1.7 : (darkness - 0.35) * 1.7;
     float width = medium == CHARCOAL ? mix(0.4, 1.1, darkness) : mix(0.3, 0.75, darkness);
-    if (cover > 0.0) ink = 1.0 - (1.0 - ink) * (1.0 - strokesAt(onto, pixelM, min(cover, 1.0), width, seed + 101.0 * float(i)));
+    vec2 at = vec2(on.x, dot(along, spot[0]));
+    if (part * cover > 0.0) clear *= 1.0 - strokesAt(at, length(on.yz), min(cover, 1.0), part, width, seed + 101.0 * float(i));
+    angle += CROSSING;
   }
-  return ink;
+  return clear;
 }
 
 // Where the ray through `ray` meets the plane through a point with a normal, relative to the point, view space.
@@ -250,16 +264,29 @@ float surfaceInk(vec2 uv, vec4 surface, float darkness) {
   vec3 point = vec3(ray, -1.0) / surface.z;
   vec2 pixelRay = rayAt(uv + 1.0 / RENDERSIZE) - ray;
   mat3 toWorld = mat3(pose());
-  vec3 pixelX = toWorld * onPlane(point, normal, ray + vec2(pixelRay.x, 0.0));
-  vec3 pixelY = toWorld * onPlane(point, normal, ray + vec2(0.0, pixelRay.y));
-  vec3 place = (pose() * vec4(point, 1.0)).xyz;
-  vec3 sides = pow(abs(toWorld * normal), vec3(8.0));
-  sides /= sides.x + sides.y + sides.z;
-  float ink = 0.0;
-  if (sides.x > LEAST_SIDE) ink += sides.x * drawnOn(place.zy, pixelX.zy, pixelY.zy, darkness, 11.0);
-  if (sides.y > LEAST_SIDE) ink += sides.y * drawnOn(place.xz, pixelX.xz, pixelY.xz, darkness, 23.0);
-  if (sides.z > LEAST_SIDE) ink += sides.z * drawnOn(place.xy, pixelX.xy, pixelY.xy, darkness, 37.0);
-  return ink;
+  vec3 pixelX = onPlane(point, normal, ray + vec2(pixelRay.x, 0.0));
+  vec3 pixelY = onPlane(point, normal, ray + vec2(0.0, pixelRay.y));
+  mat3 spot = mat3((pose() * vec4(point, 1.0)).xyz, toWorld * pixelX, toWorld * pixelY);
+  vec3 outward = -(toWorld * normal);
+  vec3 shares = max(pow(abs(outward), vec3(SIDE_POWER)) - SIDE_LEAST, 0.0);
+  shares /= shares.x + shares.y + shares.z;
+  // Each side is seen from outside, with right and up as they are there. So two walls agree about the direction where they meet.
+  vec3 facing = vec3(outward.x < 0.0 ? -1.0 : 1.0, outward.y < 0.0 ? -1.0 : 1.0, outward.z < 0.0 ? -1.0 : 1.0);
+  vec3 up = vec3(0.0, 1.0, 0.0);
+  float clear = clearOf(spot, vec3(0.0, 0.0, -facing.x), up, turn, shares.x, darkness, 11.0);
+  clear *= clearOf(spot, vec3(facing.z, 0.0, 0.0), up, turn, shares.z, darkness, 37.0);
+  // A stroke and its opposite are the same, so the mean of the directions of a level surface and of the wall is that of doubled angles.
+  vec2 lean = outward.xz;
+  vec2 wall = vec2(lean.y * lean.y - lean.x * lean.x, 2.0 * lean.x * lean.y * facing.y) / max(dot(lean, lean), 1e-6);
+  vec2 mean = mix(vec2(1.0, 0.0), wall, smoothstep(LEANING.x, LEANING.y, length(lean)));
+  float direction = 0.5 * DIRECTIONS / PI * atan(mean.y, mean.x);
+  float later = smoothstep(0.0, 1.0, fract(direction));
+  for (int i = 0; i < 2; i++) {
+    float index = mod(floor(direction) + float(i), DIRECTIONS);
+    float share = shares.y * (i == 0 ? 1.0 - later : later);
+    clear *= clearOf(spot, vec3(1.0, 0.0, 0.0), vec3(0.0, 0.0, -facing.y), turn + index * PI / DIRECTIONS, share, darkness, 23.0 + index);
+  }
+  return 1.0 - clear;
 }
 
 // The layer at `uv`, premultiplied. Scrim passes premultiplied colors (SCRIM_ALPHA); other hosts pass straight alpha.

@@ -3,7 +3,8 @@ import { LIBRARY } from '../../app/services/compile-project.ts';
 import type { Bench } from './bench.ts';
 import { createRivals, racedBenches } from './rivals.ts';
 
-const COPY = `/*{
+/** A filter that copies. */
+export const COPY = `/*{
   "ISFVSN": "2",
   "DESCRIPTION": "Shows a layer as it is.",
   "CREDIT": "Scrim",

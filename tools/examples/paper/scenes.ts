@@ -10,7 +10,6 @@ import {
   ROBOT,
   ROBOT_WIRES,
   robotOnRug,
-  TABLE,
   WINDOW_LIGHT,
 } from './room.ts';
 
@@ -262,17 +261,17 @@ export const SCENES: readonly Recipe[] = [
     figure: '11',
     title: 'A sketchy shadow',
     description:
-      'The shadows of an elephant on a real rug and of a robot on a real table are drawn as pencil strokes, which lie there and get denser toward the feet. A second light casts second shadows, with strokes in another direction. Elephant and robot have Gooch’s cool-to-warm tones, and the room is unchanged.',
+      'The shadows of an elephant and a robot on a real rug, table and stool are drawn as pencil strokes, which lie there and get denser toward the feet. A second light casts second shadows, with strokes in another direction. Elephant and robot have Gooch’s cool-to-warm tones, and the room is unchanged.',
     nodes: {
       ...elephantAndRobot(0),
-      // Back from the visitor, with light from behind them, so that their shadows lie on the floor in front.
-      elephant: ['objects/transform', 1, 0, { positionM: [0.55, 0, -0.8], rotationRad: [0, -0.9, 0], scale: 1.1 }],
-      robot: ['objects/transform', 1, 1, { positionM: [-0.45, TABLE.topM, -0.5], rotationRad: [0, 0.2, 0], scale: 1.7 }],
+      // Behind the table, with light from behind and from the right, so that their shadows cover the floor in front.
+      elephant: ['objects/transform', 1, 0, { positionM: [0.6, 0, -1.02], rotationRad: [0, -1.5, 0], scale: 1.4 }],
+      robot: ['objects/transform', 1, 1, { positionM: [-1.14, 0, -0.8], rotationRad: [0, 0.35, 0], scale: 2.4 }],
       ...phantoms(3),
       gooch: ['technique/gooch', 2, 1],
       drawn: ['objects/apply-technique', 3, 0],
-      light: ['light/directional', 2, 2, { ...WINDOW_LIGHT, azimuthRad: 2.75, elevationRad: 0.55, areaM: 4, filter: 'soft' }],
-      lamp: ['light/directional', 2, 3, { ...WINDOW_LIGHT, azimuthRad: 1.9, elevationRad: 0.5, areaM: 4, intensity: 0.5, filter: 'soft' }],
+      light: ['light/directional', 2, 2, { ...WINDOW_LIGHT, azimuthRad: 2.75, elevationRad: 0.75, areaM: 4, filter: 'soft' }],
+      lamp: ['light/directional', 2, 3, { ...WINDOW_LIGHT, azimuthRad: 2.2, elevationRad: 0.6, areaM: 4, intensity: 0.5, filter: 'soft' }],
       shadow: ['layer/shadow', 3, 1, { strength: 0.85, color: [0.1, 0.09, 0.13, 1], drawing: 'strokes', spacingPx: 8 }],
       video: ['source/camera-video', 4, 3],
       scene: ['layer/scene', 3, 0, { ambient: 0.4 }],
@@ -286,10 +285,13 @@ export const SCENES: readonly Recipe[] = [
       'pair.objects -> drawn.objects',
       'gooch.technique -> drawn.technique',
       'drawn.objects -> scene.objects',
+      'table.objects -> scene.objects',
+      'stool.objects -> scene.objects',
       'light.lights -> scene.lights',
       'pair.objects -> shadow.casters',
       'floor.objects -> shadow.receivers',
       'table.objects -> shadow.receivers',
+      'stool.objects -> shadow.receivers',
       'light.lights -> shadow.lights',
       'lamp.lights -> scene.lights',
       'lamp.lights -> shadow.lights',
