@@ -217,6 +217,8 @@ export interface PreviewRange {
 export interface PreviewGizmo {
   /** Node id in the program. */
   readonly node: string;
+  /** A drag adds a Transform after the node, so the gizmo starts with no transform; absent if the params are those of the node. */
+  readonly adds?: true;
   readonly mode: GizmoMode;
   /** Axes of the object or of the session. */
   readonly space: 'local' | 'world';

@@ -285,6 +285,39 @@ test('a connected param disables the tool, and its tooltip says why', async () =
   await page.keyboard.press('w');
 });
 
+test('the first drag of an object without a Transform adds one, as one step', async () => {
+  const { page, editor } = open;
+  await select('outer');
+  await editor
+    .node('transform')
+    .locator('.node-title')
+    .click({ modifiers: ['Shift'] });
+  await page.keyboard.press('Delete');
+  await editor.wire(['box-aaaa', 'objects'], ['scene-aaaa', 'objects']);
+  const before = await saveGraphs(open);
+  await select('box');
+  await tool(/^Move Transform/).waitFor();
+  await holds('move');
+  const up = await tip('y', ({ y }) => -y);
+  await page.mouse.move(up.x, up.y);
+  await page.mouse.down();
+  await page.mouse.move(up.x, up.y - 40, { steps: 6 });
+  const added = editor.node('transform');
+  await added.waitFor();
+  await page.mouse.move(up.x, up.y - 60, { steps: 6 });
+  await page.mouse.up();
+  // The arrow went along with the pointer, and so did the box that it moves.
+  const after = await tip('y', ({ y }) => -y);
+  expect(Math.abs(up.y - 60 - after.y)).toBeLessThan(6);
+  const { positionM } = (await savedParams(await editor.nodeId('transform'))) as { positionM: number[] };
+  expect(positionM).toEqual([0, expect.any(Number), 0]);
+  expect(positionM[1]).toBeGreaterThan(0.05);
+  await undo();
+  expect(await saveGraphs(open)).toEqual(before);
+  for (let step = 0; step < 2; step++) await undo();
+  await editor.node('outer').waitFor();
+});
+
 test('in an emulated room of two views it stands in the left one, while all plays', async () => {
   const { page, editor } = open;
   await editor.press('Headset');

@@ -172,7 +172,7 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
     const [view] = frame.views;
     const held = gizmo;
     if (!held || !view || !box) return false;
-    reading = readerOf(inspected, held.node);
+    reading = held.adds ? () => null : readerOf(inspected, held.node);
     overlay ??= createOverlay(parent);
     overlay.setView(view, box);
     const { controls, object } = overlay;

@@ -16,10 +16,15 @@ export interface GizmoTarget {
   readonly handles: Readonly<Partial<Record<Handle, string>>>;
   /** Param names in the open graph, by name in the program. */
   readonly names: Readonly<Record<string, string>>;
+  /** The node has no transform: a drag first adds a Transform after it, whose params these are. */
+  readonly adds?: true;
 }
 
 /** `reason`: why there is no gizmo, as text for the user; null if the selection has no objects to transform. */
 export type GizmoTargetResult = { readonly target: GizmoTarget } | { readonly target: null; readonly reason: string | null };
+
+/** Type of the node that a drag of an object without transform adds. */
+export const TRANSFORM = 'objects/transform';
 
 const HANDLES: Readonly<Record<GizmoMode, readonly Handle[]>> = {
   move: ['position'],
@@ -31,7 +36,7 @@ const PARTICIPLES: Readonly<Record<GizmoMode, string>> = { move: 'moved', rotate
 
 /**
  * The gizmo target of the selected node: the node itself, or the nearest node after it that transforms its objects, as a Transform
- * does for a model. If the wires branch, `chain` selects the branch: nodes of the program that the clicked object passed through.
+ * does for a model; without one, a Transform that a drag adds. If the wires branch, `chain` selects the branch: nodes of the program that the clicked object passed through.
  */
 export function gizmoTargetOf(
   state: DocumentState,
@@ -43,18 +48,35 @@ export function gizmoTargetOf(
   if (selected === null) return { target: null, reason: null };
   if (mode === 'rotate' && nodeOf(state, selected)?.type === LAMPS) return lampTarget(state, selected, lamp);
   let hasTransform = false;
+  let hasMuted = false;
   for (const id of nodesBehind(state, selected, chain)) {
     const node = nodeOf(state, id);
     const definition = node && state.library.definition(node.type);
     if (!node || !definition) break;
     hasTransform ||= id === selected ? isPlaced(definition) : true;
-    if (!HANDLES[mode].some((handle) => paramOf(definition, handle) !== undefined) || node.muted) continue;
+    if (!HANDLES[mode].some((handle) => paramOf(definition, handle) !== undefined)) continue;
+    hasMuted ||= node.muted === true;
+    if (node.muted) continue;
     const driven = HANDLES[mode].map((handle) => drivenBy(state, id, node, definition, handle)).find((reason) => reason !== null);
     return driven === undefined ? { target: makeTarget(state, id, node, definition, mode) } : { target: null, reason: driven };
   }
   const title = state.library.definition(nodeOf(state, selected)?.type ?? '')?.title;
   if (!hasTransform || title === undefined) return { target: null, reason: null };
+  const added = hasMuted ? null : addedTarget(state, selected, mode);
+  if (added) return { target: added };
   return { target: null, reason: `${title} cannot be ${PARTICIPLES[mode]}. Connect its objects to a Transform.` };
+}
+
+/** A Transform that a drag adds after a node with connected objects; null if it has none. */
+function addedTarget(state: DocumentState, node: string, mode: GizmoMode): GizmoTarget | null {
+  const definition = state.library.definition(TRANSFORM);
+  if (!definition || !graphOf(state).wires.some(({ from }) => from.node === node && carriesObjects(state, from))) return null;
+  const params = HANDLES[mode].flatMap((handle) => {
+    const name = paramOf(definition, handle);
+    return name === undefined ? [] : [[handle, name] as const];
+  });
+  const names = Object.fromEntries(params.map(([, name]) => [name, name]));
+  return { node, title: definition.title, program: nodePath(state, node), handles: Object.fromEntries(params), names, adds: true };
 }
 
 const LAMPS = 'light/from-panorama';
@@ -116,7 +138,7 @@ export function isWithin(id: string, path: string): boolean {
   return id === path || id.startsWith(`${path}/`);
 }
 
-function carriesObjects(state: DocumentState, { node, port }: { readonly node: string; readonly port: string }): boolean {
+export function carriesObjects(state: DocumentState, { node, port }: { readonly node: string; readonly port: string }): boolean {
   const definition = state.library.definition(nodeOf(state, node)?.type ?? '');
   return getOwn(definition?.outputs ?? {}, port)?.type === 'objects';
 }

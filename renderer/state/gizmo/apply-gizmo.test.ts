@@ -95,7 +95,7 @@ describe('what is taken hold of', () => {
     expect(currentGizmoTarget(editor, 'move')).toMatchObject({ target: null, reason: expect.stringContaining('cannot be moved') });
   });
 
-  test('nothing where a node has no place, and of a model without a Transform what to do', async () => {
+  test('nothing where a node has no place, and of a model that goes nowhere what to do', async () => {
     const { editor } = await boxes();
     selectOnly(editor.selection, [add(editor, 'filter/sepia')]);
     expect(currentGizmoTarget(editor, 'move')).toEqual({ target: null, reason: null });
@@ -127,6 +127,42 @@ describe('what is taken hold of', () => {
 });
 
 describe('a drag', () => {
+  test('of an object without a Transform adds one to all its ways, as one step with the move', async () => {
+    const { editor, scene, shown, drag } = await boxes();
+    const model = add(editor, 'source/model');
+    const phantom = add(editor, 'objects/phantom');
+    for (const to of [scene, phantom]) connect(editor, { node: model, port: 'objects' }, { node: to, port: 'objects' });
+    selectOnly(editor.selection, [model]);
+    const before = editor.document.getState();
+    expect(shown()).toMatchObject({ node: model, adds: true, mode: 'move', handles: { position: 'positionM' } });
+    drag({ positionM: [0, 1, 0] });
+    drag({ positionM: [0, 2, 0] }, 'ended');
+    const known = Object.keys(graphOf(before).nodes);
+    const [added = '', ...more] = Object.keys(graphOf(editor.document.getState()).nodes).filter((id) => !known.includes(id));
+    expect(more).toEqual([]);
+    expect(position(editor, added)).toEqual({ value: [0, 2, 0] });
+    const { wires } = graphOf(editor.document.getState());
+    expect(wires.filter(({ from }) => from.node === model).map(({ to }) => to.node)).toEqual([added]);
+    expect(wires.filter(({ from }) => from.node === added).map(({ to }) => to.node)).toEqual(expect.arrayContaining([scene, phantom]));
+    // The next drag moves the same Transform.
+    expect(shown()).toMatchObject({ node: added });
+    expect(shown()).not.toHaveProperty('adds');
+    expect(soleNode(editor.selection.getState())).toBe(model);
+    undo(editor);
+    expect(editor.document.getState().project).toEqual(before.project);
+  });
+
+  test('that adds a Transform and is canceled leaves none', async () => {
+    const { editor, scene, drag } = await boxes();
+    const model = add(editor, 'source/model');
+    connect(editor, { node: model, port: 'objects' }, { node: scene, port: 'objects' });
+    selectOnly(editor.selection, [model]);
+    const before = editor.document.getState().project;
+    drag({ positionM: [0, 1, 0] });
+    cancelDrag(editor);
+    expect(editor.document.getState().project).toEqual(before);
+  });
+
   test('is one step, rounded and within the param’s range, and the next is another', async () => {
     const { editor, left, drag } = await boxes();
     selectOnly(editor.selection, [left]);

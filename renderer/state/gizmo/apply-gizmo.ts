@@ -3,16 +3,17 @@ import type { ParamDefinition, ParamValue } from '../../../nodes/kit/definition.
 import type { FromPreview, GizmoMode, ToPreview } from '../../preview-protocol.ts';
 import { appCommand, appCommandIds, runCommand } from '../commands/app-commands.ts';
 import { commandOfKeybinding, keybindingsOf } from '../commands/keybindings.ts';
-import { endGesture } from '../document/apply.ts';
+import { apply, endGesture } from '../document/apply.ts';
 import { cancelDrag } from '../document/cancel-drag.ts';
 import { nodeOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import type { GizmoDrag } from '../editor/gizmo-state.ts';
-import { type GizmoTargetResult, gizmoTargetOf, isWithin } from '../editor/gizmo-target.ts';
+import { type GizmoTarget, type GizmoTargetResult, gizmoTargetOf, isWithin } from '../editor/gizmo-target.ts';
 import { nodePath } from '../editor/layer-names.ts';
 import { timeOf } from '../editor/preview-state.ts';
 import { selectOnly, soleNode } from '../editor/selection.ts';
 import { revealNodes } from '../editor/ui.ts';
+import { transformAfter } from '../graph/transform-after.ts';
 import { editParams } from '../params/edit-params.ts';
 import { editAt } from '../params/keyframes.ts';
 
@@ -41,7 +42,8 @@ export function createGizmoSync(editor: Editor, post: (message: ToPreview) => vo
     const { mode, space, snap, chain, drag } = gizmo.getState();
     const target = mode === null ? null : currentGizmoTarget(editor, mode).target;
     if (target === null && drag !== null) gizmo.setState({ drag: null, endedDrag: drag.id });
-    const wanted = mode && target && { node: target.program, mode, space, snap, handles: target.handles, chain };
+    const adds = target?.adds ? ({ adds: true } as const) : {};
+    const wanted = mode && target && { node: target.program, ...adds, mode, space, snap, handles: target.handles, chain };
     const text = JSON.stringify([wanted, mode !== null]);
     if (text === sent) return;
     sent = text;
@@ -94,10 +96,13 @@ function receiveDrag(editor: Editor, { drag: id, state, values }: Extract<FromPr
     return;
   }
   if (drag === null) {
-    const target = mode === null ? null : currentGizmoTarget(editor, mode).target;
-    if (target === null || state === 'ended') return;
+    const found = mode === null ? null : currentGizmoTarget(editor, mode).target;
+    if (mode === null || found === null || state === 'ended') return;
     endGesture(editor);
-    drag = { id, target, state: document.getState().history.state, timeS: timeOf(preview.getState()) };
+    const before = document.getState().history.state;
+    const target = found.adds ? addTransform(editor, found, mode) : found;
+    if (target === null) return;
+    drag = { id, target, state: before, timeS: timeOf(preview.getState()) };
     gizmo.setState({ drag });
   }
   setValues(editor, drag, mode ?? 'move', values);
@@ -105,6 +110,17 @@ function receiveDrag(editor: Editor, { drag: id, state, values }: Extract<FromPr
   endGesture(editor);
   gizmo.setState({ drag: null, endedDrag: id });
 }
+
+/** Adds a Transform after a node and returns it as the target of the drag, whose undo step this begins; null if it could not be added. */
+function addTransform(editor: Editor, { node, title }: GizmoTarget, mode: GizmoMode): GizmoTarget | null {
+  const { id, change } = transformAfter(editor, node);
+  if (!apply(editor, `${VERBS[mode]} ${title}`, change, keyOf(id))) return null;
+  const { target } = currentGizmoTarget(editor, mode);
+  return target?.node === id ? target : null;
+}
+
+/** Key of the undo step of a drag. */
+const keyOf = (node: string): string => `gizmo ${node}`;
 
 function setValues(editor: Editor, { target, timeS }: GizmoDrag, mode: GizmoMode, values: Readonly<Record<string, ParamValue>>): void {
   const state = editor.document.getState();
@@ -120,7 +136,7 @@ function setValues(editor: Editor, { target, timeS }: GizmoDrag, mode: GizmoMode
     if (binding && 'track' in binding) editAt(editor, target.node, name, timeS, fitting);
     else edits.push({ param: name, value: fitting });
   }
-  if (edits.length > 0) editParams(editor, `${VERBS[mode]} ${target.title}`, target.node, edits, `gizmo ${target.node}`);
+  if (edits.length > 0) editParams(editor, `${VERBS[mode]} ${target.title}`, target.node, edits, keyOf(target.node));
 }
 
 /** Decimals of lengths and factors: 0.1 mm. Those of angles are below 0.00001°. */
