@@ -32,6 +32,7 @@ import type { CanvasWire } from './project-wires.ts';
 import { RerouteView } from './reroute-view.tsx';
 import { type AnyNode, useCanvasView } from './use-canvas-view.ts';
 import { useGestures } from './use-gestures.ts';
+import { useKeptView } from './use-kept-view.ts';
 import { FAR_ZOOM, useLegibleLabels } from './use-legible-labels.ts';
 import { useLongPress } from './use-long-press.ts';
 import { FIT_PADDING, useRefit, useReveal } from './use-reveal.ts';
@@ -68,6 +69,7 @@ function CanvasInside() {
   const drop = useFileDrop(flow.screenToFlowPosition);
   const handlers = useGestures(flow.screenToFlowPosition, flow.flowToScreenPosition);
   useReveal();
+  useKeptView();
   useRefit();
   useScale();
   useShownPlace();

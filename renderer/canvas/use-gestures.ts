@@ -241,7 +241,8 @@ function wireChanges(editor: Editor, changes: readonly EdgeChange<CanvasWire>[],
   return [...of(false), ...of(true)];
 }
 
-function clientOf(event: MouseEvent | TouchEvent): Place {
+/** Place of the pointer, or of the first finger that the event is about, in client pixels. */
+export function clientOf(event: MouseEvent | TouchEvent): Place {
   const point = 'changedTouches' in event ? event.changedTouches[0] : event;
   return { x: point?.clientX ?? 0, y: point?.clientY ?? 0 };
 }

@@ -1,4 +1,4 @@
-import { mkdir, rm } from 'node:fs/promises';
+import { mkdir, readFile, rm, utimes, writeFile } from 'node:fs/promises';
 import { basename, dirname, join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import type { Locator } from 'playwright-core';
@@ -181,4 +181,37 @@ test.each(['Assets', 'History', 'Problems', 'Timeline'])('the panel of “%s”,
   await editor.press('View');
   await expect(item.getAttribute('aria-checked')).resolves.toBe('false');
   await page.keyboard.press('Escape');
+});
+
+/** An owner of files on another machine, whose processes cannot be looked up. */
+const ELSEWHERE = '00000000-1-1';
+
+test('the question about a project that another machine is saving', async () => {
+  const { page, project } = open;
+  await mkdir(join(project, '.scrim'), { recursive: true });
+  await writeFile(join(project, '.scrim', 'lock'), `${ELSEWHERE} 00`);
+  await page.getByRole('textbox', { name: 'Title', exact: true }).fill('Locked');
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('Control+s');
+  const dialog = page.getByRole('dialog', { name: 'Project is locked' });
+  await dialog.waitFor();
+  await expectNothingFound();
+  await dialog.getByRole('button', { name: 'Break lock' }).click();
+  await page.locator('.unsaved').waitFor({ state: 'detached' });
+});
+
+test('the question about unsaved changes of a Scrim that was killed', async () => {
+  const { page, project } = open;
+  const left = join(project, '.scrim', `unsaved-${ELSEWHERE}-00.json`);
+  const text = await readFile(join(project, 'project.scrim.json'), 'utf8');
+  await writeFile(left, JSON.stringify({ project: text.replace('Locked', 'Left behind'), layout: null, sources: {} }));
+  const daysAgo = new Date(Date.now() - 2 * 24 * 3600 * 1000);
+  await utimes(left, daysAgo, daysAgo);
+  await page.reload();
+  const dialog = page.getByRole('dialog', { name: 'Unsaved changes found' });
+  await dialog.waitFor();
+  await expectNothingFound();
+  await dialog.getByRole('button', { name: 'Restore' }).click();
+  await dialog.waitFor({ state: 'detached' });
+  expect(await page.getByRole('textbox', { name: 'Title', exact: true }).inputValue()).toBe('Left behind');
 });

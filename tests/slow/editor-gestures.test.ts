@@ -146,6 +146,46 @@ test('a wire let go over a node goes to the first port of it that is free, which
   expect(await wires()).toEqual(WIRES);
 });
 
+test('a wire let go within 24 px of another is composited there; the nearer one is meant, and ports come first', async () => {
+  const { page, editor } = open;
+  const [straight = ''] = WIRES;
+  const under = (wire: string) => page.locator(`.react-flow__edge[data-id="${wire}"] .wire-under`);
+  const from = await centerOf(editor.port('sepia-aaaa', 'layer', 'source'));
+  const middle = await editor.pointOnWire(straight, 0.5);
+  await begin(from, { x: middle.x, y: middle.y + 20 });
+  await under(straight).waitFor({ state: 'attached' });
+  await page.mouse.move(middle.x, middle.y + 30);
+  await under(straight).waitFor({ state: 'detached' });
+  // A port that takes the wire, near the end of the other wire.
+  const port = await centerOf(editor.port('screen-aaaa', 'layer', 'target'));
+  await page.mouse.move(port.x - 16, port.y + 2, { steps: 2 });
+  await page.locator('.react-flow__handle.valid').waitFor({ state: 'attached' });
+  expect(await page.locator('.wire-under').count()).toBe(0);
+  await page.mouse.move(middle.x, middle.y + 20, { steps: 4 });
+  await under(straight).waitFor({ state: 'attached' });
+  await page.mouse.up();
+  await page.getByRole('group', { name: 'Wire from Sepia to Alpha over' }).waitFor();
+  expect(await wires()).not.toContain(straight);
+  await page.keyboard.press('Control+z');
+  expect(await wires()).toEqual(WIRES);
+
+  // Two wires that part slowly.
+  await editor.wire(['video-aaaa', 'layer'], ['over-aaaa', 'bottom']);
+  const bent = 'video-aaaa.layer -> over-aaaa.bottom';
+  const start = await editor.pointOnWire(bent, 0);
+  const fork = await editor.pointOnWire(bent, 0.25);
+  expect(fork.y - start.y).toBeGreaterThan(6);
+  // The view may have moved to show the new node.
+  await begin(await centerOf(editor.port('sepia-aaaa', 'layer', 'source')), { x: fork.x, y: fork.y + 3 });
+  await under(bent).waitFor({ state: 'attached' });
+  await page.mouse.move(fork.x, start.y - 3, { steps: 2 });
+  await under(straight).waitFor({ state: 'attached' });
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  await page.keyboard.press('Control+z');
+  expect(await wires()).toEqual(WIRES);
+});
+
 test('the numbers of a vector can be read in a narrow window; units can be typed, and invalid text stays for correction', async () => {
   const { page } = open;
   await title('transform').click();

@@ -27,20 +27,10 @@ function title(node: string) {
   return open.editor.node(node).locator('.node-title');
 }
 
-/** The middle of a wire, where the pointer hits it. */
-async function middleOf(wire: string): Promise<{ readonly x: number; readonly y: number }> {
-  return open.page.locator(`.react-flow__edge[data-id="${wire}"] .react-flow__edge-path`).evaluate((element) => {
-    const path = element as SVGPathElement;
-    const at = path.getPointAtLength(path.getTotalLength() / 2);
-    const { x, y } = at.matrixTransform(path.getScreenCTM() ?? undefined);
-    return { x, y };
-  });
-}
-
 test('a node that is dropped on a wire goes into it, in one step with its move', async () => {
   const { page, editor } = open;
   const from = await centerOf(title('sepia'));
-  const to = await middleOf(TO_SCREEN);
+  const to = await editor.pointOnWire(TO_SCREEN, 0.5);
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
   // A hand starts slowly; the node hangs on where the pointer is after its first step.
@@ -65,7 +55,7 @@ test('a node that is dropped on a wire goes into it, in one step with its move',
 
 test('Tab over a selected wire asks for a node to go through, and offers no other', async () => {
   const { page, editor } = open;
-  const { x, y } = await middleOf('video-aaaa.layer -> gaussian-blur-aaaa.inputImage');
+  const { x, y } = await open.editor.pointOnWire('video-aaaa.layer -> gaussian-blur-aaaa.inputImage', 0.5);
   await page.mouse.click(x, y);
   await page.keyboard.press('Tab');
   const list = page.getByRole('listbox', { name: 'Node types' });

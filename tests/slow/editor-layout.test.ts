@@ -1,4 +1,5 @@
 import { afterEach, describe, expect, test } from '@jest/globals';
+import { centerOf } from '../../tools/lib/center-of.ts';
 import { type GraphText, useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
 
@@ -82,6 +83,49 @@ describe('the layout of the window', () => {
       }
     });
     expect(await frame?.evaluate(() => 'mark' in window)).toBe(true);
+  });
+
+  test('the bottom panel leaves in view what was: a graph that was fitted whole, else what was in the middle', async () => {
+    const { page } = open;
+    const nodesInView = async () => {
+      const canvas = await canvasBox();
+      const boxes = await Promise.all((await page.locator('.react-flow__node').all()).map((node) => node.boundingBox()));
+      return boxes.filter((box) => box && box.y >= canvas.y && box.y + box.height <= canvas.y + canvas.height).length;
+    };
+    /** What the middle of the canvas shows, in canvas units, and the zoom. */
+    const middle = async () => {
+      const { width, height } = await canvasBox();
+      const [zoom = 0, x = 0, y = 0] = await page
+        .locator('.react-flow__viewport')
+        .evaluate((element) => [new DOMMatrix(getComputedStyle(element).transform)].flatMap(({ a, e, f }) => [a, e, f]));
+      return { x: (width / 2 - x) / zoom, y: (height / 2 - y) / zoom, zoom };
+    };
+    await run('Fit graph to view');
+    await eventually(async () => expect(await nodesInView()).toBe(4));
+    const tall = (await canvasBox()).height;
+    await run('Timeline');
+    await eventually(async () => expect((await canvasBox()).height).toBeLessThan(tall - 100));
+    await eventually(async () => expect(await nodesInView()).toBe(4));
+    await run('Timeline');
+    await eventually(async () => expect((await canvasBox()).height).toBe(tall));
+
+    await open.editor.node('sepia').click();
+    await run('Show the selection');
+    await eventually(async () => expect((await middle()).zoom).toBeGreaterThan(0.9));
+    // The view is still on its way.
+    await centerOf(open.editor.node('sepia'));
+    const before = await middle();
+    await run('Timeline');
+    await eventually(async () => expect((await canvasBox()).height).toBeLessThan(tall - 100));
+    const beside = await middle();
+    await run('Timeline');
+    await eventually(async () => expect((await canvasBox()).height).toBe(tall));
+    const after = await middle();
+    for (const axis of ['x', 'y', 'zoom'] as const) {
+      expect(Math.abs(beside[axis] - before[axis])).toBeLessThan(1);
+      expect(Math.abs(after[axis] - before[axis])).toBeLessThan(1);
+    }
+    await run('Fit graph to view');
   });
 
   test('fills the window with the preview, with the graph over it, until Escape', async () => {

@@ -49,13 +49,9 @@ function title(node: string) {
   return open.editor.node(node).locator('.node-title');
 }
 
-/** A point of what is drawn of a wire, `along` its length from 0 to 1. On screen. */
-async function pointOn(stretch: string, along = 0.5): Promise<Point> {
-  return open.page.locator(`.react-flow__edge[data-id="${stretch}"] .react-flow__edge-path`).evaluate((element, part) => {
-    const path = element as SVGPathElement;
-    const { x, y } = path.getPointAtLength(path.getTotalLength() * part).matrixTransform(path.getScreenCTM() ?? undefined);
-    return { x, y };
-  }, along);
+/** A point on a stretch, `along` its length from 0 to 1. */
+function pointOn(stretch: string, along = 0.5): Promise<Point> {
+  return open.editor.pointOnWire(stretch, along);
 }
 
 async function press(...keys: readonly string[]): Promise<void> {

@@ -42,6 +42,15 @@ export class EditorDriver {
     return this.page.locator(`.react-flow__handle.${side}[data-nodeid="${node}"][data-handleid="${port}"]`);
   }
 
+  /** A point on a drawn wire, at a part of its length. */
+  async pointOnWire(wire: string, part: number): Promise<Point> {
+    return this.page.locator(`.react-flow__edge[data-id="${wire}"] .react-flow__edge-path`).evaluate((element, at) => {
+      const path = element as SVGPathElement;
+      const { x, y } = path.getPointAtLength(path.getTotalLength() * at).matrixTransform(path.getScreenCTM() ?? undefined);
+      return { x, y };
+    }, part);
+  }
+
   /** Drags a wire from one port to another. */
   async wire(from: readonly [node: string, port: string], to: readonly [node: string, port: string]): Promise<void> {
     await this.drag(await centerOf(this.port(from[0], from[1], 'source')), await centerOf(this.port(to[0], to[1], 'target')));
