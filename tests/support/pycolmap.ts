@@ -17,3 +17,9 @@ export function describeWithColmap(name: string, tests: () => void): void {
   }
   describeMissing(name, 'pycolmap', 'python3 has no package pycolmap (https://pypi.org/project/pycolmap)');
 }
+
+/** Tests that compare with scikit-image. Skipped with the reason where that is missing. */
+export function describeWithSkimage(name: string, tests: () => void): void {
+  if (spawnSync('python3', ['-c', 'import skimage']).status === 0) describe(name, tests);
+  else describeMissing(name, 'skimage', 'python3 has no package scikit-image (https://pypi.org/project/scikit-image)');
+}

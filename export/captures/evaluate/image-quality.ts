@@ -59,51 +59,68 @@ export function chromaErrorAt({ shown, truth }: ImagePair, at: number): number {
   return Math.abs(-0.168736 * r - 0.331264 * g + 0.5 * b) + Math.abs(0.5 * r - 0.418688 * g - 0.081312 * b);
 }
 
-const SIDE = 8;
-const STEP = 4;
+/** Pixels on each side of the middle of a window. */
+const RADIUS = 5;
+const SIDE = 2 * RADIUS + 1;
+const SIGMA = 1.5;
 const C1 = (0.01 * 255) ** 2;
 const C2 = (0.03 * 255) ** 2;
 
 /**
- * Structural similarity (Wang et al., “Image quality assessment”, IEEE TIP 2004) of the luma, over windows of 8 × 8 pixels, one at every
- * fourth pixel. Windows with a pixel that is left out do not count.
+ * Structural similarity of the luma, with the windows and constants of Wang et al., “Image quality assessment”, IEEE TIP 2004: 11 × 11 pixels
+ * around each pixel, weighted by a Gaussian of 1.5 pixels, wholly inside the image. Windows with a pixel that is left out do not count.
  */
 function meanSsim(pair: ImagePair): number {
   const { shown, truth, widthPx, heightPx } = pair;
   const a = lumaOf(shown);
   const b = lumaOf(truth);
+  const smooth = (value: (at: number) => number) =>
+    smoothed(
+      a.map((_, at) => value(at)),
+      widthPx,
+      heightPx,
+    );
+  const meanA = smooth((at) => a[at] ?? 0);
+  const meanB = smooth((at) => b[at] ?? 0);
+  const squares = smooth((at) => (a[at] ?? 0) ** 2 + (b[at] ?? 0) ** 2);
+  const products = smooth((at) => (a[at] ?? 0) * (b[at] ?? 0));
+  const leftOut = smooth((at) => (shown[4 * at + 3] === 0 ? 1 : 0));
+  const columns = widthPx - SIDE + 1;
   let sum = 0;
   let windows = 0;
-  for (let top = 0; top + SIDE <= heightPx; top += STEP) {
-    const weight = weightOf(pair, top + SIDE / 2);
-    for (let left = 0; left + SIDE <= widthPx; left += STEP) {
-      const value = ssimAt(a, b, shown, top * widthPx + left, widthPx);
-      if (value === null) continue;
-      sum += weight * value;
-      windows += weight;
-    }
+  for (let i = 0; i < meanA.length; i++) {
+    if (leftOut[i] !== 0) continue;
+    const weight = weightOf(pair, Math.floor(i / columns) + SIDE / 2);
+    const [x, y] = [meanA[i] ?? 0, meanB[i] ?? 0];
+    const variances = (squares[i] ?? 0) - x * x - y * y;
+    const covariance = (products[i] ?? 0) - x * y;
+    sum += (weight * ((2 * x * y + C1) * (2 * covariance + C2))) / ((x * x + y * y + C1) * (variances + C2));
+    windows += weight;
   }
   return sum / windows;
 }
 
-function ssimAt(a: Float64Array, b: Float64Array, shown: ArrayLike<number>, from: number, widthPx: number): number | null {
-  let [sumA, sumB, squareA, squareB, product] = [0, 0, 0, 0, 0];
-  for (let i = 0; i < SIDE * SIDE; i++) {
-    const at = from + Math.floor(i / SIDE) * widthPx + (i % SIDE);
-    if (shown[4 * at + 3] === 0) return null;
-    const x = a[at] ?? 0;
-    const y = b[at] ?? 0;
-    sumA += x;
-    sumB += y;
-    squareA += x * x;
-    squareB += y * y;
-    product += x * y;
-  }
-  const n = SIDE * SIDE;
-  const [meanA, meanB] = [sumA / n, sumB / n];
-  const variances = (squareA + squareB - n * (meanA * meanA + meanB * meanB)) / (n - 1);
-  const covariance = (product - n * meanA * meanB) / (n - 1);
-  return ((2 * meanA * meanB + C1) * (2 * covariance + C2)) / ((meanA * meanA + meanB * meanB + C1) * (variances + C2));
+/** Means of all windows that are wholly inside an image, row by row. */
+function smoothed(image: Float64Array, widthPx: number, heightPx: number): Float64Array {
+  const columns = Math.max(0, widthPx - SIDE + 1);
+  const rows = Math.max(0, heightPx - SIDE + 1);
+  const across = new Float64Array(columns * heightPx);
+  for (let i = 0; i < across.length; i++) across[i] = windowSum(image, Math.floor(i / columns) * widthPx + (i % columns), 1);
+  return Float64Array.from({ length: columns * rows }, (_, i) => windowSum(across, i, columns));
+}
+
+const GAUSSIAN = gaussian();
+
+function gaussian(): readonly number[] {
+  const values = Array.from({ length: SIDE }, (_, i) => Math.exp(-((i - RADIUS) ** 2) / (2 * SIGMA ** 2)));
+  const sum = values.reduce((total, value) => total + value);
+  return values.map((value) => value / sum);
+}
+
+function windowSum(values: Float64Array, from: number, step: number): number {
+  let sum = 0;
+  for (let i = 0; i < SIDE; i++) sum += (GAUSSIAN[i] ?? 0) * (values[from + i * step] ?? 0);
+  return sum;
 }
 
 function lumaOf(rgba: ArrayLike<number>): Float64Array {
