@@ -63,7 +63,7 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
     document.body.style.cursor = overlay.controls.axis === null ? '' : 'grab';
     overlay.draw();
   };
-  const unhover = () => {
+  const clearHover = () => {
     if (!overlay || drag || overlay.controls.axis === null) return;
     overlay.controls.axis = null;
     document.body.style.cursor = '';
@@ -71,7 +71,7 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
   };
   /** Only events that leave the page have no related target. */
   const onOut = (event: PointerEvent) => {
-    if (event.relatedTarget === null) unhover();
+    if (event.relatedTarget === null) clearHover();
   };
   const swallow = (event: Event) => {
     event.stopImmediatePropagation();
@@ -181,7 +181,7 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
       if (placedObjects(inspected, held.node, held.chain, scratchMatrix)) overlay.parent.matrix.copy(scratchMatrix);
       if (isDirection(held)) object.position.copy(ahead(view.worldFromView)).applyMatrix4(scratchMatrix.invert());
       // The axis under the pointer is one of the last tool.
-      if (controls.mode !== MODES[held.mode]) unhover();
+      if (controls.mode !== MODES[held.mode]) clearHover();
       controls.mode = MODES[held.mode];
       controls.space = held.space;
     }
