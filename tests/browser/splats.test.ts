@@ -152,6 +152,18 @@ describe('what the node draws', () => {
   });
 });
 
+test('a splat that is brighter than white keeps its light behind a dark one', async () => {
+  const bright = splatAt(0, 0, -3, { color: [1.8, 1.8, 1.8], scale: [1, 1, 0.01] });
+  const dark = splatAt(0, 0, -2, { color: [0, 0, 0], opacity: 0.5, scale: [1, 1, 0.01] });
+  // Half of 1.8 · 0.98; bytes in between would leave half of white.
+  expect((await shoot([bright, dark])).pixels[4 * ((HEIGHT / 2) * WIDTH + WIDTH / 2)]).toBeCloseTo(255 * 0.5 * 1.8 * 0.98, -1);
+});
+
+test('a splat that reaches past the eye has no depth behind it', async () => {
+  const along = splatAt(0.5, 0, -1, { scale: [0.6, 0.3, 0.01], rotation: [0, Math.sin(0.6), 0, Math.cos(0.6)] });
+  for (const meters of (await shoot([along])).depthM) if (meters !== 0) expect(meters).toBeGreaterThan(0.19);
+});
+
 describe('the room', () => {
   const near = splatAt(0, 0, -1, { color: [1, 0, 0], opacity: 0.5, scale: [0.5, 0.5, 0.01] });
   const far = splatAt(0, 0, -3, { color: [0, 1, 0], scale: [1, 1, 0.01] });

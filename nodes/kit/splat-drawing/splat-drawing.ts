@@ -2,6 +2,7 @@ import type { OcclusionView } from '../early-occlusion.ts';
 import { setPassState, setSampler } from '../pass-state.ts';
 import type { DrawView } from '../runtime.ts';
 import { SPLATS_PER_ROW, type SplatAsset } from '../splat-asset.ts';
+import { createColorTarget } from './color-target.ts';
 import { createDepthTargets, type DepthTargets } from './depth-targets.ts';
 import { createSplatProgram, SPLAT_UNITS, type SplatProgram } from './splat-program.ts';
 import { SPLATS_PER_INSTANCE, type SplatOutput } from './splat-shaders.ts';
@@ -50,6 +51,7 @@ export function createSplatDrawing(
   gl.texStorage2D(gl.TEXTURE_2D, 1, gl.R32UI, SPLATS_PER_ROW, Math.ceil(splats.count / SPLATS_PER_ROW));
   const programFor = (output: SplatOutput) => createSplatProgram(gl, splats, { output, antialiased, occlusion, empty });
   const color = programFor('color');
+  const colorTarget = createColorTarget(gl);
   let depth: { readonly mean: SplatProgram; readonly front: SplatProgram; readonly targets: DepthTargets } | null = null;
   let hasOrder = false;
 
@@ -78,12 +80,12 @@ export function createSplatDrawing(
   const drawDepth = (view: DrawView, viewFromSplats: Float32Array, eye: Float32Array): void => {
     depth ??= { mean: programFor('depth'), front: programFor('front'), targets: createDepthTargets(gl) };
     const { mean, front, targets } = depth;
-    if (!targets.resize(view.viewport.widthPx, view.viewport.heightPx)) return;
-    targets.begin('mean');
+    if (!targets.grow(view)) return;
+    targets.begin('mean', view);
     bindSplats(null);
     mean.use(view, viewFromSplats, eye, 0, 0);
     drawQuads();
-    targets.begin('front');
+    targets.begin('front', view);
     bindSplats(targets.mean);
     front.use(view, viewFromSplats, eye, 0, 0);
     drawQuads();
@@ -105,15 +107,18 @@ export function createSplatDrawing(
     draw: (view, viewFromSplats, eye) => {
       if (!hasOrder) return;
       const { framebuffer, viewport } = view;
-      setPassState(gl, framebuffer, null, viewport.x, viewport.y, viewport.widthPx, viewport.heightPx);
+      const isBlendedApart = colorTarget.begin(view);
+      if (!isBlendedApart) setPassState(gl, framebuffer, null, viewport.x, viewport.y, viewport.widthPx, viewport.heightPx);
       bindSplats(null);
-      color.use(view, viewFromSplats, eye, viewport.x, viewport.y);
+      color.use(view, viewFromSplats, eye, isBlendedApart ? 0 : viewport.x, isBlendedApart ? 0 : viewport.y);
       drawQuads();
+      if (isBlendedApart) colorTarget.write(view);
       if (view.readsDepth !== false) drawDepth(view, viewFromSplats, eye);
       for (let unit = 0; unit <= SPLAT_UNITS.order; unit++) gl.bindSampler(unit, null);
     },
     dispose: () => {
       color.dispose();
+      colorTarget.dispose();
       depth?.mean.dispose();
       depth?.front.dispose();
       depth?.targets.dispose();

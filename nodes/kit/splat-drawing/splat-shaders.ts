@@ -9,6 +9,9 @@ import { harmonicsGlsl } from './harmonics-glsl.ts';
  */
 export type SplatOutput = 'color' | 'depth' | 'front';
 
+/** What is nearer is not drawn, meters. */
+const NEAR_M = '0.2';
+
 /** Instances of a few vertices leave most of a graphics card idle. */
 export const SPLATS_PER_INSTANCE = 128;
 
@@ -44,7 +47,7 @@ out vec2 at;
 flat out vec4 look;
 flat out vec3 depthM;
 ${output === 'color' && degree > 0 ? harmonicsGlsl(degree) : ''}
-const float NEAR_M = 0.2;
+const float NEAR_M = ${NEAR_M};
 const float LOW_PASS = 0.3;
 const float LEAST_ALPHA = 1.0 / 255.0;
 // Beyond this multiple of the field of view the Jacobian is that of its border.
@@ -140,7 +143,8 @@ ${occluded ? OCCLUSION_GLSL : ''}
 void main() {
   float alpha = min(0.99, look.a * exp(-0.5 * dot(at, at)));
   if (alpha < 1.0 / 255.0) discard;
-  float z = depthM.x + dot(depthM.yz, at);
+  // A splat that reaches past the eye would have depths behind it.
+  float z = max(depthM.x + dot(depthM.yz, at), ${NEAR_M});
   ${occluded ? `alpha *= scrimVisibility((gl_FragCoord.xy - originPx) / scrimViewPx, z);\n  if (alpha <= 0.0) discard;` : ''}
   ${output === 'front' ? 'vec2 sums = texelFetch(meanDepth, ivec2(gl_FragCoord.xy), 0).rg;\n  if (z * sums.g > sums.r) discard;' : ''}
   result = ${output === 'color' ? 'vec4(look.rgb * alpha, alpha)' : 'vec4(z * alpha, alpha, 0.0, alpha)'};
@@ -151,6 +155,16 @@ void main() {
 export const FULL_VERTEX = /* glsl */ `#version 300 es
 void main() {
   gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0);
+}`;
+
+/** Copies blended colors, which become bytes. */
+export const COLOR_FRAGMENT = /* glsl */ `#version 300 es
+precision highp float;
+uniform sampler2D sums;
+uniform vec2 originPx;
+out vec4 color;
+void main() {
+  color = texelFetch(sums, ivec2(gl_FragCoord.xy - originPx), 0);
 }`;
 
 /**

@@ -49,7 +49,7 @@ const TRAIN = 'Choose the PLY file that the training of Gaussian splats wrote, o
  */
 export function readSplatPlyHeader(bytes: Uint8Array, fileBytes: number): SplatPlyHeader {
   const head = new TextDecoder('latin1').decode(bytes.subarray(0, MAX_PLY_HEADER_BYTES));
-  const end = /end_header\r?\n/.exec(head);
+  const end = /^end_header\r?\n/m.exec(head);
   if (!/^ply\r?\n/.test(head)) throw new SplatError('it is not a PLY file');
   if (!end) throw new SplatError('its PLY header is incomplete');
   const { format, elements } = parse(head.slice(0, end.index));
