@@ -159,9 +159,12 @@ test('a splat that is brighter than white keeps its light behind a dark one', as
   expect((await shoot([bright, dark])).pixels[4 * ((HEIGHT / 2) * WIDTH + WIDTH / 2)]).toBeCloseTo(255 * 0.5 * 1.8 * 0.98, -1);
 });
 
-test('a splat that reaches past the eye has no depth behind it', async () => {
-  const along = splatAt(0.5, 0, -1, { scale: [0.6, 0.3, 0.01], rotation: [0, Math.sin(0.6), 0, Math.cos(0.6)] });
-  for (const meters of (await shoot([along])).depthM) if (meters !== 0) expect(meters).toBeGreaterThan(0.19);
+test('a splat that reaches past the eye has depth wherever it covers half', async () => {
+  // A disc nearly along the view: half a standard deviation from its middle, its plane is at the eye.
+  const shot = await shoot([splatAt(0, 0, -1, { scale: [1.5, 0.5, 0.01], rotation: [0, Math.sin(0.75), 0, Math.cos(0.75)] })]);
+  const covered = [...shot.depthM].filter((_, i) => (shot.pixels[4 * i + 3] ?? 0) > 140);
+  expect(covered.length).toBeGreaterThan(500);
+  expect(Math.min(...covered)).toBeGreaterThan(0.19);
 });
 
 describe('the room', () => {

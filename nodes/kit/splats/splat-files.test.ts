@@ -27,6 +27,12 @@ describe('a PLY file', () => {
     expect(readSplatPly(file)).toMatchObject({ count: 2, degree: 2, invalid: 0 });
   });
 
+  test('may have comments, also about the end of its header', () => {
+    const text = new TextDecoder('latin1').decode(plyFile(1, NAMES, []));
+    const head = text.replace('element', 'comment vertical axis: z\ncomment then end_header\nelement');
+    expect(readSplatPlyHeader(new TextEncoder().encode(head), head.length + 56)).toMatchObject({ count: 1, start: head.length });
+  });
+
   test('that ends early is refused with the number of splats that it has', () => {
     const file = plyOf([splatAt(0, 0, 0), splatAt(1, 0, 0), splatAt(2, 0, 0)]);
     expect(failure(() => readSplatPly(file.subarray(0, file.length - 10))).message).toBe('it is incomplete: it has 2 of 3 splats');
