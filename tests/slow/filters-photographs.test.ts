@@ -166,6 +166,8 @@ async function reducedInPage(path: string, timeS: number | null = null): Promise
         const sought = event('seeked');
         video.currentTime = seconds;
         await sought;
+        // A frame that was sought may not be decoded yet.
+        if (video.readyState < HTMLMediaElement.HAVE_CURRENT_DATA) await event('canplay');
         return createImageBitmap(video);
       };
       const whole = await (time === null ? createImageBitmap(new Blob([bytes])) : frameAt(time));

@@ -67,10 +67,17 @@ export function gizmoTargetOf(
   return { target: null, reason: `${title} cannot be ${PARTICIPLES[mode]}. Connect its objects to a Transform.` };
 }
 
-/** A Transform that a drag adds after a node with connected objects; null if it has none. */
+/**
+ * A Transform that a drag adds after a node that creates objects; null if they are not connected. The room and the simulation decide where
+ * real surfaces and bodies are, and the pointer throws bodies.
+ */
 function addedTarget(state: DocumentState, node: string, mode: GizmoMode): GizmoTarget | null {
   const definition = state.library.definition(TRANSFORM);
-  if (!definition || !graphOf(state).wires.some(({ from }) => from.node === node && carriesObjects(state, from))) return null;
+  const creator = nodeOf(state, node)?.type ?? '';
+  const inputs = Object.values(state.library.definition(creator)?.inputs ?? {});
+  if (!definition || !/^(source|objects)\//.test(creator) || inputs.some(({ type }) => type === 'objects')) return null;
+  if (!graphOf(state).wires.some(({ from }) => from.node === node && carriesObjects(state, from))) return null;
+  for (const id of nodesBehind(state, node, [])) if (nodeOf(state, id)?.type.startsWith('physics/')) return null;
   const params = HANDLES[mode].flatMap((handle) => {
     const name = paramOf(definition, handle);
     return name === undefined ? [] : [[handle, name] as const];

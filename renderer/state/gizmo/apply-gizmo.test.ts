@@ -152,6 +152,18 @@ describe('a drag', () => {
     expect(editor.document.getState().project).toEqual(before.project);
   });
 
+  test('adds no Transform to bodies, which the pointer throws', async () => {
+    const { editor, scene } = await boxes();
+    const body = add(editor, 'physics/body');
+    const ball = add(editor, 'objects/primitive');
+    connect(editor, { node: ball, port: 'objects' }, { node: body, port: 'objects' });
+    connect(editor, { node: body, port: 'objects' }, { node: scene, port: 'objects' });
+    for (const node of [ball, body]) {
+      selectOnly(editor.selection, [node]);
+      expect(currentGizmoTarget(editor, 'move')).toMatchObject({ target: null });
+    }
+  });
+
   test('that adds a Transform and is canceled leaves none', async () => {
     const { editor, scene, drag } = await boxes();
     const model = add(editor, 'source/model');
