@@ -2,7 +2,7 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { describeWithColmap, runPython } from '../../tests/support/pycolmap.ts';
+import { describeWithColmap, runPython } from '../../tests/support/python.ts';
 import { describeWithData } from '../../tests/support/shared-data.ts';
 import { readColmapBinary, readColmapText } from './colmap.ts';
 import { lensOf, project, unproject } from './lens.ts';

@@ -2,7 +2,7 @@ import { cp, mkdtemp, readdir, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
-import { describeWithSkimage, runPython } from '../support/pycolmap.ts';
+import { describeWithSkimage, runPython } from '../support/python.ts';
 import { succeed } from '../support/scrim.ts';
 import { describeWithData } from '../support/shared-data.ts';
 

@@ -13,9 +13,9 @@ const EFFECTS = ['filter/room-drawing', 'operator/sketched-occlusion'] as const;
 const SIZE_PX = [160, 120] as const;
 
 /**
- * Measures drawings that need room depth over a ball, half of which a wall hides: milliseconds per frame, and the ratio to the same
- * frame with a plain copy in place of the effect and its depth. The room is an image of depth of the size that phones measure: a floor that goes away from
- * the viewer, and the wall.
+ * Measures drawings that need room depth over a ball, half of which a wall hides: milliseconds per frame, and the ratio to the same frame
+ * with a plain copy in place of the effect and its depth. The room is an image of depth of the size that phones measure: a floor that goes
+ * away from the viewer, and the wall.
  */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   const folder = await mkdtemp(join(tmpdir(), 'scrim-strokes-'));

@@ -63,6 +63,10 @@ export function chromaErrorAt({ shown, truth }: ImagePair, at: number): number {
 const RADIUS = 5;
 const SIDE = 2 * RADIUS + 1;
 const SIGMA = 1.5;
+const BELL = Array.from({ length: SIDE }, (_, i) => Math.exp(-((i - RADIUS) ** 2) / (2 * SIGMA ** 2)));
+const BELL_SUM = BELL.reduce((sum, value) => sum + value);
+/** Weights of a row or column of a window. */
+const WEIGHTS = BELL.map((value) => value / BELL_SUM);
 const C1 = (0.01 * 255) ** 2;
 const C2 = (0.03 * 255) ** 2;
 
@@ -74,17 +78,17 @@ function meanSsim(pair: ImagePair): number {
   const { shown, truth, widthPx, heightPx } = pair;
   const a = lumaOf(shown);
   const b = lumaOf(truth);
-  const smooth = (value: (at: number) => number) =>
-    smoothed(
+  const meansOf = (value: (at: number) => number) =>
+    windowMeans(
       a.map((_, at) => value(at)),
       widthPx,
       heightPx,
     );
-  const meanA = smooth((at) => a[at] ?? 0);
-  const meanB = smooth((at) => b[at] ?? 0);
-  const squares = smooth((at) => (a[at] ?? 0) ** 2 + (b[at] ?? 0) ** 2);
-  const products = smooth((at) => (a[at] ?? 0) * (b[at] ?? 0));
-  const leftOut = smooth((at) => (shown[4 * at + 3] === 0 ? 1 : 0));
+  const meanA = meansOf((at) => a[at] ?? 0);
+  const meanB = meansOf((at) => b[at] ?? 0);
+  const squares = meansOf((at) => (a[at] ?? 0) ** 2 + (b[at] ?? 0) ** 2);
+  const products = meansOf((at) => (a[at] ?? 0) * (b[at] ?? 0));
+  const leftOut = meansOf((at) => (shown[4 * at + 3] === 0 ? 1 : 0));
   const columns = widthPx - SIDE + 1;
   let sum = 0;
   let windows = 0;
@@ -101,25 +105,17 @@ function meanSsim(pair: ImagePair): number {
 }
 
 /** Means of all windows that are wholly inside an image, row by row. */
-function smoothed(image: Float64Array, widthPx: number, heightPx: number): Float64Array {
+function windowMeans(image: Float64Array, widthPx: number, heightPx: number): Float64Array {
   const columns = Math.max(0, widthPx - SIDE + 1);
   const rows = Math.max(0, heightPx - SIDE + 1);
   const across = new Float64Array(columns * heightPx);
-  for (let i = 0; i < across.length; i++) across[i] = windowSum(image, Math.floor(i / columns) * widthPx + (i % columns), 1);
-  return Float64Array.from({ length: columns * rows }, (_, i) => windowSum(across, i, columns));
+  for (let i = 0; i < across.length; i++) across[i] = weightedSum(image, Math.floor(i / columns) * widthPx + (i % columns), 1);
+  return Float64Array.from({ length: columns * rows }, (_, i) => weightedSum(across, i, columns));
 }
 
-const GAUSSIAN = gaussian();
-
-function gaussian(): readonly number[] {
-  const values = Array.from({ length: SIDE }, (_, i) => Math.exp(-((i - RADIUS) ** 2) / (2 * SIGMA ** 2)));
-  const sum = values.reduce((total, value) => total + value);
-  return values.map((value) => value / sum);
-}
-
-function windowSum(values: Float64Array, from: number, step: number): number {
+function weightedSum(values: Float64Array, from: number, step: number): number {
   let sum = 0;
-  for (let i = 0; i < SIDE; i++) sum += (GAUSSIAN[i] ?? 0) * (values[from + i * step] ?? 0);
+  for (let i = 0; i < SIDE; i++) sum += (WEIGHTS[i] ?? 0) * (values[from + i * step] ?? 0);
   return sum;
 }
 

@@ -36,7 +36,8 @@ const PARTICIPLES: Readonly<Record<GizmoMode, string>> = { move: 'moved', rotate
 
 /**
  * The gizmo target of the selected node: the node itself, or the nearest node after it that transforms its objects, as a Transform
- * does for a model; without one, a Transform that a drag adds. If the wires branch, `chain` selects the branch: nodes of the program that the clicked object passed through.
+ * does for a model; without one, a Transform that a drag adds. If the wires branch, `chain` selects the branch: nodes of the program
+ * that the clicked object passed through.
  */
 export function gizmoTargetOf(
   state: DocumentState,
@@ -55,8 +56,10 @@ export function gizmoTargetOf(
     if (!node || !definition) break;
     hasTransform ||= id === selected ? isPlaced(definition) : true;
     if (!HANDLES[mode].some((handle) => paramOf(definition, handle) !== undefined)) continue;
-    hasMuted ||= node.muted === true;
-    if (node.muted) continue;
+    if (node.muted) {
+      hasMuted = true;
+      continue;
+    }
     const driven = HANDLES[mode].map((handle) => drivenBy(state, id, node, definition, handle)).find((reason) => reason !== null);
     return driven === undefined ? { target: makeTarget(state, id, node, definition, mode) } : { target: null, reason: driven };
   }
@@ -67,17 +70,19 @@ export function gizmoTargetOf(
   return { target: null, reason: `${title} cannot be ${PARTICIPLES[mode]}. Connect its objects to a Transform.` };
 }
 
-/**
- * A Transform that a drag adds after a node that creates objects; null if they are not connected. The room and the simulation decide where
- * real surfaces and bodies are, and the pointer throws bodies.
- */
+/** Categories of nodes that create virtual objects. The room decides where those of `world/` are. */
+const CREATORS = /^(source|objects)\//;
+/** Category of nodes that move objects by simulation. The pointer throws these. */
+const SIMULATION = /^physics\//;
+
+/** A Transform that a drag adds after a node that creates objects; null if they are not connected, or if a simulation moves them. */
 function addedTarget(state: DocumentState, node: string, mode: GizmoMode): GizmoTarget | null {
+  const typeOf = (id: string) => nodeOf(state, id)?.type ?? '';
   const definition = state.library.definition(TRANSFORM);
-  const creator = nodeOf(state, node)?.type ?? '';
-  const inputs = Object.values(state.library.definition(creator)?.inputs ?? {});
-  if (!definition || !/^(source|objects)\//.test(creator) || inputs.some(({ type }) => type === 'objects')) return null;
+  const inputs = Object.values(state.library.definition(typeOf(node))?.inputs ?? {});
+  if (!definition || !CREATORS.test(typeOf(node)) || inputs.some(({ type }) => type === 'objects')) return null;
   if (!graphOf(state).wires.some(({ from }) => from.node === node && carriesObjects(state, from))) return null;
-  for (const id of nodesBehind(state, node, [])) if (nodeOf(state, id)?.type.startsWith('physics/')) return null;
+  if ([...nodesBehind(state, node, [])].some((id) => SIMULATION.test(typeOf(id)))) return null;
   const params = HANDLES[mode].flatMap((handle) => {
     const name = paramOf(definition, handle);
     return name === undefined ? [] : [[handle, name] as const];
@@ -145,6 +150,7 @@ export function isWithin(id: string, path: string): boolean {
   return id === path || id.startsWith(`${path}/`);
 }
 
+/** Whether a wire from this output carries objects. */
 export function carriesObjects(state: DocumentState, { node, port }: { readonly node: string; readonly port: string }): boolean {
   const definition = state.library.definition(nodeOf(state, node)?.type ?? '');
   return getOwn(definition?.outputs ?? {}, port)?.type === 'objects';

@@ -11,15 +11,15 @@ export function runPython(script: string, ...args: readonly string[]): string {
 
 /** Tests that run COLMAP by its package for Python. Skipped with the reason where that is missing. */
 export function describeWithColmap(name: string, tests: () => void): void {
-  if (spawnSync('python3', ['-c', 'import pycolmap']).status === 0) {
-    describe(name, tests);
-    return;
-  }
-  describeMissing(name, 'pycolmap', 'python3 has no package pycolmap (https://pypi.org/project/pycolmap)');
+  describeWithPackage(name, 'pycolmap', 'pycolmap', tests);
 }
 
 /** Tests that compare with scikit-image. Skipped with the reason where that is missing. */
 export function describeWithSkimage(name: string, tests: () => void): void {
-  if (spawnSync('python3', ['-c', 'import skimage']).status === 0) describe(name, tests);
-  else describeMissing(name, 'skimage', 'python3 has no package scikit-image (https://pypi.org/project/scikit-image)');
+  describeWithPackage(name, 'skimage', 'scikit-image', tests);
+}
+
+function describeWithPackage(name: string, module: 'pycolmap' | 'skimage', title: string, tests: () => void): void {
+  if (spawnSync('python3', ['-c', `import ${module}`]).status === 0) describe(name, tests);
+  else describeMissing(name, module, `python3 has no package ${title} (https://pypi.org/project/${title})`);
 }
