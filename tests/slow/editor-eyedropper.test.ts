@@ -71,8 +71,7 @@ test('a click takes the color of the pixel that is shown large, as one step, and
   const { x, y } = await edgePoint();
   const [r = 0, g = 0, b = 0] = colorAt(x, y);
   await button().click();
-  await page.mouse.move(frame.x + x + 0.5, frame.y + y + 0.5);
-  await shown().getByText(`${r} ${g} ${b}`, { exact: true }).waitFor();
+  await editor.moveOverPreview(frame.x + x + 0.5, frame.y + y + 0.5, shown().getByText(`${r} ${g} ${b}`, { exact: true }));
   // The pixel beside it is another one, and stands beside it in the magnifier.
   const middle = await page.locator('.loupe canvas').evaluate((canvas) => {
     const pixels = (canvas as HTMLCanvasElement).getContext('2d')?.getImageData(5, 5, 2, 1).data ?? [];
@@ -139,7 +138,9 @@ test('a color of a shader’s header takes one, too, as one step', async () => {
   const frame = await page.locator('iframe[title="Preview"]').boundingBox();
   if (!frame) throw new Error('There is no preview.');
   const { x, y } = await edgePoint();
-  const [r = 0, g = 0, b = 0] = colorAt(x, y).map((part) => Number((part / 255).toFixed(4)));
+  const color = colorAt(x, y);
+  const [r = 0, g = 0, b = 0] = color.map((part) => Number((part / 255).toFixed(4)));
+  await editor.moveOverPreview(frame.x + x + 0.5, frame.y + y + 0.5, shown().getByText(color.join(' '), { exact: true }));
   await page.mouse.click(frame.x + x + 0.5, frame.y + y + 0.5);
   await eyedropper().waitFor({ state: 'detached' });
   const shader = async () => {

@@ -133,12 +133,7 @@ test('the probe tells color, distance and place of what is under the pointer', a
   if (!frame) throw new Error('There is no preview.');
   const at = { x: Math.round(frame.width * 0.62), y: Math.round(frame.height * 0.55) };
   const output = page.getByRole('status', { name: 'Pixel under the pointer' });
-  // The frame of the preview belongs to another process, so moves reach what lies over it only once the compositor knows of it.
-  await eventually(async () => {
-    await page.mouse.move(frame.x + at.x - 5, frame.y + at.y);
-    await page.mouse.move(frame.x + at.x + 0.5, frame.y + at.y + 0.5);
-    expect(await output.isVisible()).toBe(true);
-  });
+  await editor.moveOverPreview(frame.x + at.x + 0.5, frame.y + at.y + 0.5, output);
   const index = ((at.y - FLAG_PX) * picture.width + at.x) * 4;
   const shown = [...picture.data.slice(index, index + 3)].join(' ');
   await output.getByText(shown).waitFor();

@@ -18,6 +18,8 @@ test('what a tap places in the preview stays while the recorded room repeats', a
   const placedAt = await open.editor.frame();
   await eventually(async () => expect(await open.editor.frame()).toBeGreaterThan(placedAt + 100));
   expect(await ballPixels(open.editor)).toBeGreaterThan(50);
+  // The ball was not there when the tap began, so the tap did not select it.
+  expect(await open.editor.inspector.getByRole('heading', { name: 'Project', exact: true }).isVisible()).toBe(true);
 });
 
 test('two fingers on the preview scale it', async () => {

@@ -1,7 +1,7 @@
 import type { FrameLocator, Locator, Page } from 'playwright-core';
 import { centerOf, type Point } from '../../tools/lib/center-of.ts';
 import { decodeImage, type RgbaImage } from './image.ts';
-import { PATIENCE_MS } from './patience.ts';
+import { eventually, PATIENCE_MS } from './patience.ts';
 import { countDifferent, expectSamePixels } from './pixels.ts';
 
 /** Height of the strip at the top of the preview that messages may cover. */
@@ -192,6 +192,18 @@ export class EditorDriver {
       last = next;
     }
     return last;
+  }
+
+  /**
+   * Moves the pointer to a point of the page over the preview, until the overlay there answers with `answer`. The frame of the preview
+   * belongs to another process, so moves reach an overlay only once the compositor knows of it.
+   */
+  async moveOverPreview(x: number, y: number, answer: Locator): Promise<void> {
+    await eventually(async () => {
+      await this.page.mouse.move(x - 5, y);
+      await this.page.mouse.move(x, y);
+      if (!(await answer.isVisible())) throw new Error('The overlay over the preview does not answer the pointer.');
+    });
   }
 
   /** The preview without gizmos, below the strip that messages may cover. */

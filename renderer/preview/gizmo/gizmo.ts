@@ -27,6 +27,23 @@ const AHEAD_M = 1.5;
 /** Matrix of the nodes after the gizmo target. Written and read within one call. */
 const scratchMatrix = new Matrix4();
 
+/**
+ * A press that becomes a click if the pointer releases where it pressed. What it picks is decided by the frame after the press, before
+ * its release can change the scene: what a tap places is not picked by that tap.
+ */
+interface Press {
+  readonly pointer: number;
+  /** Position, CSS pixels of the page. */
+  readonly x: number;
+  readonly y: number;
+  /** Position in view UV, origin at the bottom left. */
+  readonly u: number;
+  readonly v: number;
+  /** What is at this position; undefined before the frame that decides it. */
+  picked?: ReturnType<typeof pickObject>;
+  isClick: boolean;
+}
+
 interface Drag {
   readonly pointer: number;
   readonly from: Place;
@@ -47,8 +64,7 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
   let box: ViewBox | null = null;
   let drag: Drag | null = null;
   let drags = 0;
-  let press: { readonly pointer: number; readonly x: number; readonly y: number } | null = null;
-  let question: { readonly u: number; readonly v: number } | null = null;
+  let press: Press | null = null;
   let reading: ReadParam = () => null;
 
   const pointerOf = ({ clientX, clientY }: PointerEvent, button: number) => {
@@ -101,7 +117,8 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
   const onDown = (event: PointerEvent) => {
     if (event.button !== 0 || drag) return;
     hover(event);
-    press = { pointer: event.pointerId, x: event.clientX, y: event.clientY };
+    press = picking && box ? pressOf(event, box) : null;
+    if (press) wake();
     if (overlay && seen && gizmo && overlay.controls.axis !== null) {
       overlay.controls.pointerDown(pointerOf(event, 0));
       overlay.canvas.setPointerCapture(event.pointerId);
@@ -138,17 +155,14 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
       sendValues('ended');
       endDrag();
     }
-    const pressed = press;
-    press = null;
+    if (press?.pointer !== event.pointerId) return;
     // Clicks on the gizmo count, too, because it covers small objects.
-    if (!picking || !box || pressed?.pointer !== event.pointerId) return;
-    if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > CLICK_PX) return;
-    const [u, v] = [(event.clientX - box.left) / box.width, 1 - (event.clientY - box.top) / box.height];
-    if (u < 0 || u > 1 || v < 0 || v > 1) return;
-    question = { u, v };
-    wake();
+    press.isClick = Math.hypot(event.clientX - press.x, event.clientY - press.y) <= CLICK_PX;
+    if (press.isClick) wake();
+    else press = null;
   };
   const onCancel = (event: PointerEvent) => {
+    if (press?.pointer === event.pointerId) press = null;
     if (drag?.pointer === event.pointerId) cancel();
   };
   const onKeyDown = (event: KeyboardEvent) => {
@@ -201,10 +215,12 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
     afterFrame: (player, frame, place) => {
       const inspected = place && player.inspect(null);
       box = place && boxOf(place.canvas, frame);
-      if (question && inspected) {
-        const picked = pickObject(inspected, 0, question.u, question.v);
-        if (picked) send({ kind: 'picked', chain: picked.way, phantom: picked.role === 'phantom' });
-        question = null;
+      if (press && inspected) {
+        if (press.picked === undefined) press.picked = pickObject(inspected, 0, press.u, press.v);
+        if (press.isClick) {
+          if (press.picked) send({ kind: 'picked', chain: press.picked.way, phantom: press.picked.role === 'phantom' });
+          press = null;
+        }
       }
       seen = inspected ? show(inspected, frame) : false;
       if (seen) overlay?.draw();
@@ -215,6 +231,12 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
       overlay?.dispose();
     },
   };
+}
+
+/** The press at an event; null outside the view. */
+function pressOf({ pointerId: pointer, clientX: x, clientY: y }: PointerEvent, box: ViewBox): Press | null {
+  const [u, v] = [(x - box.left) / box.width, 1 - (y - box.top) / box.height];
+  return u < 0 || u > 1 || v < 0 || v > 1 ? null : { pointer, x, y, u, v, isClick: false };
 }
 
 /** Reads the params once, at the start of a drag. Later values would follow the drag itself. */
