@@ -20,7 +20,7 @@ import { keepViews } from './state/preferences/kept-views.ts';
 import { keepLayout, loadLayout } from './state/preferences/panel-layout.ts';
 import { keepRanges } from './state/preview/kept-ranges.ts';
 import { createPreviewSync } from './state/preview-sync/preview-sync.ts';
-import { autosave, handleHostEvents, hasUnsavedWork, openFirst, start } from './state/start.ts';
+import { autosave, handleHostEvents, hasUnsavedWork, keepOpenPath, openFirst, start } from './state/start.ts';
 import { followAppearance } from './ui/appearance.ts';
 import './shell/no-host.css';
 import './ui/theme.css';
@@ -68,6 +68,7 @@ async function main(): Promise<void> {
   keepRanges(editor, localStorage);
   keepViews(editor, localStorage);
   keepExports(editor, localStorage);
+  keepOpenPath(editor, sessionStorage);
   window.addEventListener('beforeunload', (event) => {
     if (hasUnsavedWork(editor)) event.preventDefault();
   });
@@ -76,7 +77,7 @@ async function main(): Promise<void> {
       <App editor={editor} previewSync={previewSync} previewUrl={previewUrl} />
     </StrictMode>,
   );
-  await openFirst(editor);
+  await openFirst(editor, sessionStorage);
 }
 
 void main();

@@ -40,6 +40,8 @@ async function findToken(page: Window & typeof globalThis): Promise<{ readonly t
   const code = new URLSearchParams(page.location.hash.slice(1)).get('code');
   if (code !== null) {
     page.history.replaceState(page.history.state, '', page.location.pathname + page.location.search);
+    // The address begins a session: what the tab kept of an earlier one, such as its open project, no longer applies.
+    page.sessionStorage.clear();
     return redeem(page, code);
   }
   const kept = page.sessionStorage.getItem(TOKEN_KEY);

@@ -12,6 +12,8 @@ import { confirmUnsaved, filesOf, loadExternalChanges, openPath, showRefusal } f
 const AUTOSAVE_MS = 2000;
 /** Longest time without an autosave during continuous edits. A crash loses at most five seconds of work, including the time to write. */
 const AUTOSAVE_AT_MOST_MS = 4000;
+/** Key of the path of the open project in the storage of the window. */
+const OPEN_KEY = 'scrim-open';
 
 /** Requests information about the host. Returns the URL of the preview, and whether the window has native menus. */
 export async function start(editor: Editor): Promise<{ readonly previewUrl: string; readonly hasMenu: boolean }> {
@@ -21,10 +23,18 @@ export async function start(editor: Editor): Promise<{ readonly previewUrl: stri
   return { previewUrl: info.previewUrl, hasMenu: info.shell === 'electron' };
 }
 
-export async function openFirst(editor: Editor): Promise<void> {
-  const { startPath } = await editor.host.call('app.info', {});
-  const opened = startPath !== null && (await openPath(editor, startPath));
+/** Opens the project that this window showed before it was reloaded; at its first start, the one that the host was started with. */
+export async function openFirst(editor: Editor, storage: Pick<Storage, 'getItem'>): Promise<void> {
+  const path = storage.getItem(OPEN_KEY) ?? (await editor.host.call('app.info', {})).startPath;
+  const opened = path !== null && (await openPath(editor, path));
   if (!opened) editor.ui.setState({ dialog: { kind: 'open' } });
+}
+
+/** Stores the path of the open project for reloads. `storage`: that of this window, which ends with it. */
+export function keepOpenPath({ document }: Pick<Editor, 'document'>, storage: Pick<Storage, 'setItem'>): () => void {
+  return document.subscribe(({ open }, before) => {
+    if (open !== null && open.displayPath !== before.open?.displayPath) storage.setItem(OPEN_KEY, open.displayPath);
+  });
 }
 
 /** Writes unsaved changes to the recovery files. */
