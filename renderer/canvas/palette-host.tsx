@@ -59,6 +59,7 @@ export function PaletteHost({ toCanvas, canvas }: PaletteHostProps) {
       definitions={definitions}
       end={request.end}
       query={request.query ?? ''}
+      first={request.first ?? null}
       at={request.at}
       purpose={purposeOf(request)}
       onPoint={showCandidate}

@@ -24,6 +24,8 @@ interface PaletteProps {
   readonly at: { readonly x: number; readonly y: number };
   /** What is searched for at first. */
   readonly query: string;
+  /** Label of the category that is listed first. */
+  readonly first: string | null;
   /** Placeholder of the search field; null when the choice adds a plain new node. */
   readonly purpose?: string | null;
   /** Called when the pointer or a key rests on an entry, so that the preview shows it. Null: on none. */
@@ -40,7 +42,7 @@ const HEIGHT_PX = 372;
 const EDGE_PX = 12;
 
 /** Searches node types by name, and shows docs and ports of the selected one. Arrow keys select, Enter chooses. */
-export function Palette({ definitions, end, at, query: asked, purpose = null, onPoint, onChoose, onClose }: PaletteProps) {
+export function Palette({ definitions, end, at, query: asked, first, purpose = null, onPoint, onChoose, onClose }: PaletteProps) {
   const [query, setQuery] = useState(asked);
   const [chosen, setChosen] = useState(0);
   /** Whether the person has pointed at an entry; the palette opens with the first one chosen. */
@@ -53,7 +55,7 @@ export function Palette({ definitions, end, at, query: asked, purpose = null, on
   const root = useRef<HTMLDivElement>(null);
   const listId = useId();
   const found = useMemo(() => searchPalette(definitions, query, end), [definitions, query, end]);
-  const entries = useMemo(() => listPalette(found, query, favorites, recent), [found, query, favorites, recent]);
+  const entries = useMemo(() => listPalette(found, query, favorites, recent, first), [found, query, favorites, recent, first]);
   const current = entries[Math.min(chosen, entries.length - 1)];
   const scale = uiScale();
   const place = {
@@ -83,7 +85,7 @@ export function Palette({ definitions, end, at, query: asked, purpose = null, on
   const toggle = (type: string) => {
     toggleFavorite(editor, type);
     // The entry stays chosen although the favorites above it change.
-    const after = listPalette(found, query, editor.preferences.getState().favorites, recent);
+    const after = listPalette(found, query, editor.preferences.getState().favorites, recent, first);
     const at = after.findIndex((entry) => entry.section === current?.section && entry.definition === current.definition);
     if (at !== -1) setChosen(at);
   };

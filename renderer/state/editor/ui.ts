@@ -48,6 +48,8 @@ export interface PaletteRequest {
   readonly after?: string;
   /** What is searched for at first. Default: nothing. */
   readonly query?: string;
+  /** Label of the category that is listed first, before favorites. Default: none. */
+  readonly first?: string;
 }
 
 /** Position in client pixels for a palette opened by a key, which roughly centers it. */

@@ -1,4 +1,5 @@
 import { expect, test } from '@jest/globals';
+import { categoryLabel } from '../../../nodes/kit/categories.ts';
 import { openTestEditor } from '../../../tests/support/test-editor.ts';
 import { undo } from '../document/apply.ts';
 import { graphOf } from '../editor/document.ts';
@@ -11,12 +12,13 @@ function typedWires(editor: Editor): string[] {
   return wires.map(({ from, to }) => `${nodes[from.node]?.type} -> ${nodes[to.node]?.type}.${to.port}`).sort();
 }
 
-test('a filter: the camera is connected to the output once, and the palette asks what goes between', async () => {
+test('a filter: the camera is connected to the output once, and the palette asks what goes between, filters first', async () => {
   const { editor } = await openTestEditor();
   expect(isBlank(editor.document.getState())).toBe(true);
   startFilter(editor, { x: 0, y: 0 });
   startFilter(editor, { x: 0, y: 0 });
   expect(typedWires(editor)).toEqual(['source/camera-video -> output/screen.layer']);
+  expect(editor.ui.getState().palette?.first).toBe(categoryLabel('filter/sepia'));
   expect(editor.ui.getState().palette?.wire).toMatch(/^camera-video-\w+\.layer -> screen-\w+\.layer$/);
   expect(isBlank(editor.document.getState())).toBe(true);
 });

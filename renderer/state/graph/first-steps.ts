@@ -4,6 +4,7 @@ import { connect } from '../../../export/graph/commands/wire-commands.ts';
 import { makeNodeId } from '../../../export/graph/document-names.ts';
 import { MAIN_GRAPH, type Project, type Wire } from '../../../export/graph/project.ts';
 import { printWire } from '../../../export/graph/wires.ts';
+import { categoryLabel } from '../../../nodes/kit/categories.ts';
 import { apply } from '../document/apply.ts';
 import { type DocumentState, graphOf, layoutOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
@@ -23,12 +24,12 @@ export function isBlank(state: Pick<DocumentState, 'project' | 'graph' | 'open'>
   return Object.values(graphOf(state).nodes).every(({ type }) => type === CAMERA.type || type === SCREEN.type);
 }
 
-/** Connects the camera to the output where it is not yet, and opens the palette with the nodes for their wire. */
+/** Connects the camera to the output where it is not yet, and opens the palette with the nodes for their wire, filters first. */
 export function startFilter(editor: Editor, at = middleOfWindow()): void {
   const { project, changes, wire } = cameraOnScreen(editor);
   if (!apply(editor, 'Show the camera', sequence(project, ...changes))) return;
   revealNodes(editor.ui, [], 'fit');
-  editor.ui.setState({ palette: { at, place: null, end: null, wire: printWire(wire) } });
+  editor.ui.setState({ palette: { at, place: null, end: null, wire: printWire(wire), first: categoryLabel('filter/sepia') } });
 }
 
 /** Adds an object that stands on the floor, in a scene with a light over the camera, as one undo step. Returns its node id. */

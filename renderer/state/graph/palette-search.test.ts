@@ -119,3 +119,12 @@ test('favorites come first, then what was added last, then all by category; a se
   ]);
   expect(listed('sepia', ['filter/sepia'], [])).toEqual(listed('sepia', [], []));
 });
+
+test('the category that was asked for comes before favorites and all others, each type once', () => {
+  const entries = searchPalette(DEFINITIONS, '', null);
+  const listed = listPalette(entries, '', ['operator/over'], [], 'filter');
+  const sections = listed.map(({ section }) => section).filter((section, i, all) => section !== all[i - 1]);
+  expect(sections.slice(0, 2)).toEqual(['filter', 'Favorites']);
+  expect(sections.filter((section) => section === 'filter')).toHaveLength(1);
+  expect(listed).toHaveLength(entries.length + 1);
+});

@@ -54,12 +54,15 @@ export interface ListedEntry extends PaletteEntry {
 
 /**
  * The list of the palette: with a query the best matches, else the favorites, the types that were added last, and all by category.
+ *
+ * @param first Label of a category that is listed before all others, favorites included.
  */
 export function listPalette(
   entries: readonly PaletteEntry[],
   query: string,
   favorites: readonly string[],
   recent: readonly string[],
+  first: string | null = null,
 ): readonly ListedEntry[] {
   const all = entries.map((entry) => ({ ...entry, section: categoryOf(entry.definition) }));
   if (query.trim() !== '') return all;
@@ -69,7 +72,9 @@ export function listPalette(
       return entry ? [{ ...entry, section }] : [];
     });
   const fresh = recent.filter((type) => !favorites.includes(type));
-  return [...pick(favorites, 'Favorites'), ...pick(fresh, 'Recent'), ...all];
+  const leading = all.filter(({ section }) => section === first);
+  const others = all.filter(({ section }) => section !== first);
+  return [...leading, ...pick(favorites, 'Favorites'), ...pick(fresh, 'Recent'), ...others];
 }
 
 /** The first port of the same wire type, else the first that converts without loss. */
