@@ -165,8 +165,11 @@ export const HOST_CONTRACT = {
     }),
   },
   'project.open': { input: z.object({ path: z.string().min(1).max(4096) }), output: openProject },
-  /** Creates a project from a template in a new or empty folder and opens it. The name of the folder becomes the title. */
-  'project.create': { input: z.object({ path: z.string().min(1).max(4096), template: z.string().min(1).max(64) }), output: openProject },
+  /** Creates a project from a template in a new or empty folder and opens it. `title`: by default made from the name of the folder. */
+  'project.create': {
+    input: z.object({ path: z.string().min(1).max(4096), template: z.string().min(1).max(64), title: z.string().max(1000).optional() }),
+    output: openProject,
+  },
   /**
    * Saves all files or none. Rejects with SCR063 if the files changed since `revision`, unless `overwrite` is set: then `kept` is the
    * project path of a folder with the replaced files, or null if nothing was replaced. Shaders that this window never loaded stay.

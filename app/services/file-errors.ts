@@ -10,6 +10,7 @@ export function readRefusal(error: unknown, path: string): HostError {
   const code = errorCode(error);
   if (code === 'ENOENT' || code === 'ENOTDIR') return refusal('SCR004', `${path} does not exist.`);
   if (code === 'EACCES' || code === 'EPERM') return refusal('SCR004', `${path} cannot be read: permission denied.`);
+  if (code === 'ENAMETOOLONG') return refusal('SCR004', 'A name in this path is too long, so nothing of that name exists.');
   return refusal('SCR004', `${path} cannot be read: ${messageOf(error)}`);
 }
 
@@ -24,6 +25,9 @@ export function writeRefusal(error: unknown, path: string): HostError {
   }
   if (code !== undefined && UNWRITABLE.has(code)) {
     return refusal('SCR060', `${path} cannot be written. Nothing was changed.`, 'Choose a folder that you may write to.');
+  }
+  if (code === 'ENAMETOOLONG') {
+    return refusal('SCR060', 'A name in this path is too long. Nothing was changed.', 'Choose a name of at most 200 characters.');
   }
   return refusal('SCR060', `${path} cannot be written: ${messageOf(error)} Nothing was changed.`);
 }

@@ -125,6 +125,8 @@ describe('a new project', () => {
     const path = join(base, 'shows', 'Tin robot');
     const opened = await window.call('project.create', { path, template: 'occlusion' });
     expect(JSON.parse(opened.files.project)).toMatchObject({ title: 'Tin robot' });
+    const named = await window.call('project.create', { path: `${path}-2`, template: 'empty', title: 'Robot: Größe 2/3' });
+    expect(JSON.parse(named.files.project)).toMatchObject({ title: 'Robot: Größe 2/3' });
     // Templates describe themselves, not the pages that are made of them.
     expect(templates.find(({ name }) => name === 'occlusion')?.description).toMatch(/shadow/);
     expect(JSON.parse(opened.files.project)).not.toHaveProperty('page');
@@ -132,6 +134,17 @@ describe('a new project', () => {
     expect([opened.recovery, opened.openElsewhere]).toEqual([null, false]);
     await window.call('project.save', { handle: opened.handle, files: opened.files, revision: opened.revision, overwrite: false });
     await expect(window.call('project.create', { path, template: 'empty' })).rejects.toMatchObject({ diagnostic: { code: 'SCR061' } });
+  });
+
+  test('is refused in words where the name of its folder is too long', async () => {
+    const window = openWindow(startHost(), 'a');
+    const path = join(base, 'long'.repeat(100));
+    await expect(window.call('project.create', { path, template: 'empty' })).rejects.toMatchObject({
+      diagnostic: { code: 'SCR060', message: 'A name in this path is too long. Nothing was changed.' },
+    });
+    await expect(window.call('project.open', { path })).rejects.toMatchObject({
+      diagnostic: { code: 'SCR004', message: 'A name in this path is too long, so nothing of that name exists.' },
+    });
   });
 
   test('leaves nothing where the disk is full', async () => {

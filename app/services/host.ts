@@ -124,8 +124,9 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       if (!(await isExample(root, installation.examplesDir))) return projects.open(typed, client);
       return projects.open(await copyExample({ example: root, projectsDir: installation.projectsDir, files }), client);
     },
-    'project.create': async ({ path, template }, client) => {
-      const root = await createProject({ templatesDir: installation.templatesDir, template, path: fullPath(path, 'SCR060'), files });
+    'project.create': async ({ path, template, title }, client) => {
+      const { templatesDir } = installation;
+      const root = await createProject({ templatesDir, template, title, path: fullPath(path, 'SCR060'), files });
       return projects.open(root, client);
     },
     'project.save': (input) => projects.save(input.handle, input.files, input.revision, input.overwrite),

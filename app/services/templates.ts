@@ -38,8 +38,10 @@ export async function findTemplates(templatesDir: string): Promise<Template[]> {
 export interface NewProjectJob {
   readonly templatesDir: string;
   readonly template: string;
-  /** A new or empty folder. Its name becomes the title. */
+  /** A new or empty folder. */
   readonly path: string;
+  /** Default: made from the name of the folder. */
+  readonly title?: string | undefined;
   readonly files: FileLayer;
 }
 
@@ -48,14 +50,14 @@ export interface NewProjectJob {
  *
  * @throws SCR060, SCR061, SCR062, SCR073
  */
-export async function createProject({ templatesDir, template, path, files }: NewProjectJob): Promise<string> {
+export async function createProject({ templatesDir, template, path, title = titleFor(path), files }: NewProjectJob): Promise<string> {
   const known = await findTemplates(templatesDir);
   if (!known.some(({ name }) => name === template)) {
     throw refusal('SCR073', `Unknown template ${JSON.stringify(template)}.`, `Choose one of ${known.map(({ name }) => name).join(', ')}.`);
   }
   const { page, ...rest } = await readTemplate(templatesDir, template);
   // The description is for those who choose a template, not for the visitors of a page.
-  const project: Project = { ...rest, page: { ...page, description: '' }, title: titleFor(path) };
+  const project: Project = { ...rest, page: { ...page, description: '' }, title };
   return fillEmptyFolder(path, files, async (root) => {
     await copyAssets(join(templatesDir, template), root, files);
     await writeAll(root, changesBetween(null, saveProject(project)), files);

@@ -1,10 +1,13 @@
 import { useState } from 'react';
+import { useStore } from 'zustand';
 import type { HostInput } from '../../app/contract/contract.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { clearDialogErrors } from '../state/editor/ui.ts';
 import { askForFolder } from '../state/files/files.ts';
+import { joinPath, splitPath } from '../state/files/folder-path.ts';
 import { Button } from '../ui/button.tsx';
+import { DialogErrors } from './dialog-error.tsx';
 import { FolderBrowser } from './folder-browser.tsx';
-import { joinPath, splitPath } from './folder-path.ts';
 import './folder-field.css';
 
 interface FolderFieldProps {
@@ -20,13 +23,22 @@ interface FolderFieldProps {
   readonly onChange: (path: string) => void;
 }
 
-/** Field for the path of a folder, with a button for the native folder dialog, or else for a list of folders below the field. */
+/**
+ * Field for the path of a folder, with a button for the native folder dialog, or else for a list of folders below the field. The errors of
+ * the dialog stand below it until the path changes.
+ */
 export function FolderField(props: FolderFieldProps) {
   const { id, label, path, example = '/home/me/projects/my-effect', purpose, chooses = 'place', onChange } = props;
   const editor = useEditor();
   const canPick = useDocument((state) => state.canPickFolders);
   const [isOpen, setOpen] = useState(false);
   const [place, name] = chooses === 'itself' ? [path, ''] : splitPath(path);
+  const isRefused = useStore(editor.ui, (state) => state.dialogErrors.length > 0);
+  const isMissing = chooses === 'place' && path.trim() === '';
+  const change = (next: string) => {
+    clearDialogErrors(editor.ui);
+    onChange(next);
+  };
   return (
     <>
       <label htmlFor={id}>{label}</label>
@@ -38,14 +50,16 @@ export function FolderField(props: FolderFieldProps) {
           spellCheck={false}
           placeholder={example}
           value={path}
-          onChange={(event) => onChange(event.target.value)}
+          aria-invalid={isRefused || isMissing}
+          aria-describedby={`${id}-error`}
+          onChange={(event) => change(event.target.value)}
         />
         {purpose !== undefined && canPick && (
           <Button
             icon="folder"
             onPress={async () => {
               const picked = await askForFolder(editor, purpose);
-              if (picked !== null) onChange(picked);
+              if (picked !== null) change(picked);
             }}
           >
             Choose…
@@ -57,7 +71,13 @@ export function FolderField(props: FolderFieldProps) {
           </Button>
         )}
       </div>
-      {isOpen && <FolderBrowser from={place} onGo={(folder) => onChange(chooses === 'itself' ? folder : joinPath(folder, name))} />}
+      {isMissing && (
+        <span id={`${id}-error`} className="form-error">
+          Enter a folder.
+        </span>
+      )}
+      {!isMissing && <DialogErrors id={`${id}-error`} />}
+      {isOpen && <FolderBrowser from={place} onGo={(folder) => change(chooses === 'itself' ? folder : joinPath(folder, name))} />}
     </>
   );
 }

@@ -7,7 +7,6 @@ import { askForFolder, openPath } from '../state/files/files.ts';
 import { Button, IconButton } from '../ui/button.tsx';
 import { Dialog } from '../ui/dialog.tsx';
 import { Icon } from '../ui/icon.tsx';
-import { DialogError } from './dialog-error.tsx';
 import { FolderField } from './folder-field.tsx';
 import './open-dialog.css';
 import { ImageCard } from '../ui/image-card.tsx';
@@ -25,8 +24,11 @@ export function OpenDialog({ onClose }: { readonly onClose: () => void }) {
   const open = async (chosen: string): Promise<boolean> => {
     setBusy(true);
     const opened = await openPath(editor, chosen);
-    if (!opened) setBusy(false);
-    return opened;
+    if (opened) return true;
+    // The error stands at the path that it is about.
+    setPath(chosen);
+    setBusy(false);
+    return false;
   };
   const submit = (event: FormEvent) => {
     event.preventDefault();
@@ -108,7 +110,6 @@ export function OpenDialog({ onClose }: { readonly onClose: () => void }) {
       <form className="dialog-form open-folder" onSubmit={submit}>
         <FolderField id={id} label="Project folder" path={path} chooses="itself" onChange={setPath} />
       </form>
-      <DialogError />
     </Dialog>
   );
 }

@@ -8,7 +8,7 @@ import { type FrameRenderOptions, planFrames, ROOM_RATE_HZ, rateOf, renderFrames
 import { FormDialog } from '../ui/form-dialog.tsx';
 import { ChoiceField, TextField } from '../ui/form-fields.tsx';
 import type { SelectOption } from '../ui/select-field.tsx';
-import { DialogError } from './dialog-error.tsx';
+import { DialogErrors } from './dialog-error.tsx';
 import { FolderField } from './folder-field.tsx';
 
 const FORMATS: readonly SelectOption<FrameRenderOptions['what']>[] = [
@@ -55,8 +55,18 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
     >
       <ChoiceField label="Format" value={what} options={FORMATS} onChoose={setWhat} />
       <div className="form-row">
-        <TextField label="First frame" text={range.from} wrong={from === null} onChange={(text) => setRange({ ...range, from: text })} />
-        <TextField label="Last frame" text={range.to} wrong={to === null} onChange={(text) => setRange({ ...range, to: text })} />
+        <TextField
+          label="First frame"
+          text={range.from}
+          error={errorOf(from, 0, MOST_FRAMES)}
+          onChange={(text) => setRange({ ...range, from: text })}
+        />
+        <TextField
+          label="Last frame"
+          text={range.to}
+          error={errorOf(to, from ?? 0, MOST_FRAMES)}
+          onChange={(text) => setRange({ ...range, to: text })}
+        />
         <ChoiceField
           label="Frame rate (fps)"
           value={rate}
@@ -65,21 +75,31 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
         />
       </div>
       <div className="form-row">
-        <TextField label="Width" text={size.width} wrong={widthPx === null} onChange={(text) => setSize({ ...size, width: text })} />
-        <TextField label="Height" text={size.height} wrong={heightPx === null} onChange={(text) => setSize({ ...size, height: text })} />
+        <TextField
+          label="Width"
+          text={size.width}
+          error={errorOf(widthPx, 1, MOST_PX)}
+          onChange={(text) => setSize({ ...size, width: text })}
+        />
+        <TextField
+          label="Height"
+          text={size.height}
+          error={errorOf(heightPx, 1, MOST_PX)}
+          onChange={(text) => setSize({ ...size, height: text })}
+        />
       </div>
       {what === 'pictures' && (
         <FolderField id={`${id}-folder`} label="Folder" path={out} example="/home/me/frames/my-effect" purpose="render" onChange={setOut} />
       )}
       <p className="dialog-note" role="status">
-        {options ? `${lengthWords(frames, options)}. ` : 'A number is missing or out of range. '}
+        {options && `${lengthWords(frames, options)}. `}
         {inRoom && 'Frames show the room from the preview’s current position, as on a phone. '}
         {frames && to !== null && to > lastFrame({ frames }) && 'The recording repeats after its end. '}
         {what === 'video'
           ? 'The video is saved to your downloads, without sound.'
           : 'Choose a new or empty folder, or one with previously rendered frames.'}
       </p>
-      <DialogError />
+      {what === 'video' && <DialogErrors />}
     </FormDialog>
   );
 }
@@ -106,6 +126,10 @@ function sizeOf(status: { readonly widthPx: number; readonly heightPx: number } 
   const scale = SHORT_SIDE_PX / Math.min(widthPx, heightPx);
   const even = (px: number) => String(2 * Math.round((px * scale) / 2));
   return { width: even(widthPx), height: even(heightPx) };
+}
+
+function errorOf(number: number | null, least: number, most: number): string | undefined {
+  return number === null ? `Enter a whole number from ${least} to ${most}.` : undefined;
 }
 
 function wholeIn(text: string, least: number, most: number): number | null {

@@ -5,7 +5,6 @@ import type { Toast } from '../state/editor/ui.ts';
 import { removeToast } from '../state/editor/ui.ts';
 import { IconButton } from '../ui/button.tsx';
 import { Icon, type IconName } from '../ui/icon.tsx';
-import { saysErrors } from './dialog-error.tsx';
 import './toasts.css';
 
 const SHOWN_MS = { info: 5000, success: 5000, warning: 8000, error: 12_000 } as const;
@@ -15,11 +14,9 @@ const ICONS: Readonly<Record<Toast['tone'], IconName>> = { info: 'info', success
 export function Toasts() {
   const { ui } = useEditor();
   const toasts = useStore(ui, (state) => state.toasts);
-  const inDialog = useStore(ui, (state) => saysErrors(state.dialog));
-  const shown = inDialog ? toasts.filter(({ tone }) => tone !== 'error') : toasts;
   return (
     <div className="toasts" role="log" aria-label="Messages" aria-live="polite">
-      {shown.map((toast) => (
+      {toasts.map((toast) => (
         <ToastView key={toast.id} toast={toast} />
       ))}
     </div>

@@ -1,10 +1,9 @@
 import { useEffect, useState } from 'react';
-import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
 
-/** Paths of the folders in the projects folder; none until they are listed. */
-export function useTakenFolders(): ReadonlySet<string> {
+/** Paths of the folders in the folder `path`; none until they are listed. */
+export function useTakenFolders(path: string): ReadonlySet<string> {
   const editor = useEditor();
-  const path = useDocument(({ projectsDir }) => projectsDir);
   const [taken, setTaken] = useState<ReadonlySet<string>>(new Set());
   useEffect(() => {
     let wanted = path !== '';

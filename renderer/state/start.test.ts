@@ -26,7 +26,7 @@ test('the first start opens the project of the command line', async () => {
   expect(editor.document.getState().open?.displayPath).toBe('/project');
 });
 
-test('a project that is gone at the reload leads to the start screen', async () => {
+test('a project that is gone at the reload leads to the start screen, which says so', async () => {
   const storage = memory();
   const { editor, host } = await openTestEditor();
   keepOpenPath(editor, storage);
@@ -34,4 +34,5 @@ test('a project that is gone at the reload leads to the start screen', async () 
   host.refuse('project.open', 'SCR004', '/removed does not exist.');
   await openFirst(editor, storage);
   expect(editor.ui.getState().dialog).toEqual({ kind: 'open' });
+  expect(editor.ui.getState().dialogErrors.map(({ text }) => text)).toEqual(['/removed does not exist.']);
 });

@@ -4,6 +4,7 @@ import { type AppCommandId, appCommandIds, runCommand } from './commands/app-com
 import { finishTyping } from './document/edit-shader.ts';
 import { isDirty } from './editor/document.ts';
 import type { Editor } from './editor/editor.ts';
+import { openStartScreen } from './editor/ui.ts';
 import { showExportProgress } from './files/export-page.ts';
 import { applyExternalShaders } from './files/external-changes.ts';
 import { confirmUnsaved, filesOf, loadExternalChanges, openPath, showRefusal } from './files/files.ts';
@@ -27,7 +28,7 @@ export async function start(editor: Editor): Promise<{ readonly previewUrl: stri
 export async function openFirst(editor: Editor, storage: Pick<Storage, 'getItem'>): Promise<void> {
   const path = storage.getItem(OPEN_KEY) ?? (await editor.host.call('app.info', {})).startPath;
   const opened = path !== null && (await openPath(editor, path));
-  if (!opened) editor.ui.setState({ dialog: { kind: 'open' } });
+  if (!opened) openStartScreen(editor.ui);
 }
 
 /** Stores the path of the open project for reloads. `storage`: that of this window, which ends with it. */

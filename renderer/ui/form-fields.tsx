@@ -31,11 +31,13 @@ interface TextFieldProps {
   readonly error?: string | undefined;
   /** Absent: a number. */
   readonly plain?: boolean;
+  /** Whether the field has the focus when its dialog opens. */
+  readonly autoFocus?: boolean;
   readonly onChange: (text: string) => void;
 }
 
 /** A labeled field for a number, or a plain text, in a form. */
-export function TextField({ label, text, error, wrong = error !== undefined, plain = false, onChange }: TextFieldProps) {
+export function TextField({ label, text, error, wrong = error !== undefined, plain = false, autoFocus = false, onChange }: TextFieldProps) {
   const id = useId();
   return (
     <div className="form-field">
@@ -45,6 +47,7 @@ export function TextField({ label, text, error, wrong = error !== undefined, pla
         className="field"
         inputMode={plain ? 'text' : 'decimal'}
         spellCheck={false}
+        data-autofocus={autoFocus ? '' : undefined}
         value={text}
         aria-invalid={wrong}
         aria-describedby={error === undefined ? undefined : `${id}-error`}

@@ -134,6 +134,7 @@ describe('unsaved work', () => {
       .click();
     const folder = join(base, 'given-up');
     const question = next.getByRole('dialog', { name: 'New project' });
+    await question.getByRole('textbox', { name: 'Name' }).fill('Given up');
     await question.getByRole('textbox', { name: 'Folder' }).fill(folder);
     await question.getByRole('button', { name: 'Create' }).click();
     await shows(next, 'Given up');
@@ -160,18 +161,31 @@ describe('a new project', () => {
     expect(await question.getByRole('radio').count()).toBe(3);
     expect(await question.getByRole('radio', { name: /^Empty/ }).isChecked()).toBe(true);
     await question.getByRole('radio', { name: /^Filter/ }).check();
-    await question.getByRole('textbox', { name: 'Folder' }).fill('not/whole');
+    await question.getByRole('textbox', { name: 'Name' }).fill('Größe 2/3');
+    const field = question.getByRole('textbox', { name: 'Folder' });
+    expect(await field.inputValue()).toMatch(/größe-2-3$/);
+    await field.fill('not/whole');
     await question.getByRole('button', { name: 'Create' }).click();
     await page.getByText('not/whole is not a full path.').waitFor();
+    expect(await field.getAttribute('aria-invalid')).toBe('true');
     const errors = collectErrors(page);
     const folder = join(base, 'ink-room');
-    await question.getByRole('textbox', { name: 'Folder' }).fill(folder);
+    await field.fill(folder);
     await page.keyboard.press('Enter');
-    await shows(page, 'Ink room');
+    // The name is the one that was typed, whatever the folder.
+    await shows(page, 'Größe 2/3');
     const editor = new EditorDriver(page);
     await editor.settled();
     expect(await editor.node('lines').count()).toBe(1);
     expect(errors).toEqual([]);
-    expect(JSON.parse(await readFile(join(folder, 'project.scrim.json'), 'utf8'))).toMatchObject({ title: 'Ink room' });
+    expect(JSON.parse(await readFile(join(folder, 'project.scrim.json'), 'utf8'))).toMatchObject({ title: 'Größe 2/3' });
+
+    // A reload shows it again, and an address of the command line the project of the command line.
+    await page.reload();
+    await shows(page, 'Größe 2/3');
+    await editor.settled();
+    await page.goto('about:blank');
+    await page.goto(server.invite());
+    await shows(page, 'Shared');
   });
 });

@@ -67,6 +67,10 @@ test.each([
   await dialog.getByRole('textbox', { name: label, exact: true }).fill(project);
   await dialog.getByRole('button', { name: action, exact: true }).click();
   await dialog.getByRole('alert').getByText(/\w/).first().waitFor();
+  const field = dialog.getByRole('textbox', { name: label, exact: true });
+  expect(await field.getAttribute('aria-invalid')).toBe('true');
+  const described = page.locator(`[id="${await field.getAttribute('aria-describedby')}"]`);
+  expect(await described.textContent()).toContain('not empty');
   await expect(page.getByRole('log', { name: 'Messages' }).locator('.toast-error').count()).resolves.toBe(0);
   await expectNothingFound();
   await close(dialog);

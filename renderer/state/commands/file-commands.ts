@@ -1,5 +1,5 @@
 import { lastExport, openExportDialog } from '../files/export-page.ts';
-import { newProject, openProject, revertToSaved, save, saveAs } from '../files/files.ts';
+import { newProject, openProject, openSaveAs, revertToSaved, save } from '../files/files.ts';
 import { openRenderDialog } from '../preview/render-frames.ts';
 import type { AppCommand } from './app-command.ts';
 import { always, hasCapture, isOpen, isUnsaved } from './command-conditions.ts';
@@ -29,7 +29,7 @@ export const FILE_COMMANDS = {
     keywords: ['copy', 'duplicate project', 'rename'],
     keys: ['Mod+Shift+S'],
     enabled: isOpen,
-    run: (editor) => void saveAs(editor),
+    run: (editor) => openSaveAs(editor),
     whileTyping: true,
   },
   'file.revert': {

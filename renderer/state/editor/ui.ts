@@ -107,6 +107,9 @@ export interface Toast {
   readonly detail?: string;
 }
 
+/** The dialogs that show errors themselves, which are then no toasts. */
+const WITH_ERRORS: ReadonlySet<DialogRequest['kind']> = new Set(['new', 'open', 'save-as', 'export', 'render', 'photographs']);
+
 /** A request to scroll the canvas. */
 export interface Reveal {
   readonly serial: number;
@@ -186,6 +189,8 @@ export interface UiState {
   readonly outside: readonly string[];
   readonly palette: PaletteRequest | null;
   readonly dialog: DialogRequest | null;
+  /** Errors since the dialog opened, for dialogs that show them. */
+  readonly dialogErrors: readonly Omit<Toast, 'id'>[];
   /** Index of the current tour step; null if the tour is closed. */
   readonly tour: number | null;
   readonly toasts: readonly Toast[];
@@ -209,7 +214,7 @@ export interface UiState {
 export type UiStore = StoreApi<UiState>;
 
 export function createUi(sizes: PanelSizes, dock: Dock): UiStore {
-  return createStore<UiState>(() => ({
+  const store = createStore<UiState>(() => ({
     sizes,
     dock,
     previewExtent: 'panel',
@@ -219,6 +224,7 @@ export function createUi(sizes: PanelSizes, dock: Dock): UiStore {
     outside: [],
     palette: null,
     dialog: null,
+    dialogErrors: [],
     tour: null,
     toasts: [],
     reveal: null,
@@ -231,6 +237,21 @@ export function createUi(sizes: PanelSizes, dock: Dock): UiStore {
     exportSettings: DEFAULT_EXPORT_SETTINGS,
     exported: null,
   }));
+  store.subscribe(({ dialog, dialogErrors }, before) => {
+    if (dialog !== before.dialog && dialogErrors === before.dialogErrors) clearDialogErrors(store);
+  });
+  return store;
+}
+
+/** Opens the start screen. What went wrong before stands in it. */
+export function openStartScreen(store: UiStore): void {
+  const { toasts } = store.getState();
+  const [dialogErrors, others] = [toasts.filter(({ tone }) => tone === 'error'), toasts.filter(({ tone }) => tone !== 'error')];
+  store.setState({ dialog: { kind: 'open' }, dialogErrors, toasts: others });
+}
+
+export function clearDialogErrors(store: UiStore): void {
+  if (store.getState().dialogErrors.length > 0) store.setState({ dialogErrors: [] });
 }
 
 const MAX_TOASTS = 4;
@@ -244,8 +265,12 @@ export function addToast(store: UiStore, toast: Omit<Toast, 'id'>): number {
   return id;
 }
 
-export function toastDiagnostic(store: UiStore, { severity, message, fix }: Pick<Diagnostic, 'severity' | 'message' | 'fix'>): number {
-  return addToast(store, { tone: severity, text: message, ...(fix === undefined ? {} : { detail: fix }) });
+/** Shows a diagnostic as a toast. An error stands in the open dialog, if that shows errors. */
+export function toastDiagnostic(store: UiStore, { severity, message, fix }: Pick<Diagnostic, 'severity' | 'message' | 'fix'>): void {
+  const toast = { tone: severity, text: message, ...(fix === undefined ? {} : { detail: fix }) };
+  const { dialog, dialogErrors } = store.getState();
+  if (severity !== 'error' || dialog === null || !WITH_ERRORS.has(dialog.kind)) addToast(store, toast);
+  else store.setState({ dialogErrors: [...dialogErrors.filter(({ text }) => text !== message), toast] });
 }
 
 export function removeToast(store: UiStore, id: number): void {

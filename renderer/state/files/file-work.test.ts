@@ -89,7 +89,7 @@ describe('work on files, one thing after the other', () => {
     const { editor, host } = await openSlowly();
     retitle(editor, 'A');
     host.refuse('project.autosave', 'SCR060', 'The folder cannot be written.');
-    expect(await saveAs(editor, '/copy')).toBe(true);
+    expect(await saveAs(editor, '/copy', 'Copy')).toBe(true);
     expect(editor.document.getState().open?.displayPath).toBe('/copy');
     expect(isDirty(editor.document.getState())).toBe(false);
   });

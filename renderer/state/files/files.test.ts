@@ -1,14 +1,15 @@
 import { describe, expect, test } from '@jest/globals';
+import type { HostInput } from '../../../app/contract/contract.ts';
 import { setTitle } from '../../../export/graph/commands/project-info.ts';
 import { newProject } from '../../../export/graph/new-project.ts';
 import { saveProject } from '../../../export/graph/save.ts';
 import { openTestEditor } from '../../../tests/support/test-editor.ts';
 import { apply } from '../document/apply.ts';
-import { graphOf } from '../editor/document.ts';
+import { graphOf, isDirty } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { autosave, handleHostEvents } from '../start.ts';
 import { addFiles } from './add-files.ts';
-import { createProject, openPath, openProject, reload, save } from './files.ts';
+import { createProject, openPath, openProject, openSaveAs, reload, save, saveAs } from './files.ts';
 
 function retitle(editor: Editor, title: string): void {
   apply(editor, 'Title', setTitle(editor.document.getState().project, { title }));
@@ -62,8 +63,12 @@ describe('files', () => {
     const { editor, host } = await openTestEditor();
     const before = editor.document.getState().open?.handle;
     retitle(editor, 'Given up');
-    expect(await createProject(editor, '/new', 'empty')).toBe(true);
-    expect(host.calls.find(({ method }) => method === 'project.create')?.input).toEqual({ path: '/new', template: 'empty' });
+    expect(await createProject(editor, { path: '/new', template: 'empty', title: 'New one' })).toBe(true);
+    expect(host.calls.find(({ method }) => method === 'project.create')?.input).toEqual({
+      path: '/new',
+      template: 'empty',
+      title: 'New one',
+    });
     expect(editor.document.getState().open?.displayPath).toBe('/new');
     const rest = host.calls.slice(-3).map(({ method, input }) => [method, input]);
     expect(rest).toEqual([
@@ -77,7 +82,7 @@ describe('files', () => {
     const { editor, host } = await openTestEditor();
     retitle(editor, 'Kept');
     host.refuse('project.create', 'SCR061', 'The folder is not empty.');
-    expect(await createProject(editor, '/full', 'empty')).toBe(false);
+    expect(await createProject(editor, { path: '/full', template: 'empty' })).toBe(false);
     expect(editor.document.getState().project.title).toBe('Kept');
     expect(host.calls.some(({ method }) => method === 'project.autosave' || method === 'project.close')).toBe(false);
     expect(editor.ui.getState().toasts.map(({ text }) => text)).toEqual(['The folder is not empty.']);
@@ -88,6 +93,44 @@ describe('files', () => {
     expect(editor.ui.getState().toasts.map(({ tone, text }) => [tone, text])).toEqual([
       ['warning', 'This project is also open in another window.'],
     ]);
+  });
+
+  test('a copy has the name that was typed, and the original keeps its own', async () => {
+    const { editor, host } = await openTestEditor();
+    expect(await saveAs(editor, '/copy', 'Test copy')).toBe(true);
+    const call = host.calls.find(({ method }) => method === 'project.save-as')?.input as HostInput<'project.save-as'>;
+    expect(JSON.parse(call.files.project)).toMatchObject({ title: 'Test copy' });
+    const state = editor.document.getState();
+    expect([state.project.title, state.open?.displayPath, isDirty(state)]).toEqual(['Test copy', '/copy', false]);
+    expect(editor.preferences.getState().recent[0]).toEqual({ path: '/copy', title: 'Test copy' });
+  });
+
+  test('a copy that cannot be written changes nothing, and the dialog says why', async () => {
+    const { editor, host } = await openTestEditor();
+    openSaveAs(editor);
+    host.refuse('project.save-as', 'SCR061', '/full is not empty.');
+    expect(await saveAs(editor, '/full', 'Test copy')).toBe(false);
+    const { dialog, dialogErrors, toasts } = editor.ui.getState();
+    expect([dialog, toasts]).toEqual([{ kind: 'save-as' }, []]);
+    expect(dialogErrors.map(({ text }) => text)).toEqual(['/full is not empty.']);
+    expect(editor.document.getState().project.title).toBe('Test');
+    expect(editor.document.getState().history.past).toEqual([]);
+    editor.ui.setState({ dialog: null });
+    expect(editor.ui.getState().dialogErrors).toEqual([]);
+  });
+
+  test('each error of an opening stands in the dialog, until the next attempt', async () => {
+    const { editor, host } = await openTestEditor();
+    openProject(editor);
+    const broken = { project: '{', layout: null, sources: {} };
+    host.answer('project.open', () => ({ ...opened, files: broken }));
+    const opened = await host.call('project.create', { path: '/x', template: 'empty' });
+    expect(await openPath(editor, '/broken')).toBe(false);
+    expect(editor.ui.getState().dialogErrors).toHaveLength(1);
+    host.refuse('project.open', 'SCR004', '/nowhere does not exist.');
+    expect(await openPath(editor, '/nowhere')).toBe(false);
+    expect(editor.ui.getState().dialogErrors.map(({ text }) => text)).toEqual(['/nowhere does not exist.']);
+    expect(editor.ui.getState().toasts).toEqual([]);
   });
 
   test('reload takes the version on disk and forgets the unsaved one', async () => {

@@ -1,5 +1,6 @@
 import type { HostInput, OpenProject, ProjectFiles } from '../../../app/contract/contract.ts';
 import { HostError } from '../../../app/contract/host-error.ts';
+import { setTitle } from '../../../export/graph/commands/project-info.ts';
 import { emptyHistory } from '../../../export/graph/history.ts';
 import { migrateNodes } from '../../../export/graph/library/migrate-nodes.ts';
 import { loadProject } from '../../../export/graph/load.ts';
@@ -9,13 +10,13 @@ import { type GraphLayout, MAIN_GRAPH, type Project } from '../../../export/grap
 import { getOwn } from '../../../export/graph/record.ts';
 import { saveProject } from '../../../export/graph/save.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
-import { goToStep, savedStep } from '../document/apply.ts';
+import { apply, endGesture, goToStep, savedStep } from '../document/apply.ts';
 import { finishTyping } from '../document/edit-shader.ts';
 import { isDirty } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { rememberProject } from '../editor/preferences.ts';
 import { selectNothing } from '../editor/selection.ts';
-import { addToast, toastDiagnostic } from '../editor/ui.ts';
+import { addToast, clearDialogErrors, toastDiagnostic } from '../editor/ui.ts';
 
 /** The files of the open project, with pending text edits. */
 export function filesOf(editor: Editor): ProjectFiles {
@@ -52,13 +53,14 @@ export function openPath(editor: Editor, path: string): Promise<boolean> {
 }
 
 /** Creates a project from a template in a new or empty folder, and opens it in place of the current one. */
-export function createProject(editor: Editor, path: string, template: string): Promise<boolean> {
-  return editor.fileWork(() => openWith(editor, path, () => editor.host.call('project.create', { path, template })));
+export function createProject(editor: Editor, project: HostInput<'project.create'>): Promise<boolean> {
+  return editor.fileWork(() => openWith(editor, project.path, () => editor.host.call('project.create', project)));
 }
 
 /** Opens a project and discards unsaved changes; callers ask the user first. */
 async function openWith(editor: Editor, asked: string, ask: () => Promise<OpenProject>): Promise<boolean> {
   const { open: before } = editor.document.getState();
+  clearDialogErrors(editor.ui);
   try {
     const opened = await ask();
     const discarded = isDirty(editor.document.getState());
@@ -209,23 +211,36 @@ export async function breakLockAndSave(editor: Editor, overwrite: boolean): Prom
   return save(editor, overwrite);
 }
 
-/** Saves a copy in another folder and continues with the copy. */
-export async function saveAs(editor: Editor, chosen?: string): Promise<boolean> {
-  if (editor.document.getState().open === null) return false;
-  const path = chosen ?? (await pickFolder(editor, 'save-as'));
-  return path !== null && editor.fileWork(() => writeCopy(editor, path));
+/** Opens the dialog for a copy of the project. */
+export function openSaveAs({ document, ui }: Pick<Editor, 'document' | 'ui'>): void {
+  if (document.getState().open !== null) ui.setState({ dialog: { kind: 'save-as' } });
 }
 
-async function writeCopy(editor: Editor, path: string): Promise<boolean> {
-  const files = filesOf(editor);
-  const { open, history } = editor.document.getState();
+/** Saves a copy with its own title in another folder and continues with the copy. */
+export function saveAs(editor: Editor, path: string, title: string): Promise<boolean> {
+  return editor.fileWork(() => writeCopy(editor, path, title));
+}
+
+async function writeCopy(editor: Editor, path: string, title: string): Promise<boolean> {
+  finishTyping(editor);
+  const { open, project, history } = editor.document.getState();
   if (open === null) return false;
+  clearDialogErrors(editor.ui);
   try {
+    const files = saveProject(setTitle(project, { title }).project);
     const opened = await editor.host.call('project.save-as', { handle: open.handle, path, files });
     const { handle, displayPath, revision, assetBaseUrl, assetFiles } = opened;
     await closeProject(editor, open.handle, true);
-    editor.document.setState({ open: { handle, displayPath, revision, assetBaseUrl, assetFiles }, savedState: history.state });
+    const isChanged = editor.document.getState().history.state !== history.state;
+    endGesture(editor);
+    apply(editor, 'Name the copy', setTitle(editor.document.getState().project, { title }));
+    editor.document.setState((now) => ({
+      open: { handle, displayPath, revision, assetBaseUrl, assetFiles },
+      // Work since the copy was written is not in it.
+      savedState: isChanged ? -1 : now.history.state,
+    }));
     editor.ui.setState({ dialog: null });
+    rememberProject(editor, { path: displayPath, title });
     addToast(editor.ui, { tone: 'success', text: `Saved to ${displayPath}.` });
     await listSessions(editor);
     return true;
@@ -233,16 +248,6 @@ async function writeCopy(editor: Editor, path: string): Promise<boolean> {
     showRefusal(editor, error);
     return false;
   }
-}
-
-/**
- * Asks for a folder with the native dialog. On hosts without one, opens a dialog that continues with the typed path, and returns
- * null.
- */
-export async function pickFolder(editor: Editor, purpose: 'save-as'): Promise<string | null> {
-  if (editor.document.getState().canPickFolders) return askForFolder(editor, purpose);
-  editor.ui.setState({ dialog: { kind: purpose } });
-  return null;
 }
 
 /** Asks for a folder with the native dialog; null if the user cancels. */

@@ -8,6 +8,9 @@ test('a folder is suggested in the projects folder, named after the title', asyn
   expect(suggestFolder(editor, 'My effect')).toBe('/home/me/Scrim/my-effect');
   expect(suggestFolder(editor, ' Größe: 2/3 ', '-page')).toBe('/home/me/Scrim/größe-2-3-page');
   expect(suggestFolder(editor, '../..')).toBe('/home/me/Scrim/untitled');
+  expect(suggestFolder(editor, 'Very long '.repeat(30), '-page')).toBe(
+    '/home/me/Scrim/very-long-very-long-very-long-very-long-very-lon-page',
+  );
   editor.document.setState({ projectsDir: 'C:\\Users\\me\\Scrim' });
   expect(suggestFolder(editor, 'A b')).toBe('C:\\Users\\me\\Scrim\\a-b');
   editor.document.setState({ projectsDir: '' });

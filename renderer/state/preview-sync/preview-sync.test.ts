@@ -306,7 +306,7 @@ describe('the way from document to preview', () => {
     previewSync.receive({ kind: 'ready' });
     for (const sourceId of ['example/walk', 'orbit']) {
       editor.preview.setState({ sourceId });
-      for (const goOn of [() => openPath(editor, '/other'), () => saveAs(editor, '/copy'), () => loadExternalChanges(editor)]) {
+      for (const goOn of [() => openPath(editor, '/other'), () => saveAs(editor, '/copy', 'Copy'), () => loadExternalChanges(editor)]) {
         await goOn();
         const source = sent.flatMap((message) => (message.kind === 'session' ? message.source : [])).at(-1);
         expect(source).toMatchObject({
