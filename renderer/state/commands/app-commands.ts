@@ -22,7 +22,7 @@ import {
   togglePlay,
 } from '../preview/playback.ts';
 import { canRecordSession, toggleSessionRecording } from '../preview/record-session.ts';
-import { newFilter } from '../shaders/new-filter.ts';
+import { canDuplicateFilter, duplicateFilter, newFilter } from '../shaders/new-filter.ts';
 import type { AppCommand } from './app-command.ts';
 import { askToSaveSubgraph, canvasCenter, openPalette, openSwapPalette } from './command-actions.ts';
 import {
@@ -98,6 +98,13 @@ const COMMANDS = {
     keys: [],
     enabled: isOpen,
     run: (editor) => void newFilter(editor),
+  },
+  'graph.duplicate-filter': {
+    label: 'Duplicate filter',
+    keywords: ['shader', 'glsl', 'isf', 'new', 'own', 'copy', 'fork', 'edit', 'customize'],
+    keys: [],
+    enabled: canDuplicateFilter,
+    run: (editor) => void duplicateFilter(editor),
   },
   'graph.import-shadertoy': {
     label: 'Import Shadertoy…',

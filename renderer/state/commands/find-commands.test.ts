@@ -6,6 +6,7 @@ import { findCommands } from './find-commands.ts';
 test.each([
   ['theme', 'view.theme'],
   ['filter', 'graph.new-filter'],
+  ['duplicate filter', 'graph.duplicate-filter'],
   ['effect', 'graph.add'],
   ['publish', 'file.export'],
   ['video', 'file.render'],
@@ -34,5 +35,5 @@ test('commands that cannot run come last', async () => {
   const { editor } = await openTestEditor();
   const found = findCommands(editor, 'duplicate');
   // Nothing is selected.
-  expect(found).toEqual(['file.save-as', 'edit.duplicate', expect.any(String)]);
+  expect(found).toEqual(['file.save-as', 'edit.duplicate', 'edit.duplicate-wired', 'graph.duplicate-filter']);
 });

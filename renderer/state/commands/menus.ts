@@ -48,6 +48,7 @@ export const MENUS: readonly { readonly label: string; readonly entries: readonl
     entries: [
       'graph.add',
       'graph.new-filter',
+      'graph.duplicate-filter',
       'graph.swap',
       'graph.collapse',
       'graph.frame',
