@@ -40,6 +40,7 @@ import {
   isOpen,
 } from './command-conditions.ts';
 import { FILE_COMMANDS } from './file-commands.ts';
+import { PREVIEW_COMMANDS } from './preview-commands.ts';
 import { startTour } from './tour.ts';
 import { VIEW_COMMANDS } from './view-commands.ts';
 
@@ -186,6 +187,7 @@ const COMMANDS = {
   'arrange.across': { label: 'Distribute horizontally', keys: [], enabled: hasSeveral, run: (editor) => void distribute(editor, 'x') },
   'arrange.down': { label: 'Distribute vertically', keys: [], enabled: hasSeveral, run: (editor) => void distribute(editor, 'y') },
   ...VIEW_COMMANDS,
+  ...PREVIEW_COMMANDS,
   // The keys of other 3D programs. G is a second key, because W walks in emulated rooms.
   'gizmo.move': {
     label: 'Move gizmo',
