@@ -40,6 +40,7 @@ const ON_NODE = [
   'edit.mute',
   'edit.unfuse',
   'line',
+  'graph.duplicate-filter',
   'graph.swap',
   'graph.collapse',
   'graph.subgraph',

@@ -1,24 +1,16 @@
 import { useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import type { PreviewTier, RenderSize } from '../preview-protocol.ts';
+import type { PreviewTier } from '../preview-protocol.ts';
 import { runCommand } from '../state/commands/app-commands.ts';
-import { useKeys } from '../state/commands/command-item.ts';
+import { RENDER_SIZE_WORDS } from '../state/commands/command-actions.ts';
+import { commandItem, useKeys } from '../state/commands/command-item.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 import { RENDER_SIZES } from '../state/editor/preferences.ts';
 import { chosenSource, type PreviewState } from '../state/editor/preview-state.ts';
-import { keepCurrentImage } from '../state/files/poster.ts';
 import { usePreviewSync } from '../state/preview-sync/preview-sync-context.ts';
 import { IconButton } from '../ui/button.tsx';
 import { ContextMenu } from '../ui/context-menu.tsx';
 import type { MenuItem } from '../ui/menu.tsx';
-
-const SIZES: Readonly<Record<RenderSize, string>> = {
-  auto: 'Render size: automatic (1080p)',
-  panel: 'Render size: as the panel',
-  720: 'Render size: 720p',
-  1080: 'Render size: 1080p',
-  1440: 'Render size: 1440p',
-};
 
 const TIERS: readonly (readonly [PreviewTier, string])[] = [
   ['ar-camera', 'AR with camera access'],
@@ -31,7 +23,6 @@ export function PreviewMenu() {
   const editor = useEditor();
   const previewSync = usePreviewSync();
   const { preview } = editor;
-  const safeAreas = useStore(preview, (state) => state.safeAreas);
   const renderSize = useStore(editor.preferences, (state) => state.renderSize);
   const tier = useStore(preview, (state) => state.tier);
   const recording = useStore(preview, (state) => state.recording);
@@ -47,17 +38,17 @@ export function PreviewMenu() {
   };
   const items: MenuItem[] = [
     { kind: 'action', label: 'Take screenshot', run: () => previewSync.send({ kind: 'screenshot' }) },
-    { kind: 'action', label: 'Use image as poster', run: () => void keepCurrentImage(editor) },
-    { kind: 'action', label: 'Frame the poster', run: () => editor.viewer.setState({ framing: true }) },
+    commandItem(editor, 'preview.keep-image'),
+    commandItem(editor, 'preview.poster'),
     { kind: 'action', label: recording ? 'Stop recording' : 'Record video', run: () => record(!recording) },
     sessionItem(sessionRecording, () => runCommand(editor, 'play.record')),
     { kind: 'line' },
-    { kind: 'action', label: 'Safe areas of phones', checked: safeAreas, run: () => preview.setState({ safeAreas: !safeAreas }) },
+    commandItem(editor, 'preview.safe-areas'),
     { kind: 'line' },
     ...RENDER_SIZES.map(
       (size): MenuItem => ({
         kind: 'action',
-        label: SIZES[size],
+        label: RENDER_SIZE_WORDS[size],
         checked: renderSize === size,
         radio: true,
         run: () => editor.preferences.setState({ renderSize: size }),

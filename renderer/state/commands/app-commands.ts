@@ -22,7 +22,7 @@ import {
   togglePlay,
 } from '../preview/playback.ts';
 import { canRecordSession, toggleSessionRecording } from '../preview/record-session.ts';
-import { newFilter } from '../shaders/new-filter.ts';
+import { canDuplicateFilter, duplicateFilter, newFilter } from '../shaders/new-filter.ts';
 import type { AppCommand } from './app-command.ts';
 import { askToSaveSubgraph, canvasCenter, openPalette, openSwapPalette } from './command-actions.ts';
 import {
@@ -40,6 +40,7 @@ import {
   isOpen,
 } from './command-conditions.ts';
 import { FILE_COMMANDS } from './file-commands.ts';
+import { PREVIEW_COMMANDS } from './preview-commands.ts';
 import { startTour } from './tour.ts';
 import { VIEW_COMMANDS } from './view-commands.ts';
 
@@ -98,6 +99,13 @@ const COMMANDS = {
     keys: [],
     enabled: isOpen,
     run: (editor) => void newFilter(editor),
+  },
+  'graph.duplicate-filter': {
+    label: 'Duplicate filter',
+    keywords: ['shader', 'glsl', 'isf', 'new', 'own', 'copy', 'fork', 'edit', 'customize'],
+    keys: [],
+    enabled: canDuplicateFilter,
+    run: (editor) => void duplicateFilter(editor),
   },
   'graph.import-shadertoy': {
     label: 'Import Shadertoy…',
@@ -179,6 +187,7 @@ const COMMANDS = {
   'arrange.across': { label: 'Distribute horizontally', keys: [], enabled: hasSeveral, run: (editor) => void distribute(editor, 'x') },
   'arrange.down': { label: 'Distribute vertically', keys: [], enabled: hasSeveral, run: (editor) => void distribute(editor, 'y') },
   ...VIEW_COMMANDS,
+  ...PREVIEW_COMMANDS,
   // The keys of other 3D programs. G is a second key, because W walks in emulated rooms.
   'gizmo.move': {
     label: 'Move gizmo',

@@ -1,6 +1,7 @@
+import type { RenderSize } from '../../preview-protocol.ts';
 import type { Place } from '../editor/canvas-state.ts';
 import type { Editor } from '../editor/editor.ts';
-import { SCALES } from '../editor/preferences.ts';
+import { RENDER_SIZES, SCALES } from '../editor/preferences.ts';
 import { soleNode } from '../editor/selection.ts';
 import { addToast, type BottomTab, type Dock, middleOfWindow, type PreviewExtent } from '../editor/ui.ts';
 import { selectedSubgraph } from '../graph/subgraphs.ts';
@@ -64,6 +65,23 @@ export function switchWheel({ preferences, ui }: Editor): void {
   const wheel = ({ auto: 'zoom', zoom: 'pan', pan: 'auto' } as const)[preferences.getState().wheel];
   preferences.setState({ wheel });
   addToast(ui, { tone: 'info', text: WHEEL_WORDS[wheel] });
+}
+
+/** Labels of the render sizes in menus and messages. */
+export const RENDER_SIZE_WORDS: Readonly<Record<RenderSize, string>> = {
+  auto: 'Render size: automatic (1080p)',
+  panel: 'Render size: as the panel',
+  720: 'Render size: 720p',
+  1080: 'Render size: 1080p',
+  1440: 'Render size: 1440p',
+};
+
+/** Cycles through the render sizes. */
+export function switchRenderSize({ preferences, ui }: Editor): void {
+  const at = RENDER_SIZES.indexOf(preferences.getState().renderSize);
+  const renderSize = RENDER_SIZES[(at + 1) % RENDER_SIZES.length] ?? 'auto';
+  preferences.setState({ renderSize });
+  addToast(ui, { tone: 'info', text: RENDER_SIZE_WORDS[renderSize] });
 }
 
 export function dockPreview({ ui }: Editor, dock: Dock): void {

@@ -2,6 +2,7 @@ import { getOwn } from '../../../export/graph/record.ts';
 import type { GizmoMode } from '../../preview-protocol.ts';
 import { graphOf, layoutOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
+import { type DeviceFrame, shownFrame } from '../editor/preview-state.ts';
 import type { BottomTab, Dock } from '../editor/ui.ts';
 import type { AppCommandId } from './app-commands.ts';
 
@@ -38,6 +39,12 @@ const TICKS: Partial<Record<AppCommandId, Tick>> = {
   'view.dock-right': dock('right'),
   'view.dock-left': dock('left'),
   'view.dock-below': dock('below'),
+  'preview.fill': frame('fill'),
+  'preview.phone': frame('phone'),
+  'preview.phone-wide': frame('phone-wide'),
+  'preview.headset': frame('headset'),
+  'preview.glasses': frame('glasses'),
+  'preview.safe-areas': { isOn: ({ preview }) => preview.getState().safeAreas },
   'view.motion': { isOn: ({ preferences }) => preferences.getState().motion === 'reduced' },
   'gizmo.move': gizmo('move'),
   'gizmo.rotate': gizmo('rotate'),
@@ -59,6 +66,10 @@ function bottom(tab: BottomTab): Tick {
 
 function dock(side: Dock): Tick {
   return { isOn: ({ ui }) => ui.getState().dock === side, radio: true };
+}
+
+function frame(device: DeviceFrame): Tick {
+  return { isOn: ({ preview }) => shownFrame(preview.getState()) === device, radio: true };
 }
 
 function gizmo(mode: GizmoMode): Tick {

@@ -19,7 +19,7 @@ import {
 } from './command-actions.ts';
 import { always, hasNodes, hasOneNode, isOpen, isUnsaved } from './command-conditions.ts';
 
-/** Commands of the View menu, but those of gizmos. */
+/** Commands of the View menu, and those of the Preview menu that concern layers and panels. */
 export const VIEW_COMMANDS = {
   'view.find': {
     label: 'Find in the graph…',
@@ -30,21 +30,21 @@ export const VIEW_COMMANDS = {
   },
   'view.fit': {
     label: 'Fit graph to view',
-    keywords: ['frame all', 'show all', 'whole graph'],
+    keywords: ['zoom', 'frame all', 'show all', 'whole graph'],
     keys: ['F'],
     enabled: isOpen,
     run: ({ ui }) => revealNodes(ui, [], 'fit'),
   },
   'view.fit-selection': {
     label: 'Show the selection',
-    keywords: ['frame selected', 'show'],
+    keywords: ['zoom', 'frame selected', 'show'],
     keys: ['Shift+F'],
     enabled: hasNodes,
     run: ({ ui, selection }) => revealNodes(ui, [...selection.getState().nodes], 'fit'),
   },
   'view.thumbnails': {
     label: 'Thumbnails',
-    keywords: ['pictures', 'images'],
+    keywords: ['pictures', 'images', 'settings', 'preferences'],
     keys: ['T'],
     enabled: isOpen,
     run: ({ preferences }) => preferences.setState(({ thumbnails }) => ({ thumbnails: !thumbnails })),
@@ -140,7 +140,7 @@ export const VIEW_COMMANDS = {
   },
   'view.preview-full': {
     label: 'Full-screen preview',
-    keywords: ['maximize', 'enlarge', 'presentation'],
+    keywords: ['maximize', 'fullscreen', 'enlarge', 'presentation'],
     keys: ['V'],
     enabled: isOpen,
     run: (editor) => togglePreviewExtent(editor, 'full'),
@@ -153,7 +153,7 @@ export const VIEW_COMMANDS = {
   },
   'view.pop-out': {
     label: 'Pop out preview',
-    keywords: ['pop out', 'second screen', 'monitor', 'detach'],
+    keywords: ['pop-out', 'second screen', 'monitor', 'detach', 'window'],
     keys: [],
     enabled: isOpen,
     run: (editor) => popOutPreview(editor, !editor.preview.getState().poppedOut),
@@ -167,14 +167,14 @@ export const VIEW_COMMANDS = {
   },
   'view.dock-right': {
     label: 'Dock preview right',
-    keywords: ['layout', 'panel'],
+    keywords: ['layout', 'panel', 'move', 'side'],
     keys: [],
     enabled: always,
     run: (editor) => dockPreview(editor, 'right'),
   },
   'view.dock-left': {
     label: 'Dock preview left',
-    keywords: ['layout', 'panel'],
+    keywords: ['layout', 'panel', 'move', 'side'],
     keys: [],
     enabled: always,
     run: (editor) => dockPreview(editor, 'left'),
@@ -186,7 +186,13 @@ export const VIEW_COMMANDS = {
     enabled: always,
     run: (editor) => dockPreview(editor, 'below'),
   },
-  'view.theme': { label: 'Theme', keywords: ['light', 'dark', 'appearance'], keys: [], enabled: always, run: switchTheme },
+  'view.theme': {
+    label: 'Theme',
+    keywords: ['light', 'dark', 'night', 'color', 'appearance', 'settings', 'preferences'],
+    keys: [],
+    enabled: always,
+    run: switchTheme,
+  },
   // No keys, because Ctrl with plus zooms the browser or the window.
   'view.larger': {
     label: 'Increase UI scale',
@@ -209,10 +215,16 @@ export const VIEW_COMMANDS = {
     enabled: ({ preferences }) => preferences.getState().scale !== 1,
     run: (editor) => setScale(editor, 1),
   },
-  'view.motion': { label: 'Reduce motion', keywords: ['less motion', 'animation'], keys: [], enabled: always, run: switchMotion },
+  'view.motion': {
+    label: 'Reduce motion',
+    keywords: ['less motion', 'animation', 'settings', 'preferences'],
+    keys: [],
+    enabled: always,
+    run: switchMotion,
+  },
   'view.wheel': {
     label: 'Wheel and trackpad',
-    keywords: ['mouse', 'scroll', 'zoom', 'pan', 'two fingers', 'setting', 'preferences'],
+    keywords: ['mouse', 'scroll', 'zoom', 'pan', 'two fingers', 'settings', 'preferences'],
     keys: [],
     enabled: always,
     run: switchWheel,

@@ -3,6 +3,7 @@ import { connect } from '../../../export/graph/commands/wire-commands.ts';
 import type { Project } from '../../../export/graph/project.ts';
 import { printWire } from '../../../export/graph/wires.ts';
 import { apply, endGesture } from '../document/apply.ts';
+import { copyShader, editableShader, finishTyping } from '../document/edit-shader.ts';
 import { graphOf, layoutOf, nodeOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { selectOnly, soleNode } from '../editor/selection.ts';
@@ -62,5 +63,22 @@ export function newFilter(editor: Editor): string | null {
   selectOnly(editor.selection, [node]);
   editor.ui.setState({ bottom: 'code' });
   revealNodes(editor.ui, [node]);
+  return node;
+}
+
+/** Whether exactly one node with an ISF file is selected: a filter, a composite or a generator. */
+export function canDuplicateFilter(editor: Editor): boolean {
+  return editableShader(editor)?.name.endsWith('.fs') === true;
+}
+
+/**
+ * Copies the shader of the selected node, of the library or of the project, to a new shader of the project. The node uses it from then on,
+ * with its params and wires. Opens the shader. One undo step. Returns the node id, or null after an error, which is shown.
+ */
+export function duplicateFilter(editor: Editor): string | null {
+  finishTyping(editor);
+  const node = soleNode(editor.selection.getState());
+  if (node === null || !copyShader(editor, node)) return null;
+  editor.ui.setState({ bottom: 'code' });
   return node;
 }
