@@ -25,7 +25,7 @@ import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { createAssetCache } from './asset-cache-folder.ts';
 import { findDepths, readDepthM, readDepthScale } from './capture-depths.ts';
 import { resolveInside } from './confine.ts';
-import { refusal } from './file-errors.ts';
+import { refusal, writeRefusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
 import { type KnownSize, measureCapture } from './measure-capture.ts';
 import { heightAboveFloorM, packDepthFiles } from './pack-depth.ts';
@@ -36,6 +36,8 @@ import { type FoundView, PANORAMA_FORM, readCaptureFolder } from './read-capture
 import { readBytes } from './read-file.ts';
 import { readConsistentFiles } from './recover-folder.ts';
 import { saveOver } from './save-over.ts';
+import { ensureScrimFolder, SCRIM_FOLDER } from './scrim-folder.ts';
+import { withWorkLock } from './work-lock.ts';
 
 export interface CaptureJob {
   /** Folder with photographs, cameras and mesh. */
@@ -107,7 +109,7 @@ export interface ImportedView {
  * Imports photographs with their cameras and mesh into `assets/NAME.capture/` of a project, whole or not at all, and adds the asset.
  * After an interrupt, the same call continues with the photographs that are not packed yet.
  *
- * @throws SCR004, SCR060, SCR062, SCR069
+ * @throws SCR004, SCR060, SCR062, SCR066 if another process imports a capture of the same name, SCR069
  */
 export async function importCapture(job: CaptureJob): Promise<ImportedCapture> {
   const packed = await packCapture(job);
@@ -119,15 +121,20 @@ export async function importCapture(job: CaptureJob): Promise<ImportedCapture> {
  * table to the caller.
  */
 export async function packCapture(job: CaptureJob): Promise<PackedCapture> {
+  const { root, files } = job;
+  const stem = stemOf(job.name ?? basename(resolve(job.folder)));
   try {
-    return await packWhole(job);
+    await ensureScrimFolder(root, files).catch((error: unknown) => Promise.reject(writeRefusal(error, root)));
+    const lock = await resolveInside(root, `${SCRIM_FOLDER}/import-${stem}.lock`);
+    // Two imports of the same name would both find it free.
+    return await withWorkLock({ lock, files, doing: `is importing the capture ${stem} into ${root}` }, () => packWhole(job, stem));
   } catch (error) {
     if (!(error instanceof CaptureError)) throw error;
     throw refusal('SCR069', `${job.folder} cannot be imported: ${error.message}.`);
   }
 }
 
-async function packWhole(job: CaptureJob): Promise<PackedCapture> {
+async function packWhole(job: CaptureJob, stem: string): Promise<PackedCapture> {
   const { folder, root, files, say, interrupted } = job;
   say('Reading cameras and mesh…');
   const { source, views, mesh: wholeMesh, diagnostics: warnings } = await readCaptureFolder(resolve(folder));
@@ -144,7 +151,7 @@ async function packWhole(job: CaptureJob): Promise<PackedCapture> {
   const scale = hasDepth ? await readDepthScale(views, depths, ownMesh, job.depth, metersPerUnit) : null;
   if (ownMesh) uprightMesh(ownMesh, up, metersPerUnit, floorM);
   let mesh = ownMesh;
-  const path = await freePath(root, job.name ?? basename(resolve(folder)));
+  const path = await freePath(root, stem);
   const cache = createAssetCache(root, files);
   let fileBytes = 0;
   let depthTriangles = 0;
@@ -260,15 +267,20 @@ function sizeOf({ positions }: CaptureMesh): readonly number[] {
   return most.map((x, i) => x - (least[i] ?? 0));
 }
 
-/** A path in `assets/` that is free: `NAME.capture`, or with a number. */
-async function freePath(root: string, name: string): Promise<string> {
+/** A name of a file, of the name of a capture. */
+function stemOf(name: string): string {
   const stem = name
     .replace(/[^A-Za-z0-9_-]+/g, '-')
     .replace(/^-+|-+$/g, '')
     .slice(0, 80);
+  return stem || 'capture';
+}
+
+/** A path in `assets/` that is free: `STEM.capture`, or with a number. */
+async function freePath(root: string, stem: string): Promise<string> {
   const taken = new Set(await readdir(await resolveInside(root, ASSETS_FOLDER)).catch(() => []));
   for (let number = 1; ; number++) {
-    const folder = `${stem || 'capture'}${number === 1 ? '' : `-${number}`}.capture`;
+    const folder = `${stem}${number === 1 ? '' : `-${number}`}.capture`;
     if (!taken.has(folder)) return `${ASSETS_FOLDER}/${folder}`;
   }
 }
