@@ -1,5 +1,4 @@
 import { randomInt } from 'node:crypto';
-import { readdir } from 'node:fs/promises';
 import { basename, dirname, resolve } from 'node:path';
 import type { DepthAnswers, DepthScale } from '../../export/captures/depth/depth-scale.ts';
 import { createDepthFusion } from '../../export/captures/depth/fuse-depth-meshes.ts';
@@ -25,19 +24,18 @@ import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { createAssetCache } from './asset-cache-folder.ts';
 import { findDepths, readDepthM, readDepthScale } from './capture-depths.ts';
 import { resolveInside } from './confine.ts';
-import { refusal, writeRefusal } from './file-errors.ts';
+import { refusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
+import { withFreeCapture } from './free-capture.ts';
 import { type KnownSize, measureCapture } from './measure-capture.ts';
 import { heightAboveFloorM, packDepthFiles } from './pack-depth.ts';
 import { decodePhoto, packPhoto } from './pack-photo.ts';
 import { writePageFolder } from './page-folder.ts';
-import { ASSETS_FOLDER, revisionOf } from './project-files.ts';
+import { revisionOf } from './project-files.ts';
 import { type FoundView, PANORAMA_FORM, readCaptureFolder } from './read-capture-folder.ts';
 import { readBytes } from './read-file.ts';
 import { readConsistentFiles } from './recover-folder.ts';
 import { saveOver } from './save-over.ts';
-import { ensureScrimFolder, SCRIM_FOLDER } from './scrim-folder.ts';
-import { withWorkLock } from './work-lock.ts';
 
 export interface CaptureJob {
   /** Folder with photographs, cameras and mesh. */
@@ -121,20 +119,16 @@ export async function importCapture(job: CaptureJob): Promise<ImportedCapture> {
  * table to the caller.
  */
 export async function packCapture(job: CaptureJob): Promise<PackedCapture> {
-  const { root, files } = job;
-  const stem = stemOf(job.name ?? basename(resolve(job.folder)));
+  const { root, files, name, folder } = job;
   try {
-    await ensureScrimFolder(root, files).catch((error: unknown) => Promise.reject(writeRefusal(error, root)));
-    const lock = await resolveInside(root, `${SCRIM_FOLDER}/import-${stem}.lock`);
-    // Two imports of the same name would both find it free.
-    return await withWorkLock({ lock, files, doing: `is importing the capture ${stem} into ${root}` }, () => packWhole(job, stem));
+    return await withFreeCapture(root, name ?? basename(resolve(folder)), files, (path) => packWhole(job, path));
   } catch (error) {
     if (!(error instanceof CaptureError)) throw error;
     throw refusal('SCR069', `${job.folder} cannot be imported: ${error.message}.`);
   }
 }
 
-async function packWhole(job: CaptureJob, stem: string): Promise<PackedCapture> {
+async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> {
   const { folder, root, files, say, interrupted } = job;
   say('Reading cameras and mesh…');
   const { source, views, mesh: wholeMesh, diagnostics: warnings } = await readCaptureFolder(resolve(folder));
@@ -151,7 +145,6 @@ async function packWhole(job: CaptureJob, stem: string): Promise<PackedCapture> 
   const scale = hasDepth ? await readDepthScale(views, depths, ownMesh, job.depth, metersPerUnit) : null;
   if (ownMesh) uprightMesh(ownMesh, up, metersPerUnit, floorM);
   let mesh = ownMesh;
-  const path = await freePath(root, stem);
   const cache = createAssetCache(root, files);
   let fileBytes = 0;
   let depthTriangles = 0;
@@ -176,8 +169,8 @@ async function packWhole(job: CaptureJob, stem: string): Promise<PackedCapture> 
       const name = `views/${String(i).padStart(3, '0')}${extension}`;
       await write(name, bytes);
       const worldFromCamera = uprightPose(view.worldFromCamera, up, metersPerUnit, floorM);
-      const path = depths[i] ?? null;
-      const map = path === null || scale === null ? null : await readDepthM(path, found, pinhole, scale, metersPerUnit);
+      const depthFile = depths[i] ?? null;
+      const map = depthFile === null || scale === null ? null : await readDepthM(depthFile, found, pinhole, scale, metersPerUnit);
       if (map && source.form === PANORAMA_FORM) worldFromCamera[13] = heightAboveFloorM(map) ?? 0;
       // What one photograph does not show, the mesh of the place does, in the colors of others.
       const photo = ownMesh ? null : () => decodePhoto(bytes, view.name);
@@ -265,24 +258,6 @@ function sizeOf({ positions }: CaptureMesh): readonly number[] {
     most[i % 3] = Math.max(most[i % 3] ?? x, x);
   }
   return most.map((x, i) => x - (least[i] ?? 0));
-}
-
-/** A name of a file, of the name of a capture. */
-function stemOf(name: string): string {
-  const stem = name
-    .replace(/[^A-Za-z0-9_-]+/g, '-')
-    .replace(/^-+|-+$/g, '')
-    .slice(0, 80);
-  return stem || 'capture';
-}
-
-/** A path in `assets/` that is free: `STEM.capture`, or with a number. */
-async function freePath(root: string, stem: string): Promise<string> {
-  const taken = new Set(await readdir(await resolveInside(root, ASSETS_FOLDER)).catch(() => []));
-  for (let number = 1; ; number++) {
-    const folder = `${stem}${number === 1 ? '' : `-${number}`}.capture`;
-    if (!taken.has(folder)) return `${ASSETS_FOLDER}/${folder}`;
-  }
 }
 
 /** Adds the capture to the asset table of the project. Returns its id. */

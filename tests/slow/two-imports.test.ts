@@ -17,7 +17,8 @@ const NAMES = ['a.jpg', 'b.jpg', 'c.jpg'];
 const PLY =
   'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 2\n1 0 2\n0 1 2\n3 0 1 2\n';
 /** Waits until the test lets programs go on. */
-const WAIT = (go: string) => `while (!fs.existsSync(${JSON.stringify(go)})) Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, 20);`;
+const WAIT = (go: string) =>
+  `while (!fs.existsSync(${JSON.stringify(go)})) Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, 20);`;
 
 let base = '';
 let scan = '';
