@@ -32,3 +32,6 @@ export function isWithinLimit(bytes: Uint8Array): boolean {
 export const side = z.number().int().min(1).max(8192);
 
 export const pictureSize = z.object({ widthPx: side, heightPx: side });
+
+/** Path of a program that the user typed; null if none. */
+export const programPath = z.string().min(1).max(4096).nullable();

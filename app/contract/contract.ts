@@ -2,6 +2,7 @@ import { z } from 'zod';
 import { diagnostic, handle, isWithinLimit, projectPath, side } from './call-parts.ts';
 import { PHOTOGRAPH_CALLS } from './photograph-calls.ts';
 import { REPHOTOGRAPH_CALLS } from './rephotograph-calls.ts';
+import { SIMPLIFY_CALLS } from './simplify-calls.ts';
 
 /*
  * The contract between editor and host: inputs and outputs of all calls, and the events. The preload script of Electron, the loopback
@@ -263,6 +264,9 @@ export const HOST_CONTRACT = {
   'frames.cancel': { input: z.object({ handle }), output: z.object({}) },
   ...PHOTOGRAPH_CALLS,
   ...REPHOTOGRAPH_CALLS,
+  ...SIMPLIFY_CALLS,
+  /** Ends the program of others that imports photographs or simplifies an asset of a project, if there is one. */
+  'tool.cancel': { input: z.object({ handle }), output: z.object({}) },
   /** Cancels the export of a project, if there is one. */
   'export.cancel': { input: z.object({ handle }), output: z.object({}) },
 } as const;
@@ -276,14 +280,15 @@ export const hostEvent = z.discriminatedUnion('kind', [
   z.object({ kind: z.literal('project-changed-outside'), handle, revision: z.string() }),
   /** Progress of an export or an acquisition, as text for the user. */
   z.object({ kind: z.literal('export-progress'), handle, text: z.string() }),
+  /** Progress of an import of photographs, or of a simplification. */
   z.object({
-    kind: z.literal('photographs-progress'),
+    kind: z.literal('tool-progress'),
     handle,
-    step: z.enum(['features', 'matches', 'cameras', 'mesh', 'pack']),
+    step: z.enum(['features', 'matches', 'cameras', 'mesh', 'pack', 'read', 'simplify', 'write']),
     text: z.string(),
   }),
-  /** What COLMAP prints. */
-  z.object({ kind: z.literal('photographs-log'), handle, lines: z.array(z.string()) }),
+  /** What a program of others prints. */
+  z.object({ kind: z.literal('tool-log'), handle, lines: z.array(z.string()) }),
   /** Only shaders changed on disk. `text` is null if a shader was deleted; `from` is the revision before the change. */
   z.object({
     kind: z.literal('shaders-changed-outside'),

@@ -1,14 +1,11 @@
 import { z } from 'zod';
-import { diagnostic, handle, isWithinLimit, pictureSize, projectPath, side } from './call-parts.ts';
+import { diagnostic, handle, isWithinLimit, pictureSize, programPath, projectPath, side } from './call-parts.ts';
 
 /** The camera of all photographs of an acquisition: `AcquiredCamera`. */
 const acquiredCamera = z.discriminatedUnion('projection', [
   z.object({ projection: z.literal('perspective'), widthPx: side, heightPx: side, fovYRad: z.number().positive().max(Math.PI) }),
   z.object({ projection: z.literal('equirectangular'), widthPx: side, heightPx: side }),
 ]);
-
-/** Path of a program that the user typed; null if none. */
-const programPath = z.string().min(1).max(4096).nullable();
 
 /** Calls that make captures: of photographs that the editor takes of a scene, and of those in a folder. */
 export const PHOTOGRAPH_CALLS = {
@@ -65,8 +62,9 @@ export const PHOTOGRAPH_CALLS = {
   },
   /**
    * Imports a folder of photographs as the capture `assets/NAME.capture/`; COLMAP finds missing cameras. Reports progress and what COLMAP prints
-   * as events. `path` is that of `capture.json`, for the asset table, which the editor keeps; null if the import was canceled. `found`: the
-   * photographs that have cameras. `isRough`: the mesh is that of points. `start`: where an eye sees what a photograph shows.
+   * as events, and is canceled by `tool.cancel`; what COLMAP has finished is kept for the next import of the folder. `path` is that of
+   * `capture.json`, for the asset table, which the editor keeps; null if the import was canceled. `found`: the photographs that have cameras.
+   * `isRough`: the mesh is that of points. `start`: where an eye sees what a photograph shows.
    */
   'photographs.import': {
     input: z.object({
@@ -86,8 +84,6 @@ export const PHOTOGRAPH_CALLS = {
       diagnostics: z.array(diagnostic),
     }),
   },
-  /** Ends an import of photographs. What COLMAP has finished is kept for the next import of the folder. */
-  'photographs.cancel': { input: z.object({ handle }), output: z.object({}) },
   /**
    * Writes a file of a folder that was dropped, for `photographs.import`, which deletes the files at its end. `folder` is the name of the dropped
    * folder, `path` that of the file inside. The first file removes those of an earlier drop.

@@ -1,5 +1,4 @@
 import { randomInt } from 'node:crypto';
-import { readdir } from 'node:fs/promises';
 import { basename, dirname, resolve } from 'node:path';
 import type { DepthAnswers, DepthScale } from '../../export/captures/depth/depth-scale.ts';
 import { createDepthFusion } from '../../export/captures/depth/fuse-depth-meshes.ts';
@@ -27,11 +26,12 @@ import { findDepths, readDepthM, readDepthScale } from './capture-depths.ts';
 import { resolveInside } from './confine.ts';
 import { refusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
+import { withFreeCapture } from './free-capture.ts';
 import { type KnownSize, measureCapture } from './measure-capture.ts';
 import { heightAboveFloorM, packDepthFiles } from './pack-depth.ts';
 import { decodePhoto, packPhoto } from './pack-photo.ts';
 import { writePageFolder } from './page-folder.ts';
-import { ASSETS_FOLDER, revisionOf } from './project-files.ts';
+import { revisionOf } from './project-files.ts';
 import { type FoundView, PANORAMA_FORM, readCaptureFolder } from './read-capture-folder.ts';
 import { readBytes } from './read-file.ts';
 import { readConsistentFiles } from './recover-folder.ts';
@@ -107,7 +107,7 @@ export interface ImportedView {
  * Imports photographs with their cameras and mesh into `assets/NAME.capture/` of a project, whole or not at all, and adds the asset.
  * After an interrupt, the same call continues with the photographs that are not packed yet.
  *
- * @throws SCR004, SCR060, SCR062, SCR069
+ * @throws SCR004, SCR060, SCR062, SCR066 if another process imports a capture of the same name, SCR069
  */
 export async function importCapture(job: CaptureJob): Promise<ImportedCapture> {
   const packed = await packCapture(job);
@@ -119,15 +119,16 @@ export async function importCapture(job: CaptureJob): Promise<ImportedCapture> {
  * table to the caller.
  */
 export async function packCapture(job: CaptureJob): Promise<PackedCapture> {
+  const { root, files, name, folder } = job;
   try {
-    return await packWhole(job);
+    return await withFreeCapture(root, name ?? basename(resolve(folder)), files, (path) => packWhole(job, path));
   } catch (error) {
     if (!(error instanceof CaptureError)) throw error;
     throw refusal('SCR069', `${job.folder} cannot be imported: ${error.message}.`);
   }
 }
 
-async function packWhole(job: CaptureJob): Promise<PackedCapture> {
+async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> {
   const { folder, root, files, say, interrupted } = job;
   say('Reading cameras and mesh…');
   const { source, views, mesh: wholeMesh, diagnostics: warnings } = await readCaptureFolder(resolve(folder));
@@ -144,7 +145,6 @@ async function packWhole(job: CaptureJob): Promise<PackedCapture> {
   const scale = hasDepth ? await readDepthScale(views, depths, ownMesh, job.depth, metersPerUnit) : null;
   if (ownMesh) uprightMesh(ownMesh, up, metersPerUnit, floorM);
   let mesh = ownMesh;
-  const path = await freePath(root, job.name ?? basename(resolve(folder)));
   const cache = createAssetCache(root, files);
   let fileBytes = 0;
   let depthTriangles = 0;
@@ -169,8 +169,8 @@ async function packWhole(job: CaptureJob): Promise<PackedCapture> {
       const name = `views/${String(i).padStart(3, '0')}${extension}`;
       await write(name, bytes);
       const worldFromCamera = uprightPose(view.worldFromCamera, up, metersPerUnit, floorM);
-      const path = depths[i] ?? null;
-      const map = path === null || scale === null ? null : await readDepthM(path, found, pinhole, scale, metersPerUnit);
+      const depthFile = depths[i] ?? null;
+      const map = depthFile === null || scale === null ? null : await readDepthM(depthFile, found, pinhole, scale, metersPerUnit);
       if (map && source.form === PANORAMA_FORM) worldFromCamera[13] = heightAboveFloorM(map) ?? 0;
       // What one photograph does not show, the mesh of the place does, in the colors of others.
       const photo = ownMesh ? null : () => decodePhoto(bytes, view.name);
@@ -258,19 +258,6 @@ function sizeOf({ positions }: CaptureMesh): readonly number[] {
     most[i % 3] = Math.max(most[i % 3] ?? x, x);
   }
   return most.map((x, i) => x - (least[i] ?? 0));
-}
-
-/** A path in `assets/` that is free: `NAME.capture`, or with a number. */
-async function freePath(root: string, name: string): Promise<string> {
-  const stem = name
-    .replace(/[^A-Za-z0-9_-]+/g, '-')
-    .replace(/^-+|-+$/g, '')
-    .slice(0, 80);
-  const taken = new Set(await readdir(await resolveInside(root, ASSETS_FOLDER)).catch(() => []));
-  for (let number = 1; ; number++) {
-    const folder = `${stem || 'capture'}${number === 1 ? '' : `-${number}`}.capture`;
-    if (!taken.has(folder)) return `${ASSETS_FOLDER}/${folder}`;
-  }
 }
 
 /** Adds the capture to the asset table of the project. Returns its id. */

@@ -19,6 +19,8 @@ import { importAsset } from './import-asset.ts';
 import type { Installation } from './installation.ts';
 import { listFolders } from './list-folders.ts';
 import { createOpenProjects } from './open-projects.ts';
+import { createSimplifyJobs } from './outside/simplify-jobs.ts';
+import { createToolJobs, type ToolEvents } from './outside/tool-jobs.ts';
 import { createPageServers } from './page-servers.ts';
 import { createPhotographImports } from './photograph-imports.ts';
 import { findProject, listAssets } from './project-files.ts';
@@ -81,7 +83,9 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
   const exports = createExportJobs();
   const frames = createFrameJobs(files);
   const acquisitions = createAcquisitionJobs(files);
-  const photographs = createPhotographImports(files);
+  const tools = createToolJobs();
+  const photographs = createPhotographImports(files, tools);
+  const simplifications = createSimplifyJobs(files, tools);
   const rephotographs = createRephotographJobs(files);
   const pages = createPageServers();
   void sweepStagingFolders();
@@ -91,6 +95,11 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
     return { url, opened: open && shell.openInBrowser !== null };
   };
   const projects = createOpenProjects({ content, previewOrigin: shell.origins.preview, files, emit, isThere: clients.isThere });
+
+  const toolEvents = (handle: string): ToolEvents => ({
+    onProgress: (progress) => emit({ kind: 'tool-progress', handle, ...progress }),
+    onLines: (lines) => emit({ kind: 'tool-log', handle, lines }),
+  });
 
   const handlers: Handlers = {
     'app.info': async () => ({
@@ -143,7 +152,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       exports.cancel(handle);
       await frames.cancel(handle);
       await acquisitions.cancel(handle);
-      photographs.cancel(handle);
+      tools.cancel(handle);
       await rephotographs.cancel(handle);
       projects.close(handle);
       return {};
@@ -243,14 +252,16 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
         ...options,
         root: projects.rootOf(handle),
         folder: fullPath(folder, 'SCR004'),
-        onProgress: (progress) => emit({ kind: 'photographs-progress', handle, ...progress }),
-        onLines: (lines) => emit({ kind: 'photographs-log', handle, lines }),
+        ...toolEvents(handle),
       }),
-    'photographs.cancel': async ({ handle }) => {
-      photographs.cancel(handle);
+    'photographs.stage': async ({ handle, ...file }) => ({ folder: await photographs.stage(projects.rootOf(handle), file) }),
+    'simplify.look': ({ handle, ...asked }) => simplifications.look(projects.rootOf(handle), asked),
+    'simplify.run': ({ handle, ...options }, client) =>
+      simplifications.run(handle, client, { ...options, root: projects.rootOf(handle), ...toolEvents(handle) }),
+    'tool.cancel': async ({ handle }) => {
+      tools.cancel(handle);
       return {};
     },
-    'photographs.stage': async ({ handle, ...file }) => ({ folder: await photographs.stage(projects.rootOf(handle), file) }),
     'rephotograph.begin': ({ handle, ...options }, client) =>
       rephotographs.begin(handle, client, { root: projects.rootOf(handle), ...options }),
     'rephotograph.add': async ({ handle, index, method, size, picture, error, ...quality }) => {
@@ -293,7 +304,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
         if (clients.isThere(client)) return;
         frames.left(client);
         acquisitions.left(client);
-        photographs.left(client);
+        tools.left(client);
         rephotographs.left(client);
         projects.left(client);
       };
@@ -308,7 +319,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       exports.dispose();
       frames.dispose();
       acquisitions.dispose();
-      photographs.dispose();
+      tools.dispose();
       rephotographs.dispose();
       projects.dispose();
       await Promise.all([...calls, pages.dispose()]);

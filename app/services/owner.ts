@@ -35,6 +35,12 @@ export function hasEnded(owner: string): boolean {
   return now !== null && now !== start;
 }
 
+/** An owner in messages. */
+export function wordsOf(owner: string): string {
+  if (owner === OWNER) return 'Another window of this Scrim';
+  return isOfThisMachine(owner) ? `Another Scrim (process ${owner.split('-')[1]})` : 'A Scrim on another computer';
+}
+
 function isOfThisMachine(owner: string): boolean {
   return owner.startsWith(`${machineTag()}-`);
 }

@@ -1,15 +1,16 @@
 import { rm } from 'node:fs/promises';
-import { basename, dirname, join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { firstEye } from '../../export/captures/first-eye.ts';
 import { CaptureError, readCapture } from '../../nodes/kit/capture.ts';
-import type { HostEvent, HostInput, HostOutput } from '../contract/contract.ts';
+import type { HostInput, HostOutput } from '../contract/contract.ts';
 import { HostError } from '../contract/host-error.ts';
 import { packCapture } from './add-capture.ts';
 import { realFolder, resolveInside } from './confine.ts';
 import { errorCode, refusal, writeRefusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
 import { UNKNOWN_SIZE } from './measure-capture.ts';
-import { COLMAP, findTool } from './outside/outside-tools.ts';
+import { COLMAP, findTypedTool } from './outside/outside-tools.ts';
+import type { ToolEvents, ToolJobs } from './outside/tool-jobs.ts';
 import { hasCameras, readCameras } from './read-capture-folder.ts';
 import { readText } from './read-file.ts';
 import { openColmap } from './reconstruct/colmap.ts';
@@ -17,12 +18,12 @@ import { guessedUnit } from './reconstruct/guessed-unit.ts';
 import { countPhotographs, isReconstructed, type Reconstruction, reconstruct } from './reconstruct/reconstruct-photographs.ts';
 import { ensureScrimFolder, SCRIM_FOLDER } from './scrim-folder.ts';
 
-/** Imports of photographs in the editor, one at a time per open project. Cameras that are missing are found by COLMAP. */
+/** Imports of photographs in the editor. Cameras that are missing are found by COLMAP. */
 export interface PhotographImports {
   /** What is in a folder, and whether COLMAP is there. */
   look(input: Pick<HostInput<'photographs.look'>, 'colmap'>, folder: string): Promise<HostOutput<'photographs.look'>>;
   /**
-   * Imports a folder. Cancels an earlier import of the same project. `path` is null if it was canceled.
+   * Imports a folder. `path` is null if it was canceled; what COLMAP has finished is kept for the next import of the same folder.
    *
    * @throws SCR004, SCR060, SCR061, SCR062, SCR069, SCR078
    */
@@ -34,34 +35,22 @@ export interface PhotographImports {
    * @throws SCR031, SCR060, SCR062
    */
   stage(root: string, file: Omit<HostInput<'photographs.stage'>, 'handle'>): Promise<string>;
-  /** Ends COLMAP; what is finished is kept for the next import of the same folder. */
-  cancel(projectId: string): void;
-  /** Cancels the imports of a closed window or tab. */
-  left(client: string): void;
-  dispose(): void;
 }
 
-export interface PhotographJob extends Pick<HostInput<'photographs.import'>, 'name' | 'colmap' | 'oneCamera'> {
+export interface PhotographJob extends Pick<HostInput<'photographs.import'>, 'name' | 'colmap' | 'oneCamera'>, ToolEvents {
   /** Absolute path of the folder. */
   readonly folder: string;
   /** Real path of the project. */
   readonly root: string;
-  readonly onProgress: (progress: Pick<Extract<HostEvent, { kind: 'photographs-progress' }>, 'step' | 'text'>) => void;
-  /** Receives what COLMAP prints, some lines at a time. */
-  readonly onLines: (lines: string[]) => void;
 }
 
 const STEPS = { features: 'features', matches: 'matches', sparse: 'cameras', dense: 'mesh', mesh: 'mesh' } as const;
 /** Folder of dropped photographs, in that of Scrim. */
 const STAGED = 'photographs';
-/** COLMAP prints thousands of lines. */
-const LINES_MS = 150;
 const MAX_SIDE_PX = 1600;
 const MAX_DOCUMENT_BYTES = 2 ** 24;
 
-export function createPhotographImports(files: FileLayer): PhotographImports {
-  const running = new Map<string, { readonly client: string; readonly canceled: AbortController }>();
-  const cancel = (projectId: string): void => running.get(projectId)?.canceled.abort();
+export function createPhotographImports(files: FileLayer, tools: ToolJobs): PhotographImports {
   return {
     look: async ({ colmap }, typed) => {
       const folder = await realFolder(typed);
@@ -71,7 +60,7 @@ export function createPhotographImports(files: FileLayer): PhotographImports {
       const photographs = await countPhotographs(folder);
       if (has) return { photographs, hasCameras: true, colmap: null, diagnostic: null };
       try {
-        const path = await findColmap(colmap);
+        const path = await findTypedTool(COLMAP, colmap);
         const { version } = await openColmap(path, null, new AbortController().signal);
         return { photographs, hasCameras: false, colmap: `${version} (${path})`, diagnostic: null };
       } catch (error) {
@@ -79,24 +68,18 @@ export function createPhotographImports(files: FileLayer): PhotographImports {
         return { photographs, hasCameras: false, colmap: null, diagnostic: error.diagnostic };
       }
     },
-    run: async (projectId, client, job) => {
-      cancel(projectId);
-      const mine = { client, canceled: new AbortController() };
-      running.set(projectId, mine);
-      const interrupted = mine.canceled.signal;
-      const lines = batched(job.onLines);
-      try {
-        const folder = await realFolder(job.folder);
-        const made =
-          (await hasCameras(folder)) && !(await isReconstructed(folder)) ? null : await findCameras(folder, job, interrupted, lines.add);
-        return await pack(folder, made, job, files, interrupted);
-      } catch (error) {
-        if (interrupted.aborted) return CANCELED;
-        throw asRefusal(error, job.folder);
-      } finally {
-        lines.end();
-        if (running.get(projectId) === mine) running.delete(projectId);
-      }
+    run: (projectId, client, job) => {
+      const task = async (interrupted: AbortSignal, onLine: (line: string) => void) => {
+        try {
+          const folder = await realFolder(job.folder);
+          const isMade = (await hasCameras(folder)) && !(await isReconstructed(folder));
+          return await pack(folder, isMade ? null : await findCameras(folder, job, interrupted, onLine), job, files, interrupted);
+        } catch (error) {
+          interrupted.throwIfAborted();
+          throw asRefusal(error, job.folder);
+        }
+      };
+      return tools.run(projectId, client, { onLines: job.onLines, canceled: CANCELED, task });
     },
     stage: async (root, { folder, path, bytes, first }) => {
       const place = `${SCRIM_FOLDER}/${STAGED}`;
@@ -111,13 +94,6 @@ export function createPhotographImports(files: FileLayer): PhotographImports {
       }
       return join(root, place, folder);
     },
-    cancel,
-    left: (client) => {
-      for (const [projectId, job] of running) if (job.client === client) cancel(projectId);
-    },
-    dispose: () => {
-      for (const projectId of running.keys()) cancel(projectId);
-    },
   };
 }
 
@@ -129,22 +105,6 @@ function asRefusal(error: unknown, folder: string): unknown {
 
 const CANCELED: HostOutput<'photographs.import'> = { path: null, photographs: 0, found: 0, isRough: false, start: null, diagnostics: [] };
 
-/**
- * The COLMAP of the machine, or of a path that was typed. A page may not name other programs.
- *
- * @throws SCR078
- */
-async function findColmap(typed: string | null): Promise<string> {
-  if (typed !== null && !/^colmap/i.test(basename(typed.replaceAll('\\', '/')))) {
-    throw refusal(
-      'SCR078',
-      `${typed} is not COLMAP: the name of its executable file begins with “colmap”.`,
-      `Get COLMAP from ${COLMAP.url}`,
-    );
-  }
-  return findTool(COLMAP, typed);
-}
-
 async function findCameras(
   folder: string,
   { colmap, oneCamera, onProgress }: PhotographJob,
@@ -153,7 +113,7 @@ async function findCameras(
 ): Promise<Reconstruction> {
   return reconstruct({
     folder,
-    colmap: await findColmap(colmap),
+    colmap: await findTypedTool(COLMAP, colmap),
     oneCamera,
     dense: null,
     say: (text, step) => onProgress({ step: STEPS[step], text }),
@@ -198,27 +158,3 @@ async function pack(
     diagnostics: [...(made?.diagnostics ?? []), ...packed.diagnostics],
   };
 }
-
-/** Collects lines, so that few events carry them. */
-function batched(send: (lines: string[]) => void) {
-  let lines: string[] = [];
-  let timer: NodeJS.Timeout | null = null;
-  const flush = (): void => {
-    timer = null;
-    if (lines.length > 0) send(lines.slice(-MOST_LINES));
-    lines = [];
-  };
-  return {
-    add: (line: string): void => {
-      lines.push(line);
-      timer ??= setTimeout(flush, LINES_MS);
-    },
-    end: (): void => {
-      if (timer !== null) clearTimeout(timer);
-      flush();
-    },
-  };
-}
-
-/** More lines at a time than anybody reads are in the log file. */
-const MOST_LINES = 200;

@@ -3,10 +3,10 @@ import { constants } from 'node:fs';
 import { lstat, open } from 'node:fs/promises';
 import { join } from 'node:path';
 import type { HostError } from '../contract/host-error.ts';
-import { errorCode, refusal } from './file-errors.ts';
+import { refusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
+import { breakIfLeft, type LockPlace, readLock, type SeenLock, tryToTake } from './file-lock.ts';
 import { hasEnded, OWNER } from './owner.ts';
-import { readText } from './read-file.ts';
 import { ensureScrimFolder, SCRIM_FOLDER, temporaryIn } from './scrim-folder.ts';
 
 /**
@@ -25,9 +25,6 @@ export const OPEN_PATIENCE_MS = 3_000;
 const TOUCH_MS = 5_000;
 /** A lock that was not touched for this time is abandoned: its machine sleeps, or its process cannot be checked. */
 const LEFT_MS = 60_000;
-
-/** Maximum length of a signature, the content of a lock. Longer files are not locks. */
-const MAX_SIGNATURE_BYTES = 1024;
 
 /** A lock that is held while the task runs. */
 export interface HeldLock {
@@ -54,7 +51,7 @@ export async function withLock<T>(
   const signature = `${OWNER} ${randomBytes(8).toString('hex')}`;
   await acquire(root, files, signature, patienceMs);
   const touching = setInterval(() => void touch(root, signature).catch(() => {}), TOUCH_MS);
-  const isMine = async () => (await readLock(root))?.text === signature;
+  const isMine = async () => (await readLock(lockOf(root)))?.text === signature;
   try {
     return await task({
       stillMine: async () => {
@@ -70,7 +67,7 @@ export async function withLock<T>(
 
 /** Whether another process is writing the project. */
 export async function isLocked(root: string, files: FileLayer): Promise<boolean> {
-  const held = await readLock(root);
+  const held = await readLock(lockOf(root));
   return held !== null && !(await isLeft(root, held, files));
 }
 
@@ -81,8 +78,9 @@ export async function breakLock(root: string, files: FileLayer): Promise<void> {
 
 async function acquire(root: string, files: FileLayer, signature: string, patienceMs: number): Promise<void> {
   const startMs = Date.now();
-  while (!(await tryToTake(root, files, signature))) {
-    if (await breakIfLeft(root, files)) continue;
+  const place = placeOf(root);
+  while (!(await tryToTake(place, files, signature))) {
+    if ((await breakIfLeft(place, files, (held) => isLeft(root, held, files))) === null) continue;
     if (Date.now() - startMs > patienceMs) throw locked();
     await new Promise((resolve) => setTimeout(resolve, POLL_MS));
   }
@@ -94,27 +92,6 @@ function locked(): HostError {
     'Another Scrim is still writing this project. Nothing was saved.',
     'Try again in a minute. If you know that nobody else has the project open, break its lock.',
   );
-}
-
-/**
- * Creates the lock by a hard link, so that it never exists without its owner. Falls back to a plain file on FAT, which has no links.
- */
-async function tryToTake(root: string, files: FileLayer, signature: string): Promise<boolean> {
-  const bytes = new TextEncoder().encode(signature);
-  const temporary = temporaryIn(root);
-  try {
-    await files.writeNew(temporary, bytes);
-    await files.link(temporary, lockOf(root)).catch(async (error: unknown) => {
-      if (errorCode(error) === 'EEXIST') throw error;
-      await files.writeNew(lockOf(root), bytes);
-    });
-    return true;
-  } catch (error) {
-    if (errorCode(error) === 'EEXIST') return false;
-    throw error;
-  } finally {
-    await files.remove(temporary).catch(() => {});
-  }
 }
 
 /**
@@ -130,30 +107,6 @@ async function touch(root: string, signature: string): Promise<void> {
   } finally {
     await file.close();
   }
-}
-
-/** Removes the lock if it is abandoned. Returns true if there may be no lock now. */
-async function breakIfLeft(root: string, files: FileLayer): Promise<boolean> {
-  const held = await readLock(root);
-  if (held === null) return true;
-  if (!(await isLeft(root, held, files))) return false;
-  const aside = temporaryIn(root);
-  try {
-    await files.rename(lockOf(root), aside);
-  } catch (error) {
-    if (errorCode(error) === 'ENOENT') return true;
-    throw error;
-  }
-  // Another process may have broken and taken the lock before the rename. Then its lock is restored.
-  if ((await readLock(root, aside))?.text !== held.text) await files.link(aside, lockOf(root)).catch(() => {});
-  await files.remove(aside);
-  return true;
-}
-
-interface SeenLock {
-  /** Content of the lock file; null if the file is not a lock: a pipe, a link, a folder, or too long. */
-  readonly text: string | null;
-  readonly touchedMs: number;
 }
 
 /**
@@ -173,15 +126,9 @@ async function isLeft(root: string, { text, touchedMs }: SeenLock, files: FileLa
   }
 }
 
-/** Reads the lock; null if there is none. */
-async function readLock(root: string, path = lockOf(root)): Promise<SeenLock | null> {
-  const found = await lstat(path).catch(() => null);
-  if (found === null) return null;
-  const text = await readText(path, MAX_SIGNATURE_BYTES).catch((error: unknown) => {
-    if (errorCode(error) === 'ENOENT') return undefined;
-    return null;
-  });
-  return text === undefined ? null : { text, touchedMs: found.mtimeMs };
+/** The lock of a project. */
+function placeOf(root: string): LockPlace {
+  return { path: lockOf(root), temporary: () => temporaryIn(root) };
 }
 
 function lockOf(root: string): string {

@@ -94,7 +94,7 @@ export const DIAGNOSTICS = {
   SCR063: 'The file was changed outside Scrim',
   SCR064: 'The page could not be bundled',
   SCR065: 'The poster of the page could not be rendered',
-  SCR066: 'The project is open in another Scrim',
+  SCR066: 'Another Scrim is writing the same files',
   SCR067: 'The project folder does not exist anymore',
   // Command line
   SCR070: 'The command line is invalid',

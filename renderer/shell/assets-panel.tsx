@@ -9,6 +9,7 @@ import { type AssetRow, isUnused, listAssets } from '../state/files/asset-rows.t
 import { byteText } from '../state/files/byte-text.ts';
 import {
   addAssetToGraph,
+  canSimplify,
   goToUses,
   isFileKind,
   nameOf,
@@ -173,6 +174,14 @@ function Actions({ row, id }: { readonly row: AssetRow; readonly id: string }) {
           label={`Rephotograph ${name}…`}
           small
           onPress={() => editor.ui.setState({ dialog: { kind: 'rephotograph', path } })}
+        />
+      )}
+      {canSimplify(kind) && bytes !== null && (
+        <IconButton
+          icon="mesh"
+          label={`Simplify ${name}…`}
+          small
+          onPress={() => editor.ui.setState({ dialog: { kind: 'simplify', id } })}
         />
       )}
       {isFileKind(kind) && <ReplaceButton id={id} kind={kind} label={bytes === null ? `Find ${name}…` : `Replace ${name}…`} />}

@@ -17,6 +17,7 @@ import { RephotographDialog, RephotographedDialog } from './rephotograph-dialogs
 import { SaveAsDialog } from './save-as-dialog.tsx';
 import { ShadertoyDialog } from './shadertoy-dialog.tsx';
 import { ShortcutsDialog } from './shortcuts-dialog.tsx';
+import { SimplifyDialog } from './simplify-dialog.tsx';
 
 /** The open dialog, if any. */
 export function Dialogs() {
@@ -41,6 +42,8 @@ export function Dialogs() {
       return <PhotographDialog onClose={close} />;
     case 'photographs':
       return <PhotographsDialog folder={dialog.folder} onClose={close} />;
+    case 'simplify':
+      return <SimplifyDialog id={dialog.id} onClose={close} />;
     case 'rephotograph':
       return <RephotographDialog path={dialog.path} onClose={close} />;
     case 'rephotographed':

@@ -1,5 +1,5 @@
 import { debounce } from '../clock.ts';
-import { showPhotographsEvent } from './acquisition/import-photographs.ts';
+import { showToolEvent } from './acquisition/outside-run.ts';
 import { type AppCommandId, appCommandIds, runCommand } from './commands/app-commands.ts';
 import { finishTyping } from './document/edit-shader.ts';
 import { isDirty } from './editor/document.ts';
@@ -74,9 +74,9 @@ export function handleHostEvents(editor: Editor, runFromMenu: (id: AppCommandId)
       case 'export-progress':
         showExportProgress(editor, event.handle, event.text);
         return;
-      case 'photographs-progress':
-      case 'photographs-log':
-        showPhotographsEvent(editor, event);
+      case 'tool-progress':
+      case 'tool-log':
+        showToolEvent(editor, event);
         return;
       case 'shaders-changed-outside':
         applyExternalShaders(editor, event);

@@ -1,50 +1,15 @@
 import { cp, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { BLENDER, findTool } from '../../app/services/outside/outside-tools.ts';
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { readObj } from '../../export/captures/mesh-obj.ts';
 import { readPly } from '../../export/captures/mesh-ply.ts';
 import { meshAsPly } from '../../export/captures/write-ply.ts';
 import { type CaptureMesh, readCapture, readCaptureMesh } from '../../nodes/kit/capture.ts';
+import { describeWithBlender } from '../support/blender.ts';
 import { projectText, writeProject } from '../support/project-kit.ts';
-import { describeMissing } from '../support/required.ts';
 import { scrim } from '../support/scrim.ts';
-
-const blender = await findTool(BLENDER, null).catch(() => null);
-
-function describeWithBlender(name: string, tests: () => void): void {
-  if (blender === null)
-    describeMissing(name, 'blender', `Blender is in no folder of PATH (Debian: apt install blender; others: ${BLENDER.url})`);
-  else describe(name, tests);
-}
-
-/** A torus that lies in the plane of x and z, away from the origin. Radii 1 and 0.4. */
-const CENTER = [3, -2, 5] as const;
-const torus = (around: number, across: number): CaptureMesh => {
-  const positions: number[] = [];
-  const indices: number[] = [];
-  for (let i = 0; i < around; i++) {
-    for (let j = 0; j < across; j++) {
-      const [a, b] = [(2 * Math.PI * i) / around, (2 * Math.PI * j) / across];
-      const out = 1 + 0.4 * Math.cos(b);
-      positions.push(CENTER[0] + out * Math.cos(a), CENTER[1] + 0.4 * Math.sin(b), CENTER[2] + out * Math.sin(a));
-      const at = (di: number, dj: number) => ((i + di) % around) * across + ((j + dj) % across);
-      indices.push(at(0, 0), at(0, 1), at(1, 1), at(0, 0), at(1, 1), at(1, 0));
-    }
-  }
-  return { positions: Float32Array.from(positions), indices: Uint32Array.from(indices) };
-};
-
-/** How far the vertices of a mesh are from the torus, at most. */
-function farthest({ positions }: CaptureMesh): number {
-  let most = 0;
-  for (let i = 0; i < positions.length; i += 3) {
-    const [x, y, z] = CENTER.map((center, axis) => (positions[i + axis] ?? 0) - center) as [number, number, number];
-    most = Math.max(most, Math.abs(Math.hypot(Math.hypot(x, z) - 1, y) - 0.4));
-  }
-  return most;
-}
+import { farthest, torus } from '../support/torus.ts';
 
 /** Signed volume: negative for a mesh that is inside out. */
 function volume({ positions, indices }: CaptureMesh): number {

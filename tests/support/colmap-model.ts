@@ -5,8 +5,8 @@ export interface ColmapModel {
   readonly points3D: Uint8Array;
 }
 
-const WIDTH_PX = 640;
-const HEIGHT_PX = 480;
+export const WIDTH_PX = 640;
+export const HEIGHT_PX = 480;
 const FOCAL_PX = 500;
 
 /** The wall: z of a place. */

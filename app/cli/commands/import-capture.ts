@@ -17,7 +17,7 @@ export const importCaptureCommand: Command = {
   name: 'import capture',
   usage: 'FOLDER --project PROJECT',
   summary: 'Import photographs of a place',
-  doc: 'Imports the photographs in FOLDER with their cameras and the mesh of what they show, for the node Capture. Cameras are those of COLMAP (text or binary) or of transforms.json; the mesh is a PLY, OBJ or glTF file. One 360° photograph with its depth needs neither. Depth files (PNG with 16 bits, EXR, PFM, or those of COLMAP) are found by the names of the photographs. Distorted photographs are straightened, and their metadata are removed. Prints what was found, with the reprojection error of each photograph.',
+  doc: 'Imports the photographs in FOLDER with their cameras and the mesh of what they show, for the node Capture. Cameras are those of COLMAP (text or binary) or of transforms.json; the mesh is a PLY, OBJ or glTF file. One 360° photograph with its depth needs neither. Depth files (PNG with 16 bits, EXR, PFM, or those of COLMAP) are found by the names of the photographs. Distorted photographs are straightened, and their metadata are removed. Prints what was found, with the reprojection error of each photograph. One process imports captures of the same name into a project at a time.',
   project: 'required',
   operand: { word: 'FOLDER', doc: 'the folder with images/, the cameras and the mesh' },
   options: {

@@ -8,7 +8,7 @@ export const reconstructCommand: Command = {
   name: 'reconstruct',
   usage: 'FOLDER',
   summary: 'Find the cameras of photographs, with COLMAP',
-  doc: `Runs COLMAP (${COLMAP.url}) on the photographs in FOLDER or FOLDER/images, and writes their cameras to FOLDER/sparse. Where COLMAP was built with CUDA, it also computes depth and a mesh (FOLDER/dense); elsewhere, a rough mesh of the points that photographs share (FOLDER/sparse/0/mesh.ply). scrim import capture reads both. Everything that COLMAP prints is in FOLDER/.scrim-reconstruction/colmap.log. After an interrupt, the same command continues with the step that was interrupted.`,
+  doc: `Runs COLMAP (${COLMAP.url}) on the photographs in FOLDER or FOLDER/images, and writes their cameras to FOLDER/sparse. Where COLMAP was built with CUDA, it also computes depth and a mesh (FOLDER/dense); elsewhere, a rough mesh of the points that photographs share (FOLDER/sparse/0/mesh.ply). scrim import capture reads both. Everything that COLMAP prints is in FOLDER/.scrim-reconstruction/colmap.log. After an interrupt, the same command continues with the step that was interrupted. One process works on a folder at a time.`,
   project: 'required',
   operand: { word: 'FOLDER', doc: 'the folder with the photographs' },
   options: {

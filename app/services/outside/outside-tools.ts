@@ -1,6 +1,6 @@
 import { constants } from 'node:fs';
 import { access, stat } from 'node:fs/promises';
-import { delimiter, isAbsolute, join, resolve } from 'node:path';
+import { basename, delimiter, isAbsolute, join, resolve } from 'node:path';
 import process from 'node:process';
 import { refusal } from '../file-errors.ts';
 
@@ -64,6 +64,28 @@ export async function findTool({ title, commands, setting, url }: OutsideTool, g
     }
   }
   throw refusal('SCR078', `${title} is not installed: it is in no folder of PATH.`, `Get it from ${url}, or set ${setting} to its path.`);
+}
+
+/**
+ * Finds a tool for a page, which may not name other programs.
+ *
+ * @param typed The path that was typed; null if there is none.
+ * @throws SCR078
+ */
+export async function findTypedTool(tool: OutsideTool, typed: string | null): Promise<string> {
+  const { title, commands, url } = tool;
+  if (typed !== null && !commands.some((command) => plain(basename(typed.replaceAll('\\', '/'))).startsWith(plain(command)))) {
+    throw refusal(
+      'SCR078',
+      `${typed} is not ${title}: the name of its executable file begins with “${commands[0]}”.`,
+      `Get ${title} from ${url}`,
+    );
+  }
+  return findTool(tool, typed);
+}
+
+function plain(name: string): string {
+  return name.toLowerCase().replace(/[ _-]/g, '');
 }
 
 async function isExecutable(path: string): Promise<boolean> {

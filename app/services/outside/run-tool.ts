@@ -14,6 +14,8 @@ export interface ToolRun {
   readonly log: string | null;
   /** Ends a tool that runs longer, as a program that waits for input. Absent: it may run as long as it wants. */
   readonly limitMs?: number;
+  /** Whether any exit status is a success, as of programs that fail when they print their help. Default: false. */
+  readonly anyStatus?: boolean;
   /** Called with each line that the tool prints. */
   readonly onLine: (line: string) => void;
   readonly interrupted: AbortSignal;
@@ -33,7 +35,7 @@ const MOST_LINES = 10_000;
  * @throws SCR078 if it does not start, runs too long, or with its last lines if it fails; system errors if the log cannot be written, after
  * the tool was ended; the reason of the signal after it was ended on an interrupt
  */
-export async function runTool({ tool, args, log, limitMs, onLine, interrupted }: ToolRun): Promise<readonly string[]> {
+export async function runTool({ tool, args, log, limitMs, anyStatus = false, onLine, interrupted }: ToolRun): Promise<readonly string[]> {
   interrupted.throwIfAborted();
   let written = Promise.resolve();
   const write = (line: string): void => {
@@ -95,7 +97,7 @@ export async function runTool({ tool, args, log, limitMs, onLine, interrupted }:
     interrupted.throwIfAborted();
     const name = `${basename(tool)} ${args[0] ?? ''}`.trim();
     if (isLate) throw refusal('SCR078', `${name} did not end within ${Math.round((limitMs ?? 0) / 1000)} s.`, 'Name another file.');
-    if (status === 0) return lines;
+    if (status === 0 || (anyStatus && typeof status === 'number')) return lines;
     const last = lines.filter((line) => line.trim() !== '').slice(-KEPT_LINES);
     const how = typeof status === 'number' ? `with status ${status}` : `by ${status}`;
     throw refusal(

@@ -24,6 +24,8 @@ export interface SimplifyOptions {
   /** `.obj` keeps texture coordinates. */
   readonly format: '.ply' | '.obj';
   readonly say: (text: string) => void;
+  /** Receives what the program prints. */
+  readonly onLine?: (line: string) => void;
   readonly interrupted: AbortSignal;
 }
 
@@ -43,7 +45,7 @@ const MAX_FILE_BYTES = 2 ** 30;
  * @throws SCR060, SCR062, SCR069 if the result is no such mesh, SCR078
  */
 export async function simplifyMesh(mesh: CaptureMesh, options: SimplifyOptions): Promise<SimplifiedMesh> {
-  const { program, path, say } = options;
+  const { program, path, say, onLine } = options;
   const { title } = SIMPLIFIERS[program];
   const tool = await findTool(SIMPLIFIERS[program], path);
   const folder = await mkdtemp(join(tmpdir(), 'scrim-simplify-')).catch((error: unknown) => {
@@ -56,7 +58,11 @@ export async function simplifyMesh(mesh: CaptureMesh, options: SimplifyOptions):
     const log = join(folder, 'output.log');
     await writeFile(input, meshAsPly(mesh));
     say(`Simplifying the mesh with ${title}…`);
-    const run = { tool, log, interrupted: options.interrupted, onLine: (line: string) => sayLine(line, say) };
+    const each = (line: string) => {
+      onLine?.(line);
+      sayLine(line, say);
+    };
+    const run = { tool, log, interrupted: options.interrupted, onLine: each };
     try {
       await runTool({ ...run, args: await argumentsFor(options, folder, input, output) });
     } catch (error) {
@@ -91,6 +97,32 @@ async function argumentsFor(
   await writeFile(script, BLENDER_SCRIPT);
   const own = [input, output, String(triangles), unwrap ? '1' : '0'];
   return ['--background', '--factory-startup', '--python-exit-code', '3', '--python', script, '--', ...own];
+}
+
+/** Programs that are something else may wait for input. */
+const ANSWER_MS = 60_000;
+
+/** How a program says what it is. */
+const ANSWERS: Readonly<Record<Simplifier, { readonly args: readonly string[]; readonly says: RegExp }>> = {
+  blender: { args: ['--version'], says: /^Blender (\d[\w.]*)/ },
+  // It has no version, and fails when it prints its options.
+  'instant-meshes': { args: ['--help'], says: /^Syntax: .* <input mesh( )/ },
+};
+
+/**
+ * Asks a program what it is.
+ *
+ * @param path Of its executable file.
+ * @returns Its version; empty if it has none.
+ * @throws SCR078 if the file is something else
+ */
+export async function simplifierVersion(program: Simplifier, path: string, interrupted: AbortSignal): Promise<string> {
+  const { title, url } = SIMPLIFIERS[program];
+  const { args, says } = ANSWERS[program];
+  const lines = await runTool({ tool: path, args, log: null, limitMs: ANSWER_MS, anyStatus: true, onLine: () => {}, interrupted });
+  const found = lines.map((line) => says.exec(line)).find((match) => match !== null);
+  if (found === undefined) throw refusal('SCR078', `${path} is not ${title}.`, `Name the executable file of ${title}, or get it: ${url}`);
+  return (found[1] ?? '').trim();
 }
 
 function sayLine(line: string, say: (text: string) => void): void {

@@ -145,6 +145,91 @@ test('pipes and folders among the photographs are left out, and a folder that go
   expect((await run(await fakeColmap())).photographs).toBe(3);
 });
 
+test('another window of the same process is refused', async () => {
+  const colmap = await fakeColmap();
+  const both = await Promise.allSettled([run(colmap), run(colmap)]);
+  expect(both.filter(({ status }) => status === 'fulfilled')).toHaveLength(1);
+  expect(both.find(({ status }) => status === 'rejected')).toMatchObject({
+    reason: { diagnostic: { code: 'SCR066', message: `Another window of this Scrim is finding the cameras of ${folder}.` } },
+  });
+  expect((await run(colmap)).kept).toEqual(['features', 'matches', 'sparse', 'mesh']);
+});
+
+test('with CUDA, depth becomes the mesh', async () => {
+  const colmap = await fakeColmap({}, 'with CUDA');
+  expect(await run(colmap)).toMatchObject({ mesh: 'dense/0/meshed-poisson.ply', isDense: true });
+  expect(await commandsOf(colmap)).toEqual([
+    ...['feature_extractor', 'exhaustive_matcher', 'mapper', 'image_undistorter', 'patch_match_stereo', 'stereo_fusion', 'poisson_mesher'],
+  ]);
+  expect(await readdir(join(folder, 'dense/0'))).toContain('meshed-poisson.ply');
+});
+
+test('with CUDA but no graphics card, it goes on without, and says why the mesh is rough', async () => {
+  const noCard = 'CUDA error: no CUDA-capable device is detected';
+  const failOnGpu = `if (args.at(-1) === '1') { ${FAIL(noCard)} }`;
+  const colmap = await fakeColmap({ feature_extractor: failOnGpu, patch_match_stereo: FAIL(noCard) }, 'with CUDA');
+  const result = await run(colmap);
+  expect(result).toMatchObject({ mesh: 'sparse/0/mesh.ply', isDense: false });
+  const gpu = (await colmap.calls())
+    .filter(([, second]) => second !== '-h')
+    .flatMap((call) => (/use_gpu/.test(call.at(-2) ?? '') ? [call.at(-1)] : []));
+  // Once with, then without for all.
+  expect(gpu).toEqual(['1', '0', '0']);
+  // A card that extraction cannot use has no depth either.
+  expect(await commandsOf(colmap)).not.toContain('patch_match_stereo');
+});
+
+test('depth that fails is a warning, or an error where it was asked for', async () => {
+  const colmap = await fakeColmap({ patch_match_stereo: FAIL('CUDA driver version is insufficient') }, 'with CUDA');
+  await expect(run(colmap, { dense: true })).rejects.toMatchObject({
+    diagnostic: { code: 'SCR078', message: expect.stringContaining('driver version') },
+  });
+  const { diagnostics, mesh } = await run(colmap);
+  expect(diagnostics).toEqual([expect.objectContaining({ severity: 'warning', message: expect.stringContaining('driver version') })]);
+  expect(mesh).toBe('sparse/0/mesh.ply');
+  const without = await fakeColmap();
+  await expect(run(without, { dense: true })).rejects.toMatchObject({ diagnostic: { message: expect.stringContaining('without CUDA') } });
+});
+
+test('a COLMAP that is killed is named with the likely reason; the next call continues', async () => {
+  const killed = await fakeColmap({ exhaustive_matcher: "process.kill(process.pid, 'SIGKILL')" });
+  await expect(run(killed)).rejects.toMatchObject({
+    diagnostic: {
+      code: 'SCR078',
+      message: expect.stringContaining('exhaustive_matcher ended by SIGKILL'),
+      fix: expect.stringMatching(/memory.*colmap\.log/),
+    },
+  });
+  const colmap = await fakeColmap();
+  expect(await run(colmap)).toMatchObject({ kept: ['features'], found: 3 });
+});
+
+test('another program is not run for its commands', async () => {
+  const other = await writeProgram(join(base, 'bin/other'), "console.log('GNU other 1.0')");
+  await expect(run(other)).rejects.toMatchObject({ diagnostic: { code: 'SCR078', message: `${other.path} is not COLMAP.` } });
+  expect(await other.calls()).toEqual([['help']]);
+  expect(await readdir(folder)).toEqual(['images']);
+});
+
+test('pipes and folders among the photographs are left out, and a folder that goes away is named', async () => {
+  expect(spawnSync('mkfifo', [join(folder, 'images/pipe.jpg')]).status).toBe(0);
+  await mkdir(join(folder, 'images/folder.png'));
+  const gone = await fakeColmap({ exhaustive_matcher: `fs.renameSync(${JSON.stringify(folder)}, ${JSON.stringify(join(base, 'moved'))})` });
+  await expect(run(gone)).rejects.toMatchObject({ diagnostic: { code: 'SCR004', message: expect.stringContaining(`${folder} is gone`) } });
+  await rename(join(base, 'moved'), folder);
+  expect((await run(await fakeColmap())).photographs).toBe(3);
+});
+
+test('another window of the same process is refused', async () => {
+  const colmap = await fakeColmap();
+  const first = run(colmap);
+  await expect(run(colmap)).rejects.toMatchObject({
+    diagnostic: { code: 'SCR066', message: `Another window of this Scrim is finding the cameras of ${folder}.` },
+  });
+  expect((await first).found).toBe(3);
+  expect((await run(colmap)).kept).toEqual(['features', 'matches', 'sparse', 'mesh']);
+});
+
 test('what was found stays as it is if the disk is full', async () => {
   const colmap = await fakeColmap();
   await run(colmap);

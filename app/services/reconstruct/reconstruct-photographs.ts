@@ -6,8 +6,10 @@ import { CaptureError } from '../../../nodes/kit/capture.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import { HostError } from '../../contract/host-error.ts';
 import { errorCode, refusal, writeRefusal } from '../file-errors.ts';
+import { NODE_FILES } from '../file-layer.ts';
 import { hasSurface, readCameras, SPARSE_MESH } from '../read-capture-folder.ts';
 import { readBytes, readText } from '../read-file.ts';
+import { withWorkLock } from '../work-lock.ts';
 import { type Colmap, openColmap } from './colmap.ts';
 
 /** What is done one after the other. */
@@ -45,6 +47,8 @@ export interface Reconstruction {
 }
 
 const WORK_FOLDER = '.scrim-reconstruction';
+/** Beside the hidden folder, which is removed when other photographs begin anew. */
+const LOCK_FILE = `${WORK_FOLDER}.lock`;
 const STATE_FILE = 'steps.json';
 const PHOTO_ENDING = /\.(jpe?g|png)$/i;
 /** Up to here, each photograph is compared with each other one; beyond, with its successors in the order of names. */
@@ -68,11 +72,12 @@ const DENSE_MESH = 'dense/0/meshed-poisson.ply';
  * share. Writes `sparse/0/` and `dense/0/` into the folder, each whole or not at all, as `importCapture` reads them. Steps are kept in a hidden
  * folder: after an interrupt, the same call continues with the step that was interrupted.
  *
- * @throws SCR004, SCR060, SCR061, SCR062, SCR069, SCR078
+ * @throws SCR004, SCR060, SCR061, SCR062, SCR066 if it is done already, SCR069, SCR078
  */
 export async function reconstruct(job: ReconstructionJob): Promise<Reconstruction> {
+  const doing = `is finding the cameras of ${job.folder}`;
   try {
-    return await run(job);
+    return await withWorkLock({ lock: join(job.folder, LOCK_FILE), files: NODE_FILES, doing }, () => run(job));
   } catch (error) {
     if (error instanceof CaptureError) throw refusal('SCR069', `${job.folder}: ${error.message}.`);
     if (errorCode(error) === undefined) throw error;

@@ -2,7 +2,7 @@ import { lastExport, openExportDialog } from '../files/export-page.ts';
 import { newProject, openProject, openSaveAs, revertToSaved, save } from '../files/files.ts';
 import { openRenderDialog } from '../preview/render-frames.ts';
 import type { AppCommand } from './app-command.ts';
-import { always, hasCapture, isOpen, isUnsaved } from './command-conditions.ts';
+import { always, hasCapture, hasMesh, isOpen, isUnsaved } from './command-conditions.ts';
 
 /** Commands of the File menu. */
 export const FILE_COMMANDS = {
@@ -77,6 +77,13 @@ export const FILE_COMMANDS = {
     enabled: isOpen,
     run: ({ ui }) => ui.setState({ dialog: { kind: 'photographs', folder: '' } }),
     whileTyping: true,
+  },
+  'file.simplify': {
+    label: 'Simplify a model…',
+    keywords: ['reduce', 'decimate', 'triangles', 'polygons', 'Blender', 'Instant Meshes', 'capture', 'mesh', 'low poly'],
+    keys: [],
+    enabled: hasMesh,
+    run: ({ ui }) => ui.setState({ dialog: { kind: 'simplify' } }),
   },
   'file.rephotograph': {
     label: 'Rephotograph a capture…',

@@ -23,6 +23,7 @@ export const MENUS: readonly { readonly label: string; readonly entries: readonl
       'file.photograph',
       'file.photographs',
       'file.rephotograph',
+      'file.simplify',
     ],
   },
   {

@@ -26,25 +26,30 @@ describe('preferences', () => {
     expect(loadPreferences(storage).keybindings['graph.note']).toEqual(['Mod+Alt+J']);
   });
 
-  test.each([null, 'nonsense', '[]', 'null', '{"theme":7,"motion":{},"scale":9,"keybindings":["x"],"recent":[{"path":1}],"colmap":{}}'])(
-    'of %s are the defaults',
-    (text) => {
-      const { keybindings, ...others } = loadPreferences(memory(text));
-      expect(others).toEqual({
-        theme: 'system',
-        motion: 'system',
-        wheel: 'auto',
-        scale: 1,
-        thumbnails: true,
-        renderSize: 'auto',
-        recent: [],
-        favorites: [],
-        recentTypes: [],
-        colmap: '',
-      });
-      expect(appCommandIds().some((id) => Object.hasOwn(keybindings, id))).toBe(false);
-    },
-  );
+  test.each([
+    null,
+    'nonsense',
+    '[]',
+    'null',
+    '{"theme":7,"motion":{},"scale":9,"keybindings":["x"],"recent":[{"path":1}],"colmap":{},"blender":3}',
+  ])('of %s are the defaults', (text) => {
+    const { keybindings, ...others } = loadPreferences(memory(text));
+    expect(others).toEqual({
+      theme: 'system',
+      motion: 'system',
+      wheel: 'auto',
+      scale: 1,
+      thumbnails: true,
+      renderSize: 'auto',
+      recent: [],
+      favorites: [],
+      recentTypes: [],
+      colmap: '',
+      blender: '',
+      instantMeshes: '',
+    });
+    expect(appCommandIds().some((id) => Object.hasOwn(keybindings, id))).toBe(false);
+  });
 
   test('remember what was worked on, the last first and each once', async () => {
     const { editor } = await openTestEditor();

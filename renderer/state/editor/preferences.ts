@@ -35,9 +35,14 @@ export interface Preferences {
   readonly favorites: readonly string[];
   /** Node types that were added last, newest first. */
   readonly recentTypes: readonly string[];
-  /** Path of COLMAP as it was typed; empty: that of the host. */
+  /** Paths of programs of others as they were typed; empty: those of the host. */
   readonly colmap: string;
+  readonly blender: string;
+  readonly instantMeshes: string;
 }
+
+/** A preference that is the path of a program. */
+export type ProgramPath = 'colmap' | 'blender' | 'instantMeshes';
 
 export type PreferencesStore = StoreApi<Preferences>;
 
@@ -56,6 +61,8 @@ export const DEFAULT_PREFERENCES: Preferences = {
   favorites: [],
   recentTypes: [],
   colmap: '',
+  blender: '',
+  instantMeshes: '',
 };
 
 const KEY = 'scrim-preferences';
@@ -89,8 +96,14 @@ export function loadPreferences(storage: Pick<Storage, 'getItem'>): Preferences 
     recent: Array.isArray(saved.recent) ? saved.recent.filter(isRecent).slice(0, MAX_RECENT) : [],
     favorites: readTypes(saved.favorites, MAX_FAVORITES),
     recentTypes: readTypes(saved.recentTypes, MAX_RECENT_TYPES),
-    colmap: typeof saved.colmap === 'string' ? saved.colmap : '',
+    colmap: readText(saved.colmap),
+    blender: readText(saved.blender),
+    instantMeshes: readText(saved.instantMeshes),
   };
+}
+
+function readText(saved: unknown): string {
+  return typeof saved === 'string' ? saved : '';
 }
 
 /** Stores each change at once, so that the next window reads it. */

@@ -70,6 +70,8 @@ export type DialogRequest =
   | { readonly kind: 'photograph' }
   /** Imports a folder of photographs. `folder` is its path; empty if it is not known yet. */
   | { readonly kind: 'photographs'; readonly folder: string }
+  /** Makes a model or capture smaller. `id`: the chosen asset. */
+  | { readonly kind: 'simplify'; readonly id?: string }
   /** How a capture is rephotographed. `path`: the chosen capture. */
   | { readonly kind: 'rephotograph'; readonly path?: string }
   | { readonly kind: 'rephotographed'; readonly rephotographed: RephotographMeans }
@@ -137,18 +139,20 @@ export interface Exporting {
   readonly frames?: true;
 }
 
-/** An import of photographs, in progress or failed. */
-export interface PhotographImport {
+/** Work of the host with a program of others, in progress or failed. */
+export interface ToolRun {
   /** Handle of the project. */
   readonly handle: string;
-  readonly step: PhotographStep;
-  /** The last lines that COLMAP printed. */
+  /** Kind of the dialog that shows it. */
+  readonly dialog: 'photographs' | 'simplify';
+  readonly step: ToolStep;
+  /** The last lines that the program printed. */
   readonly lines: readonly string[];
   /** Why it failed; null while it runs. */
   readonly error: Diagnostic | null;
 }
 
-export type PhotographStep = Extract<HostEvent, { kind: 'photographs-progress' }>['step'];
+export type ToolStep = Extract<HostEvent, { kind: 'tool-progress' }>['step'];
 
 /** How the open project is exported. */
 export interface ExportSettings {
@@ -200,8 +204,8 @@ export interface UiState {
   readonly typing: boolean;
   /** The export, frame render or acquisition in progress. */
   readonly exporting: Exporting | null;
-  /** The last import of photographs; null if there is none or it succeeded. */
-  readonly photographs: PhotographImport | null;
+  /** The last work with a program of others; null if there is none or it succeeded. */
+  readonly toolRun: ToolRun | null;
   /** Diagnostics of the last export. */
   readonly exportDiagnostics: readonly Diagnostic[];
   /** Why the last export failed, for its dialog. */
@@ -231,7 +235,7 @@ export function createUi(sizes: PanelSizes, dock: Dock): UiStore {
     codePosition: null,
     typing: false,
     exporting: null,
-    photographs: null,
+    toolRun: null,
     exportDiagnostics: [],
     exportErrors: [],
     exportSettings: DEFAULT_EXPORT_SETTINGS,

@@ -117,6 +117,11 @@ export function isFileKind(kind: AssetKind): kind is FileKind {
   return kind !== 'capture';
 }
 
+/** Whether assets of a kind have a mesh that can be made smaller. */
+export function canSimplify(kind: AssetKind): boolean {
+  return kind === 'model' || kind === 'capture';
+}
+
 /** The name of an asset for people: its file, or the folder of a capture. */
 export function nameOf(path: string): string {
   return path.replace(/^assets\//, '').replace(/\/capture\.json$/, '');
