@@ -39,7 +39,7 @@ test('the book and its lectern fill a third of the image', async () => {
   expect(share(await seen(join(EXAMPLES, 'the-world-in-the-book'), 'reading-f13.layer'))).toBeGreaterThan(1 / 3);
 });
 
-test('sketched shadows fill a quarter of the image, which is most of the floor that it shows, and with the models more than half', async () => {
+test('sketched shadows fill a third of the image, beside the models', async () => {
   const project = join(base, 'sketchy-shadow');
   await cp(join(EXAMPLES, 'sketchy-shadow'), project, { recursive: true });
   const file = join(project, 'project.scrim.json');
@@ -49,6 +49,5 @@ test('sketched shadows fill a quarter of the image, which is most of the floor t
   expect(even).not.toBe(text);
   await writeFile(file, even);
   const [models, shadows] = [await seen(project, 'scene-f11.layer'), await seen(project, 'shadow-f11.layer')];
-  expect(share(shadows.map((isIn, i) => isIn && !models[i]))).toBeGreaterThan(0.25);
-  expect(share(shadows.map((isIn, i) => isIn || models[i] === true))).toBeGreaterThan(0.5);
+  expect(share(shadows.map((isIn, i) => isIn && !models[i]))).toBeGreaterThan(1 / 3);
 });

@@ -10,6 +10,7 @@ import {
   ROBOT,
   ROBOT_WIRES,
   robotOnRug,
+  TABLE,
   WINDOW_LIGHT,
 } from './room.ts';
 
@@ -47,6 +48,11 @@ const BALL_WIRES = [
 
 function ballAt(i: number): readonly [number, number, number] {
   return [(i % 3) * 0.56 - 0.5, i < 3 ? 1.12 : 0.58, 0.1];
+}
+
+/** Params of a lamp that shines over the table at the sofa; its position is in meters. */
+function lampAt(positionM: readonly [number, number, number], intensityCd: number): NonNullable<RecipeNode[3]> {
+  return { color: WINDOW_LIGHT.color, intensityCd, positionM, targetM: [-0.2, 0.9, -1.2], angleRad: 1.7, filter: 'soft' };
 }
 
 /** The elephant and the robot with one technique, and their shadows on the real floor and table. */
@@ -261,20 +267,21 @@ export const SCENES: readonly Recipe[] = [
     figure: '11',
     title: 'A sketchy shadow',
     description:
-      'The shadows of an elephant and a robot on a real rug, table and stool are drawn as pencil strokes, which lie there and get denser toward the feet. A second light casts second shadows, with strokes in another direction. Elephant and robot have Gooch’s cool-to-warm tones, and the room is unchanged.',
+      'Two lamps in front of the table cast large shadows of an elephant and a robot on the real table, sofa, floor, wall and bookcase. They are drawn as pencil strokes, which lie on these surfaces and get denser toward the models; each lamp has strokes in its own direction. Elephant and robot have Gooch’s cool-to-warm tones, and the room is unchanged.',
     nodes: {
       ...elephantAndRobot(0),
-      // Behind the table, with light from behind and from the right, so that their shadows cover the floor in front.
-      elephant: ['objects/transform', 1, 0, { positionM: [0.6, 0, -1.02], rotationRad: [0, -1.5, 0], scale: 1.4 }],
-      robot: ['objects/transform', 1, 1, { positionM: [-1.14, 0, -0.8], rotationRad: [0, 0.35, 0], scale: 2.4 }],
+      elephant: ['objects/transform', 1, 0, { positionM: [-0.03, TABLE.topM, -0.4], rotationRad: [0, -1.15, 0], scale: 0.7 }],
+      robot: ['objects/transform', 1, 1, { positionM: [-1.08, 0, -0.45], rotationRad: [0, -0.05, 0], scale: 1.9 }],
       ...phantoms(3),
       gooch: ['technique/gooch', 2, 1],
       drawn: ['objects/apply-technique', 3, 0],
-      light: ['light/directional', 2, 2, { ...WINDOW_LIGHT, azimuthRad: 2.75, elevationRad: 0.75, areaM: 4, filter: 'soft' }],
-      lamp: ['light/directional', 2, 3, { ...WINDOW_LIGHT, azimuthRad: 2.2, elevationRad: 0.6, areaM: 4, intensity: 0.5, filter: 'soft' }],
-      shadow: ['layer/shadow', 3, 1, { strength: 0.85, color: [0.1, 0.09, 0.13, 1], drawing: 'strokes', spacingPx: 8 }],
+      // Near the elephant and as high as its head, so that its shadows on the wall are larger than it is.
+      light: ['light/spot', 2, 2, lampAt([-1, 0.96, 0.42], 7.5)],
+      lamp: ['light/spot', 2, 3, lampAt([0.36, 0.98, 0.4], 5.5)],
+      depth: ['world/depth', 2, 4],
+      shadow: ['layer/shadow', 3, 1, { strength: 0.85, color: [0.1, 0.09, 0.13, 1], drawing: 'strokes', spacingPx: 9, contactM: 2.2 }],
       video: ['source/camera-video', 4, 3],
-      scene: ['layer/scene', 3, 0, { ambient: 0.4 }],
+      scene: ['layer/scene', 3, 0, { ambient: 0.4, shadows: false }],
       ground: ['operator/over', 5, 2],
       merge: ['operator/over', 6, 1],
       screen: ['output/screen', 7, 1],
@@ -292,8 +299,8 @@ export const SCENES: readonly Recipe[] = [
       'floor.objects -> shadow.receivers',
       'table.objects -> shadow.receivers',
       'stool.objects -> shadow.receivers',
+      'depth.depth -> shadow.depth',
       'light.lights -> shadow.lights',
-      'lamp.lights -> scene.lights',
       'lamp.lights -> shadow.lights',
       'video.layer -> ground.bottom',
       'shadow.layer -> ground.top',
