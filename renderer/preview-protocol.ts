@@ -2,9 +2,10 @@ import type { Photograph } from '../export/captures/acquire/take-photograph.ts';
 import type { AcquiredCamera } from '../export/captures/acquire/write-transforms.ts';
 import type { Rephotograph, RephotographMethod } from '../export/captures/evaluate/rephotograph.ts';
 import type { LinkedShader, Program } from '../export/program/program.ts';
-import type { Handle, ParamValue } from '../nodes/kit/definition.ts';
+import type { ParamValue } from '../nodes/kit/definition.ts';
 import type { Diagnostic } from '../nodes/kit/diagnostics.ts';
 import type { FrameTimes } from '../nodes/kit/frame-times.ts';
+import type { Handle } from '../nodes/kit/handles.ts';
 import type { PosterFraming, ViewTangents } from '../nodes/kit/poster-framing.ts';
 
 /*
@@ -226,6 +227,8 @@ export interface PreviewGizmo {
   readonly snap: boolean;
   /** Params of the node, by the handle that they set. */
   readonly handles: Readonly<Partial<Record<Handle, string>>>;
+  /** The axes that the gizmo shows, as in `xz`. */
+  readonly axes: string;
   /** Nodes of the program that a clicked object passed through. They select one branch if the objects of the node pass through several. */
   readonly chain: readonly string[];
 }

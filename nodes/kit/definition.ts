@@ -2,6 +2,7 @@ import type { Curve } from './curve.ts';
 import type { OwnDrawing, ShadowMapUse } from './drawing-options.ts';
 import type { ComputedOutputs } from './expression.ts';
 import type { Gradient } from './gradient.ts';
+import type { Handle, HandleAxes } from './handles.ts';
 import type { TableType, ValueType, WireType } from './wire-types.ts';
 
 /**
@@ -157,19 +158,13 @@ interface ParamBase {
   readonly doc: string;
 }
 
-/**
- * The part of the gizmo that changes a param. `position`, `rotation` and `scale` are those of the node's transform: meters; angles
- * about x, y and z, applied in the order z, x, y; factors or sizes. `aim` is a point that the node faces. `azimuth` and `elevation` are
- * the direction that light comes from.
- */
-export type Handle = 'position' | 'rotation' | 'scale' | 'aim' | 'azimuth' | 'elevation';
-
 /** A number, shown as a slider or a field. */
 export interface NumberParam extends ParamBase {
   readonly type: 'number';
   readonly stage: 'uniform' | 'structure';
   /** The part of the gizmo that changes the param. Only for uniform params. */
-  readonly handle?: 'scale' | 'azimuth' | 'elevation';
+  readonly handle?: Extract<Handle, 'scale' | 'azimuth' | 'elevation' | 'radius' | 'turn'>;
+  readonly handleAxes?: HandleAxes;
   readonly default: number;
   readonly min?: number;
   readonly max?: number;
@@ -182,7 +177,8 @@ export interface VectorParam extends ParamBase {
   readonly type: 'vector2' | 'vector3' | 'vector4';
   readonly stage: 'uniform';
   /** The part of the gizmo that changes the param. Only for `vector3`. */
-  readonly handle?: 'position' | 'rotation' | 'scale' | 'aim';
+  readonly handle?: 'position' | 'rotation' | 'scale' | 'aim' | 'step';
+  readonly handleAxes?: HandleAxes;
   readonly default: readonly number[];
   readonly min?: readonly number[];
   readonly max?: readonly number[];

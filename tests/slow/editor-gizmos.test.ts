@@ -1,10 +1,9 @@
 import { expect, test } from '@jest/globals';
 import type { Point } from '../../tools/lib/center-of.ts';
 import { chooseOption } from '../support/choose-option.ts';
-import { FLAG_PX } from '../support/editor-driver.ts';
+import { type Axis, gizmoKit } from '../support/gizmo-kit.ts';
 import type { RgbaImage } from '../support/image.ts';
 import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
-import { eventually } from '../support/patience.ts';
 
 /** A box with two Transforms, a point light whose position is connected, and a directional light. */
 const GRAPH: GraphText = {
@@ -39,10 +38,6 @@ const GRAPH: GraphText = {
   },
 };
 
-/** Of the gizmo's axes, as it draws them. */
-const AXES = { x: [0xf2, 0x49, 0x5c], y: [0x7a, 0xc7, 0x4f], z: [0x4c, 0x8d, 0xff] } as const;
-type Axis = keyof typeof AXES;
-
 /** With the Transform selected, before anything was moved. */
 let rest: RgbaImage;
 const open = useOneEditor(GRAPH, { colorScheme: 'dark' }, async () => {
@@ -50,41 +45,7 @@ const open = useOneEditor(GRAPH, { colorScheme: 'dark' }, async () => {
   await open.editor.rewind();
 });
 
-/** Pixels of an axis, in page points. */
-function axisPixels({ width, height, data }: RgbaImage, frame: Point, axis: Axis): Point[] {
-  const points: Point[] = [];
-  for (let i = 0; i < width * height; i++) {
-    if (AXES[axis].every((part, c) => Math.abs((data[i * 4 + c] ?? 0) - part) <= 2)) {
-      points.push({ x: frame.x + (i % width), y: frame.y + FLAG_PX + Math.floor(i / width) });
-    }
-  }
-  return points;
-}
-
-async function frameBox() {
-  const frame = await open.page.locator('iframe[title="Preview"]').boundingBox();
-  if (!frame) throw new Error('There is no preview.');
-  return frame;
-}
-
-/** Where all of an axis is seen, once it is. */
-async function seeAxis(axis: Axis): Promise<Point[]> {
-  const frame = await frameBox();
-  return eventually(async () => {
-    const points = axisPixels(await open.editor.imageWithGizmo(), frame, axis);
-    if (points.length <= 8) throw new Error(`The axis ${axis} is not to be seen.`);
-    return points;
-  });
-}
-
-/** The end of an axis: of all its pixels the last in a direction, a little inwards. */
-async function tip(axis: Axis, by: (point: Point) => number): Promise<Point> {
-  const points = await seeAxis(axis);
-  const last = points.reduce((best, point) => (by(point) > by(best) ? point : best));
-  const near = points.filter(({ x, y }) => Math.hypot(x - last.x, y - last.y) < 6);
-  const mean = (of: (point: Point) => number) => near.reduce((sum, point) => sum + of(point), 0) / near.length;
-  return { x: mean(({ x }) => x), y: mean(({ y }) => y) };
-}
+const { frameBox, seeAxis, tip, holds, select, numberIn, expectValue, tool, savedParams, undo } = gizmoKit(open);
 
 /** The pixel of an axis in the lower half that is farthest from the others: rings cross. */
 async function apart(axis: Axis, others: readonly Axis[]): Promise<Point> {
@@ -93,36 +54,6 @@ async function apart(axis: Axis, others: readonly Axis[]): Promise<Point> {
   const middle = points.reduce((sum, { y }) => sum + y, 0) / points.length;
   const distance = (a: Point): number => Math.min(...crossing.map((b) => Math.hypot(a.x - b.x, a.y - b.y)));
   return points.filter(({ y }) => y > middle).reduce((best, point) => (distance(point) > distance(best) ? point : best));
-}
-
-/** The preview shows the gizmo of a tool, of a document as it was when the tool was chosen or later. */
-async function holds(mode: 'move' | 'rotate' | 'scale'): Promise<void> {
-  await open.editor.preview.locator(`#gizmo[data-mode="${mode}"]`).waitFor();
-}
-
-async function select(stem: string): Promise<void> {
-  await open.editor.node(stem).locator('.node-title').click();
-}
-
-function field(name: string) {
-  return open.editor.inspector.getByRole('textbox', { name, exact: true });
-}
-
-async function numberIn(name: string): Promise<number> {
-  return Number(await field(name).inputValue());
-}
-
-function tool(name: RegExp) {
-  return open.page.getByRole('toolbar', { name: 'Gizmo' }).getByRole('button', { name });
-}
-
-async function savedParams(node: string): Promise<Readonly<Record<string, unknown>>> {
-  return (await saveGraphs(open)).main?.nodes[node]?.params ?? {};
-}
-
-async function undo(): Promise<void> {
-  await open.page.locator('.canvas').focus();
-  await open.page.keyboard.press('Control+z');
 }
 
 test('dragging an arrow moves the thing under the pointer, in the picture and in the inspector, as one step', async () => {
@@ -152,13 +83,6 @@ test('dragging an arrow moves the thing under the pointer, in the picture and in
   expect(await savedParams('transform-aaaa')).toEqual({ positionM: [0, 0.5, 0] });
   await editor.imageSameAs(rest, 'gizmo-undone');
 });
-
-async function expectValue(name: string, is: (value: number) => boolean): Promise<void> {
-  await eventually(async () => {
-    const value = await numberIn(name);
-    if (!is(value)) throw new Error(`${name} stayed ${value}.`);
-  });
-}
 
 test('Escape in the middle of a drag leaves everything as it was, and nothing to undo', async () => {
   const { page, editor } = open;

@@ -4,7 +4,7 @@ import type { ObjectItem, ObjectList } from '../../../nodes/kit/scene-lists.ts';
 import type { NodeOperation } from '../../program/program.ts';
 import type { Inspected } from '../inspected.ts';
 import type { LiveResource } from '../resources/resources.ts';
-import { pickObject, placedObjects } from './placed-objects.ts';
+import { firstInput, pickObject, placedObjects } from './placed-objects.ts';
 
 const unitBox = new Mesh(new BoxGeometry(1, 1, 1), new MeshBasicMaterial());
 const move = (x: number, y: number, z: number) => new Matrix4().makeTranslation(x, y, z);
@@ -104,4 +104,20 @@ test('a click finds the nearest object, and the nodes that it went through', () 
   front.worldFromObject.copy(move(0.45, 0, 0));
   front.role = 'phantom';
   expect(pickObject(seen, 0, 0.6, 0.5)).toEqual({ way: ['box', 'left', 'scene'], role: 'phantom' });
+});
+
+test('a click on one of several instances finds the node that made what they repeat, which they read', () => {
+  const { seen, lists } = world();
+  const instances = new Mesh(new BoxGeometry(1, 1, 1), new MeshBasicMaterial());
+  lists.right?.items.splice(0, 1, { ...item('0/box', move(0, 2, 0)), root: instances });
+  lists.away?.items.splice(0);
+  lists.left?.items.splice(0);
+  const scene = operation('scene', 'draw', ['right'], null);
+  const drawn = {
+    ...seen,
+    program: { ...seen.program, operations: [...seen.program.operations.filter(({ id }) => id !== 'scene'), scene] },
+  };
+  expect(pickObject(drawn, 0, 0.5, 5 / 6)?.way).toEqual(['box', 'right', 'scene']);
+  expect(firstInput(seen, 'right')?.key).toBe('box');
+  expect(firstInput(seen, 'box')).toBeUndefined();
 });

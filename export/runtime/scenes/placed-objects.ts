@@ -36,6 +36,12 @@ export function placedObjects(seen: Seen, node: string, way: readonly string[], 
   return true;
 }
 
+/** The first object that a node reads; undefined if there is none. */
+export function firstInput(seen: Seen, node: string): ObjectItem | undefined {
+  const operation = seen.program.operations.filter(isNode).find((candidate) => candidate.node === node);
+  return operation && objectsInto(seen, operation).find(({ items }) => items.length > 0)?.items[0];
+}
+
 /** An object at a point of a view. */
 export interface PickedObject {
   /** Ids of the nodes on its path, from the one that created it to the one that drew it. */
@@ -128,7 +134,9 @@ function wayTo(seen: Seen, list: ObjectList, item: ObjectItem): string[] {
   if (!made) return [];
   const inputs = objectsInto(seen, made.operation);
   for (const [index, input] of inputs.entries()) {
-    const source = input.items.find(({ root, key }) => root === item.root && item.key === `${index}/${key}`);
+    const named = input.items.filter(({ key }) => item.key === `${index}/${key}`);
+    // Instances have a subtree of their own, and the name of what they copy.
+    const source = named.find(({ root }) => root === item.root) ?? named[0];
     const before = source ?? input.items.find(({ root }) => root === item.root);
     if (before && (source || inputs.length === 1)) return [...wayTo(seen, input, before), made.operation.node];
   }

@@ -51,6 +51,8 @@ export const definition = defineNode({
     stepM: {
       type: 'vector3',
       stage: 'uniform',
+      handle: 'step',
+      handleAxes: { param: 'pattern', axes: { row: 'xyz', grid: 'xz' } },
       label: 'Spacing',
       doc: 'Row: offset from each copy to the next. Grid: distance between columns (x) and rows (z).',
       default: [0.5, 0, 0.5],
@@ -61,6 +63,8 @@ export const definition = defineNode({
     radiusM: {
       type: 'number',
       stage: 'uniform',
+      handle: 'radius',
+      handleAxes: { param: 'pattern', axes: { ring: 'z', scatter: 'z' } },
       label: 'Radius',
       doc: 'Radius of the ring, or of the disk on which copies are scattered.',
       default: 1,
@@ -72,6 +76,7 @@ export const definition = defineNode({
     turnRad: {
       type: 'number',
       stage: 'uniform',
+      handle: 'turn',
       label: 'Rotation',
       doc: 'Rotation about the vertical axis that each copy adds to the one before. Scattered: the largest random rotation to either side. In a ring, the copies also face outwards.',
       default: 0,

@@ -1,12 +1,12 @@
-import { Matrix4, Quaternion, Vector3 } from 'three';
 import type { Inspected } from '../../../export/runtime/inspected.ts';
 import type { Player } from '../../../export/runtime/player.ts';
-import { pickObject, placedObjects } from '../../../export/runtime/scenes/placed-objects.ts';
+import { pickObject } from '../../../export/runtime/scenes/placed-objects.ts';
 import type { SessionFrame } from '../../../nodes/kit/session.ts';
 import type { FromPreview, PreviewGizmo, ToPreview } from '../../preview-protocol.ts';
 import type { CaptureSource } from '../posters.ts';
-import { createOverlay, type Overlay, type ViewBox } from './overlay.ts';
-import { type Place, paramsOf, type ReadParam, readPlace } from './place.ts';
+import type { ReadParam } from './place.ts';
+import { createSpaceTool } from './space-tool.ts';
+import type { GizmoTool, ViewBox } from './tool.ts';
 
 /** Shows the gizmo in the preview, and reports clicks on objects. */
 export interface Gizmo {
@@ -15,17 +15,8 @@ export interface Gizmo {
   dispose(): void;
 }
 
-const MODES = { move: 'translate', rotate: 'rotate', scale: 'scale' } as const;
-const SNAP_M = 0.1;
-const SNAP_RAD = Math.PI / 12;
-const SNAP_FACTOR = 0.1;
 /** Maximum movement of the pointer between press and release of a click. */
 const CLICK_PX = 4;
-/** A direction has no position, so its gizmo is shown at this distance in front of the viewer. */
-const AHEAD_M = 1.5;
-
-/** Matrix of the nodes after the gizmo target. Written and read within one call. */
-const scratchMatrix = new Matrix4();
 
 /**
  * A press that becomes a click if the pointer releases where it pressed. What it picks is decided by the frame after the press, before
@@ -44,13 +35,6 @@ interface Press {
   isClick: boolean;
 }
 
-interface Drag {
-  readonly pointer: number;
-  readonly from: Place;
-  readonly gizmo: PreviewGizmo;
-  readonly read: ReadParam;
-}
-
 /**
  * Creates the gizmo over the preview.
  *
@@ -59,31 +43,24 @@ interface Drag {
 export function createGizmo(parent: HTMLElement, send: (message: FromPreview) => void, wake: () => void): Gizmo {
   let gizmo: PreviewGizmo | null = null;
   let picking = false;
-  let overlay: Overlay | null = null;
+  let tool: GizmoTool | null = null;
   let seen = false;
   let box: ViewBox | null = null;
-  let drag: Drag | null = null;
+  /** The pointer of the drag. */
+  let drag: number | null = null;
   let drags = 0;
   let press: Press | null = null;
-  let reading: ReadParam = () => null;
 
-  const pointerOf = ({ clientX, clientY }: PointerEvent, button: number) => {
-    const { left = 0, top = 0, width = 1, height = 1 } = box ?? {};
-    return { x: (2 * (clientX - left)) / width - 1, y: 1 - (2 * (clientY - top)) / height, button } as unknown as PointerEvent;
-  };
-  const hover = (event: PointerEvent) => {
-    if (!overlay || !seen || drag) return;
-    const before = overlay.controls.axis;
-    overlay.controls.pointerHover(pointerOf(event, 0));
-    if (overlay.controls.axis === before) return;
-    document.body.style.cursor = overlay.controls.axis === null ? '' : 'grab';
-    overlay.draw();
+  const hover = ({ clientX, clientY }: PointerEvent) => {
+    if (!tool || !seen || drag !== null || !tool.hover(clientX, clientY)) return;
+    document.body.style.cursor = tool.isActive() ? 'grab' : '';
+    tool.draw();
   };
   const clearHover = () => {
-    if (!overlay || drag || overlay.controls.axis === null) return;
-    overlay.controls.axis = null;
+    if (!tool || drag !== null || !tool.isActive()) return;
+    tool.leave();
     document.body.style.cursor = '';
-    if (seen) overlay.draw();
+    if (seen) tool.draw();
   };
   /** Only events that leave the page have no related target. */
   const onOut = (event: PointerEvent) => {
@@ -97,10 +74,9 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
     const ended = drag;
     drag = null;
     document.body.style.cursor = '';
-    if (overlay && ended) {
-      overlay.controls.dragging = false;
-      overlay.controls.axis = null;
-      if (overlay.canvas.hasPointerCapture(ended.pointer)) overlay.canvas.releasePointerCapture(ended.pointer);
+    if (tool && ended !== null) {
+      tool.end();
+      if (tool.canvas.hasPointerCapture(ended)) tool.canvas.releasePointerCapture(ended);
     }
     wake();
   };
@@ -109,48 +85,40 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
     send({ kind: 'gizmo', drag: drags, state: 'cancelled', values: {} });
   };
   const sendValues = (state: 'moved' | 'ended') => {
-    if (!drag || !overlay) return;
-    const { gizmo: held, read, from } = drag;
-    send({ kind: 'gizmo', drag: drags, state, values: paramsOf(held.mode, held.handles, read, from, overlay.object) });
+    if (tool) send({ kind: 'gizmo', drag: drags, state, values: tool.values() });
   };
 
   const onDown = (event: PointerEvent) => {
-    if (event.button !== 0 || drag) return;
+    if (event.button !== 0 || drag !== null) return;
     hover(event);
     press = picking && box ? pressOf(event, box) : null;
     if (press) wake();
-    if (overlay && seen && gizmo && overlay.controls.axis !== null) {
-      overlay.controls.pointerDown(pointerOf(event, 0));
-      overlay.canvas.setPointerCapture(event.pointerId);
-      const { position, quaternion, scale } = overlay.object;
-      const from = { position: position.clone(), quaternion: quaternion.clone(), scale: scale.clone() };
+    if (tool && seen && gizmo && tool.isActive()) {
+      tool.begin(event.clientX, event.clientY);
+      tool.canvas.setPointerCapture(event.pointerId);
       drags++;
-      drag = { pointer: event.pointerId, from, gizmo, read: freezeParams(gizmo, reading) };
+      drag = event.pointerId;
       document.body.style.cursor = 'grabbing';
       event.stopImmediatePropagation();
     }
   };
   /** Prevents the default, so that the editor page keeps the focus. */
   const onMouseDown = (event: MouseEvent) => {
-    if (drag) swallow(event);
+    if (drag !== null) swallow(event);
   };
   const onMove = (event: PointerEvent) => {
-    if (drag?.pointer !== event.pointerId) {
+    if (drag !== event.pointerId) {
       if (event.buttons === 0) hover(event);
       return;
     }
     event.stopImmediatePropagation();
-    if (!overlay) return;
-    const snaps = drag.gizmo.snap !== (event.ctrlKey || event.metaKey);
-    overlay.controls.translationSnap = snaps ? SNAP_M : null;
-    overlay.controls.rotationSnap = snaps ? SNAP_RAD : null;
-    overlay.controls.scaleSnap = snaps ? SNAP_FACTOR : null;
-    overlay.controls.pointerMove(pointerOf(event, -1));
-    overlay.draw();
+    if (!tool || !gizmo) return;
+    tool.move(event.clientX, event.clientY, gizmo.snap !== (event.ctrlKey || event.metaKey));
+    tool.draw();
     sendValues('moved');
   };
   const onUp = (event: PointerEvent) => {
-    if (drag?.pointer === event.pointerId) {
+    if (drag === event.pointerId) {
       event.stopImmediatePropagation();
       sendValues('ended');
       endDrag();
@@ -163,10 +131,10 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
   };
   const onCancel = (event: PointerEvent) => {
     if (press?.pointer === event.pointerId) press = null;
-    if (drag?.pointer === event.pointerId) cancel();
+    if (drag === event.pointerId) cancel();
   };
   const onKeyDown = (event: KeyboardEvent) => {
-    if (!drag || event.key !== 'Escape') return;
+    if (drag === null || event.key !== 'Escape') return;
     swallow(event);
     cancel();
   };
@@ -184,30 +152,18 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
 
   const show = (inspected: Inspected, frame: SessionFrame) => {
     const [view] = frame.views;
-    const held = gizmo;
-    if (!held || !view || !box) return false;
-    reading = held.adds ? () => null : readerOf(inspected, held.node);
-    overlay ??= createOverlay(parent);
-    overlay.setView(view, box);
-    const { controls, object } = overlay;
-    if (!drag) {
-      readPlace(held.handles, reading, object);
-      if (placedObjects(inspected, held.node, held.chain, scratchMatrix)) overlay.parent.matrix.copy(scratchMatrix);
-      if (isDirection(held)) object.position.copy(ahead(view.worldFromView)).applyMatrix4(scratchMatrix.invert());
-      // The axis under the pointer is one of the last tool.
-      if (controls.mode !== MODES[held.mode]) clearHover();
-      controls.mode = MODES[held.mode];
-      controls.space = held.space;
-    }
-    overlay.parent.updateMatrixWorld(true);
-    return true;
+    if (!gizmo || !view || !box) return false;
+    tool ??= createSpaceTool(parent);
+    return tool.follow({ gizmo, inspected, view, box, read: readerOf(inspected, gizmo.node) });
   };
 
   return {
     receive: (message) => {
       if (message.kind === 'picking') picking = message.on;
       else {
-        if (message.gizmo === null && drag) endDrag();
+        if (message.gizmo === null && drag !== null) endDrag();
+        // The part under the pointer is one of the last gizmo.
+        if (message.gizmo?.node !== gizmo?.node || message.gizmo?.mode !== gizmo?.mode) clearHover();
         gizmo = message.gizmo;
         wake();
       }
@@ -223,12 +179,12 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
         }
       }
       seen = inspected ? show(inspected, frame) : false;
-      if (seen) overlay?.draw();
-      overlay?.setShown(seen && gizmo ? gizmo.mode : null);
+      if (seen) tool?.draw();
+      tool?.setShown(seen && gizmo ? gizmo.mode : null);
     },
     dispose: () => {
       for (const [type, listener] of listeners) window.removeEventListener(type, listener as EventListener, true);
-      overlay?.dispose();
+      tool?.dispose();
     },
   };
 }
@@ -237,12 +193,6 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
 function pressOf({ pointerId: pointer, clientX: x, clientY: y }: PointerEvent, box: ViewBox): Press | null {
   const [u, v] = [(x - box.left) / box.width, 1 - (y - box.top) / box.height];
   return u < 0 || u > 1 || v < 0 || v > 1 ? null : { pointer, x, y, u, v, isClick: false };
-}
-
-/** Reads the params once, at the start of a drag. Later values would follow the drag itself. */
-function freezeParams({ handles }: PreviewGizmo, read: ReadParam): ReadParam {
-  const values = new Map(Object.values(handles).map((param) => [param, read(param)]));
-  return (param) => values.get(param) ?? null;
 }
 
 function readerOf({ program, slots }: Inspected, node: string): ReadParam {
@@ -258,21 +208,6 @@ function readerOf({ program, slots }: Inspected, node: string): ReadParam {
     }
     return null;
   };
-}
-
-function isDirection({ handles }: PreviewGizmo): boolean {
-  return handles.position === undefined && (handles.azimuth !== undefined || handles.elevation !== undefined);
-}
-
-// Written and read within one call.
-const scratchView = new Matrix4();
-const scratchAhead = new Vector3();
-const scratchTurn = new Quaternion();
-const scratchScale = new Vector3();
-
-function ahead(worldFromView: Float32Array): Vector3 {
-  scratchView.fromArray(worldFromView).decompose(scratchAhead, scratchTurn, scratchScale);
-  return scratchAhead.add(scratchScale.set(0, 0, -AHEAD_M).applyQuaternion(scratchTurn));
 }
 
 /** Rectangle of the first view on the page. */

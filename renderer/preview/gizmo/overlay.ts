@@ -2,14 +2,7 @@ import { Group, Object3D, PerspectiveCamera, Scene, WebGLRenderer } from 'three'
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
 import type { ViewFrame } from '../../../nodes/kit/session.ts';
 import type { GizmoMode } from '../../preview-protocol.ts';
-
-/** Rectangle of a view on the page, in CSS pixels from the top left. */
-export interface ViewBox {
-  readonly left: number;
-  readonly top: number;
-  readonly width: number;
-  readonly height: number;
-}
+import type { ViewBox } from './tool.ts';
 
 /** A canvas over the preview that shows only the gizmo. The preview, its screenshots and its videos do not contain it. */
 export interface Overlay {

@@ -78,3 +78,26 @@ test('azimuth and elevation are those of a directional light: azimuth a quarter 
   expect(azimuthRad).toBeCloseTo(0.6, 6);
   expect(elevationRad).toBeCloseTo(1, 6);
 });
+
+describe('copies', () => {
+  test('of a row or a grid are spaced by the place of the second one, and turned about y', () => {
+    const handles: HandleNames = { step: 'stepM', turn: 'turnRad' };
+    const values = { stepM: [0.5, 0.1, -0.2], turnRad: [0.4] };
+    const from = read(handles, values);
+    expect(from.position.toArray()).toEqual([0.5, 0.1, -0.2]);
+    expect(from.quaternion.angleTo(new Quaternion().setFromAxisAngle(new Vector3(0, 1, 0), 0.4))).toBeLessThan(1e-6);
+    const to = { ...from, position: new Vector3(1, 0.1, -0.2) };
+    expect(paramsOf('move', handles, reader(values), from, to)).toEqual({ stepM: [1, 0.1, -0.2] });
+    const turned = { ...from, quaternion: new Quaternion().setFromAxisAngle(new Vector3(0, 1, 0), -1.1) };
+    expect(paramsOf('rotate', handles, reader(values), from, turned)).toEqual({ turnRad: expect.closeTo(-1.1, 6) });
+  });
+
+  test('of a ring are as far from its middle as the first one, which is in front', () => {
+    const handles: HandleNames = { radius: 'radiusM', turn: 'turnRad' };
+    const values = { radiusM: [1.5], turnRad: [0] };
+    const from = read(handles, values);
+    expect(from.position.toArray()).toEqual([0, 0, 1.5]);
+    const to = { ...from, position: new Vector3(0, 0, 2) };
+    expect(paramsOf('move', handles, reader(values), from, to)).toEqual({ radiusM: 2 });
+  });
+});

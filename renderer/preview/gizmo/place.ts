@@ -1,5 +1,5 @@
 import { Euler, type Quaternion, Vector3 } from 'three';
-import type { Handle } from '../../../nodes/kit/definition.ts';
+import type { Handle } from '../../../nodes/kit/handles.ts';
 import type { GizmoMode } from '../../preview-protocol.ts';
 
 /** The transform of a gizmo target, relative to the nodes after it. */
@@ -28,17 +28,19 @@ export function readPlace(handles: HandleNames, read: ReadParam, out: Place): vo
     return param === undefined ? null : read(param);
   };
   out.position.set(0, 0, 0);
-  const position = values('position');
+  const position = values('position') ?? values('step');
   if (position) out.position.fromArray(position);
+  const [radius] = values('radius') ?? [];
+  if (radius !== undefined) out.position.z = radius;
   const rotation = values('rotation');
   const aim = values('aim');
-  const [azimuth] = values('azimuth') ?? [];
+  const [azimuth = 0] = values('azimuth') ?? values('turn') ?? [];
   const [elevation = 0] = values('elevation') ?? [];
   if (rotation) scratchEuler.set(rotation[0] ?? 0, rotation[1] ?? 0, rotation[2] ?? 0);
   else if (aim) {
     scratchVector.fromArray(aim).sub(out.position).normalize();
     scratchEuler.set(-Math.asin(scratchVector.y), Math.atan2(scratchVector.x, scratchVector.z), 0);
-  } else scratchEuler.set(-elevation, azimuth ?? 0, 0);
+  } else scratchEuler.set(-elevation, azimuth, 0);
   out.quaternion.setFromEuler(scratchEuler);
   const scale = values('scale') ?? [1];
   const [x = 1, y = x, z = x] = scale;
@@ -53,10 +55,13 @@ export function paramsOf(
   from: Place,
   to: Place,
 ): Readonly<Record<string, number | readonly number[]>> {
-  const { position, rotation, scale, aim, azimuth, elevation } = handles;
+  const { rotation, scale, aim, elevation, radius } = handles;
   switch (mode) {
-    case 'move':
-      return position === undefined ? {} : { [position]: to.position.toArray() };
+    case 'move': {
+      const position = handles.position ?? handles.step;
+      if (position !== undefined) return { [position]: to.position.toArray() };
+      return radius === undefined ? {} : { [radius]: to.position.z };
+    }
     case 'rotate': {
       const { x, y, z } = scratchEuler.setFromQuaternion(to.quaternion);
       if (rotation !== undefined) return { [rotation]: [x, y, z] };
@@ -64,6 +69,7 @@ export function paramsOf(
         const distance = scratchVector.fromArray(read(aim) ?? [0, 0, 0]).distanceTo(to.position);
         return { [aim]: scratchVector.copy(AHEAD).applyQuaternion(to.quaternion).multiplyScalar(distance).add(to.position).toArray() };
       }
+      const azimuth = handles.azimuth ?? handles.turn;
       return { ...(azimuth === undefined ? {} : { [azimuth]: y }), ...(elevation === undefined ? {} : { [elevation]: -x }) };
     }
     case 'scale': {

@@ -3,7 +3,7 @@ import type { PhysicsBody, PhysicsJoint } from '../../../nodes/kit/physics.ts';
 import type { ViewFrame } from '../../../nodes/kit/session.ts';
 import { castOnBody } from '../../../nodes/kit/three/cast-body.ts';
 import { createDragJoint, type DragSpring } from '../../../nodes/kit/three/drag-joint.ts';
-import type { ViewBox } from '../gizmo/overlay.ts';
+import type { ViewBox } from '../gizmo/tool.ts';
 
 /** Drags bodies by the pointer while their shapes are shown. A body that is let go keeps its velocity. */
 export interface BodyDrag {

@@ -1,7 +1,7 @@
 import { Matrix4, Vector3, Vector4 } from 'three';
 import type { BodyShape } from '../../../nodes/kit/physics.ts';
 import type { ViewFrame } from '../../../nodes/kit/session.ts';
-import type { ViewBox } from '../gizmo/overlay.ts';
+import type { ViewBox } from '../gizmo/tool.ts';
 
 /** Draws lines and dots of world space on a canvas over the preview, which screenshots and videos do not contain. */
 export interface Pencil {

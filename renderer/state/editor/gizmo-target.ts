@@ -1,7 +1,8 @@
 import { subgraphName } from '../../../export/graph/document-names.ts';
 import type { GraphNode, Project } from '../../../export/graph/project.ts';
 import { getOwn } from '../../../export/graph/record.ts';
-import type { Handle, NodeDefinition } from '../../../nodes/kit/definition.ts';
+import type { NodeDefinition, ParamDefinition } from '../../../nodes/kit/definition.ts';
+import type { Handle, HandleAxes } from '../../../nodes/kit/handles.ts';
 import type { GizmoMode } from '../../preview-protocol.ts';
 import { type DocumentState, graphOf, nodeOf } from './document.ts';
 import { nodePath } from './layer-names.ts';
@@ -16,6 +17,8 @@ export interface GizmoTarget {
   readonly handles: Readonly<Partial<Record<Handle, string>>>;
   /** Param names in the open graph, by name in the program. */
   readonly names: Readonly<Record<string, string>>;
+  /** The axes that the gizmo shows, as in `xz`. */
+  readonly axes: string;
   /** The node has no transform: a drag first adds a Transform after it, whose params these are. */
   readonly adds?: true;
 }
@@ -27,10 +30,17 @@ export type GizmoTargetResult = { readonly target: GizmoTarget } | { readonly ta
 export const TRANSFORM = 'objects/transform';
 
 const HANDLES: Readonly<Record<GizmoMode, readonly Handle[]>> = {
-  move: ['position'],
-  rotate: ['rotation', 'aim', 'azimuth', 'elevation'],
+  move: ['position', 'step', 'radius'],
+  rotate: ['rotation', 'aim', 'azimuth', 'elevation', 'turn'],
   scale: ['scale'],
 };
+
+/** Handles that arrange the copies of a node. They do not move the nodes before it. */
+const ARRANGING: ReadonlySet<Handle> = new Set(['step', 'radius', 'turn']);
+
+const ALL_AXES = 'xyz';
+/** The axes of handles that do not have all of them. */
+const DEFAULT_AXES: Readonly<Partial<Record<Handle, string>>> = { radius: 'z', turn: 'y' };
 
 const PARTICIPLES: Readonly<Record<GizmoMode, string>> = { move: 'moved', rotate: 'rotated', scale: 'scaled' };
 
@@ -55,13 +65,15 @@ export function gizmoTargetOf(
     const definition = node && state.library.definition(node.type);
     if (!node || !definition) break;
     hasTransform ||= id === selected ? isPlaced(definition) : true;
-    if (!HANDLES[mode].some((handle) => paramOf(definition, handle) !== undefined)) continue;
+    const own = handleParams(state, id, node, definition, HANDLES[mode]);
+    const held = id === selected ? own : own.filter(({ handle }) => !ARRANGING.has(handle));
+    if (held.length === 0) continue;
     if (node.muted) {
       hasMuted = true;
       continue;
     }
-    const driven = HANDLES[mode].map((handle) => drivenBy(state, id, node, definition, handle)).find((reason) => reason !== null);
-    return driven === undefined ? { target: makeTarget(state, id, node, definition, mode) } : { target: null, reason: driven };
+    const driven = held.map((param) => drivenBy(state, id, node, definition, param)).find((reason) => reason !== null);
+    return driven === undefined ? { target: makeTarget(state, id, node, definition, held) } : { target: null, reason: driven };
   }
   const title = state.library.definition(nodeOf(state, selected)?.type ?? '')?.title;
   if (!hasTransform || title === undefined) return { target: null, reason: null };
@@ -83,12 +95,14 @@ function addedTarget(state: DocumentState, node: string, mode: GizmoMode): Gizmo
   if (!definition || !CREATORS.test(typeOf(node)) || inputs.some(({ type }) => type === 'objects')) return null;
   if (!graphOf(state).wires.some(({ from }) => from.node === node && carriesObjects(state, from))) return null;
   if ([...nodesBehind(state, node, [])].some((id) => SIMULATION.test(typeOf(id)))) return null;
+  const entries = Object.entries(definition.params);
   const params = HANDLES[mode].flatMap((handle) => {
-    const name = paramOf(definition, handle);
+    const [name] = entries.find(([, param]) => handleOf(param) === handle) ?? [];
     return name === undefined ? [] : [[handle, name] as const];
   });
   const names = Object.fromEntries(params.map(([, name]) => [name, name]));
-  return { node, title: definition.title, program: nodePath(state, node), handles: Object.fromEntries(params), names, adds: true };
+  const handles = Object.fromEntries(params);
+  return { node, title: definition.title, program: nodePath(state, node), handles, names, axes: ALL_AXES, adds: true };
 }
 
 const LAMPS = 'light/from-panorama';
@@ -109,22 +123,60 @@ function lampTarget(state: DocumentState, node: string, lamp: number): GizmoTarg
     }
   }
   const names = Object.fromEntries(Object.values(handles).map((name) => [name, name]));
-  return { target: { node, title: `lamp ${lamp}`, program: nodePath(state, node), handles, names } };
+  return { target: { node, title: `lamp ${lamp}`, program: nodePath(state, node), handles, names, axes: ALL_AXES } };
 }
 
 /** Whether a node has a transform or outputs objects. */
 function isPlaced(definition: NodeDefinition): boolean {
   return (
-    Object.values(definition.params).some((param) => 'handle' in param && param.handle !== undefined) ||
+    Object.values(definition.params).some((param) => handleOf(param) !== undefined) ||
     Object.values(definition.outputs).some(({ type }) => type === 'objects')
   );
 }
 
-function paramOf({ params }: NodeDefinition, handle: Handle): string | undefined {
-  return Object.keys(params).find((name) => {
-    const param = params[name];
-    return param !== undefined && 'handle' in param && param.handle === handle && param.stage === 'uniform';
+function handleOf(param: ParamDefinition): Handle | undefined {
+  return param.stage === 'uniform' && 'handle' in param ? param.handle : undefined;
+}
+
+/** Whether a node arranges copies by params with handles. */
+export function arrangesCopies({ params }: Pick<NodeDefinition, 'params'>): boolean {
+  return Object.values(params).some((param) => ARRANGING.has(handleOf(param) ?? 'position'));
+}
+
+/** A param with a handle, as its node is now. */
+interface HandleParam {
+  readonly handle: Handle;
+  readonly name: string;
+  readonly axes: string;
+  readonly inner: Innermost;
+}
+
+/** The params of a node that have these handles, in the order of the handles. */
+function handleParams(
+  state: DocumentState,
+  id: string,
+  node: GraphNode,
+  { params }: NodeDefinition,
+  handles: readonly Handle[],
+): HandleParam[] {
+  return handles.flatMap((handle) => {
+    for (const [name, param] of Object.entries(params)) {
+      if (handleOf(param) !== handle) continue;
+      const inner = innermost(state.project, node, nodePath(state, id), name);
+      const by = 'handleAxes' in param ? param.handleAxes : undefined;
+      const axes = by === undefined ? (DEFAULT_AXES[handle] ?? ALL_AXES) : axesNow(state, inner.node, by);
+      if (axes !== undefined) return [{ handle, name, axes, inner }];
+    }
+    return [];
   });
+}
+
+/** The axes for the value that a choice has; undefined if there is no handle for it. */
+function axesNow({ library }: DocumentState, node: GraphNode, { param, axes }: HandleAxes): string | undefined {
+  const binding = getOwn(node.params, param);
+  const definition = library.definition(node.type)?.params[param];
+  const value = binding && 'value' in binding ? binding.value : definition && 'default' in definition ? definition.default : '';
+  return getOwn(axes, String(value));
 }
 
 function* nodesBehind(state: DocumentState, from: string, chain: readonly string[]): Generator<string> {
@@ -160,42 +212,49 @@ export function carriesObjects(state: DocumentState, { node, port }: { readonly 
  * Why the gizmo cannot set the param of a handle; null if it can. Keyframes are allowed: as in the inspector, an edit sets the
  * keyframe at the current time.
  */
-function drivenBy(state: DocumentState, id: string, node: GraphNode, definition: NodeDefinition, handle: Handle): string | null {
-  const name = paramOf(definition, handle);
-  const param = name === undefined ? undefined : definition.params[name];
-  if (name === undefined || param === undefined) return null;
-  const what = `“${param.label}” of ${definition.title}`;
+function drivenBy(state: DocumentState, id: string, node: GraphNode, definition: NodeDefinition, { name }: HandleParam): string | null {
+  const what = `“${definition.params[name]?.label}” of ${definition.title}`;
   if (graphOf(state).wires.some(({ to }) => to.node === id && to.port === name))
     return `${what} is connected. Disconnect it to use the gizmo.`;
   const binding = getOwn(node.params, name);
   return binding !== undefined && 'expression' in binding ? `${what} has an expression. Reset it to use the gizmo.` : null;
 }
 
-function makeTarget(state: DocumentState, node: string, { type }: GraphNode, definition: NodeDefinition, mode: GizmoMode): GizmoTarget {
+/** @param held The params that the gizmo changes, of which there is at least one. */
+function makeTarget(
+  state: DocumentState,
+  id: string,
+  node: GraphNode,
+  definition: NodeDefinition,
+  held: readonly HandleParam[],
+): GizmoTarget {
   const handles: Partial<Record<Handle, string>> = {};
   const names: Record<string, string> = {};
-  let program = nodePath(state, node);
-  // Handles of the mode come first. All handles must belong to the same node, because other nodes of a subgraph have other local
-  // spaces.
-  const all = [...HANDLES[mode], ...Object.values(HANDLES).flat()];
-  for (const handle of all) {
-    const name = paramOf(definition, handle);
-    if (name === undefined) continue;
-    const inner = innermost(state.project, type, nodePath(state, node), name);
-    if (Object.keys(names).length === 0) program = inner.program;
+  const [first] = held;
+  const program = first?.inner.program ?? nodePath(state, id);
+  // All handles must belong to the same node, because other nodes of a subgraph have other local spaces.
+  for (const { handle, name, inner } of [...held, ...handleParams(state, id, node, definition, Object.values(HANDLES).flat())]) {
     if (inner.program !== program) continue;
     handles[handle] = inner.param;
     names[inner.param] = name;
   }
-  return { node, title: definition.title, program, handles, names };
+  const arranged = first && ARRANGING.has(first.handle) ? definition.params[first.name] : undefined;
+  const title = arranged ? `“${arranged.label}” of ${definition.title}` : definition.title;
+  return { node: id, title, program, handles, names, axes: first?.axes ?? ALL_AXES };
+}
+
+interface Innermost {
+  readonly program: string;
+  readonly param: string;
+  readonly node: GraphNode;
 }
 
 /** Follows an exposed param into the subgraphs to the node that owns it. */
-function innermost(project: Project, type: string, path: string, name: string): { readonly program: string; readonly param: string } {
-  const subgraph = subgraphName(type);
+function innermost(project: Project, node: GraphNode, path: string, name: string): Innermost {
+  const subgraph = subgraphName(node.type);
   const graph = subgraph === null ? undefined : getOwn(project.graphs, subgraph);
   const exposed = graph?.exposed.inputs.find((input) => input.name === name);
-  const node = exposed && getOwn(graph?.nodes ?? {}, exposed.node);
-  if (!exposed || !node) return { program: path, param: name };
-  return innermost(project, node.type, `${path}/${exposed.node}`, exposed.port);
+  const inside = exposed && getOwn(graph?.nodes ?? {}, exposed.node);
+  if (!exposed || !inside) return { program: path, param: name, node };
+  return innermost(project, inside, `${path}/${exposed.node}`, exposed.port);
 }

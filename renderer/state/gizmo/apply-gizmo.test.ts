@@ -95,6 +95,59 @@ describe('what is taken hold of', () => {
     expect(currentGizmoTarget(editor, 'move')).toMatchObject({ target: null, reason: expect.stringContaining('cannot be moved') });
   });
 
+  test('copies by their spacing, or by their radius where they are in a ring; what is copied by itself', async () => {
+    const { editor, box, left, scene, shown, drag, gizmoSync } = await boxes();
+    const copies = add(editor, 'objects/copies');
+    connect(editor, { node: left, port: 'objects' }, { node: copies, port: 'objects' });
+    connect(editor, { node: copies, port: 'objects' }, { node: scene, port: 'objects' });
+    selectOnly(editor.selection, [copies]);
+    expect(shown()).toMatchObject({ node: copies, handles: { step: 'stepM' }, axes: 'xyz' });
+    expect(currentGizmoTarget(editor, 'move')).toMatchObject({ target: { title: '“Spacing” of Array' } });
+    expect(currentGizmoTarget(editor, 'rotate')).toMatchObject({ target: { handles: { turn: 'turnRad' }, axes: 'y' } });
+    const before = editor.document.getState().project;
+    drag({ stepM: [1, 0, 0] });
+    drag({ stepM: [1, 0.2, 0] }, 'ended');
+    expect(nodeOf(editor.document.getState(), copies)?.params).toEqual({ stepM: { value: [1, 0.2, 0] } });
+    undo(editor);
+    expect(editor.document.getState().project).toEqual(before);
+    editParam(editor, copies, 'pattern', 'grid');
+    expect(shown()).toMatchObject({ handles: { step: 'stepM' }, axes: 'xz' });
+    editParam(editor, copies, 'pattern', 'ring');
+    expect(shown()).toMatchObject({ handles: { radius: 'radiusM' }, axes: 'z' });
+    expect(shown()?.handles).not.toHaveProperty('step');
+    // The Array does not move what it copies.
+    editor.gizmo.setState({ chain: [box, left, copies, scene] });
+    selectOnly(editor.selection, [box]);
+    expect(shown()).toMatchObject({ node: left });
+    selectOnly(editor.selection, []);
+    // A click on a copy selects the Array, further clicks what it copies.
+    for (const next of [copies, box, left]) {
+      gizmoSync.receive({ kind: 'picked', chain: [box, left, copies, scene], phantom: false });
+      expect(soleNode(editor.selection.getState())).toBe(next);
+    }
+  });
+
+  test('copies in a subgraph by their spacing, if their pattern has one', async () => {
+    const { editor, shown } = await boxes();
+    const copies = add(editor, 'objects/copies');
+    selectOnly(editor.selection, [copies]);
+    createSubgraph(editor);
+    const [outer = ''] = editor.selection.getState().nodes;
+    openSubgraph(editor, 'subgraph');
+    for (const port of ['stepM', 'radiusM']) setPortExposed(editor, 'inputs', { node: copies, port }, true);
+    const main = editor.document.getState().trail[0] ?? 'main';
+    const leave = () => {
+      editor.document.setState({ graph: main, trail: [] });
+      selectOnly(editor.selection, [outer]);
+    };
+    leave();
+    expect(shown()).toMatchObject({ node: `${outer}/${copies}`, handles: { step: 'stepM' } });
+    openSubgraph(editor, 'subgraph');
+    editParam(editor, copies, 'pattern', 'scatter');
+    leave();
+    expect(shown()).toMatchObject({ node: `${outer}/${copies}`, handles: { radius: 'radiusM' }, axes: 'z' });
+  });
+
   test('nothing where a node has no place, and of a model that goes nowhere what to do', async () => {
     const { editor } = await boxes();
     selectOnly(editor.selection, [add(editor, 'filter/sepia')]);

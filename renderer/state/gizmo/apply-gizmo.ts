@@ -8,7 +8,7 @@ import { cancelDrag } from '../document/cancel-drag.ts';
 import { nodeOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import type { GizmoDrag } from '../editor/gizmo-state.ts';
-import { type GizmoTarget, type GizmoTargetResult, gizmoTargetOf, isWithin } from '../editor/gizmo-target.ts';
+import { arrangesCopies, type GizmoTarget, type GizmoTargetResult, gizmoTargetOf, isWithin } from '../editor/gizmo-target.ts';
 import { nodePath } from '../editor/layer-names.ts';
 import { timeOf } from '../editor/preview-state.ts';
 import { selectOnly, soleNode } from '../editor/selection.ts';
@@ -43,7 +43,8 @@ export function createGizmoSync(editor: Editor, post: (message: ToPreview) => vo
     const target = mode === null ? null : currentGizmoTarget(editor, mode).target;
     if (target === null && drag !== null) gizmo.setState({ drag: null, endedDrag: drag.id });
     const adds = target?.adds ? ({ adds: true } as const) : {};
-    const wanted = mode && target && { node: target.program, ...adds, mode, space, snap, handles: target.handles, chain };
+    const wanted = mode &&
+      target && { node: target.program, ...adds, mode, space, snap, handles: target.handles, axes: target.axes, chain };
     const text = JSON.stringify([wanted, mode !== null]);
     if (text === sent) return;
     sent = text;
@@ -153,7 +154,10 @@ function inRange(param: ParamDefinition, value: ParamValue): ParamValue {
   return (value as readonly number[]).map((part, i) => clean(part, param.min?.[i], param.max?.[i]));
 }
 
-/** Selects the node that created the clicked object. Further clicks select the next node in its chain that has a transform. */
+/**
+ * Selects the node that created the clicked object, of a copy the node that arranges the copies. Further clicks select the next node in
+ * its chain that has a transform.
+ */
 function receivePick(editor: Editor, { chain, phantom }: Extract<FromPreview, { kind: 'picked' }>): void {
   const { document, selection, gizmo, ui } = editor;
   const state = document.getState();
@@ -164,7 +168,8 @@ function receivePick(editor: Editor, { chain, phantom }: Extract<FromPreview, { 
   const placing = ids.filter((id) => Object.values(definitionParams(editor, id)).some((param) => 'handle' in param));
   // Phantoms of detected surfaces cover the whole room, and have no transform.
   if (phantom && placing.length === 0) return;
-  const choices = [...new Set([source, ...placing])];
+  const copies = [...placing].reverse().find((id) => arrangesCopies({ params: definitionParams(editor, id) }));
+  const choices = [...new Set([copies ?? source, source, ...placing])];
   const selected = soleNode(selection.getState());
   const next = choices[(selected === null ? -1 : choices.indexOf(selected)) + 1] ?? source;
   gizmo.setState({ chain });
