@@ -88,6 +88,7 @@ function Device({ children }: { readonly children: ReactNode }) {
 
 function PreviewFrame({ url }: { readonly url: string }) {
   const previewSync = usePreviewSync();
+  const foreign = useStore(useEditor().preview, (state) => state.foreign);
   const frame = useRef<HTMLIFrameElement>(null);
   useEffect(() => {
     const element = frame.current;
@@ -103,6 +104,7 @@ function PreviewFrame({ url }: { readonly url: string }) {
     <iframe
       ref={frame}
       className="stage-frame"
+      data-foreign={foreign ? '' : undefined}
       title="Preview"
       allow="gamepad; microphone; camera; accelerometer; gyroscope; autoplay"
       referrerPolicy="no-referrer"

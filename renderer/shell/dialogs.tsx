@@ -52,8 +52,6 @@ export function Dialogs() {
       return <UnsavedDialog proceed={dialog.proceed} onClose={close} />;
     case 'recovery':
       return <RecoveryDialog request={dialog} onClose={close} />;
-    case 'revert':
-      return <RevertDialog onClose={close} />;
     case 'changed-outside':
       return <ChangedOutsideDialog onClose={close} />;
     case 'locked':
@@ -150,22 +148,6 @@ function ChangedOutsideDialog({ onClose }: { readonly onClose: () => void }) {
     >
       Another program or window changed this project after you opened it. Nothing is lost yet. Load the version on disk, or overwrite it
       with yours.
-    </ChoiceDialog>
-  );
-}
-
-function RevertDialog({ onClose }: { readonly onClose: () => void }) {
-  const editor = useEditor();
-  return (
-    <ChoiceDialog
-      title="Revert to the saved version?"
-      onClose={onClose}
-      choices={[
-        { label: 'Cancel', look: 'quiet', run: onClose },
-        { label: 'Revert', look: 'danger', run: closeAnd(onClose, () => reload(editor)) },
-      ]}
-    >
-      The changes since the last save are lost. Undo does not bring them back.
     </ChoiceDialog>
   );
 }

@@ -61,3 +61,17 @@ export function setFraming(project: Project, { framing }: { readonly framing: Po
     else draft.page.framing = castDraft(framing);
   });
 }
+
+/**
+ * Replaces the whole project, such as by its saved version.
+ *
+ * @returns The change, with patches of the parts that differ; this command is never refused.
+ *
+ * @example
+ * replaceProject(project, saved);
+ */
+export function replaceProject(project: Project, next: Project): Change {
+  return change(project, (draft) => {
+    Object.assign(draft, castDraft(next));
+  });
+}

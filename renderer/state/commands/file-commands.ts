@@ -1,5 +1,6 @@
 import { lastExport, openExportDialog } from '../files/export-page.ts';
-import { newProject, openProject, openSaveAs, revertToSaved, save } from '../files/files.ts';
+import { newProject, openProject, openSaveAs, save } from '../files/files.ts';
+import { revertToSaved } from '../files/revert.ts';
 import { openRenderDialog } from '../preview/render-frames.ts';
 import type { AppCommand } from './app-command.ts';
 import { always, hasCapture, hasMesh, isOpen, isUnsaved } from './command-conditions.ts';
@@ -37,7 +38,7 @@ export const FILE_COMMANDS = {
     keywords: ['discard changes', 'undo all', 'last save'],
     keys: [],
     enabled: isUnsaved,
-    run: revertToSaved,
+    run: (editor) => void revertToSaved(editor),
   },
   'file.export': {
     label: 'Export page…',

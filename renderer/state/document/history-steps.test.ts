@@ -1,7 +1,8 @@
 import { expect, test } from '@jest/globals';
 import { openTestEditor } from '../../../tests/support/test-editor.ts';
 import { isDirty } from '../editor/document.ts';
-import { filesOf, revertToSaved, save } from '../files/files.ts';
+import { filesOf, save } from '../files/files.ts';
+import { revertToSaved } from '../files/revert.ts';
 import { addNodeFromPalette } from '../graph/edit-graph.ts';
 import { goToStep, historySteps, savedStep, undo } from './apply.ts';
 
@@ -49,22 +50,28 @@ test('the saved step is found among undone and redone steps, but not after a cha
   expect(savedStep(editor.document.getState())).toBeNull();
 });
 
-test('reverting to the saved version can be redone; where undo does not lead there, it asks', async () => {
+test('reverting to the saved version is one step, which undo takes back, also where undo does not lead to that version', async () => {
   const { editor, states } = await withThreeSteps();
   goToStep(editor, 2);
   await save(editor);
   goToStep(editor, 3);
-  revertToSaved(editor);
+  await revertToSaved(editor);
   expect(filesOf(editor)).toEqual(states[2]);
   expect(isDirty(editor.document.getState())).toBe(false);
-  expect(editor.ui.getState().dialog).toBeNull();
-  goToStep(editor, 3);
+  expect(historySteps(editor.document.getState().history).at(-1)?.label).toBe('Revert to saved');
+  undo(editor);
   expect(filesOf(editor)).toEqual(states[3]);
+  expect(isDirty(editor.document.getState())).toBe(true);
 
-  goToStep(editor, 2);
+  await save(editor);
   undo(editor);
   const definition = editor.document.getState().library.definition('filter/sepia');
   if (definition) addNodeFromPalette(editor, { definition, port: null }, { x: 0, y: 0 }, null);
-  revertToSaved(editor);
-  expect(editor.ui.getState().dialog).toEqual({ kind: 'revert' });
+  const mine = filesOf(editor);
+  expect(savedStep(editor.document.getState())).toBeNull();
+  await revertToSaved(editor);
+  expect(filesOf(editor)).toEqual(states[3]);
+  expect(isDirty(editor.document.getState())).toBe(false);
+  undo(editor);
+  expect(filesOf(editor)).toEqual(mine);
 });

@@ -21,6 +21,8 @@ export interface PreviewState {
   readonly request: number;
   /** Document revision of the program on screen; null before the first. */
   readonly playing: number | null;
+  /** Whether the picture on screen is still that of another project. */
+  readonly foreign: boolean;
   /** Document revision of the newest program that the driver rejected; null before the first. */
   readonly refused: number | null;
   /** Diagnostics of the session and of the running program. */
@@ -113,6 +115,7 @@ export function createPreviewState(frame: PreviewState['frame'] = 'auto'): Previ
     status: null,
     request: 0,
     playing: null,
+    foreign: false,
     refused: null,
     diagnostics: [],
     shaderDiagnostics: [],

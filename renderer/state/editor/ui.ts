@@ -78,8 +78,6 @@ export type DialogRequest =
   /** Asks about unsaved changes that an action would discard; `proceed` continues the action. */
   | { readonly kind: 'unsaved'; readonly proceed: () => void }
   | { readonly kind: 'recovery'; readonly files: ProjectFiles }
-  /** Confirms that unsaved changes are discarded for good. */
-  | { readonly kind: 'revert' }
   | { readonly kind: 'changed-outside' }
   /** Another process holds the lock of the project. `overwrite` is that of the failed save. */
   | { readonly kind: 'locked'; readonly overwrite: boolean }

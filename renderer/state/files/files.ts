@@ -10,9 +10,9 @@ import { type GraphLayout, MAIN_GRAPH, type Project } from '../../../export/grap
 import { getOwn } from '../../../export/graph/record.ts';
 import { saveProject } from '../../../export/graph/save.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
-import { apply, endGesture, goToStep, savedStep } from '../document/apply.ts';
+import { apply, endGesture } from '../document/apply.ts';
 import { finishTyping } from '../document/edit-shader.ts';
-import { isDirty } from '../editor/document.ts';
+import { type DocumentState, isDirty } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { rememberProject } from '../editor/preferences.ts';
 import { selectNothing } from '../editor/selection.ts';
@@ -89,7 +89,7 @@ function isCopy({ document }: Editor, asked: string, opened: string): boolean {
 }
 
 /** Closes a project that has been replaced. Failures are shown, but do not stop the caller. */
-async function closeProject(editor: Editor, handle: string, discarded: boolean): Promise<void> {
+export async function closeProject(editor: Editor, handle: string, discarded: boolean): Promise<void> {
   try {
     if (discarded) await editor.host.call('project.autosave', { handle, files: null });
     await editor.host.call('project.close', { handle });
@@ -139,29 +139,42 @@ export function openConflictDialog(editor: Editor): void {
   editor.ui.setState({ dialog: { kind: 'changed-outside' } });
 }
 
-/** Shows a project in the editor. If the files are invalid, shows why and returns false. */
-export function showProject(editor: Editor, opened: OpenProject, files: ProjectFiles, asSaved = true): boolean {
+export interface ReadProject {
+  readonly project: Project;
+  readonly library: DocumentState['library'];
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+/** Reads the files of a project. If they are invalid, shows why and returns null. */
+export function readProject(editor: Editor, files: ProjectFiles): ReadProject | null {
   const loaded = loadProject(files);
   if (loaded.output === null) {
     for (const diagnostic of loaded.diagnostics.slice(0, 3)) toastDiagnostic(editor.ui, withPlace(diagnostic));
-    return false;
+    return null;
   }
   const library = editor.libraries.of(loaded.output);
   const { project, diagnostics } = migrateNodes(loaded.output, library);
+  return { project: withPlaces(project), library, diagnostics: [...loaded.diagnostics, ...diagnostics] };
+}
+
+/** Shows a project in the editor. If the files are invalid, shows why and returns false. */
+export function showProject(editor: Editor, opened: OpenProject, files: ProjectFiles, asSaved = true): boolean {
+  const read = readProject(editor, files);
+  if (read === null) return false;
   selectNothing(editor.selection);
   editor.ui.setState({ outside: [] });
   const { handle, displayPath, revision, assetBaseUrl, assetFiles } = opened;
   editor.document.setState((state) => ({
     open: { handle, displayPath, revision, assetBaseUrl, assetFiles },
-    project: withPlaces(project),
+    project: read.project,
     graph: MAIN_GRAPH,
     trail: [],
-    library,
+    library: read.library,
     history: emptyHistory(),
     // Recovered changes are not saved yet.
     savedState: asSaved ? 0 : -1,
     revision: state.revision + 1,
-    loadDiagnostics: [...loaded.diagnostics, ...diagnostics],
+    loadDiagnostics: read.diagnostics,
   }));
   return true;
 }
@@ -265,18 +278,6 @@ export async function reload(editor: Editor): Promise<boolean> {
   const { open } = editor.document.getState();
   if (open === null) return false;
   return openPath(editor, open.displayPath);
-}
-
-/** Goes back to the saved version by undo, so that redo returns. Asks before it reads the files where undo does not lead there. */
-export function revertToSaved(editor: Editor): void {
-  finishTyping(editor);
-  const step = savedStep(editor.document.getState());
-  if (step === null) {
-    editor.ui.setState({ dialog: { kind: 'revert' } });
-    return;
-  }
-  goToStep(editor, step);
-  addToast(editor.ui, { tone: 'info', text: 'Reverted to the saved version.', detail: 'Redo brings the changes back.' });
 }
 
 /** Lists the preview sources of the open project. */

@@ -300,6 +300,22 @@ describe('the way from document to preview', () => {
     expect(editor.preview.getState().playing).toBeNull();
   });
 
+  test('the picture of another project goes at once and comes with its program; one that goes on keeps its picture', async () => {
+    const isForeign = () => editor.preview.getState().foreign;
+    const play = () => previewSync.receive({ kind: 'playing', revision: editor.document.getState().revision });
+    play();
+    for (const goOn of [() => openPath(editor, '/project'), () => loadExternalChanges(editor), () => saveAs(editor, '/copy', 'Copy')]) {
+      await goOn();
+      expect(isForeign()).toBe(false);
+    }
+    await openPath(editor, '/other');
+    expect(isForeign()).toBe(true);
+    await openPath(editor, '/other');
+    expect(isForeign()).toBe(true);
+    play();
+    expect(isForeign()).toBe(false);
+  });
+
   test('the preview reads files where the project is now, whatever it takes its picture from', async () => {
     const listed = { id: 'example/walk', title: 'A walk', kind: 'recorded', url: 'http://127.0.0.1:1/sessions/walk/' } as const;
     host.answer('session.list', () => [listed]);

@@ -129,6 +129,9 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
       editor.compile.setState({ program: null, programRevision: null, diagnostics: [] });
       // What is recorded belongs to the project before.
       editor.preview.setState({ diagnostics: [], shaderDiagnostics: [], playing: null, sessionRecording: 'no' });
+      // A project that is loaded again or saved as a copy keeps its picture until the next one is there.
+      const isOther = state.open?.displayPath !== before.open?.displayPath && state.project !== before.project;
+      if (isOther && before.open !== null) editor.preview.setState({ foreign: true });
     }
     const consequence = reopened ? { kind: 'program' as const } : consequenceOf(before.project, state.project, state.library);
     candidates.documentChanged(consequence.kind === 'program');
@@ -170,7 +173,7 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
         gizmoSync.sendAll();
         return;
       case 'playing':
-        if (message.revision >= since) editor.preview.setState({ playing: message.revision });
+        if (message.revision >= since) editor.preview.setState({ playing: message.revision, foreign: false });
         return;
       case 'diagnostics':
         if (!isCandidate(message.revision)) editor.preview.setState({ diagnostics: message.diagnostics });
@@ -239,7 +242,7 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
         send = null;
         editor.posters.take = null;
         posters.stop();
-        editor.preview.setState({ ready: false, playing: null, status: null, sessionRecording: 'no' });
+        editor.preview.setState({ ready: false, playing: null, foreign: false, status: null, sessionRecording: 'no' });
       };
     },
     receive,
