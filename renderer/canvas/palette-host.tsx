@@ -17,6 +17,7 @@ import { NODE_WIDTH } from '../state/graph/node-shape.ts';
 import { candidateOf } from '../state/graph/palette-candidates.ts';
 import type { PaletteEntry } from '../state/graph/palette-search.ts';
 import { recipesOf } from '../state/graph/recipes.ts';
+import { addRecipeShown } from '../state/graph/show-recipe.ts';
 import { Palette } from './palette.tsx';
 
 interface PaletteHostProps {
@@ -70,6 +71,11 @@ export function PaletteHost({ toCanvas, canvas }: PaletteHostProps) {
         if (swap !== undefined) {
           swapType(editor, swap, entry.definition.type);
           close(swap);
+          return;
+        }
+        const recipe = recipesOf(library).find(({ definition }) => definition.type === entry.definition.type);
+        if (recipe && end === null && wire === undefined) {
+          close(addRecipeShown(editor, recipe, request.after, request.place ?? toCanvas(middleOf(canvas.current))));
           return;
         }
         const next = request.after === undefined ? null : continuationOf(editor, request.after, entry.definition);

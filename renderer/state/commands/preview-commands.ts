@@ -10,7 +10,7 @@ export const PREVIEW_COMMANDS = {
   'preview.phone': frameCommand('phone', 'Frame: phone, portrait', ['mobile', 'smartphone', 'upright']),
   'preview.phone-wide': frameCommand('phone-wide', 'Frame: phone, landscape', ['mobile', 'smartphone', 'wide', 'horizontal']),
   'preview.headset': frameCommand('headset', 'Frame: headset', ['vr', 'quest', 'stereo', 'eyes']),
-  'preview.glasses': frameCommand('glasses', 'Frame: glasses', ['additive', 'see-through', 'mixed reality']),
+  'preview.glasses': frameCommand('glasses', 'Frame: glasses', ['additive', 'see-through', 'ar']),
   'preview.safe-areas': {
     label: 'Safe areas of phones',
     keywords: ['notch', 'margins', 'insets'],

@@ -26,7 +26,7 @@ import { placeFreely } from './free-places.ts';
 import { insertOnWire, spaceOnWire } from './insert-on-wire.ts';
 import { removeItems } from './layout-items.ts';
 import type { PaletteEntry } from './palette-search.ts';
-import { addRecipe, recipesOf } from './recipes.ts';
+import { type AddedRecipe, addRecipe, recipesOf } from './recipes.ts';
 
 /** One end of a wire and its side of the node. */
 export interface WireEnd extends PortAddress {
@@ -119,14 +119,22 @@ export function addNodeFromPalette(
   return id;
 }
 
-/** What `addNodeFromPalette` applies, and the id of the new node that it selects. */
+interface Addition {
+  /** The new node that is selected. */
+  readonly id: string;
+  readonly change: Change;
+  /** Null for node types. */
+  readonly recipe: AddedRecipe | null;
+}
+
+/** What `addNodeFromPalette` applies. */
 export function additionOf(
   editor: Editor,
   { definition, port }: PaletteEntry,
   place: Place,
   draggedWire: DraggedWire | null,
   throughWire: string | null,
-): { readonly id: string; readonly change: Change } {
+): Addition {
   const { project, library, graph } = editor.document.getState();
   const { random } = editor;
   const recipe = recipesOf(library).find((known) => known.definition.type === definition.type);
@@ -153,7 +161,7 @@ export function additionOf(
     (before) => (throughWire === null ? unchanged(before) : spaceOnWire(editor, id, throughWire)(before)),
     placeFreely(project, { library, graph, hasThumbnail: editor.preferences.getState().thumbnails }),
   );
-  return { id, change };
+  return { id, change, recipe: added ?? null };
 }
 
 export function deleteSelection(editor: Editor): boolean {

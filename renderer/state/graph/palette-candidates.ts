@@ -9,10 +9,12 @@ import { continuationOf } from './continue-after.ts';
 import { additionOf } from './edit-graph.ts';
 import { portsThrough, wireTypes } from './insert-on-wire.ts';
 import type { PaletteEntry } from './palette-search.ts';
+import { recipesOf } from './recipes.ts';
+import { recipeAddition } from './show-recipe.ts';
 
 /**
  * The project as it would look with an entry of the palette: in the wire, in place of the node or after the node that the palette was opened
- * for, else in the wire to the output, or for objects in a wire to a scene. Null if the entry fits none of them.
+ * for, else in the wire to the output, or for objects in a wire to a scene. Recipes bring what they need. Null if the entry fits none of them.
  */
 export function candidateOf(
   editor: Editor,
@@ -22,6 +24,11 @@ export function candidateOf(
   const { project, library, graph } = editor.document.getState();
   if (swap !== undefined) {
     const change = changeType(project, { library, graph, node: swap, type: entry.definition.type });
+    return hasErrors(change.diagnostics) ? null : change.project;
+  }
+  const recipe = recipesOf(library).find(({ definition }) => definition.type === entry.definition.type);
+  if (recipe && wire === undefined && graph === MAIN_GRAPH) {
+    const { change } = recipeAddition(editor, recipe, after, { x: 0, y: 0 });
     return hasErrors(change.diagnostics) ? null : change.project;
   }
   const next = after === undefined ? null : continuationOf(editor, after, entry.definition);

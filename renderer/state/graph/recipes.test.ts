@@ -10,10 +10,12 @@ import type { Editor } from '../editor/editor.ts';
 import { soleNode } from '../editor/selection.ts';
 import { filesOf } from '../files/files.ts';
 import { addNodeFromPalette, connect } from './edit-graph.ts';
+import { startObject } from './first-steps.ts';
 import { canCompositeOver, compositeOver } from './insert-on-wire.ts';
 import { candidateOf } from './palette-candidates.ts';
 import { searchPalette } from './palette-search.ts';
 import { recipesOf } from './recipes.ts';
+import { addRecipeShown } from './show-recipe.ts';
 
 const AT = { x: 300, y: 200 };
 const ALL_RECIPES = recipesOf(LIBRARY);
@@ -248,5 +250,90 @@ describe('a layer let go over a layer’s wire', () => {
     expect(canCompositeOver(editor, outOf(choose(editor, 'model'), 'objects'), wire)).toBe(false);
     const scene = choose(editor, 'scene');
     expect(canCompositeOver(editor, { node: scene, port: 'objects', type: 'objects', side: 'input' }, wire)).toBe(false);
+  });
+});
+
+describe('a recipe that is chosen without a wire', () => {
+  const SELECTIONS = ['nothing', 'an object', 'a transform', 'a layer'] as const;
+  const CASES = ALL_RECIPES.flatMap((recipe) => SELECTIONS.map((selected) => [recipe.definition.title, selected, recipe] as const));
+
+  async function blank() {
+    const { editor } = await openTestEditor();
+    const [camera, screen] = [choose(editor, 'camera video'), choose(editor, 'screen')];
+    connect(editor, { node: camera, port: 'layer' }, { node: screen, port: 'layer' });
+    return { editor, camera };
+  }
+
+  /** Types of the nodes that the output shows, without errors of the graph. */
+  function shownTypes(editor: Editor): ReadonlySet<string> {
+    const { project, library } = editor.document.getState();
+    const { output, diagnostics } = compile({ project, library });
+    expect(diagnostics.filter(({ severity }) => severity !== 'info')).toEqual([]);
+    expect(output).not.toBeNull();
+    const { nodes, wires } = graphOf(editor.document.getState());
+    const reached = new Set(Object.keys(nodes).filter((id) => nodes[id]?.type === 'output/screen'));
+    for (const id of reached) for (const { from, to } of wires) if (to.node === id) reached.add(from.node);
+    return new Set([...reached].map((id) => nodes[id]?.type ?? ''));
+  }
+
+  test.each(CASES)('%s with %s selected reaches the output, in one step', async (_, selected, recipe) => {
+    const { editor, camera } = await blank();
+    const object = startObject(editor) ?? '';
+    const { nodes } = graphOf(editor.document.getState());
+    const transform = Object.keys(nodes).find((id) => nodes[id]?.type === 'objects/transform');
+    const after = { nothing: undefined, 'an object': object, 'a transform': transform, 'a layer': camera }[selected];
+    const before = filesOf(editor);
+    expect(addRecipeShown(editor, recipe, after, AT)).not.toBeNull();
+    const shown = shownTypes(editor);
+    expect(Object.values(recipe.nodes).filter(({ type }) => !shown.has(type))).toEqual([]);
+    // Nothing is drawn twice.
+    const { wires } = graphOf(editor.document.getState());
+    expect(
+      wires.filter(({ from, to }) => from.node === transform && nodeOf(editor.document.getState(), to.node)?.type === 'layer/scene').length,
+    ).toBeLessThan(2);
+    undo(editor);
+    expect(filesOf(editor)).toEqual(before);
+  });
+
+  test.each(ALL_RECIPES)('$definition.title in a graph with nothing but the camera brings what it works on', async (recipe) => {
+    const { editor } = await blank();
+    addRecipeShown(editor, recipe, undefined, AT);
+    const shown = shownTypes(editor);
+    expect(Object.values(recipe.nodes).filter(({ type }) => !shown.has(type))).toEqual([]);
+  });
+
+  test('draws the shadow of objects that stand where a Transform puts them, below them', async () => {
+    for (const from of ['objects/primitive', 'objects/transform']) {
+      const { editor } = await blank();
+      startObject(editor);
+      const { nodes } = graphOf(editor.document.getState());
+      const shadow = ALL_RECIPES.find(({ definition }) => definition.type === 'combination/shadow-on-floor');
+      if (!shadow) throw new Error('There is no shadow on the floor.');
+      addRecipeShown(
+        editor,
+        shadow,
+        Object.keys(nodes).find((id) => nodes[id]?.type === from),
+        AT,
+      );
+      const wires = wiresOf(editor);
+      expect(wires).toEqual(expect.arrayContaining(['transform > scene.objects', 'transform > shadow.casters', 'scene > over.top']));
+      expect(wires).toEqual(expect.arrayContaining(['depth-occlusion > over.top', 'camera-video > over.bottom', 'over > over.bottom']));
+    }
+  });
+
+  test('goes into all wires of the node that it continues', async () => {
+    const { editor } = await blank();
+    startObject(editor);
+    const { nodes } = graphOf(editor.document.getState());
+    const transform = Object.keys(nodes).find((id) => nodes[id]?.type === 'objects/transform');
+    const [shadow, toon] = ['combination/shadow-on-floor', 'combination/on-objects-technique-toon'].map((type) =>
+      ALL_RECIPES.find(({ definition }) => definition.type === type),
+    );
+    if (!shadow || !toon) throw new Error('Recipes are missing.');
+    addRecipeShown(editor, shadow, transform, AT);
+    addRecipeShown(editor, toon, transform, AT);
+    const fromTransform = wiresOf(editor).filter((wire) => wire.startsWith('transform >'));
+    expect(fromTransform).toEqual(['transform > apply-technique.objects']);
+    expect(wiresOf(editor)).toEqual(expect.arrayContaining(['apply-technique > scene.objects', 'apply-technique > shadow.casters']));
   });
 });

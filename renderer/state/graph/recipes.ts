@@ -25,6 +25,8 @@ export interface Recipe {
   readonly ports: Readonly<Record<string, string>>;
   /** Input `node.port` that takes all lights of the graph, or a new one. */
   readonly lit?: string;
+  /** Whether the objects that it gives already have their place in the room. */
+  readonly isPlaced?: true;
 }
 
 interface RecipeNode extends Place {
@@ -57,6 +59,7 @@ const RECIPES: readonly RecipeData[] = [
     keywords: ['ground', 'plane', 'shadow catcher', 'phantom'],
     nodes: { floor: { ...FLOOR.floor, x: 0, y: 0 }, plane: { ...FLOOR.plane, x: -COLUMN_PX, y: 0 } },
     wires: [['plane.objects', 'floor.objects']],
+    isPlaced: true,
     inputs: {},
     outputs: { objects: 'floor.objects' },
   },
@@ -140,6 +143,7 @@ const RECIPES: readonly RecipeData[] = [
       ['head.pose', 'turn.target'],
       ['turn.pose', 'place.pose'],
     ],
+    isPlaced: true,
     inputs: { objects: 'place.objects', pose: 'turn.pose' },
     outputs: { objects: 'place.objects' },
   },
@@ -174,6 +178,7 @@ function attached({ to, doc, keywords, source, lagS, offsetM }: AttachedData): R
       ['follow.pose', 'offset.pose'],
       ['offset.pose', 'place.pose'],
     ],
+    isPlaced: true,
     inputs: { objects: 'place.objects' },
     outputs: { objects: 'place.objects' },
   };
@@ -201,7 +206,8 @@ function appliedTechnique({ type, title, doc, keywords = [] }: NodeDefinition): 
   };
 }
 
-function toRecipe(library: NodeLibrary, { name, title, doc, keywords, nodes, wires, inputs, outputs, lit }: RecipeData): Recipe | null {
+function toRecipe(library: NodeLibrary, data: RecipeData): Recipe | null {
+  const { name, title, doc, keywords, nodes, wires, inputs, outputs, lit, isPlaced } = data;
   if (Object.values(nodes).some(({ type }) => library.definition(type) === undefined)) return null;
   const definitionOf = (address: string) => {
     const { node, port } = parse(address);
@@ -230,7 +236,7 @@ function toRecipe(library: NodeLibrary, { name, title, doc, keywords, nodes, wir
     params: {},
     lowering: { kind: 'behavior' },
   });
-  return { definition, nodes, wires, ports: { ...inputs, ...outputs }, ...(lit !== undefined && { lit }) };
+  return { definition, nodes, wires, ports: { ...inputs, ...outputs }, ...(lit !== undefined && { lit }), ...(isPlaced && { isPlaced }) };
 }
 
 export interface AddedRecipe {
@@ -289,12 +295,17 @@ export function addRecipe(recipe: Recipe, context: AddRecipe): AddedRecipe {
   };
 }
 
-function bringLight(project: Project, to: PortAddress, { library, graph, random, x, y }: AddRecipe): Change {
-  const { nodes = {}, wires = [] } = project.graphs[graph] ?? {};
-  if (wires.some((wire) => wire.to.node === to.node && wire.to.port === to.port)) return unchanged(project);
-  const lights = Object.entries(nodes).flatMap(([node, { type }]) =>
+/** All outputs with lights in a graph. */
+export function lightsOf(project: Project, library: NodeLibrary, graph: string): PortAddress[] {
+  return Object.entries(project.graphs[graph]?.nodes ?? {}).flatMap(([node, { type }]) =>
     Object.entries(library.definition(type)?.outputs ?? {}).flatMap(([port, output]) => (output.type === 'lights' ? [{ node, port }] : [])),
   );
+}
+
+function bringLight(project: Project, to: PortAddress, { library, graph, random, x, y }: AddRecipe): Change {
+  const { wires = [] } = project.graphs[graph] ?? {};
+  if (wires.some((wire) => wire.to.node === to.node && wire.to.port === to.port)) return unchanged(project);
+  const lights = lightsOf(project, library, graph);
   const type = 'light/directional';
   const id = makeNodeId(project, type, random);
   const from = lights.length > 0 ? lights : [{ node: id, port: 'lights' }];

@@ -4,6 +4,7 @@ import { connect } from '../../../export/graph/commands/wire-commands.ts';
 import { makeNodeId } from '../../../export/graph/document-names.ts';
 import { MAIN_GRAPH, type PortAddress, type Project } from '../../../export/graph/project.ts';
 import type { Place } from '../editor/canvas-state.ts';
+import { lightsOf } from './recipes.ts';
 import { COLUMN_PX, type ShowContext, showLayer, soleScreen } from './show-layer.ts';
 
 const ROW_PX = 112;
@@ -12,13 +13,19 @@ const POSITION_M = [0, 0, -1.5];
 
 /**
  * Makes the objects of a new node visible: they stand on the floor in front of the visitor, in the scene of the graph. Without a scene, adds
- * one with a light and draws it over the layer on the screen. Changes nothing in subgraphs, in graphs without an output, and in graphs
+ * one with the lights of the graph, or a new one, and draws it over the layer on the screen. Changes nothing in subgraphs, in graphs without an output, and in graphs
  * with several scenes, where only the user can choose.
  *
  * @param from Output with the objects.
  * @param place Position of its node in canvas units.
+ * @param isPlaced Whether the objects already have their place and need no Transform.
  */
-export function showObjects(from: PortAddress, place: Place, { library, random }: ShowContext): (project: Project) => Change {
+export function showObjects(
+  from: PortAddress,
+  place: Place,
+  { library, random }: ShowContext,
+  isPlaced = false,
+): (project: Project) => Change {
   return (project) => {
     const graph = MAIN_GRAPH;
     const { nodes = {} } = project.graphs[graph] ?? {};
@@ -36,21 +43,24 @@ export function showObjects(from: PortAddress, place: Place, { library, random }
       steps.push((before) => connect(before, { library, graph, from: source, to: { node, port } }));
     };
 
-    const transform = add('objects/transform', place.x + COLUMN_PX, place.y, { positionM: POSITION_M });
-    wire(from, transform, 'objects');
-    const objects = { node: transform, port: 'objects' };
+    const objects = isPlaced
+      ? from
+      : { node: add('objects/transform', place.x + COLUMN_PX, place.y, { positionM: POSITION_M }), port: 'objects' };
+    if (!isPlaced) wire(from, objects.node, 'objects');
     const [scene] = scenes;
     if (scene !== undefined) {
       wire(objects, scene, 'objects');
       const [shadow, ...otherShadows] = idsOf('layer/shadow');
-      if (shadow !== undefined && otherShadows.length === 0) wire(objects, shadow, 'casters');
+      if (shadow !== undefined && otherShadows.length === 0)
+        wire(objects, shadow, nodes[from.node]?.type === 'objects/phantom' ? 'receivers' : 'casters');
       return sequence(project, ...steps);
     }
 
     const added = add('layer/scene', place.x + 2 * COLUMN_PX, place.y);
     wire(objects, added, 'objects');
-    const light = add('light/directional', place.x + COLUMN_PX, place.y + ROW_PX);
-    wire({ node: light, port: 'lights' }, added, 'lights');
+    const lights = lightsOf(project, library, graph);
+    if (lights.length === 0) lights.push({ node: add('light/directional', place.x + COLUMN_PX, place.y + ROW_PX), port: 'lights' });
+    for (const light of lights) wire(light, added, 'lights');
     steps.push(showLayer({ node: added, port: 'layer' }, { x: place.x + 2 * COLUMN_PX, y: place.y }, { library, random }));
     return sequence(project, ...steps);
   };
