@@ -87,7 +87,8 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
   SCR064: 'Read the lines that follow the message; if a file of the installation is missing, `npm ci` restores it.',
   SCR065:
     'In the editor, wait until the preview shows an image, then export again. On the command line, install Chromium or Chrome, or set `SCRIM_CHROMIUM` to its path. The page works without a poster.',
-  SCR066: 'Wait a minute and save again. If nobody else has the project open, break the lock in the editor.',
+  SCR066:
+    'A save: wait a minute and save again. If nobody else has the project open, break the lock in the editor. An import of photographs: wait until the other one has ended, or cancel it. An import whose process has ended does not count.',
   SCR067: 'Restore the folder or connect its drive, then save again, or save under another name. Unsaved work is still in the editor.',
   SCR070: 'Run `scrim help` to see the commands and their options.',
   SCR071: 'Install Chromium or Chrome, or set the environment variable `SCRIM_CHROMIUM` to its path.',
