@@ -4,7 +4,7 @@ import process from 'node:process';
 import type { Browser } from 'playwright-core';
 
 /**
- * Shell script that ends the process group of the browser, process $1, when process $2 has ended or when its own standard input closes. The
+ * Shell script that ends the process group of a program, process $1, when process $2 has ended or when its own standard input closes. The
  * system closes that when the writing process ends, in whatever way it ends.
  */
 const GUARD = `
@@ -24,6 +24,16 @@ export async function endWithProcess(browser: Browser): Promise<void> {
   await session.detach();
   const id = processInfo.find(({ type }) => type === 'browser')?.id;
   if (id === undefined) return;
+  browser.once('disconnected', endGroupWithProcess(id));
+}
+
+/**
+ * Ends a process and its group together with this process, in whatever way this one ends.
+ *
+ * @returns Called when the process has ended by itself.
+ */
+export function endGroupWithProcess(id: number): () => void {
+  if (process.platform === 'win32') return () => {};
   const guard = spawn('/bin/sh', ['-c', GUARD, 'sh', String(id), process.env.SCRIM_ENDS_WITH ?? ''], {
     detached: true,
     stdio: ['pipe', 'ignore', 'ignore'],
@@ -33,13 +43,13 @@ export async function endWithProcess(browser: Browser): Promise<void> {
   guard.stdin.on('error', () => {});
   guard.unref();
   (guard.stdin as Socket).unref();
-  browser.once('disconnected', () => {
+  return () => {
     const { pid, exitCode, signalCode } = guard;
     if (pid === undefined || exitCode !== null || signalCode !== null) return;
     try {
       process.kill(-pid, 'SIGKILL');
     } catch {
-      // The browser has ended already.
+      // It has ended already.
     }
-  });
+  };
 }

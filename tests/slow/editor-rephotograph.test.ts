@@ -1,31 +1,13 @@
 import { readdir, readFile } from 'node:fs/promises';
-import { join, resolve } from 'node:path';
+import { join } from 'node:path';
 import { expect, test } from '@jest/globals';
 import { axeFindings } from '../support/axe.ts';
+import { BALL_VIEWS, withBall } from '../support/ball-project.ts';
 import { chooseOption } from '../support/choose-option.ts';
-import { type GraphText, useEditor } from '../support/open-editor.ts';
+import { useEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
 
-const BALL = resolve('nodes/source/capture-mesh/example/assets/glossy-ball.capture');
-const VIEWS = 4;
 const open = useEditor();
-
-/** The camera's video on the screen, and the first photographs of a ball. */
-async function withBall(): Promise<GraphText> {
-  const capture = JSON.parse(await readFile(join(BALL, 'capture.json'), 'utf8')) as { views: { file: string }[] };
-  capture.views.splice(VIEWS);
-  const files = ['mesh.bin', ...capture.views.map(({ file }) => file)];
-  const assetFiles = Object.fromEntries(
-    await Promise.all(files.map(async (file) => [`ball.capture/${file}`, await readFile(join(BALL, file))] as const)),
-  );
-  return {
-    nodes: { 'video-aaaa': { type: 'source/camera-video' }, 'screen-aaaa': { type: 'output/screen' } },
-    wires: ['video-aaaa.layer -> screen-aaaa.layer'],
-    places: { 'video-aaaa': [0, 0], 'screen-aaaa': [300, 0] },
-    assets: { ball: { path: 'assets/ball.capture/capture.json', kind: 'capture' } },
-    assetFiles: { ...assetFiles, 'ball.capture/capture.json': new TextEncoder().encode(JSON.stringify(capture)) },
-  };
-}
 
 test('an imported capture is shown by one press of its button, and undone by one', async () => {
   const { page, editor } = await open(await withBall());
@@ -72,7 +54,7 @@ test('a capture is rephotographed: the dialog has the means, the report the imag
   const [tab] = await Promise.all([page.waitForEvent('popup'), result.getByRole('button', { name: 'Open report' }).click()]);
   await tab.getByRole('heading', { name: 'ball, rephotographed' }).waitFor();
   const images = tab.getByRole('img');
-  expect(await images.count()).toBe(VIEWS * 7);
+  expect(await images.count()).toBe(BALL_VIEWS * 7);
   expect(await images.nth(1).evaluate((image: HTMLImageElement) => [image.naturalWidth, image.naturalHeight])).toEqual([320, 240]);
   if (process.env.SHOT) await tab.screenshot({ path: `${process.env.SHOT}-report.png` });
   await tab.close();
@@ -94,7 +76,7 @@ test('a report that is canceled is not written', async () => {
   await page.getByRole('option', { name: /Rephotograph a capture/ }).click();
   await page.getByRole('dialog', { name: 'Rephotograph a capture' }).getByRole('button', { name: 'Rephotograph' }).click();
   try {
-    await page.getByText(`Photograph 1 of ${VIEWS}`).waitFor();
+    await page.getByText(`Photograph 1 of ${BALL_VIEWS}`).waitFor();
     await page.getByRole('button', { name: 'Cancel', exact: true }).click();
   } finally {
     release();

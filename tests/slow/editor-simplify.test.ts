@@ -3,7 +3,9 @@ import { join } from 'node:path';
 import { NodeIO } from '@gltf-transform/core';
 import { expect, test } from '@jest/globals';
 import { meshAsGlb } from '../../export/captures/write-glb.ts';
+import { readCapture } from '../../nodes/kit/capture.ts';
 import { axeFindings } from '../support/axe.ts';
+import { withBall } from '../support/ball-project.ts';
 import { describeWithBlender } from '../support/blender.ts';
 import { chooseOption } from '../support/choose-option.ts';
 import { type GraphText, type OpenEditor, saveGraphs, useEditor } from '../support/open-editor.ts';
@@ -86,6 +88,11 @@ describeWithBlender('a model that is simplified in the editor', () => {
     await shot(window, 'running');
     await page.getByText('Added ring-simple.glb.').waitFor();
     await page.getByRole('rowheader', { name: 'ring-simple.glb' }).waitFor();
+    // The preview draws it.
+    await page
+      .getByRole('row', { name: /ring-simple.glb/ })
+      .locator('img.asset-picture')
+      .waitFor();
     await shot(window, 'finished');
     const [mesh] = (await new NodeIO().read(join(project, 'assets/ring-simple.glb'))).getRoot().listMeshes();
     const [primitive] = mesh?.listPrimitives() ?? [];
@@ -103,5 +110,30 @@ describeWithBlender('a model that is simplified in the editor', () => {
     expect(await savedPaths(window)).toEqual(['assets/ring-simple-2.glb', 'assets/ring-simple.glb']);
     await page.keyboard.press('Control+z');
     expect(await savedPaths(window)).toEqual(['assets/ring-simple.glb', 'assets/ring.glb']);
+  });
+
+  test('a capture that is replaced shows its photographs on the simpler mesh', async () => {
+    const window = await open(await withBall());
+    const { page, editor, project } = window;
+    await editor.settled();
+    const before = await editor.rewind();
+    await page.keyboard.press('Shift+R');
+    await page.getByRole('button', { name: 'Simplify ball.capture…' }).click();
+    await dialogOf(window).getByText('triangles. Blender').waitFor();
+    await field(window, 'Triangles, at most').fill('300');
+    await chooseOption(dialogOf(window).getByRole('combobox', { name: 'Result' }), 'replace');
+    await dialogOf(window).getByRole('button', { name: 'Simplify', exact: true }).click();
+    await page.getByText('Simplified ball.capture.').waitFor();
+    expect(await savedPaths(window)).toEqual(['assets/ball-simple.capture/capture.json']);
+    const [old, simple] = await Promise.all(
+      ['ball', 'ball-simple'].map(async (name) =>
+        readCapture(await readFile(join(project, `assets/${name}.capture/capture.json`), 'utf8')),
+      ),
+    );
+    expect(simple?.views).toEqual(old?.views);
+    expect(simple?.mesh.triangleCount).toBeLessThanOrEqual(300);
+    await page.getByRole('button', { name: 'Add a node with ball-simple.capture' }).click();
+    await editor.imageOtherThan(before, 500);
+    await shot(window, 'capture');
   });
 });

@@ -1,6 +1,6 @@
 import { type ChildProcess, spawn } from 'node:child_process';
 import { once } from 'node:events';
-import { mkdir, mkdtemp, readdir, rm, writeFile } from 'node:fs/promises';
+import { mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import process from 'node:process';
@@ -8,6 +8,7 @@ import { afterEach, beforeEach, expect, test } from '@jest/globals';
 import { encode } from 'jpeg-js';
 import { colmapModel, HEIGHT_PX, WIDTH_PX } from '../support/colmap-model.ts';
 import { writeProgram } from '../support/fake-program.ts';
+import { eventually } from '../support/patience.ts';
 import { projectText, writeProject } from '../support/project-kit.ts';
 
 /* Two processes that reconstruct or import the same folder. Programs that wait for a file stand in for COLMAP and Blender. */
@@ -58,7 +59,7 @@ test('one process reconstructs a folder at a time, until it ends or is killed', 
     join(base, 'bin/colmap'),
     `const option = (name) => args[args.indexOf(name) + 1];
      if (args[0] === 'help') { console.log('COLMAP 3.12.1 -- Structure-from-Motion (without CUDA)'); process.exit(0); }
-     if (args[0] === 'feature_extractor') { fs.writeFileSync(${JSON.stringify(join(base, 'begun'))}, ''); ${WAIT(go)} }
+     if (args[0] === 'feature_extractor') { fs.writeFileSync(${JSON.stringify(join(base, 'begun'))}, String(process.pid)); ${WAIT(go)} }
      if (args[0] === 'mapper') fs.cpSync(${JSON.stringify(join(base, 'model'))}, path.join(option('--output_path'), '0'), { recursive: true });
      if (args[0] === 'poisson_mesher') fs.writeFileSync(option('--output_path'), ${JSON.stringify(PLY)});`,
   );
@@ -73,6 +74,9 @@ test('one process reconstructs a folder at a time, until it ends or is killed', 
   first.child.kill('SIGKILL');
   await first.end;
   expect(await readdir(scan)).toContain('.scrim-reconstruction.lock');
+  // Its COLMAP does not write beside the next one.
+  const left = Number(await readFile(join(base, 'begun'), 'utf8'));
+  await eventually(() => expect(() => process.kill(left, 0)).toThrow('ESRCH'));
   await writeFile(go, '');
   const third = await reconstruct().end;
   expect([third.status, third.said]).toEqual([0, expect.stringContaining('3 of 3 photographs')]);

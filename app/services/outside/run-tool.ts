@@ -3,6 +3,7 @@ import { appendFile } from 'node:fs/promises';
 import { basename } from 'node:path';
 import process from 'node:process';
 import { createInterface } from 'node:readline';
+import { endGroupWithProcess } from '../end-with-process.ts';
 import { refusal } from '../file-errors.ts';
 
 export interface ToolRun {
@@ -52,6 +53,8 @@ export async function runTool({ tool, args, log, limitMs, anyStatus = false, onL
     // Tools with windows need no screen.
     env: { ...process.env, QT_QPA_PLATFORM: 'offscreen' },
   });
+  // Killed, this process could not end the tool, which would write beside that of the next process.
+  const ended = child.pid === undefined ? () => {} : endGroupWithProcess(child.pid);
   const end = (signal: 'SIGTERM' | 'SIGKILL'): void => {
     if (child.pid === undefined) return;
     try {
@@ -86,13 +89,13 @@ export async function runTool({ tool, args, log, limitMs, anyStatus = false, onL
     }
   };
   try {
-    const ended = new Promise<number | string | null>((resolve, reject) => {
+    const closed = new Promise<number | string | null>((resolve, reject) => {
       child.on('error', ({ message }) =>
         reject(refusal('SCR078', `${tool} does not start: ${message}.`, 'Install it again, or name another file.')),
       );
       child.on('close', (code, signal) => resolve(signal ?? code));
     });
-    const [status] = await Promise.all([ended, read(child.stdout), read(child.stderr)]);
+    const [status] = await Promise.all([closed, read(child.stdout), read(child.stderr)]);
     await written;
     interrupted.throwIfAborted();
     const name = `${basename(tool)} ${args[0] ?? ''}`.trim();
@@ -107,6 +110,7 @@ export async function runTool({ tool, args, log, limitMs, anyStatus = false, onL
         'Name another file, or install it again.',
     );
   } finally {
+    ended();
     clearTimeout(limit);
     clearTimeout(killer);
     interrupted.removeEventListener('abort', cancel);
