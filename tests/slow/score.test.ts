@@ -268,6 +268,16 @@ describe('what cannot be scored', () => {
     const none = await scrim('score', empty, '--session', session);
     expect([none.status, none.err]).toEqual([1, expect.stringContaining('SCR017')]);
   });
+
+  test('half a depth image in the second frame', async () => {
+    const session = await writeRecording('torn', { stepPx: 0, depthMm: () => 2000 });
+    const file = join(session, '1.depth.png');
+    const bytes = await readFile(file);
+    await writeFile(file, bytes.subarray(0, bytes.length / 2));
+    const said = await scrim('score', await project(), '--session', session);
+    const reason = 'SCR054: The image "1.depth.png" cannot be used: it is not a whole PNG file.';
+    expect([said.status, said.err]).toEqual([1, expect.stringContaining(reason)]);
+  });
 });
 
 describeWithData('on a recorded living room', 'sessions/icl-livingroom', (recording) => {

@@ -4,7 +4,7 @@ import type { Sum } from '../../../export/score/mean-of.ts';
 import { countOcclusion, type OccludedLayer, type OcclusionCounts } from '../../../export/score/occlusion.ts';
 import { contrastOf, type ImagePixels } from '../../../export/score/smooth.ts';
 import { toneError } from '../../../export/score/tone.ts';
-import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+import { type Diagnostic, hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import {
   type OpenedJob,
   type OpenRender,
@@ -73,16 +73,18 @@ export async function skip(index: number): Promise<void> {
   await playAndRead(index, () => {});
 }
 
-/** Plays a frame and measures it. Null if the session has no such frame, or no depth for it. */
+/** Plays a frame and measures it. Null if the session has no such frame, or no depth for it, or after an error. */
 export async function score(index: number): Promise<FrameScore | null> {
   if (!opened) throw new Error('Nothing is open.');
   const { job, depth } = opened;
-  const room = await depth.shot(index);
   const frames: Seen[] = [];
   await playAndRead(index, (render) => {
     frames.push(see(render, job));
   });
   const [seen] = frames;
+  // Files that cannot be used are among them.
+  if (hasErrors(renderDiagnostics())) return null;
+  const room = await depth.shot(index);
   if (!room || !seen) return null;
   unlike = otherSize(seen, job.reference);
   if (unlike.length > 0) return null;

@@ -34,8 +34,8 @@ describe('a depth picture', () => {
     ['8 bits', () => png(new Uint8Array(6)), '1 channels of 8 bits'],
     ['three channels', () => png(new Uint16Array(18), 3, 2, 3), '3 channels of 16 bits'],
     ['another size', () => png(new Uint16Array(6), 2, 3), '2 × 3 pixels, and session.json says 3 × 2'],
-    ['no picture', () => new TextEncoder().encode('hello').buffer, ''],
-    ['half a picture', () => png(new Uint16Array(6)).slice(0, 50), ''],
+    ['no picture', () => new TextEncoder().encode('hello').buffer, 'it is not a whole PNG file'],
+    ['half a picture', () => png(new Uint16Array(6)).slice(0, 50), 'it is not a whole PNG file'],
   ])('with %s is refused', (_name, make, reason) => {
     expect(() => decodeDepth(make(), FORMAT)).toThrow(reason);
   });

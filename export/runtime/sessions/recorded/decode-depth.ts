@@ -10,7 +10,7 @@ type DepthFormat = NonNullable<SessionFile['depth']>;
  * @throws Error if the file is not a 16-bit PNG with one channel and the size of `format`.
  */
 export function decodeDepth(bytes: ArrayBuffer, format: DepthFormat): Float32Array<ArrayBuffer> {
-  const { width, height, depth, channels, data } = decode(bytes);
+  const { width, height, depth, channels, data } = decodePng(bytes);
   if (depth !== 16 || channels !== 1) throw new Error(`it has ${channels} channels of ${depth} bits instead of one of 16`);
   if (width !== format.widthPx || height !== format.heightPx) {
     throw new Error(`it has ${width} × ${height} pixels, and session.json says ${format.widthPx} × ${format.heightPx}`);
@@ -29,4 +29,12 @@ export function decodeDepth(bytes: ArrayBuffer, format: DepthFormat): Float32Arr
     }
   }
   return meters;
+}
+
+function decodePng(bytes: ArrayBuffer): ReturnType<typeof decode> {
+  try {
+    return decode(bytes);
+  } catch {
+    throw new Error('it is not a whole PNG file');
+  }
 }
