@@ -10,6 +10,10 @@ const GRAPH: GraphText = {
     'box-aaaa': { type: 'objects/primitive', params: { color: [0.9, 0.6, 0.1, 1], sizeM: [0.2, 0.2, 0.2] } },
     'raised-aaaa': { type: 'objects/transform', params: { positionM: [-0.4, 0.5, 0] } },
     'row-aaaa': { type: 'objects/copies', params: { count: 3, stepM: [0.4, 0, 0] } },
+    'viewpoint-aaaa': { type: 'pose/from-values', params: { positionM: [0.1, 0.7, -0.6], rotationRad: [0, Math.PI / 2, 0] } },
+    'beside-aaaa': { type: 'pose/offset', params: { offsetM: [0, 0, 0.3] } },
+    'ball-aaaa': { type: 'objects/primitive', params: { shape: 'sphere', sizeM: [0.1, 0.1, 0.1] } },
+    'there-aaaa': { type: 'objects/at-pose' },
     'sun-aaaa': { type: 'light/directional' },
     'lamp-aaaa': { type: 'light/point' },
     'scene-aaaa': { type: 'layer/scene' },
@@ -22,6 +26,10 @@ const GRAPH: GraphText = {
     'box-aaaa.objects -> raised-aaaa.objects',
     'raised-aaaa.objects -> row-aaaa.objects',
     'row-aaaa.objects -> scene-aaaa.objects',
+    'viewpoint-aaaa.pose -> beside-aaaa.pose',
+    'beside-aaaa.pose -> there-aaaa.pose',
+    'ball-aaaa.objects -> there-aaaa.objects',
+    'there-aaaa.objects -> scene-aaaa.objects',
     'sun-aaaa.lights -> scene-aaaa.lights',
     'measure-aaaa.area -> lamp-aaaa.intensityCd',
     'lamp-aaaa.lights -> scene-aaaa.lights',
@@ -33,6 +41,10 @@ const GRAPH: GraphText = {
     'box-aaaa': [0, 0],
     'raised-aaaa': [210, 0],
     'row-aaaa': [420, 0],
+    'viewpoint-aaaa': [0, 520],
+    'beside-aaaa': [210, 520],
+    'ball-aaaa': [210, 690],
+    'there-aaaa': [420, 520],
     'sun-aaaa': [420, 260],
     'lamp-aaaa': [210, 260],
     'camera-aaaa': [630, 260],
@@ -183,3 +195,40 @@ test('a region is placed by its corners', async () => {
   await undo();
   expect(await savedParams('measure-aaaa')).toEqual({ regionMin: [0.2, 0.2], regionMax: [0.6, 0.6] });
 });
+
+test('a pose is moved and rotated in world space, and an offset along the axes of its pose', async () => {
+  const { page } = open;
+  await select('viewpoint');
+  await tool(/^Move Values to pose/).waitFor();
+  await holds('move');
+  await open.editor.preview.locator('#gizmo[data-node="viewpoint-aaaa"]').waitFor();
+  const up = await tip('y', ({ y }) => -y);
+  await page.mouse.move(up.x, up.y);
+  await page.mouse.down();
+  await page.mouse.move(up.x, up.y - 30, { steps: 4 });
+  await expectValue('Position Y', (value) => value > 0.75);
+  await page.mouse.up();
+  expect((await savedParams('viewpoint-aaaa')).positionM).toEqual([0.1, expect.any(Number), -0.6]);
+  await undo();
+  const before = await middle();
+
+  await select('beside');
+  await open.editor.preview.locator('#gizmo[data-node="beside-aaaa"]').waitFor();
+  // A quarter turn about y makes x of z: the gizmo stands to the right of the pose.
+  const beside = await middle();
+  expect(beside.x - before.x).toBeGreaterThan(20);
+  const across = await tip('x', ({ x }) => x);
+  await page.mouse.move(across.x, across.y);
+  await page.mouse.down();
+  await page.mouse.move(across.x + 30, across.y, { steps: 4 });
+  await expectValue('Offset Z', (value) => value > 0.35);
+  await page.mouse.up();
+  await undo();
+  expect(await savedParams('beside-aaaa')).toEqual({ offsetM: [0, 0, 0.3] });
+});
+
+/** The middle between both arrows of the x axis. */
+async function middle(): Promise<Point> {
+  const [left, right] = [await tip('x', ({ x }) => -x), await tip('x', ({ x }) => x)];
+  return { x: (left.x + right.x) / 2, y: (left.y + right.y) / 2 };
+}

@@ -61,7 +61,6 @@ export function createImageTool(parentElement: HTMLElement): GizmoTool {
     },
     follow: ({ gizmo, inspected, view, box: viewBox, read }) => {
       handles = gizmo.handles;
-      // For tests, as the mode.
       canvas.dataset.node = gizmo.node;
       box = imageBox(inspected, gizmo.node, view, viewBox);
       // Also during a drag: the parts show what the params allow.

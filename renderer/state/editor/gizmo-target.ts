@@ -79,11 +79,12 @@ export function gizmoTargetOf(
     const driven = held.map((param) => drivenBy(state, id, node, definition, param)).find((reason) => reason !== null);
     return driven === undefined ? { target: makeTarget(state, id, node, definition, held) } : { target: null, reason: driven };
   }
-  const title = state.library.definition(nodeOf(state, selected)?.type ?? '')?.title;
-  if (!hasTransform || title === undefined) return { target: null, reason: null };
+  const definition = state.library.definition(nodeOf(state, selected)?.type ?? '');
+  if (!hasTransform || definition === undefined) return { target: null, reason: null };
   const added = hasMuted ? null : addedTarget(state, selected, mode);
   if (added) return { target: added };
-  return { target: null, reason: `${title} cannot be ${PARTICIPLES[mode]}. Connect its objects to a Transform.` };
+  const fixed = `${definition.title} cannot be ${PARTICIPLES[mode]}.`;
+  return { target: null, reason: hasObjects(definition) ? `${fixed} Connect its objects to a Transform.` : fixed };
 }
 
 /** The gizmo target of a node with handles in its image; null if it has none. */
@@ -147,10 +148,11 @@ function lampTarget(state: DocumentState, node: string, lamp: number): GizmoTarg
 
 /** Whether a node has a transform or outputs objects. */
 function isPlaced(definition: NodeDefinition): boolean {
-  return (
-    Object.values(definition.params).some((param) => handleOf(param) !== undefined) ||
-    Object.values(definition.outputs).some(({ type }) => type === 'objects')
-  );
+  return Object.values(definition.params).some((param) => handleOf(param) !== undefined) || hasObjects(definition);
+}
+
+function hasObjects({ outputs }: NodeDefinition): boolean {
+  return Object.values(outputs).some(({ type }) => type === 'objects');
 }
 
 function handleOf(param: ParamDefinition): Handle | undefined {

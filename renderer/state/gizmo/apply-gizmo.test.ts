@@ -175,6 +175,18 @@ describe('what is taken hold of', () => {
     expect(shown()).toMatchObject({ handles: { low: 'regionMin', high: 'regionMax' } });
   });
 
+  test('poses by their position and rotation, which are not scaled and have no objects to connect', async () => {
+    const { editor, shown } = await boxes();
+    for (const [type, position] of [
+      ['pose/from-values', 'positionM'],
+      ['pose/offset', 'offsetM'],
+    ] as const) {
+      selectOnly(editor.selection, [add(editor, type)]);
+      expect(shown()?.handles).toEqual({ position, rotation: 'rotationRad' });
+    }
+    expect(currentGizmoTarget(editor, 'scale')).toEqual({ target: null, reason: 'Offset pose cannot be scaled.' });
+  });
+
   test('nothing where a node has no place, and of a model that goes nowhere what to do', async () => {
     const { editor } = await boxes();
     selectOnly(editor.selection, [add(editor, 'filter/sepia')]);
