@@ -3,12 +3,28 @@
  * about x, y and z, applied in the order z, x, y; factors or sizes. `aim` is a point that the node faces. `azimuth` and `elevation` are
  * the direction that light comes from. `step`, `radius` and `turn` arrange copies: the offset from one copy to the next, the distance
  * from the middle along z, and the angle about y that each copy adds to the one before. They belong to the node itself, not to the nodes
- * before it.
+ * before it. The handles of images place a filter in its layer, with the origin at the bottom left: see `IMAGE_HANDLES`.
  */
-export type Handle = 'position' | 'rotation' | 'scale' | 'aim' | 'azimuth' | 'elevation' | 'step' | 'radius' | 'turn';
+export type Handle = ImageHandle | 'position' | 'rotation' | 'scale' | 'aim' | 'azimuth' | 'elevation' | 'step' | 'radius' | 'turn';
 
 /** The axes of a handle by the value of a choice of the same node, as in `xz`. There is no handle for values that are not listed. */
 export interface HandleAxes {
   readonly param: string;
   readonly axes: Readonly<Record<string, string>>;
+}
+
+/**
+ * The part of a gizmo in an image that changes a param. `center`: a point, in UV. `extent`: the radius of a circle around it, in pixels of
+ * the layer. `angle`: an angle around it, counterclockwise from the right. `low` and `high`: the bottom left and the top right corner of a
+ * rectangle, in UV.
+ */
+export type ImageHandle = (typeof IMAGE_HANDLES)[number];
+
+export const IMAGE_HANDLES = ['center', 'extent', 'angle', 'low', 'high'] as const;
+
+/** The handles that a param of a type can have in an image. */
+export const IMAGE_HANDLES_OF = { number: ['extent', 'angle'], vector2: ['center', 'low', 'high'] } as const;
+
+export function isImageHandle(handle: string): handle is ImageHandle {
+  return IMAGE_HANDLES.some((known) => known === handle);
 }

@@ -18,7 +18,10 @@ const MODES: readonly { readonly mode: GizmoMode; readonly label: string; readon
   { mode: 'scale', label: 'Scale', icon: 'scale', command: 'gizmo.scale' },
 ];
 
-/** Gizmo toolbar: move, rotate, scale, local space and snapping. Empty if the selected node has no gizmo target. */
+const SNAP_IN_ROOM = 'Snap to 0.1 m, 15° and scale 0.1 (Ctrl inverts)';
+const SNAP_IN_IMAGE = 'Snap to 5 % of the image, 10 px and 15° (Ctrl inverts)';
+
+/** Gizmo toolbar: move, rotate, scale, local space and snapping; in an image one tool for all handles. Empty if the selected node has no gizmo target. */
 export function GizmoBar() {
   const { selection } = useEditor();
   const selected = useStore(selection, soleNode);
@@ -31,11 +34,15 @@ function Tools({ selected }: { readonly selected: string }) {
   const { mode: chosen, space, snap, chain, lamp } = useStore(editor.gizmo);
   // Compared as JSON, so that the bar rerenders only if a tool changes.
   const text = useDocument((state) => JSON.stringify(MODES.map(({ mode }) => toolOf(gizmoTargetOf(state, selected, chain, mode, lamp)))));
-  const tools = JSON.parse(text) as ReturnType<typeof toolOf>[];
+  const tools = JSON.parse(text) as ToolTarget[];
   if (tools.every(({ of, reason }) => of === null && reason === null)) return null;
+  const inImage = tools[0]?.inImage ? tools[0].of : null;
   return (
     <div className="gizmo-bar" role="toolbar" aria-label="Gizmo" aria-orientation="vertical">
-      {MODES.map(({ label, icon, command, mode }, i) => {
+      {inImage !== null && (
+        <Tool label={`Handles of ${inImage}`} icon="move" command={`gizmo.${chosen ?? 'move'}`} pressed={chosen !== null} />
+      )}
+      {(inImage === null ? MODES : []).map(({ label, icon, command, mode }, i) => {
         const { of = null, reason = null } = tools[i] ?? {};
         const words = of === null ? label : `${label} ${of}`;
         return (
@@ -50,14 +57,21 @@ function Tools({ selected }: { readonly selected: string }) {
         );
       })}
       <hr />
-      <Tool label="Local space" icon="axes" command="gizmo.space" pressed={space === 'local'} />
-      <Tool label="Snap to 0.1 m, 15° and scale 0.1 (Ctrl inverts)" icon="snap" command="gizmo.snap" pressed={snap} />
+      {inImage === null && <Tool label="Local space" icon="axes" command="gizmo.space" pressed={space === 'local'} />}
+      <Tool label={inImage === null ? SNAP_IN_ROOM : SNAP_IN_IMAGE} icon="snap" command="gizmo.snap" pressed={snap} />
     </div>
   );
 }
 
-function toolOf(result: ReturnType<typeof gizmoTargetOf>): { readonly of: string | null; readonly reason: string | null } {
-  return result.target === null ? { of: null, reason: result.reason } : { of: result.target.title, reason: null };
+interface ToolTarget {
+  readonly of: string | null;
+  readonly reason: string | null;
+  readonly inImage: boolean;
+}
+
+function toolOf({ target, ...rest }: ReturnType<typeof gizmoTargetOf>): ToolTarget {
+  if (target === null) return { of: null, reason: 'reason' in rest ? rest.reason : null, inImage: false };
+  return { of: target.title, reason: null, inImage: target.inImage === true };
 }
 
 interface ToolProps {

@@ -8,7 +8,7 @@
   "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to blur." },
-    { "NAME": "center", "TYPE": "point2D", "LABEL": "Center", "DOC": "Point that stays sharp: (0, 0) is the bottom left of the image, (1, 1) the top right.", "MIN": [0.0, 0.0], "MAX": [1.0, 1.0], "DEFAULT": [0.5, 0.5] },
+    { "NAME": "center", "TYPE": "point2D", "LABEL": "Center", "DOC": "Point that stays sharp: (0, 0) is the bottom left of the image, (1, 1) the top right.", "MIN": [0.0, 0.0], "MAX": [1.0, 1.0], "DEFAULT": [0.5, 0.5], "HANDLE": "center" },
     { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "Strength of the zoom: with 0.2, each pixel is blurred over a fifth of its distance to the center.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.2, "IDENTITY": 0.0, "UNIT": "ratio" }
   ]
 }*/

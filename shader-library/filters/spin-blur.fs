@@ -7,8 +7,8 @@
   "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to blur." },
-    { "NAME": "center", "TYPE": "point2D", "LABEL": "Center", "DOC": "Point that stays sharp: (0, 0) is the bottom left of the image, (1, 1) the top right.", "MIN": [0.0, 0.0], "MAX": [1.0, 1.0], "DEFAULT": [0.5, 0.5] },
-    { "NAME": "angle", "TYPE": "float", "LABEL": "Angle", "DOC": "Angle of the rotation, half of it in each direction.", "MIN": 0.0, "MAX": 1.5707963, "DEFAULT": 0.17453293, "IDENTITY": 0.0, "UNIT": "rad" }
+    { "NAME": "center", "TYPE": "point2D", "LABEL": "Center", "DOC": "Point that stays sharp: (0, 0) is the bottom left of the image, (1, 1) the top right.", "MIN": [0.0, 0.0], "MAX": [1.0, 1.0], "DEFAULT": [0.5, 0.5], "HANDLE": "center" },
+    { "NAME": "angle", "TYPE": "float", "LABEL": "Angle", "DOC": "Angle of the rotation, half of it in each direction.", "MIN": 0.0, "MAX": 1.5707963, "DEFAULT": 0.17453293, "IDENTITY": 0.0, "UNIT": "rad", "HANDLE": "angle" }
   ]
 }*/
 

@@ -7,9 +7,9 @@
   "SCRIM_OPAQUE": ["inputImage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to twist." },
-    { "NAME": "center", "TYPE": "point2D", "LABEL": "Center", "DOC": "Center of the twist: (0, 0) is the bottom left of the image, (1, 1) the top right.", "MIN": [0.0, 0.0], "MAX": [1.0, 1.0], "DEFAULT": [0.5, 0.5] },
-    { "NAME": "angle", "TYPE": "float", "LABEL": "Angle", "DOC": "Rotation at the center. Positive is counter-clockwise.", "MIN": -18.849556, "MAX": 18.849556, "DEFAULT": 4.712389, "IDENTITY": 0.0, "UNIT": "rad" },
-    { "NAME": "radius", "TYPE": "float", "LABEL": "Radius", "DOC": "Distance from the center, in pixels of the layer, at which the rotation has dropped to a thousandth of the angle.", "MIN": 1.0, "MAX": 2000.0, "DEFAULT": 400.0, "UNIT": "px" }
+    { "NAME": "center", "TYPE": "point2D", "LABEL": "Center", "DOC": "Center of the twist: (0, 0) is the bottom left of the image, (1, 1) the top right.", "MIN": [0.0, 0.0], "MAX": [1.0, 1.0], "DEFAULT": [0.5, 0.5], "HANDLE": "center" },
+    { "NAME": "angle", "TYPE": "float", "LABEL": "Angle", "DOC": "Rotation at the center. Positive is counter-clockwise.", "MIN": -18.849556, "MAX": 18.849556, "DEFAULT": 4.712389, "IDENTITY": 0.0, "UNIT": "rad", "HANDLE": "angle" },
+    { "NAME": "radius", "TYPE": "float", "LABEL": "Radius", "DOC": "Distance from the center, in pixels of the layer, at which the rotation has dropped to a thousandth of the angle.", "MIN": 1.0, "MAX": 2000.0, "DEFAULT": 400.0, "UNIT": "px", "HANDLE": "extent" }
   ]
 }*/
 

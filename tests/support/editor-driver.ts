@@ -219,7 +219,8 @@ export class EditorDriver {
   /** Shows or hides the gizmo. A hidden gizmo still works. */
   private async showGizmo(shown: boolean): Promise<void> {
     const show = (visibility: string) => {
-      for (const element of document.querySelectorAll<HTMLElement>('#gizmo, .gizmo-bar')) element.style.visibility = visibility;
+      for (const element of document.querySelectorAll<HTMLElement>('#gizmo, #image-gizmo, .gizmo-bar'))
+        element.style.visibility = visibility;
     };
     // A page that is loading has no gizmo.
     await Promise.all(this.page.frames().map((frame) => frame.evaluate(show, shown ? '' : 'hidden').catch(() => {})));

@@ -122,6 +122,7 @@ function paramOf(input: IsfInput): ParamDefinition | null {
         ...range(input),
         ...(input.step === null ? {} : { step: input.step }),
         ...unit(input),
+        ...(input.handle === 'extent' || input.handle === 'angle' ? { handle: input.handle } : {}),
       };
     case 'long':
       if (input.choices.length > 0) return { ...base, type: 'choice', default: first, options: input.choices };
@@ -136,6 +137,7 @@ function paramOf(input: IsfInput): ParamDefinition | null {
         ...(input.min === null ? {} : { min: input.min }),
         ...(input.max === null ? {} : { max: input.max }),
         ...unit(input),
+        ...(input.handle === 'center' || input.handle === 'low' || input.handle === 'high' ? { handle: input.handle } : {}),
       };
     case 'vector3':
     case 'vector4':

@@ -1,4 +1,5 @@
 import type { NodeDefinition, Unit } from '../../../nodes/kit/definition.ts';
+import type { ImageHandle } from '../../../nodes/kit/handles.ts';
 import type { SizeToken } from '../../program/program.ts';
 
 /**
@@ -107,6 +108,8 @@ export interface IsfInput {
   readonly choices: readonly { readonly value: number; readonly label: string }[];
   readonly unit: Unit;
   readonly step: number | null;
+  /** `HANDLE`: the part of the gizmo in the preview that changes a `float` or a `point2D`, or null. */
+  readonly handle: ImageHandle | null;
   /** For sound: number of samples or bins (`MAX`), or null. */
   readonly sampleCount: number | null;
   /** Whether images and depth may stay unconnected; reads then give transparent black and 0. */

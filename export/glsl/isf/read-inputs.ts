@@ -2,6 +2,7 @@ import type { Node } from 'jsonc-parser';
 import { type Curve, curveMisfit, DIAGONAL } from '../../../nodes/kit/curve.ts';
 import type { Unit } from '../../../nodes/kit/definition.ts';
 import { BLACK_TO_WHITE, type Gradient, gradientMisfit } from '../../../nodes/kit/gradient.ts';
+import { IMAGE_HANDLES_OF, type ImageHandle } from '../../../nodes/kit/handles.ts';
 import { flagOf, type Header, items, numberOf, property, textOf } from './isf-header.ts';
 import type { IsfInput, IsfInputType } from './isf-shader.ts';
 
@@ -105,6 +106,7 @@ function readInput(header: Header, node: Node): IsfInput | null {
     choices,
     unit: readUnit(header, node, name),
     step: numberOf(property(node, 'STEP')),
+    handle: readHandle(header, node, type, name),
     sampleCount: readSampleCount(node, type),
     optional: flagOf(property(node, 'OPTIONAL')),
     repeat: textOf(property(node, 'WRAP')) === 'repeat',
@@ -233,6 +235,20 @@ function readUnit(header: Header, node: Node, name: string): Unit {
   if (unit !== null && UNITS.has(unit)) return unit as Unit;
   if (unitNode !== undefined) header.warn(unitNode, `The unit of “${name}” is unknown.`, `Use one of ${[...UNITS].join(', ')}.`);
   return 'none';
+}
+
+/** `HANDLE`: a part of the gizmo that fits the type; null if there is none. */
+function readHandle(header: Header, node: Node, type: IsfInputType, name: string): ImageHandle | null {
+  const written = property(node, 'HANDLE');
+  const fitting: readonly ImageHandle[] = type === 'float' ? IMAGE_HANDLES_OF.number : type === 'point2D' ? IMAGE_HANDLES_OF.vector2 : [];
+  const handle = fitting.find((known) => known === textOf(written)) ?? null;
+  if (written !== undefined && handle === null)
+    header.warn(
+      written,
+      `The input “${name}” cannot have this HANDLE.`,
+      `A float can have ${IMAGE_HANDLES_OF.number.join(' or ')}, a point2D ${IMAGE_HANDLES_OF.vector2.join(', ')}.`,
+    );
+  return handle;
 }
 
 /** `MAX` of sound is the number of samples or bins; null if it is invalid. */

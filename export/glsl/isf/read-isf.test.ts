@@ -79,6 +79,14 @@ describe('inputs', () => {
     expect(read('{ "SCRIM_UNITS": { "r": "px" }, "INPUTS": [{ "NAME": "r", "TYPE": "float" }] }').inputs[0]?.unit).toBe('px');
   });
 
+  test('HANDLE names the part of the gizmo, if the type can have it', () => {
+    const inputs = '{ "NAME": "c", "TYPE": "point2D", "HANDLE": "center" }, { "NAME": "r", "TYPE": "float", "HANDLE": "extent" }';
+    expect(read(`{ "INPUTS": [${inputs}] }`).inputs.map(({ handle }) => handle)).toEqual(['center', 'extent']);
+    const wrong = '{ "INPUTS": [{ "NAME": "r", "TYPE": "float",\n "HANDLE": "center" }] }';
+    expect(read(wrong).inputs[0]?.handle).toBeNull();
+    expect(problems(wrong)).toMatchObject([{ code: 'SCR040', severity: 'warning', line: 2 }]);
+  });
+
   test.each([
     ['a type that does not exist', '{ "INPUTS": [\n  { "NAME": "x", "TYPE": "flaot" } ] }', 2, 26],
     ['no type', '{ "INPUTS": [\n  { "NAME": "x" } ] }', 2, 3],

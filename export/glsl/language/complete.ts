@@ -203,6 +203,14 @@ function valuesAt(key: string, isTechnique: boolean, inputs: readonly string[]):
         ratio: 'Shown in percent',
         none: '',
       };
+    case 'HANDLE':
+      return {
+        center: 'A point of the image',
+        extent: 'Radius of a circle around the center, in pixels',
+        angle: 'Angle around the center',
+        low: 'Bottom left corner of a rectangle',
+        high: 'Top right corner of a rectangle',
+      };
     case 'SCRIM_ALPHA':
       return { straight: '', premultiplied: '' };
     case 'SCRIM_DEPTH':

@@ -138,6 +138,7 @@ function inputOf(name: string, type: IsfInput['type'], more: Partial<IsfInput> =
     choices: [],
     unit: 'none',
     step: null,
+    handle: null,
     sampleCount: null,
     optional: false,
     repeat: false,

@@ -4,7 +4,7 @@ import type { ObjectItem, ObjectList } from '../../../nodes/kit/scene-lists.ts';
 import type { NodeOperation } from '../../program/program.ts';
 import type { Inspected } from '../inspected.ts';
 import type { LiveResource } from '../resources/resources.ts';
-import { firstInput, pickObject, placedObjects } from './placed-objects.ts';
+import { firstInput, pickObject, placedObjects, poseInto } from './placed-objects.ts';
 
 const unitBox = new Mesh(new BoxGeometry(1, 1, 1), new MeshBasicMaterial());
 const move = (x: number, y: number, z: number) => new Matrix4().makeTranslation(x, y, z);
@@ -120,4 +120,13 @@ test('a click on one of several instances finds the node that made what they rep
   expect(pickObject(drawn, 0, 0.5, 5 / 6)?.way).toEqual(['box', 'right', 'scene']);
   expect(firstInput(seen, 'right')?.key).toBe('box');
   expect(firstInput(seen, 'box')).toBeUndefined();
+});
+
+test('the pose of a node is the one that it reads', () => {
+  const { seen } = world();
+  const pose = { worldFromPose: new Float32Array(move(1, 2, 3).elements), valid: true, jumps: 0 };
+  const operations = [operation('offset', 'value', ['head'], 'moved'), operation('head', 'value', [], 'head')];
+  const posed = { program: { ...seen.program, operations }, resources: new Map<string, LiveResource>([['head', { kind: 'pose', pose }]]) };
+  expect(poseInto(posed, 'offset')).toBe(pose);
+  expect(poseInto(posed, 'head')).toBeUndefined();
 });

@@ -1,4 +1,5 @@
 import { Matrix4, Raycaster, Vector2, Vector3 } from 'three';
+import type { PoseView } from '../../../nodes/kit/pose.ts';
 import type { ObjectItem, ObjectList } from '../../../nodes/kit/scene-lists.ts';
 import type { NodeOperation, Operation } from '../../program/program.ts';
 import type { Inspected } from '../inspected.ts';
@@ -40,6 +41,16 @@ export function placedObjects(seen: Seen, node: string, way: readonly string[], 
 export function firstInput(seen: Seen, node: string): ObjectItem | undefined {
   const operation = seen.program.operations.filter(isNode).find((candidate) => candidate.node === node);
   return operation && objectsInto(seen, operation).find(({ items }) => items.length > 0)?.items[0];
+}
+
+/** The pose that a node reads, if it reads one: the handles of the node are in its axes. */
+export function poseInto({ program, resources }: Seen, node: string): PoseView | undefined {
+  const refs = program.operations.filter(isNode).flatMap(({ node: owner, inputs }) => (owner === node ? Object.values(inputs).flat() : []));
+  for (const ref of refs) {
+    const resource = ref.kind === 'resource' ? resources.get(ref.resource) : undefined;
+    if (resource?.kind === 'pose') return resource.pose;
+  }
+  return undefined;
 }
 
 /** An object at a point of a view. */

@@ -42,6 +42,7 @@ export const definition = defineNode({
     start: {
       type: 'vector3',
       stage: 'uniform',
+      handle: 'position',
       label: 'Start',
       doc: 'Value of “Point” before the first tap, in meters.',
       default: [0, 0, 0],

@@ -71,6 +71,7 @@ export const definition = defineNode({
     regionMin: {
       type: 'vector2',
       stage: 'uniform',
+      handle: 'low',
       label: 'Region, bottom left',
       doc: 'Bottom left corner of the region that is measured, in the image from (0, 0) to (1, 1).',
       default: [0, 0],
@@ -80,6 +81,7 @@ export const definition = defineNode({
     regionMax: {
       type: 'vector2',
       stage: 'uniform',
+      handle: 'high',
       label: 'Region, top right',
       doc: 'Top right corner of the region.',
       default: [1, 1],

@@ -10,8 +10,16 @@ export const definition = defineNode({
   inputs: {},
   outputs: { pose: { type: 'pose', label: 'Pose', doc: 'The pose.' } },
   params: {
-    positionM: { type: 'vector3', stage: 'uniform', label: 'Position', doc: 'Position in world space.', default: [0, 0, 0], unit: 'm' },
-    rotationRad: ROTATION_PARAM,
+    positionM: {
+      type: 'vector3',
+      stage: 'uniform',
+      handle: 'position',
+      label: 'Position',
+      doc: 'Position in world space.',
+      default: [0, 0, 0],
+      unit: 'm',
+    },
+    rotationRad: { ...ROTATION_PARAM, handle: 'rotation' },
   },
   lowering: { kind: 'value' },
 });

@@ -13,12 +13,13 @@ export const definition = defineNode({
     offsetM: {
       type: 'vector3',
       stage: 'uniform',
+      handle: 'position',
       label: 'Offset',
       doc: 'How far to move along the axes of the pose.',
       default: [0, 0, 0],
       unit: 'm',
     },
-    rotationRad: ROTATION_PARAM,
+    rotationRad: { ...ROTATION_PARAM, handle: 'rotation' },
   },
   lowering: { kind: 'value' },
 });

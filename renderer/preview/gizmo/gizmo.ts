@@ -1,9 +1,11 @@
 import type { Inspected } from '../../../export/runtime/inspected.ts';
 import type { Player } from '../../../export/runtime/player.ts';
 import { pickObject } from '../../../export/runtime/scenes/placed-objects.ts';
+import { isImageHandle } from '../../../nodes/kit/handles.ts';
 import type { SessionFrame } from '../../../nodes/kit/session.ts';
 import type { FromPreview, PreviewGizmo, ToPreview } from '../../preview-protocol.ts';
 import type { CaptureSource } from '../posters.ts';
+import { createImageTool } from './image-tool.ts';
 import type { ReadParam } from './place.ts';
 import { createSpaceTool } from './space-tool.ts';
 import type { GizmoTool, ViewBox } from './tool.ts';
@@ -43,6 +45,8 @@ interface Press {
 export function createGizmo(parent: HTMLElement, send: (message: FromPreview) => void, wake: () => void): Gizmo {
   let gizmo: PreviewGizmo | null = null;
   let picking = false;
+  const tools: { space: GizmoTool | null; image: GizmoTool | null } = { space: null, image: null };
+  /** The one that is shown, or was last. */
   let tool: GizmoTool | null = null;
   let seen = false;
   let box: ViewBox | null = null;
@@ -100,6 +104,8 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
       drag = event.pointerId;
       document.body.style.cursor = 'grabbing';
       event.stopImmediatePropagation();
+      // Parts in the image do not cover one object more than others.
+      if (tool === tools.image) press = null;
     }
   };
   /** Prevents the default, so that the editor page keeps the focus. */
@@ -150,10 +156,22 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
   // Listens in the capture phase, before the listeners of the walk and of taps.
   for (const [type, listener] of listeners) window.addEventListener(type, listener as EventListener, true);
 
+  const toolFor = ({ handles }: PreviewGizmo): GizmoTool => {
+    const isImage = Object.keys(handles).some(isImageHandle);
+    const other = isImage ? tools.space : tools.image;
+    other?.setShown(null);
+    if (isImage) {
+      tools.image ??= createImageTool(parent);
+      return tools.image;
+    }
+    tools.space ??= createSpaceTool(parent);
+    return tools.space;
+  };
   const show = (inspected: Inspected, frame: SessionFrame) => {
     const [view] = frame.views;
     if (!gizmo || !view || !box) return false;
-    tool ??= createSpaceTool(parent);
+    if (drag === null) tool = toolFor(gizmo);
+    if (!tool) return false;
     return tool.follow({ gizmo, inspected, view, box, read: readerOf(inspected, gizmo.node) });
   };
 
@@ -184,7 +202,8 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
     },
     dispose: () => {
       for (const [type, listener] of listeners) window.removeEventListener(type, listener as EventListener, true);
-      tool?.dispose();
+      tools.space?.dispose();
+      tools.image?.dispose();
     },
   };
 }
@@ -196,17 +215,17 @@ function pressOf({ pointerId: pointer, clientX: x, clientY: y }: PointerEvent, b
 }
 
 function readerOf({ program, slots }: Inspected, node: string): ReadParam {
+  const valuesAt = (slot: number) => [...slots.numbers.subarray(slots.offset(slot), slots.offset(slot) + slots.size(slot))];
   return (param) => {
     for (const operation of program.operations) {
       if (operation.node !== node || operation.kind === 'pass' || operation.kind === 'shadow-maps' || operation.kind === 'readback')
         continue;
       const slot = Object.hasOwn(operation.params, param) ? operation.params[param] : undefined;
-      if (slot === undefined) continue;
-      const offset = slots.offset(slot);
-      const size = slots.slots[slot]?.type === 'vector3' ? 3 : 1;
-      return [...slots.numbers.subarray(offset, offset + size)];
+      if (slot !== undefined) return valuesAt(slot);
     }
-    return null;
+    // Passes have no params, but uniforms.
+    const slot = slots.find(`${node}.${param}`);
+    return slot === undefined ? null : valuesAt(slot);
   };
 }
 

@@ -1,5 +1,5 @@
 import { Matrix4, Quaternion, Vector3 } from 'three';
-import { firstInput, placedObjects } from '../../../export/runtime/scenes/placed-objects.ts';
+import { firstInput, placedObjects, poseInto } from '../../../export/runtime/scenes/placed-objects.ts';
 import type { ViewFrame } from '../../../nodes/kit/session.ts';
 import type { PreviewGizmo } from '../../preview-protocol.ts';
 import { createOverlay } from './overlay.ts';
@@ -90,12 +90,16 @@ export function createSpaceTool(parentElement: HTMLElement): GizmoTool {
     },
     follow: ({ gizmo: held, inspected, view, box: at, read }) => {
       gizmo = held;
+      overlay.canvas.dataset.node = held.node;
       reading = held.adds ? () => null : read;
       box = at;
       overlay.setView(view, at);
       if (!drag) {
         readPlace(held.handles, reading, object);
         if (placedObjects(inspected, held.node, held.chain, scratchMatrix)) parent.matrix.copy(scratchMatrix);
+        const pose = poseInto(inspected, held.node);
+        if (pose?.valid === false) return false;
+        if (pose) parent.matrix.fromArray(pose.worldFromPose);
         if (isDirection(held)) object.position.copy(ahead(view.worldFromView)).applyMatrix4(scratchMatrix.invert());
         const arranges = isArrangement(held);
         if (arranges) followCopies(held, firstInput(inspected, held.node)?.worldFromObject, view);

@@ -38,7 +38,7 @@ export interface GizmoTool {
   /** Values of the params after the last move of the drag. */
   values(): GizmoValues;
   end(): void;
-  /** Follows a frame. Returns whether the gizmo can be shown. */
+  /** Follows a frame, and sets the node as a data attribute, so that tests can wait for it. Returns whether the gizmo can be shown. */
   follow(view: GizmoView): boolean;
   draw(): void;
   /** Sets `mode` as a data attribute, so that tests can wait for it; null hides the gizmo. */

@@ -2,7 +2,7 @@ import { subgraphName } from '../../../export/graph/document-names.ts';
 import type { GraphNode, Project } from '../../../export/graph/project.ts';
 import { getOwn } from '../../../export/graph/record.ts';
 import type { NodeDefinition, ParamDefinition } from '../../../nodes/kit/definition.ts';
-import type { Handle, HandleAxes } from '../../../nodes/kit/handles.ts';
+import { type Handle, type HandleAxes, IMAGE_HANDLES } from '../../../nodes/kit/handles.ts';
 import type { GizmoMode } from '../../preview-protocol.ts';
 import { type DocumentState, graphOf, nodeOf } from './document.ts';
 import { nodePath } from './layer-names.ts';
@@ -19,6 +19,8 @@ export interface GizmoTarget {
   readonly names: Readonly<Record<string, string>>;
   /** The axes that the gizmo shows, as in `xz`. */
   readonly axes: string;
+  /** The gizmo is in the image: it has all its parts in every mode. */
+  readonly inImage?: true;
   /** The node has no transform: a drag first adds a Transform after it, whose params these are. */
   readonly adds?: true;
 }
@@ -58,6 +60,8 @@ export function gizmoTargetOf(
 ): GizmoTargetResult {
   if (selected === null) return { target: null, reason: null };
   if (mode === 'rotate' && nodeOf(state, selected)?.type === LAMPS) return lampTarget(state, selected, lamp);
+  const inImage = imageTarget(state, selected);
+  if (inImage) return inImage;
   let hasTransform = false;
   let hasMuted = false;
   for (const id of nodesBehind(state, selected, chain)) {
@@ -75,11 +79,27 @@ export function gizmoTargetOf(
     const driven = held.map((param) => drivenBy(state, id, node, definition, param)).find((reason) => reason !== null);
     return driven === undefined ? { target: makeTarget(state, id, node, definition, held) } : { target: null, reason: driven };
   }
-  const title = state.library.definition(nodeOf(state, selected)?.type ?? '')?.title;
-  if (!hasTransform || title === undefined) return { target: null, reason: null };
+  const definition = state.library.definition(nodeOf(state, selected)?.type ?? '');
+  if (!hasTransform || definition === undefined) return { target: null, reason: null };
   const added = hasMuted ? null : addedTarget(state, selected, mode);
   if (added) return { target: added };
-  return { target: null, reason: `${title} cannot be ${PARTICIPLES[mode]}. Connect its objects to a Transform.` };
+  const fixed = `${definition.title} cannot be ${PARTICIPLES[mode]}.`;
+  return { target: null, reason: hasObjects(definition) ? `${fixed} Connect its objects to a Transform.` : fixed };
+}
+
+/** The gizmo target of a node with handles in its image; null if it has none. */
+function imageTarget(state: DocumentState, id: string): GizmoTargetResult | null {
+  const node = nodeOf(state, id);
+  const definition = node && state.library.definition(node.type);
+  if (!node || !definition) return null;
+  const all = handleParams(state, id, node, definition, IMAGE_HANDLES);
+  if (all.length === 0) return null;
+  if (node.muted) return { target: null, reason: `${definition.title} is muted. Unmute it to use the gizmo.` };
+  const free = all.filter((param) => drivenBy(state, id, node, definition, param) === null);
+  // Without the point or the corners there is no place for the rest.
+  const fixed = all.find((param) => !free.includes(param) && param.handle !== 'extent' && param.handle !== 'angle');
+  if (fixed) return { target: null, reason: drivenBy(state, id, node, definition, fixed) };
+  return { target: { ...makeTarget(state, id, node, definition, free), inImage: true } };
 }
 
 /** Categories of nodes that create virtual objects. The room decides where those of `world/` are. */
@@ -128,10 +148,11 @@ function lampTarget(state: DocumentState, node: string, lamp: number): GizmoTarg
 
 /** Whether a node has a transform or outputs objects. */
 function isPlaced(definition: NodeDefinition): boolean {
-  return (
-    Object.values(definition.params).some((param) => handleOf(param) !== undefined) ||
-    Object.values(definition.outputs).some(({ type }) => type === 'objects')
-  );
+  return Object.values(definition.params).some((param) => handleOf(param) !== undefined) || hasObjects(definition);
+}
+
+function hasObjects({ outputs }: NodeDefinition): boolean {
+  return Object.values(outputs).some(({ type }) => type === 'objects');
 }
 
 function handleOf(param: ParamDefinition): Handle | undefined {

@@ -148,6 +148,45 @@ describe('what is taken hold of', () => {
     expect(shown()).toMatchObject({ node: `${outer}/${copies}`, handles: { radius: 'radiusM' }, axes: 'z' });
   });
 
+  test('filters by what they have in the image, in every mode; not where the center is connected', async () => {
+    const { editor, shown, drag } = await boxes();
+    const swirl = add(editor, 'filter/swirl');
+    selectOnly(editor.selection, [swirl]);
+    const handles = { center: 'center', extent: 'radius', angle: 'angle' };
+    for (const mode of ['move', 'rotate', 'scale'] as const) {
+      expect(currentGizmoTarget(editor, mode)).toMatchObject({ target: { handles, inImage: true } });
+    }
+    expect(shown()).toMatchObject({ node: swirl, handles });
+    const before = editor.document.getState().project;
+    drag({ center: [0.123456, 0.5] });
+    drag({ center: [0.2, 1.5] }, 'ended');
+    expect(nodeOf(editor.document.getState(), swirl)?.params).toEqual({ center: { value: [0.2, 1] } });
+    expect(editor.document.getState().history.past.at(-1)?.label).toBe('Adjust Swirl');
+    undo(editor);
+    expect(editor.document.getState().project).toEqual(before);
+    bindExpression(editor, swirl, 'radius', '100 + time');
+    expect(shown()?.handles).toEqual({ center: 'center', angle: 'angle' });
+    bindExpression(editor, swirl, 'center', '[time, 0.5]');
+    expect(currentGizmoTarget(editor, 'move')).toEqual({
+      target: null,
+      reason: '“Center” of Swirl has an expression. Reset it to use the gizmo.',
+    });
+    selectOnly(editor.selection, [add(editor, 'layer/measure-mask')]);
+    expect(shown()).toMatchObject({ handles: { low: 'regionMin', high: 'regionMax' } });
+  });
+
+  test('poses by their position and rotation, which are not scaled and have no objects to connect', async () => {
+    const { editor, shown } = await boxes();
+    for (const [type, position] of [
+      ['pose/from-values', 'positionM'],
+      ['pose/offset', 'offsetM'],
+    ] as const) {
+      selectOnly(editor.selection, [add(editor, type)]);
+      expect(shown()?.handles).toEqual({ position, rotation: 'rotationRad' });
+    }
+    expect(currentGizmoTarget(editor, 'scale')).toEqual({ target: null, reason: 'Offset pose cannot be scaled.' });
+  });
+
   test('nothing where a node has no place, and of a model that goes nowhere what to do', async () => {
     const { editor } = await boxes();
     selectOnly(editor.selection, [add(editor, 'filter/sepia')]);

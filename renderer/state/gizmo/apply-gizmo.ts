@@ -137,7 +137,8 @@ function setValues(editor: Editor, { target, timeS }: GizmoDrag, mode: GizmoMode
     if (binding && 'track' in binding) editAt(editor, target.node, name, timeS, fitting);
     else edits.push({ param: name, value: fitting });
   }
-  if (edits.length > 0) editParams(editor, `${VERBS[mode]} ${target.title}`, target.node, edits, keyOf(target.node));
+  const verb = target.inImage ? 'Adjust' : VERBS[mode];
+  if (edits.length > 0) editParams(editor, `${verb} ${target.title}`, target.node, edits, keyOf(target.node));
 }
 
 /** Decimals of lengths and factors: 0.1 mm. Those of angles are below 0.00001°. */
@@ -150,7 +151,7 @@ function inRange(param: ParamDefinition, value: ParamValue): ParamValue {
   const clean = (part: number, min = Number.NEGATIVE_INFINITY, max = Number.POSITIVE_INFINITY) =>
     Math.min(Math.max(Number(part.toFixed(digits)), min), max);
   if (param.type === 'number') return clean(Number(value), param.min, param.max);
-  if (param.type !== 'vector3' || !Array.isArray(value)) return value;
+  if ((param.type !== 'vector2' && param.type !== 'vector3') || !Array.isArray(value)) return value;
   return (value as readonly number[]).map((part, i) => clean(part, param.min?.[i], param.max?.[i]));
 }
 
