@@ -282,8 +282,8 @@ export type FromPreview =
    */
   | { readonly kind: 'model-drawn'; readonly request: number; readonly image: ImageBitmap | null; readonly gpuBytes: number | null }
   /**
-   * A session began. Frame times are null if it is not a recording and cannot seek. `shape`: width of the images of a recording divided by
-   * their height.
+   * A session began. Frame times are null if it is not a recording and cannot seek. `shape`: width of the images of a recording or
+   * camera divided by their height; null for other sessions.
    */
   | { readonly kind: 'frames'; readonly frames: FrameTimes | null; readonly shape: number | null }
   /** All problems of the running program, or of the program of `revision` if it could not be played. */

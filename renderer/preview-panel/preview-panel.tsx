@@ -4,7 +4,7 @@ import { runCommand } from '../state/commands/app-commands.ts';
 import { togglePreviewExtent } from '../state/commands/command-actions.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 import type { StopReason } from '../state/editor/preview-state.ts';
-import { chosenSource, frameOf, isLoading, LOCAL_SOURCES, shownFrame, timeOf } from '../state/editor/preview-state.ts';
+import { chosenSource, frameOf, isLoading, LOCAL_SOURCES, shownFrame, shownShape, timeOf } from '../state/editor/preview-state.ts';
 import { goToStart, isHeld, stepFrames, togglePlay } from '../state/preview/playback.ts';
 import { popOutPreview } from '../state/preview/pop-out.ts';
 import { startPreview } from '../state/preview/stopped-preview.ts';
@@ -70,16 +70,16 @@ export function PreviewPanel({ previewUrl }: { readonly previewUrl: string }) {
   );
 }
 
-/** Gives the preview the shape of a device or of a recording, or fits it to the panel. */
+/** Gives the preview the shape of a device, a recording or a camera, or fits it to the panel. */
 function Device({ children }: { readonly children: ReactNode }) {
   const { preview } = useEditor();
   const frame = useStore(preview, shownFrame);
-  const shape = useStore(preview, (state) => state.shape);
+  const shape = useStore(preview, shownShape);
   return (
     <div
       className="stage-device"
       data-frame={frame}
-      {...(frame === 'fill' && shape !== null && { 'data-shaped': '', style: { ['--shape' as string]: shape } })}
+      {...(shape !== null && { 'data-shaped': '', style: { ['--shape' as string]: shape } })}
     >
       {children}
     </div>

@@ -31,6 +31,8 @@ export interface OpenSession {
   readonly diagnostics: readonly Diagnostic[];
   /** Controls the time of a recording; null if the session is not a recording. */
   readonly recording: RecordingTransport | null;
+  /** Width of the images of a recording or camera divided by their height; null for other sessions. */
+  readonly shape: number | null;
   rewind(): void;
   /** Resizes the screen of an emulated device from the next frame on; null: to that of the preview. No effect on other sessions. */
   resize(sizePx: readonly [width: number, height: number] | null): void;
@@ -48,8 +50,6 @@ export interface OpenSession {
 /** Controls the time of a recording. */
 export interface RecordingTransport {
   readonly frames: FrameTimes;
-  /** Width of the images divided by their height. */
-  readonly shape: number;
   /** The session shows an earlier frame while the current one is being decoded. */
   readonly isLate: boolean;
   /** Goes to a time in seconds since the recording began. */
@@ -98,7 +98,7 @@ export function openSession(source: PreviewSource, place: SessionPlace): Promise
 async function openCamera({ gl, clock, canvas }: SessionPlace): Promise<OpenSession> {
   const media = navigator.mediaDevices;
   const result = await requestCameraSession({ window, media, gl, canvas, clock, inputs: SESSION_INPUTS, createLens, fitter: SIZED });
-  return { ...opened(result), video: result.output?.video ?? null };
+  return ofCamera(opened(result), result.output?.video);
 }
 
 async function openStill(image: Blob, { gl, clock, canvas }: SessionPlace): Promise<OpenSession> {
@@ -119,7 +119,12 @@ async function openStill(image: Blob, { gl, clock, canvas }: SessionPlace): Prom
     inputs: SESSION_INPUTS,
     fitter: SIZED,
   });
-  return { ...opened({ output, diagnostics: [] }), video: output.video };
+  return ofCamera(opened({ output, diagnostics: [] }), output.video);
+}
+
+function ofCamera(session: OpenSession, video: HTMLVideoElement | undefined): OpenSession {
+  const known = video !== undefined && video.videoWidth > 0;
+  return { ...session, video: video ?? null, shape: known ? video.videoWidth / video.videoHeight : null };
 }
 
 /** Two sources with the same key share a session. A recording depends only on its URL. */
@@ -146,6 +151,7 @@ function opened({ output, diagnostics }: Result<Session>): OpenSession {
     session: output,
     diagnostics,
     recording: null,
+    shape: null,
     rewind: () => {},
     resize: () => {},
     moveLight: () => {},
@@ -162,9 +168,9 @@ async function openRecording(url: string, { gl, clock, onEnd, onArrival }: Sessi
   const { output, diagnostics } = await session.ready;
   return {
     ...opened({ output: output && session, diagnostics }),
+    shape: output && output.shape,
     recording: output && {
       frames: output.frames,
-      shape: output.shape,
       get isLate() {
         return session.isLate;
       },

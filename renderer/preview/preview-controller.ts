@@ -191,7 +191,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     const opened = await openSession(from, { gl, canvas, clock, program, screen, sizePx: resolution.sizePx, onEnd, onArrival: clock.wake });
     open = opened;
     // The editor answers with the play range.
-    send({ kind: 'frames', frames: opened.recording?.frames ?? null, shape: opened.recording?.shape ?? null });
+    send({ kind: 'frames', frames: opened.recording?.frames ?? null, shape: opened.shape });
     openKey = sessionKey(from, program);
     if (lightWorld) opened.moveLight(lightWorld);
     problems.setSession(opened.diagnostics);

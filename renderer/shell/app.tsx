@@ -4,7 +4,9 @@ import { HelpPanel } from '../help/help-panel.tsx';
 import { Inspector } from '../inspector/inspector.tsx';
 import { PreviewPanel } from '../preview-panel/preview-panel.tsx';
 import type { Editor } from '../state/editor/editor.ts';
+import { shownShape } from '../state/editor/preview-state.ts';
 import type { PanelSizes } from '../state/editor/ui.ts';
+import { arrangeSide, type SideArrangement } from '../state/preferences/panel-layout.ts';
 import type { PreviewSync } from '../state/preview-sync/preview-sync.ts';
 import { Split, type SplitProps } from '../ui/split.tsx';
 import { TooltipLayer } from '../ui/tooltip.tsx';
@@ -54,9 +56,10 @@ function Layout({ previewUrl }: { readonly previewUrl: string }) {
   );
 }
 
-/** Graph, preview and inspector. A change of the dock moves the panes by CSS alone, so that the preview page is not reloaded. */
+/** Graph, preview and inspector. A change of their arrangement moves the panes by CSS alone, so that the preview page is not reloaded. */
 function Workspace({ previewUrl }: { readonly previewUrl: string }) {
   const dock = useStore(useEditor().ui, (state) => state.dock);
+  const { side } = useSideArrangement();
   const below = dock === 'below';
   return (
     <Panes
@@ -64,7 +67,7 @@ function Workspace({ previewUrl }: { readonly previewUrl: string }) {
       fixed="second"
       reversed={dock === 'left'}
       label={below ? 'Height of preview and inspector' : 'Width of preview and inspector'}
-      size={below ? 'belowHeightPx' : 'sideWidthPx'}
+      size={below ? 'belowHeightPx' : side}
       minPx={below ? 200 : 300}
       otherMinPx={below ? 200 : 360}
       first={<GraphArea />}
@@ -106,19 +109,33 @@ function GraphAndHelp() {
 }
 
 function PreviewAndInspector({ previewUrl }: { readonly previewUrl: string }) {
-  const below = useStore(useEditor().ui, (state) => state.dock === 'below');
+  const dock = useStore(useEditor().ui, (state) => state.dock);
+  const side = useSideArrangement();
+  const panes = { first: <PreviewPanel previewUrl={previewUrl} />, second: <Inspector /> };
+  if (dock !== 'below' && side.place === 'above')
+    return (
+      <Panes {...panes} direction="rows" fixed="first" label="Height of the preview" size={side.preview} minPx={160} otherMinPx={160} />
+    );
   return (
     <Panes
-      direction={below ? 'columns' : 'rows'}
-      fixed={below ? 'second' : 'first'}
-      label={below ? 'Width of the inspector' : 'Height of the preview'}
-      size={below ? 'inspectorWidthPx' : 'previewHeightPx'}
-      minPx={below ? 280 : 160}
-      otherMinPx={below ? 300 : 160}
-      first={<PreviewPanel previewUrl={previewUrl} />}
-      second={<Inspector />}
+      {...panes}
+      direction="columns"
+      fixed="second"
+      // The picture stands beside the graph.
+      reversed={dock === 'left'}
+      label="Width of the inspector"
+      size={dock !== 'below' && side.place === 'beside' ? side.inspector : 'inspectorWidthPx'}
+      minPx={260}
+      otherMinPx={dock === 'below' ? 300 : 200}
     />
   );
+}
+
+function useSideArrangement(): SideArrangement {
+  const { preview, ui } = useEditor();
+  const shape = useStore(preview, shownShape);
+  const sizes = useStore(ui, (state) => state.sizes);
+  return arrangeSide(shape, sizes);
 }
 
 /**

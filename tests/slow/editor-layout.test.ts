@@ -66,6 +66,22 @@ describe('the layout of the window', () => {
     expect(Math.abs((box?.width ?? 0) - (box?.height ?? 0) * (4 / 3))).toBeLessThan(1.5);
   });
 
+  test('gives an upright phone nearly the whole height beside the inspector, without loading its page again', async () => {
+    const frame = open.page.frames().find((candidate) => candidate.parentFrame() !== null);
+    await frame?.evaluate(() => Object.assign(window, { upright: true }));
+    await open.page.getByRole('button', { name: 'Phone, portrait' }).click();
+    const phone = open.page.locator('.stage-device');
+    await eventually(async () => expect((await phone.boundingBox())?.height).toBeGreaterThan(900 * 0.8));
+    const box = await phone.boundingBox();
+    expect(((box?.width ?? 0) / (box?.height ?? 1)) * (19.5 / 9)).toBeCloseTo(1, 1);
+    const inspector = await open.editor.inspector.boundingBox();
+    expect(inspector?.x).toBeGreaterThanOrEqual((box?.x ?? 0) + (box?.width ?? 0));
+    expect(inspector?.width).toBeGreaterThanOrEqual(260);
+    expect(await frame?.evaluate(() => 'upright' in window)).toBe(true);
+    await open.page.getByRole('button', { name: 'Fit to panel' }).click();
+    await eventually(async () => expect((await previewBox()).width).toBeGreaterThanOrEqual(1440 * 0.4));
+  });
+
   test('docks the preview left and below without loading its page again, and fits the graph', async () => {
     const frame = open.page.frames().find((candidate) => candidate.parentFrame() !== null);
     await frame?.evaluate(() => Object.assign(window, { mark: true }));

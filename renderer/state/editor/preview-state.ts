@@ -53,7 +53,7 @@ export interface PreviewState {
   readonly physics: PhysicsChoice;
   /** Frame times of the recording; null if the source is not a recording. */
   readonly frames: FrameTimes | null;
-  /** Width of the images of the recording divided by their height; null if the source is not a recording. */
+  /** Width of the images of the recording or camera divided by their height; null if the source has no shape of its own. */
   readonly shape: number | null;
   /** The play range; null for the whole recording. */
   readonly range: FrameRange | null;
@@ -79,6 +79,17 @@ export interface FrameRange {
 /** Shape of the preview: that of the panel, or of a device. */
 export const DEVICE_FRAMES = ['fill', 'phone', 'phone-wide', 'headset', 'glasses'] as const;
 export type DeviceFrame = (typeof DEVICE_FRAMES)[number];
+
+/** Width ÷ height of an upright phone. */
+export const PHONE_SHAPE = 9 / 19.5;
+
+/** Width ÷ height of the screens of devices. A headset has two views of 1680 × 1760. */
+const FRAME_SHAPES: Readonly<Record<Exclude<DeviceFrame, 'fill'>, number>> = {
+  phone: PHONE_SHAPE,
+  'phone-wide': 1 / PHONE_SHAPE,
+  headset: 3360 / 1760,
+  glasses: 3 / 2,
+};
 
 /**
  * Direction of a light as in `light/directional`. Azimuth 0 is the front (+z), π/2 the right (+x); elevation is the angle above the
@@ -160,6 +171,12 @@ export function shownFrame(state: PreviewState): DeviceFrame {
   const { frame, views } = state;
   if (frame !== 'auto') return frame;
   return chosenSource(state)?.kind === 'room' && views === 1 ? 'phone' : 'fill';
+}
+
+/** Width of the picture divided by its height; null if it has the shape of the panel. */
+export function shownShape(state: PreviewState): number | null {
+  const frame = shownFrame(state);
+  return frame === 'fill' ? state.shape : FRAME_SHAPES[frame];
 }
 
 /** Puts the preview into a frame, with the views of that device and all its features. */

@@ -13,6 +13,12 @@ export interface PanelSizes {
   readonly belowHeightPx: number;
   /** Width of the inspector beside a preview below the graph. */
   readonly inspectorWidthPx: number;
+  /** Height of a preview above the inspector whose picture is higher than wide. */
+  readonly uprightHeightPx: number;
+  /** Width of preview and inspector beside the graph while the picture has the shape of an upright phone. */
+  readonly tallSideWidthPx: number;
+  /** Width of the inspector beside such a picture. */
+  readonly tallInspectorWidthPx: number;
 }
 
 export const DEFAULT_SIZES: PanelSizes = {
@@ -22,6 +28,9 @@ export const DEFAULT_SIZES: PanelSizes = {
   helpWidthPx: 300,
   belowHeightPx: 420,
   inspectorWidthPx: 380,
+  uprightHeightPx: 620,
+  tallSideWidthPx: 700,
+  tallInspectorWidthPx: 290,
 };
 
 /** Where preview and inspector are, relative to the graph. */

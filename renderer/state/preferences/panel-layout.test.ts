@@ -1,5 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
-import { loadLayout } from './panel-layout.ts';
+import { PHONE_SHAPE } from '../editor/preview-state.ts';
+import { arrangeSide, loadLayout } from './panel-layout.ts';
 
 const storing = (text: string | null) => ({ getItem: () => text });
 
@@ -13,6 +14,25 @@ describe('the layout of panels', () => {
     expect(dock).toBe('right');
     expect(sizes.sideWidthPx).toBeGreaterThanOrEqual(Math.floor(width * 0.4));
     expect(height - sizes.previewHeightPx).toBeGreaterThan(height * 0.4);
+  });
+
+  test.each([
+    [1024, 768],
+    [1440, 900],
+    [2560, 1440],
+  ])('gives an upright phone about twice the area that it has in a 4:3 panel or more, in a window of %i × %i', (width, height) => {
+    const { sizes } = loadLayout(storing(null), width, height);
+    const around = { rail: 33, case: 24, transport: 38, bars: 70 };
+    const phoneHeight = (widthPx: number, heightPx: number) =>
+      Math.min(heightPx - around.transport - around.case, (widthPx - around.rail - around.case) / PHONE_SHAPE);
+    const side = arrangeSide(PHONE_SHAPE, sizes);
+    const now =
+      side.place === 'beside'
+        ? phoneHeight(sizes[side.side] - sizes[side.inspector], height - around.bars)
+        : phoneHeight(sizes[side.side], sizes[side.preview]);
+    const before = phoneHeight(sizes.sideWidthPx, sizes.previewHeightPx);
+    expect((now / before) ** 2).toBeGreaterThan(width < 1200 ? 1.8 : 2);
+    expect(sizes[side.side]).toBeLessThanOrEqual(width / 2);
   });
 
   test('keeps stored sizes, the dock and the device frame, and replaces invalid ones', () => {

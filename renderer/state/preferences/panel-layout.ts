@@ -1,6 +1,6 @@
 import { debounce } from '../../clock.ts';
 import type { Editor } from '../editor/editor.ts';
-import { DEVICE_FRAMES, type PreviewState } from '../editor/preview-state.ts';
+import { DEVICE_FRAMES, PHONE_SHAPE, type PreviewState } from '../editor/preview-state.ts';
 import { DEFAULT_SIZES, DOCKS, type Dock, type PanelSizes } from '../editor/ui.ts';
 
 /** The stored part of the layout of panels. */
@@ -22,6 +22,18 @@ const PREVIEW_SHAPE = 0.75;
 const TRANSPORT_PX = 38;
 /** Fraction of the window's height that the preview leaves to the inspector below it. */
 const INSPECTOR_FRACTION = 0.42;
+/** Fraction of the window's height that a preview above the inspector gets if its picture is higher than wide. */
+const UPRIGHT_FRACTION = 0.68;
+/** Height of the top bar and the status bar. */
+const BARS_PX = 70;
+/** Space around a device. */
+const CASE_PX = 24;
+/** Most that a phone beside the inspector takes of the window's width. */
+const TALL_SIDE_FRACTION = 0.5;
+/** Pictures with a smaller width ÷ height get the whole height beside the inspector. */
+const TALL_SHAPE = 0.7;
+/** Least width of preview and inspector for that, in CSS pixels. */
+const TALL_LEAST_PX = 520;
 const NARROW_PX = 1200;
 const NARROW_SIZES = { bottomHeightPx: 250, helpWidthPx: 240 };
 
@@ -46,6 +58,9 @@ export function loadLayout(storage: Pick<Storage, 'getItem'>, windowWidthPx: num
       helpWidthPx: size('helpWidthPx'),
       belowHeightPx: size('belowHeightPx'),
       inspectorWidthPx: size('inspectorWidthPx'),
+      uprightHeightPx: size('uprightHeightPx'),
+      tallSideWidthPx: size('tallSideWidthPx'),
+      tallInspectorWidthPx: size('tallInspectorWidthPx'),
     },
     dock: DOCKS.find((dock) => dock === saved.dock) ?? 'right',
     frame: DEVICE_FRAMES.find((frame) => frame === saved.frame) ?? 'auto',
@@ -55,13 +70,34 @@ export function loadLayout(storage: Pick<Storage, 'getItem'>, windowWidthPx: num
 function sizesFor(windowWidthPx: number, windowHeightPx: number): PanelSizes {
   const imageWidthPx = Math.round(windowWidthPx * SIDE_FRACTION);
   const shapedPx = imageWidthPx * PREVIEW_SHAPE + TRANSPORT_PX;
+  const phoneHeightPx = windowHeightPx - BARS_PX - TRANSPORT_PX - CASE_PX;
+  const tallPx = phoneHeightPx * PHONE_SHAPE + CASE_PX + RAIL_PX + DEFAULT_SIZES.tallInspectorWidthPx;
   return {
     ...DEFAULT_SIZES,
     ...(windowWidthPx < NARROW_PX ? NARROW_SIZES : {}),
     sideWidthPx: imageWidthPx + RAIL_PX,
     previewHeightPx: Math.round(Math.min(shapedPx, windowHeightPx * (1 - INSPECTOR_FRACTION))),
     belowHeightPx: Math.round(windowHeightPx * 0.5),
+    uprightHeightPx: Math.round(windowHeightPx * UPRIGHT_FRACTION),
+    tallSideWidthPx: Math.round(Math.max(imageWidthPx + RAIL_PX, Math.min(tallPx, windowWidthPx * TALL_SIDE_FRACTION))),
   };
+}
+
+/** Where the preview stands in a dock beside the graph: `above` or `beside` the inspector, and its stored sizes. */
+export type SideArrangement =
+  | { readonly place: 'above'; readonly side: 'sideWidthPx' | 'tallSideWidthPx'; readonly preview: 'previewHeightPx' | 'uprightHeightPx' }
+  | { readonly place: 'beside'; readonly side: 'tallSideWidthPx'; readonly inspector: 'tallInspectorWidthPx' };
+
+/**
+ * Arranges the preview by the shape of its picture, so that the picture is as large as the dock permits.
+ *
+ * @param shape Width ÷ height of the picture; null for that of the panel.
+ */
+export function arrangeSide(shape: number | null, sizes: PanelSizes): SideArrangement {
+  if (shape === null || shape >= 1) return { place: 'above', side: 'sideWidthPx', preview: 'previewHeightPx' };
+  if (shape >= TALL_SHAPE) return { place: 'above', side: 'sideWidthPx', preview: 'uprightHeightPx' };
+  if (sizes.tallSideWidthPx < TALL_LEAST_PX) return { place: 'above', side: 'tallSideWidthPx', preview: 'uprightHeightPx' };
+  return { place: 'beside', side: 'tallSideWidthPx', inspector: 'tallInspectorWidthPx' };
 }
 
 /** Stores the layout after each change. */
