@@ -27,17 +27,18 @@ export const NodeView = memo(function NodeView({ id, data, selected }: NodeProps
 
 type NodeBodyProps = Pick<NodeProps<CanvasNode>, 'id' | 'data' | 'selected'>;
 
-/** A node on an overview: a rectangle in the color of its main type. */
+/** A node on an overview: a rectangle with the icon and the color of its category. */
 function OverviewNode({ id, data, selected }: NodeBodyProps) {
   const state = data.problem?.severity === 'error' ? ' patch-error' : data.muted ? ' patch-muted' : '';
-  const color = data.type ? WIRE_TYPES[data.type].color : 'var(--text-3)';
   return (
     <div
       className={`patch${state}${selected ? ' patch-selected' : ''}`}
-      style={{ ['--port' as string]: color }}
+      style={{ ['--category' as string]: categoryColor(data.nodeType) }}
       data-node={id}
       data-tip={data.title}
-    />
+    >
+      <CategoryMark type={data.nodeType} />
+    </div>
   );
 }
 
