@@ -110,7 +110,7 @@ function RecoveryDialog({ request, onClose }: RecoveryDialogProps) {
   };
   const restore = () => {
     onClose();
-    if (open) showProject(editor, { ...open, files: request.files, recovery: null, openElsewhere: false }, request.files, false);
+    if (open) showProject(editor, open, request.files, false);
   };
   return (
     <ChoiceDialog

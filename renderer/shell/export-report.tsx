@@ -49,6 +49,16 @@ export function ExportSizes({ report: { bytes, parts, files } }: ReportProps) {
   );
 }
 
+/** Stands for the sizes of a page while its form is another than that of the last export. */
+export function NoSizes({ busy }: { readonly busy: boolean }) {
+  return (
+    <section className="exported-section" aria-labelledby="exported-size">
+      <h3 id="exported-size">Size</h3>
+      <p className="exported-total">{busy ? 'Measuring…' : 'Not exported in this form.'}</p>
+    </section>
+  );
+}
+
 /** What each kind of device shows of a page. */
 export function ExportDevices({ report }: ReportProps) {
   return (

@@ -8,7 +8,7 @@ import { Dialog } from '../ui/dialog.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { ExportProgress } from './export-dialog.tsx';
 import { ExportErrors } from './export-errors.tsx';
-import { ExportDevices, ExportSizes } from './export-report.tsx';
+import { ExportDevices, ExportSizes, NoSizes } from './export-report.tsx';
 import { PublishedAddress } from './published-address.tsx';
 import './export-dialog.css';
 
@@ -17,8 +17,10 @@ export function ExportedDialog({ onClose }: { readonly onClose: () => void }) {
   const editor = useEditor();
   const exported = useStore(editor.ui, (state) => state.exported);
   const busy = useStore(editor.ui, (state) => state.exporting !== null);
+  const settings = useStore(editor.ui, (state) => state.exportSettings);
   const [said, setSaid] = useState('');
   if (exported === null || lastExport(editor) === null) return null;
+  const isOld = settings.singleFile !== exported.settings.singleFile || settings.offline !== exported.settings.offline;
   const copy = async () => setSaid((await copyExportAddress(editor)) ?? '');
   const visit = () => visitExport(editor, (url) => window.open(url, '_blank', 'noopener'));
   const again = (changed: Partial<ExportSettings>) => {
@@ -58,11 +60,11 @@ export function ExportedDialog({ onClose }: { readonly onClose: () => void }) {
       <div className="exported scroll" aria-busy={busy}>
         <div className="exported-column">
           <Poster exported={exported} />
-          <ExportSwitches settings={exported.settings} busy={busy} onChange={again} />
+          <ExportSwitches settings={settings} busy={busy} onChange={again} />
           <PublishedAddress exported={exported} busy={busy} onExport={() => again({})} />
         </div>
         <div className="exported-column">
-          <ExportSizes report={exported.report} />
+          {isOld ? <NoSizes busy={busy} /> : <ExportSizes report={exported.report} />}
           <ExportDevices report={exported.report} />
         </div>
       </div>

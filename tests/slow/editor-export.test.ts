@@ -102,9 +102,14 @@ test('its switches export the page again: as one file, which opens in the browse
   await result().getByRole('switch', { name: 'Works offline', checked: false, disabled: false }).waitFor();
   expect(await readdir(out)).not.toContain('offline.js');
   expect(await readFile(join(out, 'index.html'), 'utf8')).toContain('https://example.org/my%20effect/poster-');
+  const size = result().getByRole('region', { name: 'Size' });
+  expect(await size.textContent()).toMatch(/\d files/);
   await result().getByRole('switch', { name: 'Single file' }).click();
+  // The sizes of the other form go at once.
+  await size.getByText(/Measuring|1 file$/).waitFor();
   await result().getByRole('switch', { name: 'Single file', checked: true, disabled: false }).waitFor();
   expect((await readdir(out)).sort()).toEqual(['index.html', 'report.json']);
+  expect(await size.textContent()).toMatch(/1 file(?!s)/);
 
   const tab = page.waitForEvent('popup');
   await result().getByRole('button', { name: 'Open in browser' }).click();
@@ -118,7 +123,7 @@ test('an error stands in the dialog, at its folder', async () => {
   const { page } = open;
   await askFor(open.project);
   const dialog = page.getByRole('dialog', { name: 'Export the page' });
-  expect(await dialog.getByRole('alert').textContent()).toContain(open.project);
+  await dialog.getByRole('alert').filter({ hasText: open.project }).waitFor();
   await page.keyboard.press('Escape');
   await dialog.waitFor({ state: 'detached' });
 });

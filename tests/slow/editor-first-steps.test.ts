@@ -69,7 +69,7 @@ test('a blank project offers an object, which is drawn over the camera; the hist
   await page.getByRole('button', { name: 'File', exact: true }).click();
   await page.getByRole('menuitem', { name: 'Revert to saved' }).click();
   await eventually(async () => expect(await page.locator('.react-flow__node').count()).toBe(2));
-  await page.keyboard.press('Control+y');
+  await page.keyboard.press('Control+z');
   await eventually(async () => expect(await page.locator('.react-flow__node').count()).toBe(7));
 });
 

@@ -8,7 +8,10 @@ import { getOwn } from '../../../export/graph/record.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 
 /** The open project, as the host describes it. */
-export type OpenInfo = Pick<OpenProject, 'handle' | 'displayPath' | 'revision' | 'assetBaseUrl' | 'assetFiles'>;
+export interface OpenInfo extends Pick<OpenProject, 'handle' | 'displayPath' | 'revision' | 'assetBaseUrl' | 'assetFiles'> {
+  /** Whether the project was just created. What is kept of an earlier project in the same folder does not apply to it. */
+  readonly isNew?: boolean;
+}
 
 export interface DocumentState {
   /** The open project; null if there is none. */

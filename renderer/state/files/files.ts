@@ -12,7 +12,7 @@ import { saveProject } from '../../../export/graph/save.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import { apply, endGesture } from '../document/apply.ts';
 import { finishTyping } from '../document/edit-shader.ts';
-import { type DocumentState, isDirty } from '../editor/document.ts';
+import { type DocumentState, isDirty, type OpenInfo } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { rememberProject } from '../editor/preferences.ts';
 import { selectNothing } from '../editor/selection.ts';
@@ -54,17 +54,17 @@ export function openPath(editor: Editor, path: string): Promise<boolean> {
 
 /** Creates a project from a template in a new or empty folder, and opens it in place of the current one. */
 export function createProject(editor: Editor, project: HostInput<'project.create'>): Promise<boolean> {
-  return editor.fileWork(() => openWith(editor, project.path, () => editor.host.call('project.create', project)));
+  return editor.fileWork(() => openWith(editor, project.path, () => editor.host.call('project.create', project), true));
 }
 
 /** Opens a project and discards unsaved changes; callers ask the user first. */
-async function openWith(editor: Editor, asked: string, ask: () => Promise<OpenProject>): Promise<boolean> {
+async function openWith(editor: Editor, asked: string, ask: () => Promise<OpenProject>, isNew = false): Promise<boolean> {
   const { open: before } = editor.document.getState();
   clearDialogErrors(editor.ui);
   try {
     const opened = await ask();
     const discarded = isDirty(editor.document.getState());
-    if (!showProject(editor, opened, opened.files)) {
+    if (!showProject(editor, { ...opened, isNew }, opened.files)) {
       await editor.host.call('project.close', { handle: opened.handle });
       return false;
     }
@@ -158,14 +158,14 @@ export function readProject(editor: Editor, files: ProjectFiles): ReadProject | 
 }
 
 /** Shows a project in the editor. If the files are invalid, shows why and returns false. */
-export function showProject(editor: Editor, opened: OpenProject, files: ProjectFiles, asSaved = true): boolean {
+export function showProject(editor: Editor, opened: OpenInfo, files: ProjectFiles, asSaved = true): boolean {
   const read = readProject(editor, files);
   if (read === null) return false;
   selectNothing(editor.selection);
   editor.ui.setState({ outside: [] });
-  const { handle, displayPath, revision, assetBaseUrl, assetFiles } = opened;
+  const { handle, displayPath, revision, assetBaseUrl, assetFiles, isNew = false } = opened;
   editor.document.setState((state) => ({
-    open: { handle, displayPath, revision, assetBaseUrl, assetFiles },
+    open: { handle, displayPath, revision, assetBaseUrl, assetFiles, isNew },
     project: read.project,
     graph: MAIN_GRAPH,
     trail: [],

@@ -13,7 +13,8 @@ export function keepExports({ document, ui }: Pick<Editor, 'document' | 'ui'>, s
     document.subscribe(({ open }, before) => {
       if (open === before.open || open?.displayPath === path) return;
       path = open?.displayPath ?? null;
-      ui.setState({ exportSettings: (path === null ? undefined : kept.get(path)) ?? DEFAULT_EXPORT_SETTINGS, exportErrors: [] });
+      const settings = path === null || open?.isNew ? undefined : kept.get(path);
+      ui.setState({ exportSettings: settings ?? DEFAULT_EXPORT_SETTINGS, exportErrors: [] });
     }),
     ui.subscribe(({ exportSettings }, before) => {
       if (path === null || exportSettings === before.exportSettings || exportSettings === kept.get(path)) return;

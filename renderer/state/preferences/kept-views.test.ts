@@ -2,7 +2,7 @@ import { expect, test } from '@jest/globals';
 import { newProject } from '../../../export/graph/new-project.ts';
 import { openTestEditor, type TestEditor } from '../../../tests/support/test-editor.ts';
 import { selectOnly } from '../editor/selection.ts';
-import { openPath } from '../files/files.ts';
+import { createProject, openPath } from '../files/files.ts';
 import { addNodeFromPalette } from '../graph/edit-graph.ts';
 import { createSubgraph, openSubgraph } from '../graph/subgraphs.ts';
 import { keepViews } from './kept-views.ts';
@@ -122,6 +122,31 @@ test('a paused recording stands at its frame again when it is loaded', async () 
   expect(posted).toEqual([
     { kind: 'transport', action: 'pause' },
     { kind: 'seek', timeS: 0.2 },
+  ]);
+  stop();
+});
+
+test('a new project in the folder of an earlier one opens as for the first time', async () => {
+  const { editor, clock } = await openTestEditor();
+  const stop = keepViews(editor, memory());
+  const place = { x: 120, y: -40, zoom: 1.5 };
+  await openPath(editor, '/reused');
+  editor.canvas.setState({ shown: place });
+  clock.pass(1000);
+  await openPath(editor, '/project');
+  await openPath(editor, '/reused');
+  expect(editor.ui.getState().reveal?.how).toEqual(place);
+  await openPath(editor, '/project');
+  const posted: unknown[] = [];
+  editor.transport.post = (message) => void posted.push(message);
+  await createProject(editor, { path: '/reused', template: 'empty' });
+  expect(editor.ui.getState().reveal).toMatchObject({ nodes: [], how: 'fit' });
+  const session = { id: 'room', title: 'Room', kind: 'recorded', url: '' } as const;
+  const status = { state: 'playing', frame: 3, timeS: 0.3, request: 1, late: false } as never;
+  editor.preview.setState({ sources: [session], frames: TIMES, playing: 1, request: 1, status });
+  expect(posted).toEqual([
+    { kind: 'transport', action: 'pause' },
+    { kind: 'seek', timeS: 0 },
   ]);
   stop();
 });

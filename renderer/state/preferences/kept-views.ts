@@ -82,9 +82,10 @@ export function keepViews(editor: Kept, storage: Pick<Storage, 'getItem' | 'setI
     // What changed last, such as the selection, may be of the next project already.
     storeLater.cancel();
     const before = path;
-    path = document.getState().open?.displayPath ?? null;
-    if (path === null || sameWork) return;
-    const view = kept.get(path) ?? null;
+    const { open } = document.getState();
+    path = open?.displayPath ?? null;
+    if (open === null || path === null || sameWork) return;
+    const view = open.isNew ? null : (kept.get(path) ?? null);
     // A project that was loaded again plays on.
     wanted = path === before ? null : view === null ? FIRST : (view.held ?? 'play');
     wasHeld = isHeld(preview.getState());
