@@ -123,6 +123,25 @@ export function openOutline(style: 'gooch' | 'toon', shape: keyof typeof OPEN, t
   return { border, outlined, onIt, error: stand.gl.getError() };
 }
 
+/** Pixels of a room without a roof, seen from outside, and those of them that a red outline covers. */
+export function roomOutline(style: 'gooch' | 'toon') {
+  const walls = new BoxGeometry(1.6, 1, 1.2);
+  // Without the side at the top, and turned inward.
+  walls.setIndex(Array.from(walls.getIndex()?.array ?? []).filter((_, i) => Math.floor(i / 6) !== 2));
+  const root = new Mesh(walls.scale(-1, 1, 1), new MeshLambertMaterial());
+  const at = new Matrix4().makeRotationX(0.5).multiply(new Matrix4().makeRotationY(0.6));
+  const red = { lineColor: [1, 0, 0, 1], linePx: 2, outlineColor: [1, 0, 0, 1], outlinePx: 2 };
+  const pixels = shoot({ items: [drawnWith(root, technique(style, red), at)] });
+  const plain = shoot({ items: [item(root, { at })] });
+  const found = { room: 0, covered: 0, error: stand.gl.getError() };
+  for (let i = 0; i < plain.length; i += 4) {
+    if ((plain[i + 3] ?? 0) < 255) continue;
+    found.room++;
+    if (pixels.subarray(i, i + 4).join() === '255,0,0,255') found.covered++;
+  }
+  return found;
+}
+
 /** How many pixels a moving object covers, and in how many poses cover others, or its technique others than its own material. */
 export function moving(kind: 'skinned' | 'morphing' | 'instanced') {
   const { root, bend } = { skinned, morphing, instanced }[kind](new MeshLambertMaterial());

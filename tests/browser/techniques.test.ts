@@ -176,6 +176,17 @@ describe('an outline surrounds an open surface', () => {
   });
 });
 
+test.each(['gooch', 'toon'])(
+  'the outline of a room by %s leaves its inside visible from outside, through walls that show only their inner side',
+  async (style) => {
+    const { room, covered, error } = await page.call<Record<'room' | 'covered' | 'error', number>>('roomOutline', style);
+    expect(error).toBe(NO_ERROR);
+    expect(room).toBeGreaterThan(1500);
+    // Lines at the border and at silhouettes.
+    expect(covered / room).toBeLessThan(0.2);
+  },
+);
+
 describe('a technique is drawn', () => {
   test.each(['skinned', 'morphing', 'instanced'])('on %s objects where their own materials are', async (kind) => {
     interface Moving {

@@ -7,6 +7,7 @@ import type { ProxyPlan } from '../proxies/proxy.ts';
 import { createCurvatureNeeds } from './curvature/curvature-needs.ts';
 import { type EdgeGeometry, edgeGeometryOf } from './edges/edge-geometry.ts';
 import { ensureHullNormals } from './hull-normals.ts';
+import { isSeenFromInside } from './inward-surface.ts';
 import { isTransmissive } from './layer-blending.ts';
 import type { OcclusionPatch } from './occlusion-patch.ts';
 import { createEnvironmentUniforms } from './technique-environment.ts';
@@ -106,9 +107,10 @@ export function createTechniquePlans({ twins, occlusion, translucentShadows, onC
       const passes = Math.max(...found.map((technique) => technique?.passes.length ?? 0));
       if (passes === 0) return null;
       const edges = edgesOf(master, found);
-      const isDrawn = (technique: TechniqueView, passIndex: number): boolean => {
+      const isDrawn = (technique: TechniqueView, passIndex: number, part?: Material): boolean => {
         const pass = technique.passes[passIndex];
-        return pass !== undefined && pass.side !== 'edges';
+        if (pass === undefined || pass.side === 'edges') return false;
+        return !(part && pass.side === 'back' && technique.vertex.includes(OUTWARD) && isSeenFromInside(master.geometry, part.side));
       };
       if (found.some((technique) => technique?.passes.some((_, i) => isDrawn(technique, i)) && technique.vertex.includes(OUTWARD)))
         ensureHullNormals(master.geometry);
@@ -118,7 +120,7 @@ export function createTechniquePlans({ twins, occlusion, translucentShadows, onC
         mapMaterials(master, (part) => {
           const technique = techniqueFor(part, item);
           if (!technique) return passIndex === 0 && !depthOnly ? own(part) : NOTHING;
-          return isDrawn(technique, passIndex) ? twinOf(part, features, technique, passIndex, depthOnly) : NOTHING;
+          return isDrawn(technique, passIndex, part) ? twinOf(part, features, technique, passIndex, depthOnly) : NOTHING;
         });
       const plans: ProxyPlan[] = [];
       const isGlass =
@@ -131,7 +133,7 @@ export function createTechniquePlans({ twins, occlusion, translucentShadows, onC
           const material = twinOf(part, features, technique, i, false, { geometry, ...drawn });
           plans.push({ material, geometry, renderOrder, isGlass: behind !== null && showsBehind(technique.fragment) });
         }
-        if (!found.some((technique) => (technique ? isDrawn(technique, i) : i === 0))) continue;
+        if (!found.some((technique, part) => (technique ? isDrawn(technique, i, materialsOf(master)[part]) : i === 0))) continue;
         plans.push({ material: draw(i, false), renderOrder, isGlass });
         // Glass shows what is behind it.
         if (isGlass) continue;
