@@ -21,9 +21,13 @@ export function imageBox(
   box: ViewBox,
 ): ImageBox | null {
   const passes = program.operations.filter((operation): operation is PassOperation => operation.kind === 'pass');
-  const drawn = passes.filter((pass) => pass.node === node || pass.nodes?.includes(node)).at(-1);
-  const resource = program.resources.find(({ id }) => id === drawn?.target);
-  if (resource?.kind !== 'target' || resource.domain === 'view') return { ...box, scale: viewport.heightPx / box.height };
+  const images = program.resources.filter((resource) => resource.kind === 'target' && resource.domain === 'image');
+  // The pass that copies an image to the screen belongs to its node, too.
+  const resource = passes
+    .filter((pass) => pass.node === node || pass.nodes?.includes(node))
+    .flatMap(({ target }) => images.find(({ id }) => id === target) ?? [])
+    .at(-1);
+  if (!resource) return { ...box, scale: viewport.heightPx / box.height };
   const live = resources.get(resource.id);
   const image = live?.kind === 'target' ? live.target.peek(0) : null;
   if (!image) return null;

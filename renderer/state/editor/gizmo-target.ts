@@ -97,7 +97,8 @@ function imageTarget(state: DocumentState, id: string): GizmoTargetResult | null
   if (node.muted) return { target: null, reason: `${definition.title} is muted. Unmute it to use the gizmo.` };
   const free = all.filter((param) => drivenBy(state, id, node, definition, param) === null);
   // Without the point or the corners there is no place for the rest.
-  const fixed = all.find((param) => !free.includes(param) && param.handle !== 'extent' && param.handle !== 'angle');
+  const isPlace = ({ handle }: HandleParam) => handle !== 'extent' && handle !== 'angle';
+  const fixed = free.length === 0 ? all[0] : all.find((param) => isPlace(param) && !free.includes(param));
   if (fixed) return { target: null, reason: drivenBy(state, id, node, definition, fixed) };
   return { target: { ...makeTarget(state, id, node, definition, free), inImage: true } };
 }
