@@ -168,7 +168,7 @@ async function openRecording(url: string, { gl, clock, onEnd, onArrival }: Sessi
   const { output, diagnostics } = await session.ready;
   return {
     ...opened({ output: output && session, diagnostics }),
-    shape: output && output.shape,
+    shape: output?.shape ?? null,
     recording: output && {
       frames: output.frames,
       get isLate() {
