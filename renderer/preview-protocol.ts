@@ -309,13 +309,14 @@ export type FromPreview =
       readonly state: 'moved' | 'ended' | 'cancelled';
       readonly values: Readonly<Record<string, number | readonly number[]>>;
     }
-  /**
-   * A click hit an object. `chain`: the nodes of the program that the object passed through, from its creator to the node that drew
-   * it.
-   */
+  /** A click hit an object. `chain`: the nodes of the program that the object passed through, from its creator to the node that drew it. */
   | { readonly kind: 'picked'; readonly chain: readonly string[]; readonly phantom: boolean }
   /** A key of the `keys` message was pressed while the preview had the focus. */
   | { readonly kind: 'key'; readonly keybinding: string }
+  /** Files are dragged over the page. Sent repeatedly. */
+  | { readonly kind: 'file-drag' }
+  /** Files were dropped at a point of the page: fractions of it from its top left. */
+  | { readonly kind: 'dropped'; readonly files: readonly File[]; readonly hasFolder: boolean; readonly x: number; readonly y: number }
   /** A screenshot or a video. Null if nothing is shown or the browser cannot record. */
   | { readonly kind: 'captured'; readonly what: 'screenshot' | 'video'; readonly file: Blob | null }
   /** The recording of a session has ended, and its images are being made. */

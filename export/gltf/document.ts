@@ -3,11 +3,13 @@ export interface GltfDocument {
   readonly asset?: { readonly version?: string; readonly copyright?: string };
   readonly extensionsUsed?: readonly string[];
   readonly extensionsRequired?: readonly string[];
+  /** Index of the scene that is shown. Default: the first. */
+  readonly scene?: number;
   readonly scenes?: readonly { readonly nodes?: readonly number[] }[];
   readonly nodes?: readonly GltfNode[];
   readonly meshes?: readonly GltfMesh[];
   readonly animations?: readonly GltfAnimation[];
-  readonly skins?: readonly { readonly inverseBindMatrices?: number }[];
+  readonly skins?: readonly { readonly inverseBindMatrices?: number; readonly joints?: readonly number[] }[];
   readonly accessors?: readonly GltfAccessor[];
   readonly bufferViews?: readonly GltfBufferView[];
   readonly buffers?: readonly GltfBuffer[];
@@ -23,6 +25,7 @@ export interface GltfAnimation {
 export interface GltfNode {
   readonly children?: readonly number[];
   readonly mesh?: number;
+  readonly skin?: number;
   readonly matrix?: readonly number[];
   readonly translation?: readonly number[];
   readonly rotation?: readonly number[];
@@ -48,6 +51,11 @@ export interface GltfAccessor {
   readonly componentType: number;
   readonly count: number;
   readonly type: string;
+  /** Whether integers stand for fractions of their largest value. */
+  readonly normalized?: boolean;
+  /** Least and greatest value of each component. Positions have them. */
+  readonly min?: readonly number[];
+  readonly max?: readonly number[];
   readonly sparse?: unknown;
 }
 

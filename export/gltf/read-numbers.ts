@@ -26,7 +26,7 @@ export function readNumbers({ document, binary }: Gltf, index: number | undefine
   return numbers;
 }
 
-const COMPONENTS: Readonly<Record<string, number>> = { SCALAR: 1, VEC3: 3, VEC4: 4 };
+const COMPONENTS: Readonly<Record<string, number>> = { SCALAR: 1, VEC3: 3, VEC4: 4, MAT4: 16 };
 
 function componentsOf({ type }: GltfAccessor): number | null {
   return COMPONENTS[type] ?? null;

@@ -17,6 +17,8 @@ export function optionsFor(parent: HTMLElement): editor.IEditorOptions & editor.
     renderLineHighlight: 'line',
     padding: { top: 8, bottom: 8 },
     tabSize: 2,
+    // Dropped files become nodes, as elsewhere in the window.
+    dropIntoEditor: { enabled: false },
     fixedOverflowWidgets: true,
     overviewRulerLanes: 1,
     stickyScroll: { enabled: false },

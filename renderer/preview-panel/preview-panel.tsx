@@ -12,6 +12,7 @@ import { usePreviewSync } from '../state/preview-sync/preview-sync-context.ts';
 import { Button, IconButton } from '../ui/button.tsx';
 import { SelectField } from '../ui/select-field.tsx';
 import { PhysicsMenu } from './physics-menu.tsx';
+import { PictureDrop } from './picture-drop.tsx';
 import { PopOut } from './pop-out.tsx';
 import { PosterGuide } from './poster-guide.tsx';
 import { connectPreview } from './preview-link.ts';
@@ -41,6 +42,7 @@ export function PreviewPanel({ previewUrl }: { readonly previewUrl: string }) {
           <PreviewNotice />
           <ViewerOverlay />
           <PosterGuide />
+          <PictureDrop />
         </>
       ) : (
         <StoppedNotice reason={stopped} />

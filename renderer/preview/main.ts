@@ -1,6 +1,7 @@
 import { createBrowserClock } from '../../export/runtime/clock.ts';
 import { waitForEditor } from './connect.ts';
 import { createModelDrawer } from './draw-model.ts';
+import { watchFileDrags } from './file-drags.ts';
 import { createFrameRender } from './frame-render.ts';
 import { createPhotographs } from './photographs.ts';
 import { createPreviewController } from './preview-controller.ts';
@@ -13,6 +14,7 @@ async function main(): Promise<void> {
   const editor = await waitForEditor(window);
   const controller = createPreviewController({ parent: document.body, screen, sensorHint, clock: createBrowserClock(), send: editor.send });
   window.addEventListener('resize', controller.resized);
+  watchFileDrags(window, editor.send);
   const frameRender = createFrameRender(editor.send);
   const photographs = createPhotographs(editor.send);
   const rephotographs = createRephotographs(editor.send);

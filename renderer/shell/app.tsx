@@ -19,6 +19,7 @@ import { StatusBar } from './status-bar.tsx';
 import { Toasts } from './toasts.tsx';
 import { TopBar } from './top-bar.tsx';
 import { Tour } from './tour-card.tsx';
+import { useFileDrops } from './use-file-drops.ts';
 import { useShortcuts } from './use-shortcuts.ts';
 
 interface AppProps {
@@ -41,6 +42,7 @@ function Layout({ previewUrl }: { readonly previewUrl: string }) {
   const { clock, ui } = useEditor();
   const extent = useStore(ui, (state) => state.previewExtent);
   useShortcuts();
+  useFileDrops();
   return (
     <div className="app" data-preview={extent}>
       <TopBar />

@@ -57,7 +57,7 @@ describeElectron('the window’s menu in Electron', await findElectron(), (launc
       await nodes(page).first().waitFor();
 
       const labels = await app.evaluate(({ Menu }) => Menu.getApplicationMenu()?.items.map(({ label }) => label));
-      expect(labels?.slice(0, 6)).toEqual(['&File', '&Edit', '&Graph', '&Arrange', '&View', '&Playback']);
+      expect(labels?.slice(0, 6)).toEqual(['&File', '&Edit', '&Graph', '&Arrange', '&View', '&Preview']);
       await eventually(async () =>
         expect(await shownItem(app, 'edit.duplicate')).toEqual({ label: 'Duplicate', accelerator: 'CmdOrCtrl+D', enabled: false }),
       );

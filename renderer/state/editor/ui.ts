@@ -205,6 +205,8 @@ export interface UiState {
   /** Index of the current tour step; null if the tour is closed. */
   readonly tour: number | null;
   readonly toasts: readonly Toast[];
+  /** Counts the events of a drag of files over the window; 0 while there is none. */
+  readonly fileDrags: number;
   readonly reveal: Reveal | null;
   readonly codePosition: CodePosition | null;
   /** Whether a shader text is being typed. New problems are shown once typing pauses. */
@@ -238,6 +240,7 @@ export function createUi(sizes: PanelSizes, dock: Dock): UiStore {
     dialogErrors: [],
     tour: null,
     toasts: [],
+    fileDrags: 0,
     reveal: null,
     codePosition: null,
     typing: false,

@@ -10,12 +10,14 @@ import type { Place } from '../editor/canvas-state.ts';
 import type { Editor } from '../editor/editor.ts';
 import { selectOnly } from '../editor/selection.ts';
 import { addToast, toastDiagnostic } from '../editor/ui.ts';
+import type { FloorPoint } from '../graph/floor-point.ts';
 import { placeAsset } from '../graph/place-asset.ts';
 import { addShader, type ForeignShader } from '../shaders/add-shader.ts';
 import { addShadertoy } from '../shaders/import-shadertoy.ts';
 import { type Faces, joinFaces, splitFaces } from './cube-faces.ts';
 import { showRefusal } from './files.ts';
 import { addCube } from './import-cube.ts';
+import { readBounds } from './model-animations.ts';
 import { isGltf, type ModelFile, wholeModel } from './whole-models.ts';
 import { packSog } from './whole-sog.ts';
 
@@ -63,12 +65,14 @@ export interface DroppedFile {
 /**
  * Adds each file as an asset or shader with a node, starting at `place`. A vertex shader belongs to the shader of the same name, and
  * images to the shader that imports them.
+ *
+ * @param floor Where models stand. Default: in the middle of the view.
  */
-export function addFiles(editor: Editor, files: readonly DroppedFile[], place: Place): Promise<void> {
-  return editor.fileWork(() => addEach(editor, files, place));
+export function addFiles(editor: Editor, files: readonly DroppedFile[], place: Place, floor?: FloorPoint): Promise<void> {
+  return editor.fileWork(() => addEach(editor, files, place, floor));
 }
 
-async function addEach(editor: Editor, files: readonly DroppedFile[], place: Place): Promise<void> {
+async function addEach(editor: Editor, files: readonly DroppedFile[], place: Place, floor?: FloorPoint): Promise<void> {
   const added: string[] = [];
   const { faces, rest } = splitFaces(files);
   const sky = faces && (await joinedFaces(editor, faces));
@@ -98,7 +102,7 @@ async function addEach(editor: Editor, files: readonly DroppedFile[], place: Pla
     const node =
       kind === 'shader'
         ? addShader(editor, await readShaderFile(editor, file, vertexOf.get(file), imagesOf.get(file)), at)
-        : await addAssetNode(editor, file, kind, at);
+        : await addAssetNode(editor, file, kind, at, floor);
     if (node !== null) added.push(node);
   }
   if (added.length > 0) selectOnly(editor.selection, added);
@@ -247,9 +251,10 @@ async function importFile(editor: Editor, file: DroppedFile, kind: FileKind): Pr
 }
 
 /** Adds an asset and a node that outputs it, as one undo step. A model is also put into the scene, so that it is visible at once. */
-async function addAssetNode(editor: Editor, file: DroppedFile, kind: FileKind, place: Place): Promise<string | null> {
+async function addAssetNode(editor: Editor, file: DroppedFile, kind: FileKind, place: Place, floor?: FloorPoint): Promise<string | null> {
   const asset = await importFile(editor, file, kind);
   if (asset === null) return null;
   const id = makeAssetId(editor.document.getState().project, asset.path, editor.random);
-  return placeAsset(editor, { id, asset, label: `Add ${file.name}` }, place);
+  const bounds = kind === 'model' ? readBounds(new Uint8Array(await file.arrayBuffer())) : null;
+  return placeAsset(editor, { id, asset, label: `Add ${file.name}`, bounds, floor }, place);
 }

@@ -15,6 +15,7 @@ import { type DroppedFile, type FileKind, importWhole } from './add-files.ts';
 import { type AssetRow, isUnused, listAssets } from './asset-rows.ts';
 import { bytesOf } from './base64.ts';
 import { showRefusal } from './files.ts';
+import { readBoundsOf } from './model-animations.ts';
 
 /** Reads the list of asset files again, because other programs change them, too. */
 export async function refreshAssetFiles(editor: Editor): Promise<void> {
@@ -68,12 +69,15 @@ export async function revealAsset({ host, document, ...editor }: Editor, path: s
 
 /** Adds a node for an asset of the project, and selects it. A captured place without a floor stands so that the visitor sees what a photograph shows. */
 export async function addAssetToGraph(editor: Editor, id: string, place: Place): Promise<string | null> {
-  const asset = getOwn(editor.document.getState().project.assets, id);
-  if (asset === undefined) return null;
+  const { open, project } = editor.document.getState();
+  const asset = getOwn(project.assets, id);
+  if (asset === undefined || open === null) return null;
   const start = asset.kind === 'capture' ? await startOf(editor, asset.path) : null;
+  const size = open.assetFiles.find(({ path }) => path === asset.path)?.bytes;
+  const bounds = asset.kind === 'model' ? await readBoundsOf(editor, { handle: open.handle, path: asset.path, bytes: size }) : null;
   // Reading takes time, in which the asset may go.
   if (getOwn(editor.document.getState().project.assets, id) !== asset) return null;
-  const node = placeAsset(editor, { id, asset, label: `Add ${nameOf(asset.path)}`, start }, place);
+  const node = placeAsset(editor, { id, asset, label: `Add ${nameOf(asset.path)}`, start, bounds }, place);
   if (node !== null) selectOnly(editor.selection, [node]);
   return node;
 }

@@ -1,3 +1,4 @@
+import type { ModelBounds } from '../../../export/gltf/model-bounds.ts';
 import { putAsset } from '../../../export/graph/commands/asset-commands.ts';
 import { type Change, sequence, unchanged } from '../../../export/graph/commands/change.ts';
 import { addNode } from '../../../export/graph/commands/node-commands.ts';
@@ -10,9 +11,11 @@ import type { Place } from '../editor/canvas-state.ts';
 import { graphOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { revealNodes } from '../editor/ui.ts';
+import { type FloorPoint, floorInView } from './floor-point.ts';
 import { placeFreely } from './free-places.ts';
 import { showLayer } from './show-layer.ts';
 import { showObjects } from './show-objects.ts';
+import { type Standing, standOnFloor } from './stand-on-floor.ts';
 
 /** Type of the data that a drag of an asset carries: the id of the asset. */
 export const ASSET_DRAG = 'application/x-scrim-asset';
@@ -24,6 +27,9 @@ interface PlacedAsset {
   readonly label: string;
   /** For a capture that is shown at once: where an eye sees it. */
   readonly start?: CaptureStart | null;
+  /** For a model: its size, and the point of the floor where it stands. */
+  readonly bounds?: ModelBounds | null;
+  readonly floor?: FloorPoint | undefined;
 }
 
 /** A camera of a capture. */
@@ -59,7 +65,11 @@ function poseAround({ positionM: [x = 0, y = 0, z = 0], yawRad }: CaptureStart, 
  * captured place or splats over the layer on the screen, so that they are visible at once. Returns the node to select; null if no node
  * outputs such assets.
  */
-export function placeAsset(editor: Editor, { id: assetId, asset, label, start }: PlacedAsset, place: Place): string | null {
+export function placeAsset(
+  editor: Editor,
+  { id: assetId, asset, label, start, bounds = null, floor }: PlacedAsset,
+  place: Place,
+): string | null {
   const { project, library, graph } = editor.document.getState();
   const source = sourceOf(library, asset.kind);
   if (source === null) {
@@ -79,7 +89,7 @@ export function placeAsset(editor: Editor, { id: assetId, asset, label, start }:
         ...place,
         params: { [source.param]: assetId, ...(start && poseAround(start, editor.preview.getState().status?.worldFromView ?? USUAL_EYE)) },
       }),
-    shown(editor, asset.kind, id, place),
+    shown(editor, asset.kind, id, place, standOnFloor(floor ?? floorInView(editor.preview.getState().status), bounds)),
     placeFreely(project, { library, graph, hasThumbnail: editor.preferences.getState().thumbnails }),
   );
   if (!apply(editor, label, change)) return null;
@@ -87,9 +97,9 @@ export function placeAsset(editor: Editor, { id: assetId, asset, label, start }:
 }
 
 /** Makes a new node visible, if it is a thing to be placed or a place. Images and videos are materials for other nodes. */
-function shown({ document, random }: Editor, kind: AssetKind, id: string, place: Place): (project: Project) => Change {
+function shown({ document, random }: Editor, kind: AssetKind, id: string, place: Place, standing: Standing): (project: Project) => Change {
   const { library } = document.getState();
-  if (kind === 'model') return showObjects({ node: id, port: 'objects' }, place, { library, random });
+  if (kind === 'model') return showObjects({ node: id, port: 'objects' }, place, { library, random }, standing);
   return kind === 'capture' || kind === 'splats' ? showLayer({ node: id, port: 'layer' }, place, { library, random }) : unchanged;
 }
 

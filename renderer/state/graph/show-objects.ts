@@ -6,25 +6,26 @@ import { MAIN_GRAPH, type PortAddress, type Project } from '../../../export/grap
 import type { Place } from '../editor/canvas-state.ts';
 import { lightsOf } from './recipes.ts';
 import { COLUMN_PX, type ShowContext, showLayer, soleScreen } from './show-layer.ts';
+import type { Standing } from './stand-on-floor.ts';
 
 const ROW_PX = 112;
-/** Position of new objects: on the floor, in view of the recorded studio and of a visitor at the origin. */
-const POSITION_M = [0, 0, -1.5];
+/** On the floor, in view of the recorded studio and of a visitor at the origin. */
+const BEFORE_VISITOR: Standing = { positionM: [0, 0, -1.5], scale: 1 };
 
 /**
- * Makes the objects of a new node visible: they stand on the floor in front of the visitor, in the scene of the graph. Without a scene, adds
- * one with the lights of the graph, or a new one, and draws it over the layer on the screen. Changes nothing in subgraphs, in graphs without an output, and in graphs
+ * Makes the objects of a new node visible: they stand on the floor, in the scene of the graph. Without a scene, adds one with the lights of
+ * the graph, or a new one, and draws it over the layer on the screen. Changes nothing in subgraphs, in graphs without an output, and in graphs
  * with several scenes, where only the user can choose.
  *
  * @param from Output with the objects.
  * @param place Position of its node in canvas units.
- * @param isPlaced Whether the objects already have their place and need no Transform.
+ * @param standing Where they stand; null if they already have their place and need no Transform. Default: in front of the visitor.
  */
 export function showObjects(
   from: PortAddress,
   place: Place,
   { library, random }: ShowContext,
-  isPlaced = false,
+  standing: Standing | null = BEFORE_VISITOR,
 ): (project: Project) => Change {
   return (project) => {
     const graph = MAIN_GRAPH;
@@ -43,10 +44,13 @@ export function showObjects(
       steps.push((before) => connect(before, { library, graph, from: source, to: { node, port } }));
     };
 
-    const objects = isPlaced
-      ? from
-      : { node: add('objects/transform', place.x + COLUMN_PX, place.y, { positionM: POSITION_M }), port: 'objects' };
-    if (!isPlaced) wire(from, objects.node, 'objects');
+    let objects = from;
+    if (standing !== null) {
+      const { positionM, scale } = standing;
+      const params = { positionM, ...(scale !== 1 && { scale }) };
+      objects = { node: add('objects/transform', place.x + COLUMN_PX, place.y, params), port: 'objects' };
+      wire(from, objects.node, 'objects');
+    }
     const [scene] = scenes;
     if (scene !== undefined) {
       wire(objects, scene, 'objects');

@@ -166,7 +166,7 @@ function showOutputs(editor: Editor, recipe: Recipe, added: AddedRecipe, { sourc
         if (type === 'layer') return (recipe.lit === undefined ? showLayer : showShadows)(from, place, context)(before);
         if (type !== 'objects') return unchanged(before);
         const taken = wires.filter((wire) => source !== null && sameAddress(wire.from, source) && !added.ids.includes(wire.to.node));
-        if (taken.length === 0) return showObjects(from, place, context, recipe.isPlaced)(before);
+        if (taken.length === 0) return showObjects(from, place, context, recipe.isPlaced ? null : undefined)(before);
         const layout = layoutOf(state);
         return sequence(before, ...taken.map((wire) => replaceSource(editor, wire, { from, to: wire.to, route: routeOf(layout, wire) })));
       }),

@@ -4,6 +4,7 @@ import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { FromPreview, PreviewShaderError, PreviewStatus, ToPreview } from '../../preview-protocol.ts';
 import { type CompileAnswer, type CompilerLink, type CompilerWorker, createCompilerLink } from '../compile/compiler-link.ts';
+import { noteFileDrag, takePreviewDrop, takesDrops } from '../drops/take-drop.ts';
 import type { Editor } from '../editor/editor.ts';
 import { titleOfName } from '../editor/library.ts';
 import { type PreviewState, towardsLight } from '../editor/preview-state.ts';
@@ -195,6 +196,12 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
         return;
       case 'thumbnail':
         editor.thumbnails.deliver(message.port, message.image);
+        return;
+      case 'file-drag':
+        if (takesDrops(editor)) noteFileDrag(editor.ui);
+        return;
+      case 'dropped':
+        takePreviewDrop(editor, message);
         return;
       case 'captured':
         saveCapture(editor, message);

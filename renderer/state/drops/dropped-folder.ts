@@ -1,4 +1,4 @@
-import type { DroppedFolder, FolderFile } from '../state/acquisition/stage-folder.ts';
+import type { DroppedFolder, FolderFile } from '../acquisition/stage-folder.ts';
 
 /** Levels of folders that are read. */
 const MOST_LEVELS = 4;
