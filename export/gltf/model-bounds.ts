@@ -45,7 +45,8 @@ function worldMatrices({ scene = 0, scenes = [], nodes = [] }: GltfDocument): Re
   const worlds = new Map<number, Matrix>();
   const visit = (index: number, parent: Matrix) => {
     const node = nodes[index];
-    if (!node) return;
+    // A node has one parent, but a broken file may list it again, even below itself.
+    if (!node || worlds.has(index)) return;
     const world = product(parent, localMatrix(node));
     worlds.set(index, world);
     for (const child of node.children ?? []) visit(child, world);
