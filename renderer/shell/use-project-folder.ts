@@ -22,7 +22,7 @@ export function useProjectFolder(title: string): ProjectFolder {
   const path = typed ?? freeFolder(folderIn(folder, title), taken);
   const onChange = (next: string) => {
     const [nextPlace, name] = splitPath(next);
-    const follows = nextPlace !== '' && name === splitPath(path)[1];
+    const follows = nextPlace !== '' && name !== '' && name === splitPath(path)[1];
     if (follows) setPlace(nextPlace);
     setTyped(follows ? null : next);
   };
