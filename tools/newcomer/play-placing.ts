@@ -10,7 +10,8 @@ import { Hands, type Interaction } from './hands.ts';
 export async function playPlacing(options: NewcomerOptions): Promise<readonly Interaction[]> {
   const { hands, at, ...steps } = await startWithModel(options);
   const { field, node, output, input } = steps;
-  await hands.type('Where the tap is: 0 m', '0', field('Position Z'));
+  await hands.type('Where the tap is: 0 m to the right', '0', field('Position X'));
+  await hands.type('0 m away', '0', field('Position Z'));
   await steps.insert(await output('transform', 'objects'), await input('scene', 'objects'), 'place', 'place');
   await hands.choose('A tap places it once', options.page.getByRole('combobox', { name: 'Taps', exact: true }), 'Place once');
   await steps.grow(await input('scene', 'objects'), at(330, 700), 'measure', 'measure');
