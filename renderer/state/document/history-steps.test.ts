@@ -62,6 +62,10 @@ test('reverting to the saved version is one step, which undo takes back, also wh
   undo(editor);
   expect(filesOf(editor)).toEqual(states[3]);
   expect(isDirty(editor.document.getState())).toBe(true);
+  // The step that was saved is still known, also once the step of the revert is gone.
+  goToStep(editor, 2);
+  expect(isDirty(editor.document.getState())).toBe(false);
+  goToStep(editor, 3);
 
   await save(editor);
   undo(editor);

@@ -17,7 +17,12 @@ export function revertToSaved(editor: Editor): Promise<void> {
     finishTyping(editor);
     endGesture(editor);
     apply(editor, 'Revert to saved', replaceProject(editor.document.getState().project, saved));
-    editor.document.setState(({ history }) => ({ savedState: history.state }));
+    editor.document.setState(({ history, savedState }) => {
+      const last = history.past.at(-1);
+      if (step === null || last === undefined) return { savedState: history.state };
+      // Equal numbers mean equal projects, so that the earlier step is still known as the saved one.
+      return { history: { ...history, state: savedState, past: [...history.past.slice(0, -1), { ...last, after: savedState }] } };
+    });
     addToast(editor.ui, { tone: 'info', text: 'Reverted to the saved version.', detail: 'Undo brings the changes back.' });
   });
 }
