@@ -33,10 +33,11 @@ const FRAGMENT = {
   before: `${OCCLUSION_GLSL}
 varying vec4 scrimPositionClip;
 `,
-  start: /* glsl */ `
-  float scrimVisible = scrimVisibility( scrimPositionClip.xy / scrimPositionClip.w * 0.5 + 0.5, scrimPositionClip.w );
-  if ( scrimVisible <= 0.0 ) discard;`,
+  start: '',
+  // Last, because derivatives of what a shader computes are undefined beside a fragment that was discarded (GLSL ES 3.00, section 8.9).
   end: /* glsl */ `
+  float scrimVisible = scrimVisibility( scrimPositionClip.xy / scrimPositionClip.w * 0.5 + 0.5, scrimPositionClip.w );
+  if ( scrimVisible <= 0.0 ) discard;
   #ifdef PREMULTIPLIED_OUTPUT
     gl_FragColor *= scrimVisible;
   #else

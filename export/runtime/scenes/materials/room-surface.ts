@@ -98,8 +98,9 @@ bool behindRoom() {
   float roomM = scrim_roomM( roomDepth, roomClip.x > 1.5, at );
   return roomM > 0.0 && vRoomClip.w > roomM + roomClip.y;
 }`,
-  start: 'if ( behindRoom() ) discard;',
-  end: '',
+  start: '',
+  // Last, because derivatives of what a shader computes are undefined beside a fragment that was discarded (GLSL ES 3.00, section 8.9).
+  end: 'if ( behindRoom() ) discard;',
 };
 
 /**
@@ -176,13 +177,13 @@ vec3 roomPoint( const in vec2 viewUv, const in float meters ) {
 }
 `,
   find: /* glsl */ `vec3 plane = roomPlane( vViewUv );
-  if ( plane.x <= 0.0 ) discard;
   positionWorld = roomPoint( vViewUv, plane.x );
   vec3 tangentX = roomPoint( vViewUv + roomStepX, plane.y ) - positionWorld;
   vec3 tangentY = roomPoint( vViewUv + roomStepY, plane.z ) - positionWorld;
   vec3 normal = normalize( cross( tangentX, tangentY ) );
   // A visible surface faces the eye, whatever the orientation of the image.
   normal *= sign( dot( normal, roomWorldFromView[ 3 ].xyz - positionWorld ) );`,
+  drop: 'if ( plane.x <= 0.0 ) discard;',
 };
 
 /** Vertex shader of a quad over the view, near the far plane, so that it appears only where the layer has nothing else. */

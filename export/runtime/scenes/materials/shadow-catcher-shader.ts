@@ -105,6 +105,7 @@ const GEOMETRY = {
   declarations: 'varying vec3 vPositionWorld;',
   find: `positionWorld = vPositionWorld;
   vec3 normal = normalize( cross( dFdx( vPositionWorld ), dFdy( vPositionWorld ) ) );`,
+  drop: '',
 };
 
 function arrives(light: number): string {
@@ -113,7 +114,7 @@ function arrives(light: number): string {
 
 function writeShadow(blockedPart: string): string {
   return /* glsl */ `float alpha = clamp( strength * shadowColor.a * ( ${blockedPart} ), 0.0, 1.0 );
-  gl_FragColor = vec4( shadowColor.rgb * alpha, alpha );`;
+    gl_FragColor = vec4( shadowColor.rgb * alpha, alpha );`;
 }
 
 /** The lights in the shader, in this order: those with a flat map, those with a cube map, and (as a number) those without a map. */
@@ -123,7 +124,10 @@ export interface CatcherLights {
   readonly plain: number;
 }
 
-/** How a catcher finds its surface: declarations, and statements that set `positionWorld` and `normal`. */
+/**
+ * How a catcher finds its surface: declarations, statements that set `positionWorld` and `normal`, and a last statement that discards
+ * fragments without surface.
+ */
 export type CatcherSurface = typeof GEOMETRY;
 
 /**
@@ -132,7 +136,7 @@ export type CatcherSurface = typeof GEOMETRY;
  */
 export function catcherFragment(
   { flat, cube, plain }: CatcherLights,
-  { declarations, find }: CatcherSurface = GEOMETRY,
+  { declarations, find, drop }: CatcherSurface = GEOMETRY,
   glows = false,
   strokes = false,
 ): string {
@@ -178,8 +182,10 @@ void main() {
   float blocked = 0.0;
   ${lines.join('\n  ')}
   float part = all > 0.0 ? blocked / all : 0.0;
-  ${glows ? 'if ( glowCount >= 0 ) { gl_FragColor = glow( part ); return; }' : ''}
-  ${writeShadow(strokes ? 'strokeInk( normal, all )' : 'part')}
+  ${glows ? 'if ( glowCount >= 0 ) gl_FragColor = glow( part ); else' : ''} {
+    ${writeShadow(strokes ? 'strokeInk( normal, all )' : 'part')}
+  }
+  ${drop}
 }
 `;
 }
