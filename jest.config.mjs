@@ -22,6 +22,7 @@ export default {
   // Above what a test waits for (tests/support/patience.ts): it ends what hangs, and is no measure of speed. Jest heeds no timeout
   // of a project's own.
   testTimeout: 420_000,
+  reporters: ['default', '<rootDir>/tests/support/long-files.mjs'],
   testSequencer: '<rootDir>/tests/support/longest-first.mjs',
   projects: [
     project('unit', [

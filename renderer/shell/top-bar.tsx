@@ -66,7 +66,7 @@ function Tools() {
       <IconButton icon="redo" label="Redo" keys={redoKeys} disabled={!canRedo} onPress={() => runCommand(editor, 'edit.redo')} />
       <span className="top-gap" />
       <span data-tour="add">
-        <Button icon="add" onPress={() => runCommand(editor, 'graph.add')} disabled={!open}>
+        <Button icon="add" tip="Add node" onPress={() => runCommand(editor, 'graph.add')} disabled={!open}>
           Add node
         </Button>
       </span>
@@ -75,7 +75,7 @@ function Tools() {
       </span>
       {exporting === null ? (
         <span data-tour="export">
-          <Button icon="export" look="primary" onPress={() => runCommand(editor, 'file.export')} disabled={!open}>
+          <Button icon="export" look="primary" tip="Export" onPress={() => runCommand(editor, 'file.export')} disabled={!open}>
             Export
           </Button>
         </span>

@@ -34,19 +34,19 @@ async function expectInWindow(locator: Locator): Promise<void> {
   expect([x >= 0, y >= 0, x + width <= SIZE.width + 0.5, y + height <= SIZE.height + 0.5]).toEqual([true, true, true, true]);
 }
 
+/** What the window is drawn at, percent. */
+const scaleNow = (): Promise<number> =>
+  open.page.evaluate(() => Math.round(Number(document.documentElement.style.getPropertyValue('--ui-scale') || 1) * 100));
+
 /** By the View menu, as often as it takes. */
 async function setScale(percent: number, item: 'Increase' | 'Decrease'): Promise<void> {
   const { page } = open;
-  const said = page.getByRole('log').getByText(`UI scale: ${percent} %.`);
-  while ((await said.count()) === 0) {
+  for (let before = await scaleNow(); before !== percent; before = await scaleNow()) {
+    expect(Math.sign(percent - before)).toBe(item === 'Increase' ? 1 : -1);
     await page.getByRole('button', { name: 'View', exact: true }).click();
     await expectInWindow(page.getByRole('menu', { name: 'View' }));
     await page.getByRole('menuitem', { name: `${item} UI scale` }).click();
-    await page
-      .getByRole('log')
-      .getByText(/^UI scale: \d+ %\.$/)
-      .last()
-      .waitFor();
+    await eventually(async () => expect(await scaleNow()).not.toBe(before));
   }
 }
 
@@ -55,6 +55,7 @@ test('text and controls grow by the View menu, nodes and panels with them, and a
   const file = page.getByRole('button', { name: 'File', exact: true });
   const [menuBefore, nodeBefore, asideBefore] = [await boxOf(file), await boxOf(title('sepia')), await boxOf(editor.inspector)];
   await setScale(125, 'Increase');
+  await page.getByRole('log').getByText('UI scale: 125 %.').waitFor();
   const [menu, aside] = [await boxOf(file), await boxOf(editor.inspector)];
   expect(menu.height / menuBefore.height).toBeCloseTo(1.25, 1);
   expect(aside.width / asideBefore.width).toBeCloseTo(1.25, 1);
@@ -67,12 +68,21 @@ test('text and controls grow by the View menu, nodes and panels with them, and a
 
 describe.each([
   [125, 'Increase'],
+  [150, 'Increase'],
   [80, 'Decrease'],
 ] as const)('at %d %%', (percent, item) => {
   beforeAll(async () => {
-    const now = await open.page.evaluate(() => Number(document.documentElement.style.getPropertyValue('--ui-scale')) * 100);
-    if (Math.round(now) !== percent) await setScale(percent, item);
+    await setScale(percent, item);
     await open.page.getByRole('button', { name: 'Fit graph to view' }).click();
+  });
+
+  test('the top bar has all its buttons inside the window, also with unsaved changes', async () => {
+    const { page } = open;
+    await title('sepia').click();
+    await page.keyboard.press('Delete');
+    await page.locator('.top-bar').getByText('Not saved').waitFor({ state: 'attached' });
+    for (const button of await page.locator('.top-bar').getByRole('button').all()) await expectInWindow(button);
+    await page.keyboard.press('Control+z');
   });
 
   test('a node goes where the pointer drags it', async () => {
