@@ -256,5 +256,5 @@ async function addAssetNode(editor: Editor, file: DroppedFile, kind: FileKind, p
   if (asset === null) return null;
   const id = makeAssetId(editor.document.getState().project, asset.path, editor.random);
   const bounds = kind === 'model' ? readBounds(new Uint8Array(await file.arrayBuffer())) : null;
-  return placeAsset(editor, { id, asset, label: `Add ${file.name}`, bounds, floor }, place);
+  return placeAsset(editor, { id, asset, bounds, floor }, place);
 }

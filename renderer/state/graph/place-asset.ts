@@ -10,6 +10,7 @@ import { apply } from '../document/apply.ts';
 import type { Place } from '../editor/canvas-state.ts';
 import { graphOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
+import { fileTitle } from '../editor/node-title.ts';
 import { revealNodes } from '../editor/ui.ts';
 import { type FloorPoint, floorInView } from './floor-point.ts';
 import { placeFreely } from './free-places.ts';
@@ -23,8 +24,6 @@ export const ASSET_DRAG = 'application/x-scrim-asset';
 interface PlacedAsset {
   readonly id: string;
   readonly asset: Asset;
-  /** Name of the undo step. */
-  readonly label: string;
   /** For a capture that is shown at once: where an eye sees it. */
   readonly start?: CaptureStart | null;
   /** For a model: its size, and the point of the floor where it stands. */
@@ -65,13 +64,10 @@ function poseAround({ positionM: [x = 0, y = 0, z = 0], yawRad }: CaptureStart, 
  * captured place or splats over the layer on the screen, so that they are visible at once. Returns the node to select; null if no node
  * outputs such assets.
  */
-export function placeAsset(
-  editor: Editor,
-  { id: assetId, asset, label, start, bounds = null, floor }: PlacedAsset,
-  place: Place,
-): string | null {
+export function placeAsset(editor: Editor, { id: assetId, asset, start, bounds = null, floor }: PlacedAsset, place: Place): string | null {
   const { project, library, graph } = editor.document.getState();
   const source = sourceOf(library, asset.kind);
+  const label = `Add ${fileTitle(asset.path)}`;
   if (source === null) {
     apply(editor, label, putAsset(project, { id: assetId, asset }));
     return null;
