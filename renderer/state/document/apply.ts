@@ -27,6 +27,9 @@ export function apply(editor: Editor, label: string, made: Change, key?: string)
   return true;
 }
 
+/** The undo step of a change that is part of a larger one. Default: a step of its own, with its own label. */
+export type AddStep = Partial<history.StepOptions>;
+
 /** Scrolls to the nodes that a change has added to the open graph. */
 function showAdded(editor: Editor, before: DocumentState): void {
   const known = graphOf(before).nodes;

@@ -6,7 +6,7 @@ import { makeNodeId } from '../../../export/graph/document-names.ts';
 import type { Asset, Project } from '../../../export/graph/project.ts';
 import type { AssetKind, NodeLibrary } from '../../../nodes/kit/definition.ts';
 import { POSITION_PARAM } from '../../../nodes/kit/pose-params.ts';
-import { apply } from '../document/apply.ts';
+import { type AddStep, apply } from '../document/apply.ts';
 import type { Place } from '../editor/canvas-state.ts';
 import { graphOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
@@ -29,6 +29,7 @@ interface PlacedAsset {
   /** For a model: its size, and the point of the floor where it stands. */
   readonly bounds?: ModelBounds | null;
   readonly floor?: FloorPoint | undefined;
+  readonly step?: AddStep;
 }
 
 /** A camera of a capture. */
@@ -64,12 +65,16 @@ function poseAround({ positionM: [x = 0, y = 0, z = 0], yawRad }: CaptureStart, 
  * captured place or splats over the layer on the screen, so that they are visible at once. Returns the node to select; null if no node
  * outputs such assets.
  */
-export function placeAsset(editor: Editor, { id: assetId, asset, start, bounds = null, floor }: PlacedAsset, place: Place): string | null {
+export function placeAsset(
+  editor: Editor,
+  { id: assetId, asset, start, bounds = null, floor, step = {} }: PlacedAsset,
+  place: Place,
+): string | null {
   const { project, library, graph } = editor.document.getState();
   const source = sourceOf(library, asset.kind);
-  const label = `Add ${fileTitle(asset.path)}`;
+  const { key, label = `Add ${fileTitle(asset.path)}` } = step;
   if (source === null) {
-    apply(editor, label, putAsset(project, { id: assetId, asset }));
+    apply(editor, label, putAsset(project, { id: assetId, asset }), key);
     return null;
   }
   const id = makeNodeId(project, source.type, editor.random);
@@ -88,7 +93,7 @@ export function placeAsset(editor: Editor, { id: assetId, asset, start, bounds =
     shown(editor, asset.kind, id, place, standOnFloor(floor ?? floorInView(editor.preview.getState().status), bounds)),
     placeFreely(project, { library, graph, hasThumbnail: editor.preferences.getState().thumbnails }),
   );
-  if (!apply(editor, label, change)) return null;
+  if (!apply(editor, label, change, key)) return null;
   return selectPlacement(editor, id, project);
 }
 
