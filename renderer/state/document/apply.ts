@@ -74,7 +74,9 @@ export function historySteps({ past, future }: history.History): readonly histor
 export function goToStep(editor: Editor, count: number): void {
   const state = editor.document.getState();
   const moved = atStep(state, count);
-  if (moved.history !== state.history) commit(editor, moved.project, moved.history);
+  if (moved.history === state.history) return;
+  commit(editor, moved.project, moved.history);
+  findGraph(editor);
 }
 
 /** The project as `goToStep` would show it. */
@@ -105,7 +107,14 @@ export function savedStep({ history: { past, future, state }, savedState }: Pick
 function move(editor: Editor, step: typeof history.undo): void {
   const { history: before, project } = editor.document.getState();
   const moved = step(before, project);
-  if (moved !== null) commit(editor, moved.project, moved.history);
+  if (moved === null) return;
+  commit(editor, moved.project, moved.history);
+  findGraph(editor);
+}
+
+/** Shows the graph again where the view is left with nothing of it, as after the undo of a drop to which the view had moved. */
+function findGraph({ ui }: Editor): void {
+  revealNodes(ui, [], 'find');
 }
 
 function commit(editor: Editor, project: Project, next: history.History): void {
