@@ -35,7 +35,7 @@ import { useGestures } from './use-gestures.ts';
 import { useKeptView } from './use-kept-view.ts';
 import { FAR_ZOOM, useLegibleLabels } from './use-legible-labels.ts';
 import { useLongPress } from './use-long-press.ts';
-import { FIT_PADDING, useRefit, useReveal } from './use-reveal.ts';
+import { FIT_PADDING, useReveal } from './use-reveal.ts';
 import { useWireTarget } from './use-wire-target.ts';
 import { PendingWire, WireView } from './wire-view.tsx';
 
@@ -68,9 +68,8 @@ function CanvasInside() {
   const panOnScroll = useWheel(root);
   const drop = useFileDrop(flow.screenToFlowPosition);
   const handlers = useGestures(flow.screenToFlowPosition, flow.flowToScreenPosition);
-  useReveal();
-  useKeptView();
-  useRefit();
+  const revealing = useReveal();
+  useKeptView(revealing);
   useScale();
   useShownPlace();
   const [fit] = useState(() => ({ padding: FIT_PADDING, maxZoom: uiScale() }));

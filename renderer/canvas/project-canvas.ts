@@ -1,10 +1,9 @@
 import type { Node, NodeHandle } from '@xyflow/react';
 import { subgraphName } from '../../export/graph/document-names.ts';
-import type { ExposedPort, GraphNode, NodeLayout, Project, Wire } from '../../export/graph/project.ts';
-import { getOwn } from '../../export/graph/record.ts';
-import { CAPTURE_FILE } from '../../nodes/kit/capture.ts';
+import type { ExposedPort, GraphNode, NodeLayout, Wire } from '../../export/graph/project.ts';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 import type { WireType } from '../../nodes/kit/wire-types.ts';
+import { nodeTitle } from '../state/editor/node-title.ts';
 import { mainType, type NodeShape, nodeShape, PORT_SIZE, portCenter, unknownShape } from '../state/graph/node-shape.ts';
 import { valueText } from '../state/params/value-text.ts';
 import type { NodeProblem } from '../state/problems/problems.ts';
@@ -13,7 +12,7 @@ import { type CanvasWire, createWiresProjection, sameParts as same, type WiresIn
 
 /** Content of one node on the canvas. The object is reused until something in it changes. */
 export interface NodeData extends Record<string, unknown> {
-  /** The name of its file for a source with one file, else the title of its type. */
+  /** The name of the node, as `nodeTitle` gives it. */
   readonly title: string;
   readonly typeTitle: string;
   /** Type id of the node. */
@@ -35,7 +34,6 @@ export type CanvasNode = Node<NodeData, 'scrim'>;
 
 export interface CanvasInput extends WiresInput {
   readonly selectedNodes: ReadonlySet<string>;
-  readonly assets?: Project['assets'];
   readonly expanded: ReadonlySet<string>;
   /** Whether nodes show thumbnails of their layers. */
   readonly hasThumbnail?: boolean;
@@ -91,7 +89,7 @@ export function createCanvasProjection(): (input: CanvasInput) => CanvasView {
         problem?.severity,
         problem?.text,
         heights.get(id),
-        fileOf(node, definition, input.assets),
+        nodeTitle(node, input.library, input.assets ?? {}),
       ];
       const known = nodes.get(id);
       const fresh =
@@ -166,7 +164,7 @@ function canvasNode(
       values[port.name] = valueText(port.param, node.params[port.name]);
   }
   const data: NodeData = {
-    title: fileOf(node, definition, input.assets) ?? definition?.title ?? node.type,
+    title: nodeTitle(node, input.library, input.assets ?? {}),
     typeTitle: definition?.title ?? node.type,
     nodeType: node.type,
     type: definition && mainType(definition),
@@ -192,18 +190,6 @@ function canvasNode(
     handles: shape.ports.map((port) => handleOf(shape, port)),
     ariaLabel: ariaLabel(data),
   };
-}
-
-/** Name of the file of a source with one file; null for other nodes. */
-function fileOf({ type, params }: GraphNode, definition: NodeDefinition | undefined, assets: Project['assets'] = {}): string | null {
-  if (!definition || !type.startsWith('source/')) return null;
-  const [name, ...others] = Object.keys(definition.params).filter((param) => definition.params[param]?.type === 'asset');
-  const binding = name === undefined || others.length > 0 ? undefined : params[name];
-  const path = binding && 'value' in binding ? getOwn(assets, String(binding.value))?.path : undefined;
-  if (path === undefined) return null;
-  const [folder, file = folder] = path.split('/').slice(-2);
-  // All captures have a document of the same name.
-  return (file === CAPTURE_FILE ? folder?.replace(/\.capture$/, '') : file) ?? null;
 }
 
 function ariaLabel({ title, typeTitle, subgraph, muted, problem }: NodeData): string {

@@ -1,13 +1,14 @@
 import type { Edge } from '@xyflow/react';
 import type { EncodingLookup } from '../../export/graph/encoding-lookup.ts';
 import { inputOf } from '../../export/graph/library/node-interface.ts';
-import type { Graph, GraphLayout, Wire } from '../../export/graph/project.ts';
+import type { Graph, GraphLayout, Project, Wire } from '../../export/graph/project.ts';
 import { type Stretch, stretchesOf } from '../../export/graph/routes.ts';
 import { printWire } from '../../export/graph/wires.ts';
 import type { NodeLibrary } from '../../nodes/kit/definition.ts';
 import type { WireType } from '../../nodes/kit/wire-types.ts';
 import { portTitle } from '../state/document/message-titles.ts';
 import { itemId } from '../state/editor/item-ids.ts';
+import { nodeTitle } from '../state/editor/node-title.ts';
 
 export interface WireData extends Record<string, unknown> {
   readonly from: WireType;
@@ -29,6 +30,7 @@ export interface WiresInput {
   readonly graph: Graph;
   readonly layout: GraphLayout;
   readonly library: NodeLibrary;
+  readonly assets?: Project['assets'];
   readonly selectedWires: ReadonlySet<string>;
   /** The stretch that the dragged node would be inserted into. */
   readonly wireUnder?: string | null;
@@ -50,7 +52,7 @@ export function createWiresProjection(): (input: WiresInput) => CanvasWire[] {
   let list: CanvasWire[] = [];
   let seen: readonly unknown[] = [];
   return (input) => {
-    const now = [input.graph, input.layout.routes, input.library, input.selectedWires, input.wireUnder, input.encodings];
+    const now = [input.graph, input.layout.routes, input.library, input.assets, input.selectedWires, input.wireUnder, input.encodings];
     if (sameParts(now, seen)) return list;
     seen = now;
     wires = projectWires(input, wires);
@@ -130,10 +132,11 @@ function canvasWire(id: string, stretch: Stretch, key: readonly unknown[]): Canv
   };
 }
 
-function wireLabel({ graph, library }: WiresInput, { from, to }: Wire): string {
+function wireLabel({ graph, library, assets = {} }: WiresInput, { from, to }: Wire): string {
   const words = ({ node, port }: Wire['from']) => {
-    const definition = library.definition(graph.nodes[node]?.type ?? '');
-    return definition ? portTitle(definition, port) : node;
+    const known = graph.nodes[node];
+    const definition = known && library.definition(known.type);
+    return definition ? portTitle(nodeTitle(known, library, assets), definition, port) : node;
   };
   return `Wire from ${words(from)} to ${words(to)}`;
 }

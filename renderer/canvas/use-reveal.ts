@@ -1,5 +1,5 @@
-import { useReactFlow, useStoreApi } from '@xyflow/react';
-import { useEffect, useRef } from 'react';
+import { type ReactFlowState, type Rect, useReactFlow, useStoreApi } from '@xyflow/react';
+import { type RefObject, useEffect, useRef } from 'react';
 import { useStore } from 'zustand';
 import { useEditor } from '../state/editor/editor-context.ts';
 import type { Reveal } from '../state/editor/ui.ts';
@@ -11,56 +11,64 @@ export const FIT_PADDING = 0.06;
 /** Distance from the edge of the view to nodes that were scrolled into it, in canvas units. */
 const PAN_MARGIN = 24;
 
-/** Scrolls nodes into view on request from outside the canvas, such as the problems panel. */
-export function useReveal(): void {
-  const { ui } = useEditor();
+/**
+ * Scrolls nodes into view on request from outside the canvas, such as the problems panel.
+ *
+ * @returns Starts the last move of the view again; null when it has ended.
+ */
+export function useReveal(): RefObject<(() => void) | null> {
+  const { ui, clock } = useEditor();
   const reveal = useStore(ui, (state) => state.reveal);
-  const { fitView, getNodesBounds, setCenter } = useReactFlow();
+  const { fitView, getNodes, getNodesBounds, setCenter } = useReactFlow();
   const store = useStoreApi();
+  const revealing = useRef<(() => void) | null>(null);
   useEffect(() => {
     if (reveal === null) return;
-    if (typeof reveal.how === 'object') {
-      const { x, y, zoom } = reveal.how;
-      // React Flow fits its first nodes when they arrive, which would replace the place.
-      store.setState({ fitViewQueued: false });
-      void setCenter(x, y, { zoom, duration: 0 });
-      return;
-    }
+    const isFound = () => getNodes().some((node) => isSeen(getNodesBounds([node]), seenPart(store.getState())));
+    if (reveal.how === 'find' && (getNodes().length === 0 || isFound())) return;
     const duration = isStill() ? 0 : DURATION_MS;
-    if (reveal.how === 'fit') {
-      void fitView({ ...nodesOf(reveal), padding: FIT_PADDING, maxZoom: uiScale(), duration });
-      return;
-    }
-    const bounds = getNodesBounds([...reveal.nodes]);
-    const { transform, width, height } = store.getState();
-    const [x, y, zoom] = transform;
-    const seen = { x: -x / zoom, y: -y / zoom, width: width / zoom, height: height / zoom };
-    const by = {
-      x: shiftInto(bounds.x, bounds.width, seen.x, seen.width),
-      y: shiftInto(bounds.y, bounds.height, seen.y, seen.height),
+    const move = (): void => {
+      if (typeof reveal.how === 'object') {
+        const { x, y, zoom } = reveal.how;
+        // React Flow fits its first nodes when they arrive, which would replace the place.
+        store.setState({ fitViewQueued: false });
+        void setCenter(x, y, { zoom, duration: 0 });
+        return;
+      }
+      if (reveal.how !== 'show') {
+        void fitView({ ...nodesOf(reveal), padding: FIT_PADDING, maxZoom: uiScale(), duration });
+        return;
+      }
+      const bounds = getNodesBounds([...reveal.nodes]);
+      const seen = seenPart(store.getState());
+      const by = {
+        x: shiftInto(bounds.x, bounds.width, seen.x, seen.width),
+        y: shiftInto(bounds.y, bounds.height, seen.y, seen.height),
+      };
+      if (bounds.width === 0 || (by.x === 0 && by.y === 0)) return;
+      void setCenter(seen.x + seen.width / 2 + by.x, seen.y + seen.height / 2 + by.y, { zoom: store.getState().transform[2], duration });
     };
-    if (bounds.width === 0 || (by.x === 0 && by.y === 0)) return;
-    void setCenter(seen.x + seen.width / 2 + by.x, seen.y + seen.height / 2 + by.y, { zoom, duration });
-  }, [reveal, fitView, getNodesBounds, setCenter, store]);
+    move();
+    revealing.current = move;
+    const end = (): void => {
+      revealing.current = null;
+    };
+    const cancel = clock.after(duration, end);
+    return () => {
+      cancel();
+      end();
+    };
+  }, [reveal, clock, fitView, getNodes, getNodesBounds, setCenter, store]);
+  return revealing;
 }
 
-/** Fits the graph to the canvas after a change of the dock or of the preview extent has resized the canvas. */
-export function useRefit(): void {
-  const { ui } = useEditor();
-  const layout = useStore(ui, ({ dock, previewExtent }) => `${dock} ${previewExtent}`);
-  const fitted = useRef(layout);
-  const { fitView } = useReactFlow();
-  const store = useStoreApi();
-  useEffect(() => {
-    if (layout === fitted.current) return;
-    fitted.current = layout;
-    const stop = store.subscribe((now, before) => {
-      if (now.width === before.width && now.height === before.height) return;
-      stop();
-      void fitView({ padding: FIT_PADDING, maxZoom: uiScale() });
-    });
-    return stop;
-  }, [layout, fitView, store]);
+/** The part of the graph that the canvas shows, in canvas units. */
+function seenPart({ transform: [x, y, zoom], width, height }: Pick<ReactFlowState, 'transform' | 'width' | 'height'>): Rect {
+  return { x: -x / zoom, y: -y / zoom, width: width / zoom, height: height / zoom };
+}
+
+function isSeen(a: Rect, b: Rect): boolean {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
 function nodesOf({ nodes }: Reveal): { nodes?: { id: string }[] } {

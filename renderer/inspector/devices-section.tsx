@@ -2,6 +2,7 @@ import { useMemo } from 'react';
 import { useStore } from 'zustand';
 import { type DeviceLoss, type DeviceRow, deviceTable } from '../../export/program/devices/device-table.ts';
 import { fixedImageNote } from '../../export/program/fixed-image.ts';
+import { titleOf } from '../state/editor/document.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { goToNode, placeOnPath } from '../state/graph/graph-path.ts';
 import { playDevice } from '../state/preview/play-device.ts';
@@ -71,7 +72,7 @@ function Loss({ loss: { node, effect, fact } }: { readonly loss: DeviceLoss }) {
   const editor = useEditor();
   const title = useDocument(({ project, library }) => {
     const place = placeOnPath(project, node);
-    return (place && library.definition(project.graphs[place.graph]?.nodes[place.node]?.type ?? '')?.title) ?? node;
+    return place ? titleOf({ project, library, graph: place.graph }, place.node) : node;
   });
   const show = () => {
     const place = placeOnPath(editor.document.getState().project, node);

@@ -7,7 +7,7 @@ import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 import { runCommand } from '../state/commands/app-commands.ts';
 import { useKeys } from '../state/commands/command-item.ts';
 import { shaderOf } from '../state/document/edit-shader.ts';
-import { graphOf, nodeOf } from '../state/editor/document.ts';
+import { graphOf, nodeOf, titleOf } from '../state/editor/document.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { toggleMuted } from '../state/graph/edit-graph.ts';
 import { categoryOf } from '../state/graph/palette-search.ts';
@@ -64,13 +64,14 @@ export function NodeInspector({ id }: { readonly id: string }) {
 
 function Head({ id, definition, muted }: { readonly id: string; readonly definition: NodeDefinition; readonly muted: boolean }) {
   const editor = useEditor();
+  const title = useDocument((state) => titleOf(state, id));
   const hasShader = useDocument((state) => shaderOf(state, id) !== null);
   const muteKeys = useKeys('edit.mute');
   const codeOpen = useStore(editor.ui, (state) => state.bottom === 'code');
   return (
     <header className="inspector-head">
       <div className="inspector-title">
-        <h2>{definition.title}</h2>
+        <h2>{title}</h2>
         <IconButton
           icon="mute"
           label={muted ? 'Unmute' : 'Mute'}
@@ -81,6 +82,7 @@ function Head({ id, definition, muted }: { readonly id: string; readonly definit
         />
       </div>
       <p className="inspector-kind">
+        {title === definition.title ? '' : `${definition.title} · `}
         {categoryOf(definition)} <code>{id}</code>
       </p>
       <DocText text={definition.doc} />

@@ -5,7 +5,7 @@ import type { AssetKind } from '../../nodes/kit/definition.ts';
 import { canvasCenter } from '../state/commands/command-actions.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { acceptedNames } from '../state/files/add-files.ts';
-import { type AssetRow, isUnused, listAssets } from '../state/files/asset-rows.ts';
+import { type AssetRow, isUnused, listAssets, namesOfUses } from '../state/files/asset-rows.ts';
 import { byteText } from '../state/files/byte-text.ts';
 import {
   addAssetToGraph,
@@ -136,6 +136,7 @@ function Uses({ row }: { readonly row: AssetRow }) {
   const editor = useEditor();
   const { uses, shaders, path } = row;
   const nodes = uses.length === 1 ? '1 node' : `${uses.length} nodes`;
+  const names = useDocument((state) => namesOfUses(state, uses).join(', '));
   return (
     <>
       {uses.length > 0 && (
@@ -143,6 +144,7 @@ function Uses({ row }: { readonly row: AssetRow }) {
           type="button"
           className="asset-uses"
           aria-label={`Go to ${nodes} with ${nameOf(path)}`}
+          data-tip={names}
           onClick={() => goToUses(editor, row)}
         >
           {nodes}

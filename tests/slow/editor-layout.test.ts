@@ -36,6 +36,36 @@ const canvasBox = async () => {
   return box;
 };
 
+/** How many nodes the canvas shows whole. */
+async function nodesInView(): Promise<number> {
+  const canvas = await canvasBox();
+  const boxes = await Promise.all((await open.page.locator('.react-flow__node').all()).map((node) => node.boundingBox()));
+  const isWithin = (start: number, length: number, from: number, size: number) => start >= from && start + length <= from + size;
+  return boxes.filter(
+    (box) => box && isWithin(box.x, box.width, canvas.x, canvas.width) && isWithin(box.y, box.height, canvas.y, canvas.height),
+  ).length;
+}
+
+/** What the middle of the canvas shows, in canvas units, and the zoom. */
+async function middle() {
+  const { width, height } = await canvasBox();
+  const [zoom = 0, x = 0, y = 0] = await open.page
+    .locator('.react-flow__viewport')
+    .evaluate((element) => [new DOMMatrix(getComputedStyle(element).transform)].flatMap(({ a, e, f }) => [a, e, f]));
+  return { x: (width / 2 - x) / zoom, y: (height / 2 - y) / zoom, zoom };
+}
+
+/** Pans the canvas up by the middle button. */
+async function panUp(byPx: number): Promise<void> {
+  const { x, y, height } = await canvasBox();
+  const before = await middle();
+  await open.page.mouse.move(x + 40, y + height - 60);
+  await open.page.mouse.down({ button: 'middle' });
+  await open.page.mouse.move(x + 40, y + height - 60 - byPx, { steps: 4 });
+  await open.page.mouse.up({ button: 'middle' });
+  await eventually(async () => expect((await middle()).y - before.y).toBeCloseTo(byPx / before.zoom, 0));
+}
+
 async function run(command: string): Promise<void> {
   await open.page.keyboard.press('Control+k');
   await open.page.keyboard.type(command);
@@ -102,20 +132,6 @@ describe('the layout of the window', () => {
   });
 
   test('the bottom panel leaves in view what was: a graph that was fitted whole, else what was in the middle', async () => {
-    const { page } = open;
-    const nodesInView = async () => {
-      const canvas = await canvasBox();
-      const boxes = await Promise.all((await page.locator('.react-flow__node').all()).map((node) => node.boundingBox()));
-      return boxes.filter((box) => box && box.y >= canvas.y && box.y + box.height <= canvas.y + canvas.height).length;
-    };
-    /** What the middle of the canvas shows, in canvas units, and the zoom. */
-    const middle = async () => {
-      const { width, height } = await canvasBox();
-      const [zoom = 0, x = 0, y = 0] = await page
-        .locator('.react-flow__viewport')
-        .evaluate((element) => [new DOMMatrix(getComputedStyle(element).transform)].flatMap(({ a, e, f }) => [a, e, f]));
-      return { x: (width / 2 - x) / zoom, y: (height / 2 - y) / zoom, zoom };
-    };
     await run('Fit graph to view');
     await eventually(async () => expect(await nodesInView()).toBe(4));
     const tall = (await canvasBox()).height;
@@ -142,6 +158,47 @@ describe('the layout of the window', () => {
       expect(Math.abs(after[axis] - before[axis])).toBeLessThan(1);
     }
     await run('Fit graph to view');
+  });
+
+  test('undo and redo show the graph again where none of it is in view, and else leave the view', async () => {
+    const { page, editor } = open;
+    await run('Fit graph to view');
+    await eventually(async () => expect(await nodesInView()).toBe(4));
+    const heightOf = async () => (await centerOf(editor.node('screen'))).y;
+    await editor.node('screen').click();
+    const start = await heightOf();
+    await page.keyboard.press('ArrowDown');
+    await eventually(async () => expect(await heightOf()).toBeGreaterThan(start + 2));
+
+    // The output is still in view.
+    await panUp(300);
+    const before = await middle();
+    await page.keyboard.press('Control+z');
+    await eventually(async () => expect(await heightOf()).toBeCloseTo(start - 300, 0));
+    expect(await middle()).toEqual(before);
+
+    await panUp(400);
+    expect(await nodesInView()).toBe(0);
+    await page.keyboard.press('Control+Shift+z');
+    await eventually(async () => expect(await nodesInView()).toBe(4));
+    const lower = await heightOf();
+    await page.keyboard.press('Control+z');
+    await eventually(async () => expect(await heightOf()).toBeLessThan(lower - 2));
+  });
+
+  test('a view on its way to the whole graph arrives there when the window is resized meanwhile', async () => {
+    const { page, editor } = open;
+    await editor.node('sepia').click();
+    await run('Show the selection');
+    await eventually(async () => expect((await middle()).zoom).toBeGreaterThan(0.9));
+    await page.locator('.canvas').hover();
+    await page.keyboard.press('f');
+    await page.setViewportSize({ width: 1100, height: 700 });
+    await eventually(async () => expect((await canvasBox()).width).toBeLessThan(700));
+    await centerOf(editor.node('sepia'));
+    expect(await nodesInView()).toBe(4);
+    await page.setViewportSize({ width: 1440, height: 900 });
+    await eventually(async () => expect(await nodesInView()).toBe(4));
   });
 
   test('fills the window with the preview, with the graph over it, until Escape', async () => {

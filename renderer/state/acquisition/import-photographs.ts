@@ -51,7 +51,7 @@ async function show(
   await editor.fileWork(async () => {
     const id = makeAssetId(editor.document.getState().project, path.slice(0, path.lastIndexOf('/')), editor.random);
     const asset = { path, kind: 'capture' } as const;
-    const node = placeAsset(editor, { id, asset, label: `Add ${nameOf(path)}`, start }, place);
+    const node = placeAsset(editor, { id, asset, start }, place);
     if (node !== null) selectOnly(editor.selection, [node]);
   });
   await refreshAssetFiles(editor);

@@ -27,6 +27,9 @@ export function apply(editor: Editor, label: string, made: Change, key?: string)
   return true;
 }
 
+/** The undo step of a change that is part of a larger one. Default: a step of its own, with its own label. */
+export type AddStep = Partial<history.StepOptions>;
+
 /** Scrolls to the nodes that a change has added to the open graph. */
 function showAdded(editor: Editor, before: DocumentState): void {
   const known = graphOf(before).nodes;
@@ -71,7 +74,9 @@ export function historySteps({ past, future }: history.History): readonly histor
 export function goToStep(editor: Editor, count: number): void {
   const state = editor.document.getState();
   const moved = atStep(state, count);
-  if (moved.history !== state.history) commit(editor, moved.project, moved.history);
+  if (moved.history === state.history) return;
+  commit(editor, moved.project, moved.history);
+  findGraph(editor);
 }
 
 /** The project as `goToStep` would show it. */
@@ -102,7 +107,14 @@ export function savedStep({ history: { past, future, state }, savedState }: Pick
 function move(editor: Editor, step: typeof history.undo): void {
   const { history: before, project } = editor.document.getState();
   const moved = step(before, project);
-  if (moved !== null) commit(editor, moved.project, moved.history);
+  if (moved === null) return;
+  commit(editor, moved.project, moved.history);
+  findGraph(editor);
+}
+
+/** Shows the graph again where the view is left with nothing of it, as after the undo of a drop to which the view had moved. */
+function findGraph({ ui }: Editor): void {
+  revealNodes(ui, [], 'find');
 }
 
 function commit(editor: Editor, project: Project, next: history.History): void {

@@ -6,6 +6,7 @@ import { EMPTY_GRAPH, EMPTY_LAYOUT, newProject } from '../../../export/graph/new
 import { type Graph, type GraphLayout, type GraphNode, MAIN_GRAPH, type Project } from '../../../export/graph/project.ts';
 import { getOwn } from '../../../export/graph/record.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+import { nodeTitle } from './node-title.ts';
 
 /** The open project, as the host describes it. */
 export interface OpenInfo extends Pick<OpenProject, 'handle' | 'displayPath' | 'revision' | 'assetBaseUrl' | 'assetFiles'> {
@@ -81,8 +82,8 @@ export function nodeOf(state: Pick<OpenGraph, 'project' | 'graph'>, id: string):
   return getOwn(graphOf(state).nodes, id);
 }
 
-/** Title of the node’s type; the node id if the type is unknown. */
+/** The name of a node of the open graph, as `nodeTitle` gives it; its id if there is no such node. */
 export function titleOf(state: OpenGraph, id: string): string {
-  const type = nodeOf(state, id)?.type;
-  return (type === undefined ? undefined : state.library.definition(type)?.title) ?? id;
+  const node = nodeOf(state, id);
+  return node === undefined ? id : nodeTitle(node, state.library, state.project.assets);
 }

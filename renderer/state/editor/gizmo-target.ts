@@ -4,7 +4,7 @@ import { getOwn } from '../../../export/graph/record.ts';
 import type { NodeDefinition, ParamDefinition } from '../../../nodes/kit/definition.ts';
 import { type Handle, type HandleAxes, IMAGE_HANDLES } from '../../../nodes/kit/handles.ts';
 import type { GizmoMode } from '../../preview-protocol.ts';
-import { type DocumentState, graphOf, nodeOf } from './document.ts';
+import { type DocumentState, graphOf, nodeOf, titleOf } from './document.ts';
 import { nodePath } from './layer-names.ts';
 
 /** The params of one node of the open graph that a gizmo changes. */
@@ -83,7 +83,7 @@ export function gizmoTargetOf(
   if (!hasTransform || definition === undefined) return { target: null, reason: null };
   const added = hasMuted ? null : addedTarget(state, selected, mode);
   if (added) return { target: added };
-  const fixed = `${definition.title} cannot be ${PARTICIPLES[mode]}.`;
+  const fixed = `${titleOf(state, selected)} cannot be ${PARTICIPLES[mode]}.`;
   return { target: null, reason: hasObjects(definition) ? `${fixed} Connect its objects to a Transform.` : fixed };
 }
 
@@ -94,7 +94,7 @@ function imageTarget(state: DocumentState, id: string): GizmoTargetResult | null
   if (!node || !definition) return null;
   const all = handleParams(state, id, node, definition, IMAGE_HANDLES);
   if (all.length === 0) return null;
-  if (node.muted) return { target: null, reason: `${definition.title} is muted. Unmute it to use the gizmo.` };
+  if (node.muted) return { target: null, reason: `${titleOf(state, id)} is muted. Unmute it to use the gizmo.` };
   const free = all.filter((param) => drivenBy(state, id, node, definition, param) === null);
   // Without the point or the corners there is no place for the rest.
   const isPlace = ({ handle }: HandleParam) => handle !== 'extent' && handle !== 'angle';
@@ -235,7 +235,7 @@ export function carriesObjects(state: DocumentState, { node, port }: { readonly 
  * keyframe at the current time.
  */
 function drivenBy(state: DocumentState, id: string, node: GraphNode, definition: NodeDefinition, { name }: HandleParam): string | null {
-  const what = `“${definition.params[name]?.label}” of ${definition.title}`;
+  const what = `“${definition.params[name]?.label}” of ${titleOf(state, id)}`;
   if (graphOf(state).wires.some(({ to }) => to.node === id && to.port === name))
     return `${what} is connected. Disconnect it to use the gizmo.`;
   const binding = getOwn(node.params, name);
@@ -261,7 +261,8 @@ function makeTarget(
     names[inner.param] = name;
   }
   const arranged = first && ARRANGING.has(first.handle) ? definition.params[first.name] : undefined;
-  const title = arranged ? `“${arranged.label}” of ${definition.title}` : definition.title;
+  const name = titleOf(state, id);
+  const title = arranged ? `“${arranged.label}” of ${name}` : name;
   return { node: id, title, program, handles, names, axes: first?.axes ?? ALL_AXES };
 }
 

@@ -4,6 +4,7 @@ import { getOwn } from '../../../export/graph/record.ts';
 import { sameAddress } from '../../../export/graph/wires.ts';
 import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
 import { type DocumentState, graphOf, nodeOf } from './document.ts';
+import { nodeTitle } from './node-title.ts';
 
 /** The first output of type `layer`; null if there is none. */
 export function layerPortOf(definition: NodeDefinition | undefined): string | null {
@@ -25,7 +26,7 @@ export function nodePath(state: Pick<DocumentState, 'project' | 'graph' | 'trail
   return [...path, node].join('/');
 }
 
-/** Label of a layer: the title of its node, and the port if the node outputs several layers. */
+/** Label of a layer: the name of its node, and the port if the node outputs several layers. */
 export function layerTitle(state: DocumentState, layer: string | null): string {
   if (layer === null) return 'Output';
   const id = layer.slice(layer.lastIndexOf('/') + 1, layer.lastIndexOf('.'));
@@ -33,7 +34,8 @@ export function layerTitle(state: DocumentState, layer: string | null): string {
   for (const graph of Object.values(state.project.graphs)) {
     const node = getOwn(graph.nodes, id);
     if (!node) continue;
-    const { title = id, outputs = {} } = state.library.definition(node.type) ?? {};
+    const title = nodeTitle(node, state.library, state.project.assets);
+    const { outputs = {} } = state.library.definition(node.type) ?? {};
     const several = Object.values(outputs).filter(({ type }) => type === 'layer').length > 1;
     return several ? `${title} · ${getOwn(outputs, port)?.label ?? port}` : title;
   }

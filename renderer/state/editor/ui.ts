@@ -124,8 +124,11 @@ export interface Reveal {
   readonly serial: number;
   /** Nodes to show; empty for all. */
   readonly nodes: readonly string[];
-  /** `show` moves the view as little as possible; `fit` fills the view with the nodes. A place is shown at once. */
-  readonly how: 'show' | 'fit' | CanvasPlace;
+  /**
+   * `show` moves the view as little as possible; `fit` fills the view with the nodes; `find` does so only if the view shows nothing of the
+   * graph. A place is shown at once.
+   */
+  readonly how: 'show' | 'fit' | 'find' | CanvasPlace;
 }
 
 export interface CodePosition {
@@ -291,7 +294,7 @@ export function removeToast(store: UiStore, id: number): void {
   store.setState(({ toasts }) => ({ toasts: toasts.filter((toast) => toast.id !== id) }));
 }
 
-export function revealNodes(store: UiStore, nodes: readonly string[], how: 'show' | 'fit' = 'show'): void {
+export function revealNodes(store: UiStore, nodes: readonly string[], how: Exclude<Reveal['how'], CanvasPlace> = 'show'): void {
   store.setState(({ reveal }) => ({ reveal: { serial: (reveal?.serial ?? 0) + 1, nodes, how } }));
 }
 

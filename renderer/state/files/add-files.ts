@@ -1,17 +1,19 @@
 import { companionOf, readIsf } from '../../../export/glsl/isf/read-isf.ts';
 import { moveImported } from '../../../export/glsl/language/header-edits.ts';
 import { isShadertoy } from '../../../export/glsl/shadertoy/convert-shadertoy.ts';
+import type { ModelBounds } from '../../../export/gltf/model-bounds.ts';
 import { putAsset } from '../../../export/graph/commands/asset-commands.ts';
 import { makeAssetId } from '../../../export/graph/document-names.ts';
 import type { Asset } from '../../../export/graph/project.ts';
 import type { AssetKind } from '../../../nodes/kit/definition.ts';
-import { apply } from '../document/apply.ts';
+import { type AddStep, apply, endGesture } from '../document/apply.ts';
 import type { Place } from '../editor/canvas-state.ts';
 import type { Editor } from '../editor/editor.ts';
 import { selectOnly } from '../editor/selection.ts';
 import { addToast, toastDiagnostic } from '../editor/ui.ts';
-import type { FloorPoint } from '../graph/floor-point.ts';
+import { type FloorPoint, floorInView, rightOnFloor } from '../graph/floor-point.ts';
 import { placeAsset } from '../graph/place-asset.ts';
+import { rowOnFloor } from '../graph/stand-on-floor.ts';
 import { addShader, type ForeignShader } from '../shaders/add-shader.ts';
 import { addShadertoy } from '../shaders/import-shadertoy.ts';
 import { type Faces, joinFaces, splitFaces } from './cube-faces.ts';
@@ -63,8 +65,8 @@ export interface DroppedFile {
 }
 
 /**
- * Adds each file as an asset or shader with a node, starting at `place`. A vertex shader belongs to the shader of the same name, and
- * images to the shader that imports them.
+ * Adds each file as an asset or shader with a node, starting at `place`, as one undo step. A vertex shader belongs to the shader of the same
+ * name, and images to the shader that imports them. Several models stand side by side.
  *
  * @param floor Where models stand. Default: in the middle of the view.
  */
@@ -76,19 +78,22 @@ async function addEach(editor: Editor, files: readonly DroppedFile[], place: Pla
   const added: string[] = [];
   const { faces, rest } = splitFaces(files);
   const sky = faces && (await joinedFaces(editor, faces));
-  const skyNode = sky && (await addAssetNode(editor, sky, 'environment', place));
-  if (skyNode) added.push(skyNode);
   const { others, vertexOf, imagesOf } = await pairShaders(await packModels(editor, await packSplats(editor, rest)));
+  const isOne = others.length + (sky ? 1 : 0) < 2;
+  const step: AddStep = isOne ? {} : { label: 'Add files', key: `drop ${editor.document.getState().revision}` };
+  const skyNode = sky && (await addAssetNode(editor, sky, 'environment', { place, step }));
+  if (skyNode) added.push(skyNode);
+  const standings = await standingsOf(editor, others, floor);
   for (const [index, file] of others.entries()) {
     const at = { x: place.x + index * STEP_PX, y: place.y + index * STEP_PX };
     const shadertoy = await readShadertoy(file);
     if (shadertoy !== null) {
-      const node = addShadertoy(editor, { source: shadertoy, name: file.name.replace(/\.[^.]*$/, '') }, at);
+      const node = addShadertoy(editor, { source: shadertoy, name: file.name.replace(/\.[^.]*$/, '') }, at, step);
       if (node !== null) added.push(node);
       continue;
     }
     if (TABLES.test(file.name)) {
-      added.push(...(await addCube(editor, { name: file.name, text: await textOf(file) }, at)));
+      added.push(...(await addCube(editor, { name: file.name, text: await textOf(file) }, at, step)));
       continue;
     }
     const kind = kindOfFile(file.name);
@@ -101,11 +106,30 @@ async function addEach(editor: Editor, files: readonly DroppedFile[], place: Pla
     }
     const node =
       kind === 'shader'
-        ? addShader(editor, await readShaderFile(editor, file, vertexOf.get(file), imagesOf.get(file)), at)
-        : await addAssetNode(editor, file, kind, at, floor);
+        ? addShader(editor, await readShaderFile(editor, file, vertexOf.get(file), imagesOf.get(file)), at, { step })
+        : await addAssetNode(editor, file, kind, { place: at, step, ...standings.get(file) });
     if (node !== null) added.push(node);
   }
+  endGesture(editor);
   if (added.length > 0) selectOnly(editor.selection, added);
+}
+
+/** The size of a model and the point of the floor where it stands. */
+interface ModelStanding {
+  readonly bounds: ModelBounds | null;
+  readonly floor: FloorPoint | undefined;
+}
+
+/** Where the models among dropped files stand: one at the point, several in a row across the view. */
+async function standingsOf(
+  { preview }: Editor,
+  files: readonly DroppedFile[],
+  floor = floorInView(preview.getState().status),
+): Promise<ReadonlyMap<DroppedFile, ModelStanding>> {
+  const models = files.filter(({ name }) => kindOfFile(name) === 'model');
+  const bounds = await Promise.all(models.map(async (file) => readBounds(new Uint8Array(await file.arrayBuffer()))));
+  const row = rowOnFloor(floor, rightOnFloor(preview.getState().status), bounds);
+  return new Map(models.map((file, i) => [file, { bounds: bounds[i] ?? null, floor: row[i] }]));
 }
 
 /** Shows a message and returns null if the faces do not make a panorama. */
@@ -250,11 +274,16 @@ async function importFile(editor: Editor, file: DroppedFile, kind: FileKind): Pr
   }
 }
 
+interface AssetNodeOptions extends Partial<ModelStanding> {
+  readonly place: Place;
+  readonly step: AddStep;
+}
+
 /** Adds an asset and a node that outputs it, as one undo step. A model is also put into the scene, so that it is visible at once. */
-async function addAssetNode(editor: Editor, file: DroppedFile, kind: FileKind, place: Place, floor?: FloorPoint): Promise<string | null> {
+async function addAssetNode(editor: Editor, file: DroppedFile, kind: FileKind, options: AssetNodeOptions): Promise<string | null> {
   const asset = await importFile(editor, file, kind);
   if (asset === null) return null;
   const id = makeAssetId(editor.document.getState().project, asset.path, editor.random);
-  const bounds = kind === 'model' ? readBounds(new Uint8Array(await file.arrayBuffer())) : null;
-  return placeAsset(editor, { id, asset, label: `Add ${file.name}`, bounds, floor }, place);
+  const { place, ...how } = options;
+  return placeAsset(editor, { id, asset, ...how }, place);
 }

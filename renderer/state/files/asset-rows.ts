@@ -2,7 +2,7 @@ import { readIsf } from '../../../export/glsl/isf/read-isf.ts';
 import { boundValue } from '../../../export/graph/library/param-value.ts';
 import type { Project } from '../../../export/graph/project.ts';
 import type { AssetKind, NodeLibrary } from '../../../nodes/kit/definition.ts';
-import type { DocumentState, OpenInfo } from '../editor/document.ts';
+import { type DocumentState, type OpenInfo, titleOf } from '../editor/document.ts';
 
 /** A use of an asset by a node. */
 export interface AssetUse {
@@ -62,6 +62,14 @@ export function listAssets({ project, library, open }: Pick<DocumentState, 'proj
 
 export function isUnused({ id, uses, shaders }: AssetRow): boolean {
   return id !== null && uses.length + shaders.length === 0;
+}
+
+/** The names of the nodes that use an asset, each once. */
+export function namesOfUses(
+  { project, library }: Pick<DocumentState, 'project' | 'library'>,
+  uses: readonly AssetUse[],
+): readonly string[] {
+  return [...new Set(uses.map(({ graph, node }) => titleOf({ project, library, graph }, node)))];
 }
 
 /** The nodes that use each asset, by asset id. */

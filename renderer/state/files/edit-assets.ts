@@ -77,7 +77,7 @@ export async function addAssetToGraph(editor: Editor, id: string, place: Place):
   const bounds = asset.kind === 'model' ? await readBoundsOf(editor, { handle: open.handle, path: asset.path, bytes: size }) : null;
   // Reading takes time, in which the asset may go.
   if (getOwn(editor.document.getState().project.assets, id) !== asset) return null;
-  const node = placeAsset(editor, { id, asset, label: `Add ${nameOf(asset.path)}`, start, bounds }, place);
+  const node = placeAsset(editor, { id, asset, start, bounds }, place);
   if (node !== null) selectOnly(editor.selection, [node]);
   return node;
 }

@@ -6,10 +6,11 @@ import { addNode } from '../../../export/graph/commands/node-commands.ts';
 import { connect } from '../../../export/graph/commands/wire-commands.ts';
 import { makeAssetId, makeNodeId } from '../../../export/graph/document-names.ts';
 import type { Project } from '../../../export/graph/project.ts';
-import { apply } from '../document/apply.ts';
+import { type AddStep, apply } from '../document/apply.ts';
 import type { Place } from '../editor/canvas-state.ts';
 import type { Editor } from '../editor/editor.ts';
 import { toastDiagnostic } from '../editor/ui.ts';
+import { placeFreely } from '../graph/free-places.ts';
 import { showRefusal } from './files.ts';
 
 const PICTURE = 'source/image-file';
@@ -24,6 +25,7 @@ export async function addCube(
   editor: Editor,
   { name, text }: { readonly name: string; readonly text: string },
   place: Place,
+  step: AddStep = {},
 ): Promise<string[]> {
   const { output, diagnostics } = readCube(text, name);
   for (const { line, message, fix, ...diagnostic } of diagnostics) {
@@ -54,6 +56,7 @@ export async function addCube(
     (before: Project) => addNode(before, { library, graph, id: image, type: PICTURE, ...place, params: { file: asset } }),
     (before: Project) => addNode(before, { library, graph, id: table, type: TABLE, ...right, params: { size, columns } }),
     (before: Project) => connect(before, { library, graph, from: { node: image, port: 'layer' }, to: { node: table, port: 'table' } }),
+    placeFreely(project, { library, graph, hasThumbnail: editor.preferences.getState().thumbnails }),
   );
-  return apply(editor, `Add ${name}`, change) ? [image, table] : [];
+  return apply(editor, step.label ?? `Add ${name}`, change, step.key) ? [image, table] : [];
 }

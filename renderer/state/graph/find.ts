@@ -4,6 +4,7 @@ import { searchable } from '../../spellings.ts';
 import type { DocumentState } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { titleOfName } from '../editor/library.ts';
+import { nodeTitle } from '../editor/node-title.ts';
 import { valueText } from '../params/value-text.ts';
 import { goToNode, pathToGraph } from './graph-path.ts';
 
@@ -17,7 +18,7 @@ export interface Found {
 
 const MOST = 200;
 
-/** Finds nodes of all graphs by title, id or param value. Nodes of the open graph come first. */
+/** Finds nodes of all graphs by name, type, id or param value. Nodes of the open graph come first. */
 export function findNodes({ project, library, graph }: DocumentState, query: string): readonly Found[] {
   const words = searchable(query).split(/\s+/).filter(Boolean);
   const names = [graph, ...Object.keys(project.graphs).filter((name) => name !== graph)];
@@ -25,12 +26,12 @@ export function findNodes({ project, library, graph }: DocumentState, query: str
   for (const name of names) {
     for (const [id, node] of Object.entries(getOwn(project.graphs, name)?.nodes ?? {})) {
       const definition = library.definition(node.type);
-      const title = definition?.title ?? node.type;
+      const title = nodeTitle(node, library, project.assets);
       const values = Object.entries(node.params).flatMap(([param, binding]) => {
         const known = definition && getOwn(definition.params, param);
         return known ? [`${known.label} ${valueText(known, binding)}`] : [];
       });
-      const text = searchable([title, id, ...values].join('\n'));
+      const text = searchable([title, definition?.title ?? '', id, ...values].join('\n'));
       if (!words.every((word) => text.includes(word))) continue;
       const inTitle = words.every((word) => searchable(title).includes(word));
       const value = inTitle ? undefined : values.find((line) => words.some((word) => searchable(line).includes(word)));

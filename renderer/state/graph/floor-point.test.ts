@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { Matrix4, PerspectiveCamera, Raycaster, Vector2, Vector3 } from 'three';
-import { floorInView, floorUnder } from './floor-point.ts';
+import { floorInView, floorUnder, rightOnFloor } from './floor-point.ts';
 
 /** A view from the height of an eye, turned and tilted. */
 function viewOf(pitchRad: number, yawRad = 0.4) {
@@ -48,4 +48,13 @@ test('a model that is dropped elsewhere stands at most 3 m away, where the pictu
     const [x, z] = floorInView(viewOf(pitchRad).view);
     expect(Math.hypot(x - 0.5, z - 2)).toBeLessThanOrEqual(3);
   }
+});
+
+test('the right of the picture on the floor is that of the camera, also of one that looks down', () => {
+  for (const pitchRad of [0, -0.5, -1.5]) {
+    const { camera, view } = viewOf(pitchRad, 2);
+    const right = new Vector3(1, 0, 0).transformDirection(camera.matrixWorld);
+    expect(rightOnFloor(view)).toEqual([expect.closeTo(right.x, 6), expect.closeTo(right.z, 6)]);
+  }
+  expect(rightOnFloor(null)).toEqual([1, 0]);
 });

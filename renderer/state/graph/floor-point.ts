@@ -28,6 +28,13 @@ export function floorInView(view: View | null): FloorPoint {
   return (points.find((found) => found && found.distanceM <= VISIBLE_M) ?? points.at(-1))?.point ?? USUAL;
 }
 
+/** Unit vector in x and z that points to the right of the picture. */
+export function rightOnFloor(view: Pick<PreviewStatus, 'worldFromView'> | null): readonly [x: number, z: number] {
+  const [x = 1, , z = 0] = view?.worldFromView ?? [];
+  const length = Math.hypot(x, z);
+  return length === 0 ? [1, 0] : [x / length, z / length];
+}
+
 function onFloor(
   view: View | null,
   x: number,

@@ -6,10 +6,11 @@ import { makeNodeId } from '../../../export/graph/document-names.ts';
 import type { Asset, Project } from '../../../export/graph/project.ts';
 import type { AssetKind, NodeLibrary } from '../../../nodes/kit/definition.ts';
 import { POSITION_PARAM } from '../../../nodes/kit/pose-params.ts';
-import { apply } from '../document/apply.ts';
+import { type AddStep, apply } from '../document/apply.ts';
 import type { Place } from '../editor/canvas-state.ts';
 import { graphOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
+import { fileTitle } from '../editor/node-title.ts';
 import { revealNodes } from '../editor/ui.ts';
 import { type FloorPoint, floorInView } from './floor-point.ts';
 import { placeFreely } from './free-places.ts';
@@ -23,13 +24,12 @@ export const ASSET_DRAG = 'application/x-scrim-asset';
 interface PlacedAsset {
   readonly id: string;
   readonly asset: Asset;
-  /** Name of the undo step. */
-  readonly label: string;
   /** For a capture that is shown at once: where an eye sees it. */
   readonly start?: CaptureStart | null;
   /** For a model: its size, and the point of the floor where it stands. */
   readonly bounds?: ModelBounds | null;
   readonly floor?: FloorPoint | undefined;
+  readonly step?: AddStep;
 }
 
 /** A camera of a capture. */
@@ -67,13 +67,14 @@ function poseAround({ positionM: [x = 0, y = 0, z = 0], yawRad }: CaptureStart, 
  */
 export function placeAsset(
   editor: Editor,
-  { id: assetId, asset, label, start, bounds = null, floor }: PlacedAsset,
+  { id: assetId, asset, start, bounds = null, floor, step = {} }: PlacedAsset,
   place: Place,
 ): string | null {
   const { project, library, graph } = editor.document.getState();
   const source = sourceOf(library, asset.kind);
+  const { key, label = `Add ${fileTitle(asset.path)}` } = step;
   if (source === null) {
-    apply(editor, label, putAsset(project, { id: assetId, asset }));
+    apply(editor, label, putAsset(project, { id: assetId, asset }), key);
     return null;
   }
   const id = makeNodeId(project, source.type, editor.random);
@@ -92,7 +93,7 @@ export function placeAsset(
     shown(editor, asset.kind, id, place, standOnFloor(floor ?? floorInView(editor.preview.getState().status), bounds)),
     placeFreely(project, { library, graph, hasThumbnail: editor.preferences.getState().thumbnails }),
   );
-  if (!apply(editor, label, change)) return null;
+  if (!apply(editor, label, change, key)) return null;
   return selectPlacement(editor, id, project);
 }
 

@@ -82,7 +82,7 @@ describe('a captured place, or splats', () => {
   const withCapture = async () => {
     const opened = await openTestEditor();
     const asset = { path: 'assets/room.capture/capture.json', kind: 'capture' } as const;
-    const place = () => placeAsset(opened.editor, { id: 'room', asset, label: 'Add room' }, AT);
+    const place = () => placeAsset(opened.editor, { id: 'room', asset }, AT);
     return { ...opened, place };
   };
 

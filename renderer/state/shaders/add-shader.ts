@@ -1,13 +1,14 @@
 import { companionOf } from '../../../export/glsl/isf/read-isf.ts';
-import { sequence } from '../../../export/graph/commands/change.ts';
+import { sequence, unchanged } from '../../../export/graph/commands/change.ts';
 import { addNode } from '../../../export/graph/commands/node-commands.ts';
 import { setSource } from '../../../export/graph/commands/shader-commands.ts';
 import { isShaderFile, makeNodeId, makeShaderFile } from '../../../export/graph/document-names.ts';
 import type { Project } from '../../../export/graph/project.ts';
-import { apply } from '../document/apply.ts';
+import { type AddStep, apply } from '../document/apply.ts';
 import type { Place } from '../editor/canvas-state.ts';
 import type { Editor } from '../editor/editor.ts';
 import { addToast } from '../editor/ui.ts';
+import { placeFreely } from '../graph/free-places.ts';
 
 /** An imported shader file. */
 export interface ForeignShader {
@@ -17,12 +18,19 @@ export interface ForeignShader {
   readonly vertex?: string;
 }
 
-/**
- * Adds a shader file to the project and a node for it, as one undo step. Returns the node id, or null after an error, which is shown.
- *
- * @param key Changes with the same key follow in the same undo step.
- */
-export function addShader(editor: Editor, file: ForeignShader, place: Place, key?: string): string | null {
+interface AddShaderOptions {
+  readonly step?: AddStep;
+  /** Whether the node moves to a free place; else the caller places it in the same step. */
+  readonly isFree?: boolean;
+}
+
+/** Adds a shader file to the project and a node for it, as one undo step. Returns the node id, or null after an error, which is shown. */
+export function addShader(
+  editor: Editor,
+  file: ForeignShader,
+  place: Place,
+  { step = {}, isFree = true }: AddShaderOptions = {},
+): string | null {
   const { text, vertex } = file;
   const { project, graph } = editor.document.getState();
   const name = freeShaderName(project, file.name);
@@ -48,8 +56,14 @@ export function addShader(editor: Editor, file: ForeignShader, place: Place, key
     (before) => setSource(before, { base, readShader, file: name, text }),
     ...(vertex === undefined ? [] : [(before: Project) => setSource(before, { base, readShader, file: companionOf(name), text: vertex })]),
     (before) => addNode(before, { library: editor.libraries.of(before), graph, id, type, ...place }),
+    (before) => {
+      const { thumbnails } = editor.preferences.getState();
+      return isFree
+        ? placeFreely(project, { library: editor.libraries.of(before), graph, hasThumbnail: thumbnails })(before)
+        : unchanged(before);
+    },
   );
-  return apply(editor, `Add ${name}`, change, key) ? id : null;
+  return apply(editor, step.label ?? `Add ${name}`, change, step.key) ? id : null;
 }
 
 function freeShaderName({ sources }: Project, wanted: string): string {

@@ -1,5 +1,6 @@
 import { convertShadertoy } from '../../../export/glsl/shadertoy/convert-shadertoy.ts';
 import { makeShaderFile } from '../../../export/graph/document-names.ts';
+import type { AddStep } from '../document/apply.ts';
 import type { Place } from '../editor/canvas-state.ts';
 import { layoutOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
@@ -20,11 +21,11 @@ const GAP_PX = 260;
  * Converts Shadertoy source to an ISF file of the project and adds a node for it, as one undo step. Returns the node id, or null
  * after an error, which is shown.
  */
-export function addShadertoy(editor: Editor, { source, name }: ShadertoySource, place: Place): string | null {
+export function addShadertoy(editor: Editor, { source, name }: ShadertoySource, place: Place, step?: AddStep): string | null {
   const { output, diagnostics } = convertShadertoy(source, name);
   for (const diagnostic of diagnostics) toastDiagnostic(editor.ui, diagnostic);
   if (output === null) return null;
-  const node = addShader(editor, { name: makeShaderFile(output.title || name), text: output.text }, place);
+  const node = addShader(editor, { name: makeShaderFile(output.title || name), text: output.text }, place, step && { step });
   if (node !== null) addToast(editor.ui, { tone: 'info', text: `License: ${output.licence}.`, detail: `Credit: ${output.credit}.` });
   return node;
 }

@@ -43,7 +43,8 @@ export function newFilter(editor: Editor): string | null {
   const toOutput = wires.find(({ to }) => nodes[to.node]?.type === OUTPUT);
   const beside = layoutOf(state).nodes[selected ?? toOutput?.from.node ?? ''] ?? { x: 0, y: 0 };
   const key = `new filter ${state.revision}`;
-  const node = addShader(editor, { name: 'my-filter.fs', text: TEXT }, { x: beside.x + STEP_PX, y: beside.y }, key);
+  const place = { x: beside.x + STEP_PX, y: beside.y };
+  const node = addShader(editor, { name: 'my-filter.fs', text: TEXT }, place, { step: { key }, isFree: false });
   if (node === null) return null;
   const after = editor.document.getState();
   const { library, graph, project } = after;
