@@ -33,7 +33,7 @@ import { decodePhoto, packPhoto } from './pack-photo.ts';
 import { writePageFolder } from './page-folder.ts';
 import { revisionOf } from './project-files.ts';
 import { type FoundView, PANORAMA_FORM, readCaptureFolder } from './read-capture-folder.ts';
-import { readBytes } from './read-file.ts';
+import { readSource } from './read-source.ts';
 import { readConsistentFiles } from './recover-folder.ts';
 import { saveOver } from './save-over.ts';
 
@@ -160,7 +160,7 @@ async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> 
       interrupted.throwIfAborted();
       say(`Packing photographs (${i + 1} of ${views.length})…`);
       const { bytes, extension, pinhole } = await packPhoto(
-        await readBytes(file, MAX_PHOTO_BYTES),
+        await readSource(file, MAX_PHOTO_BYTES),
         view.name,
         lens,
         sideOf(lens, job.maxSidePx),
