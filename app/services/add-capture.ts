@@ -58,6 +58,8 @@ export interface CaptureJob {
   };
   /** Makes the mesh of the folder smaller; absent: it stays as it is. */
   readonly simplify?: (mesh: CaptureMesh) => Promise<CaptureMesh>;
+  /** Receives the photographs that will be packed, and their cameras in the space of the reconstruction. */
+  readonly onFound?: (views: readonly FoundView[]) => unknown;
   readonly files: FileLayer;
   /** Receives progress texts. */
   readonly say: (text: string) => void;
@@ -133,6 +135,7 @@ async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> 
   say('Reading cameras and mesh…');
   const { source, views, mesh: wholeMesh, diagnostics: warnings } = await readCaptureFolder(resolve(folder));
   const ownMesh = wholeMesh && job.simplify ? await job.simplify(wholeMesh) : wholeMesh;
+  job.onFound?.(views);
   const diagnostics = [...warnings];
   const depths = await findUsedDepths(job, views);
   const missing = views.filter((_, i) => depths[i] == null);
