@@ -1,6 +1,8 @@
+import { execFileSync } from 'node:child_process';
 import { mkdir, mkdtemp, readdir, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import process from 'node:process';
 import { afterEach, beforeEach, expect, test } from '@jest/globals';
 import { decode as decodePng, encode as encodePng } from 'fast-png';
 import { encode } from 'jpeg-js';
@@ -86,11 +88,38 @@ test.each([
   ['images.txt', IMAGE(1, 'missing.jpg'), 'none of its 1 photographs'],
   ['images/b.jpg', photo(6, 6), 'b.jpg is 6 × 6 pixels, but its camera 8 × 6'],
   ['images/b.jpg', 'no photograph', 'neither a JPEG nor a PNG'],
+  ['images/b.jpg', photo(8, 6).subarray(0, -9), 'b.jpg is damaged (its end is missing)'],
   ['mesh.obj', 'v 0 0 0', 'only points'],
   ['cameras.txt', '1 FOV 8 6 8 8 4 3 0', 'FOV is not supported'],
 ])('refuses %s with %j, and writes nothing', async (path, content, reason) => {
   await put(path, content);
   await expect(run()).rejects.toMatchObject({ diagnostic: { code: 'SCR069', message: expect.stringContaining(reason) } });
+  expect(await readdir(join(project(), 'assets')).catch(() => [])).toEqual([]);
+});
+
+/** Named pipes would block; Windows has none in folders. */
+test.each(process.platform === 'win32' ? [] : ['images/b.jpg', 'depth/b.png', 'mesh.obj', 'points3D.txt'])(
+  'refuses a named pipe as %s, and writes nothing',
+  async (path) => {
+    await mkdir(join(source(), 'depth'));
+    await rm(join(source(), path), { force: true });
+    execFileSync('mkfifo', [join(source(), path)]);
+    const message = `${source()} cannot be imported: ${join(source(), path)} is a named pipe, not a file.`;
+    await expect(run()).rejects.toMatchObject({ diagnostic: { code: 'SCR069', message } });
+    expect(await readdir(join(project(), 'assets')).catch(() => [])).toEqual([]);
+  },
+);
+
+test('says which photograph was removed during the import', async () => {
+  const removed = join(source(), 'images/b.jpg');
+  const writeNew: FileLayer['writeNew'] = async (path, bytes) => {
+    if (path.endsWith('views/000.jpg')) await rm(removed);
+    await NODE_FILES.writeNew(path, bytes);
+  };
+  const importing = run(undefined, { ...NODE_FILES, writeNew });
+  await expect(importing).rejects.toMatchObject({
+    diagnostic: { code: 'SCR069', message: expect.stringContaining(`${removed} does not exist`) },
+  });
   expect(await readdir(join(project(), 'assets')).catch(() => [])).toEqual([]);
 });
 

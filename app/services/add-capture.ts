@@ -33,7 +33,7 @@ import { decodePhoto, packPhoto } from './pack-photo.ts';
 import { writePageFolder } from './page-folder.ts';
 import { revisionOf } from './project-files.ts';
 import { type FoundView, PANORAMA_FORM, readCaptureFolder } from './read-capture-folder.ts';
-import { readBytes } from './read-file.ts';
+import { readSource } from './read-source.ts';
 import { readConsistentFiles } from './recover-folder.ts';
 import { saveOver } from './save-over.ts';
 
@@ -58,6 +58,8 @@ export interface CaptureJob {
   };
   /** Makes the mesh of the folder smaller; absent: it stays as it is. */
   readonly simplify?: (mesh: CaptureMesh) => Promise<CaptureMesh>;
+  /** Receives the photographs that will be packed, and their cameras in the space of the reconstruction. */
+  readonly onFound?: (views: readonly FoundView[]) => unknown;
   readonly files: FileLayer;
   /** Receives progress texts. */
   readonly say: (text: string) => void;
@@ -133,6 +135,7 @@ async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> 
   say('Reading cameras and mesh…');
   const { source, views, mesh: wholeMesh, diagnostics: warnings } = await readCaptureFolder(resolve(folder));
   const ownMesh = wholeMesh && job.simplify ? await job.simplify(wholeMesh) : wholeMesh;
+  job.onFound?.(views);
   const diagnostics = [...warnings];
   const depths = await findUsedDepths(job, views);
   const missing = views.filter((_, i) => depths[i] == null);
@@ -160,7 +163,7 @@ async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> 
       interrupted.throwIfAborted();
       say(`Packing photographs (${i + 1} of ${views.length})…`);
       const { bytes, extension, pinhole } = await packPhoto(
-        await readBytes(file, MAX_PHOTO_BYTES),
+        await readSource(file, MAX_PHOTO_BYTES),
         view.name,
         lens,
         sideOf(lens, job.maxSidePx),

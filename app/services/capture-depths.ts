@@ -10,7 +10,7 @@ import { checkSize, readColmapDepth, readPfm } from '../../export/captures/depth
 import { pinholeFor } from '../../export/captures/undistort.ts';
 import { CaptureError, type CaptureMesh, isInside, type Pinhole } from '../../nodes/kit/capture.ts';
 import type { FoundView } from './read-capture-folder.ts';
-import { readBytes } from './read-file.ts';
+import { readSource } from './read-source.ts';
 
 /** Folders in which depth maps are kept; the last ones are those of COLMAP. */
 const DEPTH_FOLDERS = ['depth', 'depths', 'depth_maps', 'stereo/depth_maps', 'dense/stereo/depth_maps', 'images', ''];
@@ -63,7 +63,7 @@ export async function findDepths(folder: string, views: readonly FoundView[]): P
 
 /** Reads a depth map as it is. @throws CaptureError */
 export async function readDepthFile(path: string, name: string): Promise<DepthMap> {
-  const bytes = await readBytes(path, MAX_DEPTH_BYTES);
+  const bytes = await readSource(path, MAX_DEPTH_BYTES);
   const ending = extname(path).toLowerCase();
   if (ending === '.pfm') return readPfm(bytes, name);
   if (ending === '.bin') return readColmapDepth(bytes, name);

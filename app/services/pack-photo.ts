@@ -35,7 +35,7 @@ export async function packPhoto(
   const pinhole = pinholeFor(lens, maxSidePx);
   const isKept = !isDistorted(lens) && pinhole.widthPx === lens.widthPx;
   const plain = isKept
-    ? (withoutMetadata(file) ?? (isPng(file) ? { bytes: pngAsJpeg(file, name), extension: '.jpg' as const } : null))
+    ? (withoutMetadata(file, name) ?? (isPng(file) ? { bytes: pngAsJpeg(file, name), extension: '.jpg' as const } : null))
     : null;
   if (plain) return { ...plain, pinhole };
   const entry = `packed-${PACKING_VERSION}-${hashOf(file, JSON.stringify([lens, pinhole])).toString('hex')}`;
@@ -110,17 +110,24 @@ function fromPng(file: Uint8Array): Photo {
 }
 
 const START_OF_SCAN = 0xda;
+const END_OF_IMAGE = Buffer.of(0xff, 0xd9);
 /** The application segment of Adobe, which says how colors are coded. */
 const APP14 = 0xee;
 
-/** A JPEG file without its comments and application segments; null for other files, whose pixels are encoded anew. */
-function withoutMetadata(file: Uint8Array): { readonly bytes: Uint8Array; readonly extension: '.jpg' } | null {
+/**
+ * A JPEG file without its comments and application segments; null for other files, whose pixels are encoded anew.
+ *
+ * @throws CaptureError if the file was cut off: browsers show the rest of such a photograph in gray, or refuse it.
+ */
+function withoutMetadata(file: Uint8Array, name: string): { readonly bytes: Uint8Array; readonly extension: '.jpg' } | null {
   if (!isJpeg(file)) return null;
   const parts = [file.subarray(0, 2)];
   let at = 2;
   while (at + 4 <= file.length && file[at] === 0xff) {
     const marker = file[at + 1] ?? 0;
     if (marker === START_OF_SCAN) {
+      if (Buffer.from(file.buffer, file.byteOffset + at, file.length - at).lastIndexOf(END_OF_IMAGE) < 0)
+        throw new CaptureError(`the photograph ${name} is damaged (its end is missing)`);
       parts.push(file.subarray(at));
       return { bytes: new Uint8Array(Buffer.concat(parts)), extension: '.jpg' };
     }

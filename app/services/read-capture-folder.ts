@@ -1,4 +1,4 @@
-import { readdir } from 'node:fs/promises';
+import { lstat, readdir } from 'node:fs/promises';
 import { extname, join } from 'node:path';
 import { readColmapBinary, readColmapText } from '../../export/captures/colmap.ts';
 import { equirectangularLens, type Lens } from '../../export/captures/lens.ts';
@@ -14,7 +14,7 @@ import { readWholeModel } from '../../export/gltf/whole-model.ts';
 import { CAPTURE_LIMITS, CaptureError, type CaptureMesh, isInside } from '../../nodes/kit/capture.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { errorCode } from './file-errors.ts';
-import { readBytes } from './read-file.ts';
+import { readSource } from './read-source.ts';
 
 /** A photograph that was found, with the lens for its size. */
 export interface FoundView {
@@ -219,14 +219,14 @@ export async function hasSurface(folder: string): Promise<boolean> {
 
 /** Reads a mesh: PLY, OBJ, or glTF with its files. @throws CaptureError */
 export async function readMeshFile(folder: string, name: string): Promise<CaptureMesh> {
-  const bytes = await readBytes(join(folder, name), MAX_FILE_BYTES);
+  const bytes = await readSource(join(folder, name), MAX_FILE_BYTES);
   const ending = extname(name).toLowerCase();
   if (ending === '.ply') return readPly(bytes);
   if (ending === '.obj') return readObj(bytes);
   try {
     const { gltf } = await readWholeModel(bytes, name, (path) => {
       if (!isInside(path)) throw new CaptureError(`the mesh refers to the file ${JSON.stringify(path)} outside the folder`);
-      return readBytes(join(folder, path), MAX_FILE_BYTES);
+      return readSource(join(folder, path), MAX_FILE_BYTES);
     });
     return readGltfMesh(gltf);
   } catch (error) {
@@ -236,9 +236,9 @@ export async function readMeshFile(folder: string, name: string): Promise<Captur
 
 async function readIfThere(path: string, maxBytes = MAX_FILE_BYTES): Promise<Uint8Array<ArrayBuffer> | null> {
   try {
-    return await readBytes(path, maxBytes);
+    await lstat(path);
   } catch (error) {
     if (errorCode(error) === 'ENOENT' || errorCode(error) === 'ENOTDIR') return null;
-    throw new CaptureError(error instanceof Error ? error.message.replace(/\.$/, '') : String(error));
   }
+  return readSource(path, maxBytes);
 }

@@ -1,6 +1,7 @@
 import { createHash } from 'node:crypto';
 import { resolve } from 'node:path';
 import { describe, expect, test } from '@jest/globals';
+import { captureMeshFile, meshCounts } from '../../nodes/kit/capture.ts';
 import { packGlb } from '../gltf/pack-glb.ts';
 import { PROGRAM_VERSION, type Program } from '../program/program.ts';
 import { sessionInit } from '../runtime/sessions/webxr/session-init.ts';
@@ -288,6 +289,26 @@ describe('a bundled page', () => {
     expect(output).toBeNull();
     expect(files.size).toBe(0);
     expect(diagnostics).toMatchObject([{ code: 'SCR030', file: 'assets/my picture.png' }]);
+  });
+
+  test('of one file is refused with a capture of more than 20 MB', async () => {
+    const mesh = { positions: Float32Array.of(0, 0, -1, 1, 0, -1, 0, 1, -1), indices: Uint32Array.of(0, 1, 2) };
+    const worldFromCamera = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+    const view = { file: '0.jpg', widthPx: 8, heightPx: 6, fxPx: 8, fyPx: 8, cxPx: 4, cyPx: 3, worldFromCamera };
+    const document = { format: 'scrim-capture', version: 1, mesh: { file: 'mesh.bin', ...meshCounts(mesh) }, views: [view] };
+    const path = 'assets/place.capture/capture.json';
+    const files: Readonly<Record<string, Uint8Array>> = {
+      [path]: Buffer.from(JSON.stringify(document)),
+      'assets/place.capture/mesh.bin': captureMeshFile(mesh),
+      'assets/place.capture/0.jpg': Buffer.alloc(21 * 2 ** 20),
+    };
+    const program: Program = { ...WITH_OBJECTS, assets: [{ id: 'unused', kind: 'capture', path }] };
+    const readAsset = async (name: string) => files[name] ?? PICTURE;
+    const refused = await exported(program, { readAsset, singleFile: true });
+    expect([refused.output, refused.files.size]).toEqual([null, 0]);
+    const message = `${path} has 21 MB; a page of one file may contain captures of 20 MB.`;
+    expect(refused.diagnostics).toMatchObject([{ code: 'SCR034', severity: 'error', message, file: path }]);
+    expect((await exported(program, { readAsset })).diagnostics).toEqual([]);
   });
 
   test('is not begun when Scrim’s own sources cannot be bundled', async () => {

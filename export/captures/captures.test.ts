@@ -14,6 +14,12 @@ import { pinholeFor, resample } from './undistort.ts';
 import { upAxis, uprightPose } from './upright.ts';
 
 const bytes = (text: string) => new TextEncoder().encode(text);
+/** A file of 600 MB, of which only the beginning is not zero. */
+const large = (text: string) => {
+  const file = new Uint8Array(6e8);
+  file.set(bytes(text));
+  return file;
+};
 const FOCUS = [533.13454, 533.26009, 342.81079, 234.4391];
 
 /** Columns and rows by OpenCV 5.0.0 (`projectPoints`, `fisheye.projectPoints`) of the directions (0.3, -0.2) and (-0.45, 0.35). */
@@ -104,10 +110,23 @@ describe('meshes', () => {
     }
   });
 
-  test('a PLY file of ten million triangles is refused by its header', () => {
-    const head =
-      'ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 10000000\nproperty list uchar int vertex_indices\nend_header\n';
-    expect(() => readPly(bytes(head))).toThrow('more than 4000000 triangles');
+  test.each(['binary_little_endian', 'ascii'])('a PLY file of ten million triangles, %s, is refused by its header', (format) => {
+    const head = `ply\nformat ${format} 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 10000000\nproperty list uchar int vertex_indices\nend_header\n`;
+    expect(() => readPly(large(head))).toThrow('more than 4000000 triangles');
+  });
+
+  test('files of text that are larger than a string can be are read line by line', () => {
+    const face = (corner: string) =>
+      `ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n3 0 1\n${corner}\n`;
+    expect(() => readObj(large('v 0 0 0\r\n\nf x 1 1\n'))).toThrow('line 3 of the mesh is not a face');
+    expect(() => readPly(large(face('nan')))).toThrow('damaged');
+    expect(() => readPly(large(face('2')))).toThrow('beyond the 0');
+    const cameras = large('1 FOV 4 4 1 1 2 2 0\n');
+    expect(() => readColmapText({ cameras, images: bytes(''), points: null })).toThrow('FOV is not supported');
+    // Words that lie on the border between two parts of the file.
+    const many = readObj(bytes(`${'v 1 2 3\n'.repeat(1_100_000)}f 1 2 -1\n`));
+    expect([many.positions.length, [...many.indices]]).toEqual([3_300_000, [0, 1, 1_099_999]]);
+    expect(many.positions.every((x, i) => x === (i % 3) + 1)).toBe(true);
   });
 
   test.each([
@@ -191,6 +210,10 @@ test('a rig of two cameras has the poses that COLMAP 4.2.1 writes: 12 cm apart, 
 });
 
 test('names what a file of COLMAP lacks', () => {
+  const listed = bytes('1 1 0 0 0 0 0 0 1 a.jpg\n2 1 0 0 0 0 0 0 1 b.jpg\n');
+  expect(() => readColmapText({ cameras: bytes('1 PINHOLE 4 4 1 1 2 2'), images: listed, points: null })).toThrow(
+    'line 2 of images.txt does not have the points of a.jpg',
+  );
   const images = bytes('1 1 0 0 0 0 0 0 7 a b.jpg\n\n');
   expect(() => readColmapText({ cameras: bytes('1 PINHOLE 4 4 1 1 2 2'), images, points: null })).toThrow('a b.jpg has the camera 7');
   expect(() => readColmapText({ cameras: bytes('1 FOV 4 4 1 1 2 2 0'), images, points: null })).toThrow('FOV is not supported');

@@ -1,6 +1,7 @@
 import { CaptureError } from '../../nodes/kit/capture.ts';
 import { type Lens, lensOf, modelOfId } from './lens.ts';
 import { poseOfColmap, type SourceCapture, type SourceView } from './source-view.ts';
+import { linesOf } from './text-lines.ts';
 
 /** The files of a COLMAP model (colmap.github.io/format.html), as text or binary. Files of points may be missing. */
 export interface ColmapFiles {
@@ -20,7 +21,7 @@ interface ColmapImage {
 /** Reads a model of text files. @throws CaptureError */
 export function readColmapText({ cameras, images, points }: ColmapFiles): SourceCapture {
   const lenses = new Map<number, Lens>();
-  for (const { fields, line } of linesOf(cameras)) {
+  for (const { fields, line } of fieldsOf(cameras)) {
     if (fields.length === 0) continue;
     const [id, model = '', width, height, ...params] = fields;
     const numbers = [id, width, height, ...params].map(Number);
@@ -29,7 +30,7 @@ export function readColmapText({ cameras, images, points }: ColmapFiles): Source
     lenses.set(key, lensOf(model, widthPx, heightPx, rest));
   }
   const positions = new Map<number, readonly number[]>();
-  for (const { fields, line } of points === null ? [] : linesOf(points)) {
+  for (const { fields, line } of points === null ? [] : fieldsOf(points)) {
     if (fields.length === 0) continue;
     const [id = 0, ...position] = fields.slice(0, 4).map(Number);
     if (position.length < 3 || !position.every(Number.isFinite)) {
@@ -42,16 +43,19 @@ export function readColmapText({ cameras, images, points }: ColmapFiles): Source
 
 function readImagesText(bytes: Uint8Array): ColmapImage[] {
   const found: ColmapImage[] = [];
-  const lines = [...linesOf(bytes)];
-  while (lines.at(-1)?.fields.length === 0) lines.pop();
-  for (let i = 0; i < lines.length; i += 2) {
-    const { fields = [], line = 0, text = '' } = lines[i] ?? {};
+  const lines = fieldsOf(bytes);
+  for (const { fields, line, text } of lines) {
+    if (fields.length === 0) continue;
     const numbers = fields.slice(1, 9).map(Number);
     if (numbers.length < 8 || fields.length < 10) throw new CaptureError(`line ${line} of images.txt is not an image`);
     // The name may contain spaces.
     const name = /^(?:\S+\s+){9}(.*?)\s*$/.exec(text.trimStart())?.[1] ?? '';
     const seen: number[] = [];
-    const observed = (lines[i + 1]?.fields ?? []).map(Number);
+    const { value } = lines.next();
+    const observed = (value?.fields ?? []).map(Number);
+    if (observed.length % 3 !== 0 || !observed.every(Number.isFinite)) {
+      throw new CaptureError(`line ${value?.line} of images.txt does not have the points of ${name}: it may be empty, but not missing`);
+    }
     for (let j = 0; j + 2 < observed.length; j += 3) if ((observed[j + 2] ?? -1) >= 0) seen.push(...observed.slice(j, j + 3));
     found.push({ name, camera: numbers[7] ?? 0, pose: poseOfColmap(numbers.slice(0, 4), numbers.slice(4, 7), name), seen });
   }
@@ -66,10 +70,11 @@ interface Line {
 }
 
 /** The lines of a file without comments. */
-function* linesOf(bytes: Uint8Array): Iterable<Line> {
-  const lines = new TextDecoder().decode(bytes).split(/\r?\n/);
-  for (const [i, text] of lines.entries()) {
-    if (!text.startsWith('#')) yield { text, fields: text.split(/\s+/).filter((word) => word !== ''), line: i + 1 };
+function* fieldsOf(bytes: Uint8Array): Generator<Line, undefined> {
+  let line = 0;
+  for (const text of linesOf(bytes)) {
+    line++;
+    if (!text.startsWith('#')) yield { text, fields: text.split(/\s+/).filter((word) => word !== ''), line };
   }
 }
 

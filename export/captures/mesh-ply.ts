@@ -1,5 +1,6 @@
 import { CAPTURE_LIMITS, CaptureError, type CaptureMesh } from '../../nodes/kit/capture.ts';
 import { createMeshBuilder, tooLarge } from './mesh-builder.ts';
+import { linesOf } from './text-lines.ts';
 
 interface Property {
   readonly name: string;
@@ -48,7 +49,9 @@ export function readPly(bytes: Uint8Array): CaptureMesh {
         const length = next(listed);
         if (!(length >= 0 && length <= 65_535)) throw new CaptureError('the PLY file is damaged');
         const corners = Array.from({ length }, () => next(type));
-        if (name === 'face' && /^vertex_ind(ex|ices)$/.test(property)) builder.polygon(corners);
+        if (name !== 'face' || !/^vertex_ind(ex|ices)$/.test(property)) return;
+        if (!corners.every(Number.isInteger)) throw new CaptureError('the PLY file is damaged');
+        builder.polygon(corners);
       });
       if (name === 'vertex') builder.vertex(position[0] ?? 0, position[1] ?? 0, position[2] ?? 0);
     }
@@ -112,11 +115,16 @@ function readBinary(bytes: Uint8Array, start: number, isLittle: boolean): (type:
 }
 
 function readWords(bytes: Uint8Array, start: number): () => number {
-  const words = new TextDecoder('latin1').decode(bytes.subarray(start)).split(/\s+/);
-  let at = words[0] === '' ? 1 : 0;
+  const lines = linesOf(bytes, start);
+  let words: readonly string[] = [];
+  let at = 0;
   return () => {
-    const word = words[at++] ?? '';
-    if (word === '') throw new CaptureError('the PLY file is incomplete');
-    return Number(word);
+    while (at === words.length) {
+      const { done, value } = lines.next();
+      if (done) throw new CaptureError('the PLY file is incomplete');
+      words = value.split(/\s+/).filter((word) => word !== '');
+      at = 0;
+    }
+    return Number(words[at++]);
   };
 }

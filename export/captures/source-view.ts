@@ -1,6 +1,6 @@
-import { CaptureError, poseFault } from '../../nodes/kit/capture.ts';
+import { CaptureError, type Pinhole, poseFault } from '../../nodes/kit/capture.ts';
 import type { Lens } from './lens.ts';
-import { project } from './lens.ts';
+import { project, unproject } from './lens.ts';
 
 /** A photograph with its camera, as the files of a reconstruction describe it. */
 export interface SourceView {
@@ -59,20 +59,52 @@ export function checkPose(pose: readonly number[], name: string): void {
 }
 
 /** Mean distance in pixels between where points were seen and where the camera projects them. Null without points in front of it. */
-export function reprojectionErrorPx({ worldFromCamera: m, observations }: SourceView, lens: Lens): number | null {
+export function reprojectionErrorPx(view: SourceView, lens: Lens): number | null {
   if (lens.projection === 'equirectangular') return null;
   const place = new Float64Array(2);
   let sum = 0;
   let count = 0;
+  eachPointAhead(view, (column, row, x, y) => {
+    project(lens, x, y, place);
+    sum += Math.hypot((place[0] ?? 0) - column, (place[1] ?? 0) - row);
+    count++;
+  });
+  return count === 0 ? null : sum / count;
+}
+
+/**
+ * Calls `visit` for each point in front of a camera, with the column and row where it was seen, and its direction: right and down over its
+ * depth.
+ */
+function eachPointAhead(
+  { worldFromCamera: m, observations }: SourceView,
+  visit: (column: number, row: number, x: number, y: number) => void,
+): void {
   for (let i = 0; i + 4 < observations.length; i += 5) {
     const [column = 0, row = 0, x = 0, y = 0, z = 0] = observations.subarray(i, i + 5);
     const d = [x - (m[12] ?? 0), y - (m[13] ?? 0), z - (m[14] ?? 0)];
     const along = (axis: number): number => d.reduce((total, value, c) => total + value * (m[4 * axis + c] ?? 0), 0);
     const depth = -along(2);
-    if (depth <= 0) continue;
-    project(lens, along(0) / depth, -along(1) / depth, place);
-    sum += Math.hypot((place[0] ?? 0) - column, (place[1] ?? 0) - row);
-    count++;
+    if (depth > 0) visit(column, row, along(0) / depth, -along(1) / depth);
   }
-  return count === 0 ? null : sum / count;
+}
+
+/**
+ * Where points were seen and where the camera projects them, in a photograph whose distortion was removed.
+ *
+ * @param lens The lens of the photograph in which the points were seen.
+ * @param pinhole The camera of the photograph without distortion.
+ * @returns Column and row of both, in pixels of `pinhole`, for each point.
+ */
+export function reprojectedPlaces(view: SourceView, lens: Lens, pinhole: Pinhole): readonly number[] {
+  if (lens.projection === 'equirectangular') return [];
+  const places: number[] = [];
+  const seen = new Float64Array(2);
+  eachPointAhead(view, (column, row, x, y) => {
+    unproject(lens, column, row, seen);
+    const [seenX = Number.NaN, seenY = Number.NaN] = seen;
+    const pair = [seenX, seenY, x, y].map((at, i) => (i % 2 === 0 ? at * pinhole.fxPx + pinhole.cxPx : at * pinhole.fyPx + pinhole.cyPx));
+    if (pair.every(Number.isFinite)) places.push(...pair);
+  });
+  return places;
 }

@@ -76,6 +76,8 @@ describeWithData('a captured living room', 'captures/icl-livingroom', (folder) =
       expect(shot.covered).toBeGreaterThan(0.9);
       // What comes after, such as an occlusion, gets the depth in meters; edges differ by a pixel.
       expect(shot.depthDiffers['depth-meshes']).toBeLessThan(0.02);
+      // In no view is it much worse than the nearest photographs.
+      expect((shot.psnr.lumigraph ?? Number.NaN) - (shot.psnr.nearest ?? Number.NaN)).toBeGreaterThan(-1);
       for (const method of METHODS) sums.set(method, (sums.get(method) ?? 0) + (shot.psnr[method] ?? Number.NaN));
       rows.push([view, ...METHODS.map((method) => (shot.psnr[method] ?? Number.NaN).toFixed(2))].join(' | '));
     }

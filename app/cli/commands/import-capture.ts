@@ -1,10 +1,14 @@
+import { dirname, join } from 'node:path';
 import type { DepthKind } from '../../../export/captures/depth/depth-map.ts';
 import type { DepthUnit } from '../../../export/captures/depth/depth-scale.ts';
 import { AXES, type Axis } from '../../../export/captures/upright.ts';
 import { type CaptureJob, type ImportedCapture, importCapture } from '../../services/add-capture.ts';
 import { NODE_FILES } from '../../services/file-layer.ts';
+import { IMPORT_MARK, writeImportReport } from '../../services/import-report/import-report.ts';
 import { simplifyMesh } from '../../services/outside/simplify-mesh.ts';
+import { writePageFolder } from '../../services/page-folder.ts';
 import { findProject } from '../../services/project-files.ts';
+import type { FoundView } from '../../services/read-capture-folder.ts';
 import { readKnownSize } from '../capture/known-size.ts';
 import { type Call, type Command, UsageError } from '../command.ts';
 import { simplifyOptions } from './simplify.ts';
@@ -64,6 +68,11 @@ export const importCaptureCommand: Command = {
       value: 'KIND',
       doc: 'What depth is: z (along the axis of the camera) or ray (along the ray of the pixel). Default: what fits the mesh.',
     },
+    report: {
+      type: 'string',
+      value: 'DIR',
+      doc: 'Folder for a page that shows the cameras over the mesh, and for each photograph where points were seen and where its camera projects them.',
+    },
     triangles: {
       type: 'string',
       value: 'N',
@@ -82,14 +91,20 @@ export const importCaptureCommand: Command = {
       line: 'scrim import capture scans/hall --project hall --distance a.jpg:310,842:1490,830=2.1 --floor a.jpg:900,1400',
       says: 'A door is 2.1 m high; the floor comes to height 0.',
     },
+    {
+      line: 'scrim import capture scans/hall --project hall --report hall-import',
+      says: 'Opened in a browser, hall-import/index.html shows whether cameras, photographs and mesh belong together.',
+    },
   ],
   run: async (call, { say, interrupted }) => {
     const project = call.text('project');
     if (project === null) throw new UsageError('The project is missing: add --project PROJECT.');
     const simplify = simplifyOptions(call, { say, interrupted });
-    const imported = await importCapture({
+    const root = await findProject(project);
+    const found: FoundView[] = [];
+    const job: CaptureJob = {
       folder: call.project,
-      root: await findProject(project),
+      root,
       name: call.text('name'),
       maxSidePx: positive(call, 'size', DEFAULT_SIDE_PX),
       metersPerUnit: positive(call, 'unit', 1),
@@ -97,13 +112,33 @@ export const importCaptureCommand: Command = {
       up: axis(call),
       depth: { from: depthSource(call), unit: depthUnit(call), kind: depthKind(call) },
       ...(simplify && { simplify: async (mesh) => (await simplifyMesh(mesh, simplify)).mesh }),
+      onFound: (views) => found.push(...views),
       files: NODE_FILES,
       say,
       interrupted,
-    });
-    return { status: 0, json: { ok: true, ...imported }, text: textOf(imported), diagnostics: imported.diagnostics };
+    };
+    const out = call.text('report');
+    const imported = out === null ? await importCapture(job) : await importWithReport(job, out, found);
+    const text = out === null ? textOf(imported) : `${textOf(imported)}\nWrote ${join(out, 'index.html')}`;
+    return { status: 0, json: { ok: true, ...imported }, text, diagnostics: imported.diagnostics };
   },
 };
+
+/** A folder of other files is refused before the import. */
+async function importWithReport(job: CaptureJob, out: string, found: readonly FoundView[]): Promise<ImportedCapture> {
+  const imported = await writePageFolder(
+    out,
+    job.files,
+    async (sink) => {
+      const made = await importCapture(job);
+      await writeImportReport(sink, dirname(join(job.root, made.path)), made, found);
+      return made;
+    },
+    IMPORT_MARK,
+  );
+  if (imported === null) throw new Error('No report was written.');
+  return imported;
+}
 
 function positive(call: Call, option: string, otherwise: number): number {
   const text = call.text(option);

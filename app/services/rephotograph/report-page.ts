@@ -1,5 +1,6 @@
 import type { ImageQuality } from '../../../export/captures/evaluate/image-quality.ts';
 import type { RephotographMethod } from '../../../export/captures/evaluate/rephotograph.ts';
+import { fixed, page, text } from '../report-html.ts';
 
 /** The figures of one view by one method, and its pictures, as paths relative to the report. */
 export interface ReportedShot extends ImageQuality {
@@ -33,15 +34,6 @@ export function meansOf(views: readonly ReportedView[]): readonly MethodMeans[] 
   });
 }
 
-const STYLE = `
-body { font: 14px/1.5 system-ui, sans-serif; margin: 2rem; color: #e6e6e6; background: #14161a; }
-table { border-collapse: collapse; margin: 1rem 0; }
-th, td { padding: 0.2rem 0.8rem; text-align: right; border-bottom: 1px solid #333; }
-th:first-child, td:first-child { text-align: left; }
-section { display: flex; flex-wrap: wrap; gap: 0.5rem; }
-figure { margin: 0; width: 20rem; }
-img { width: 100%; display: block; }`;
-
 /** The page of a report, with pictures: the photograph, and each method’s picture and error. */
 export function reportPage(title: string, views: readonly ReportedView[]): string {
   const means = meansOf(views);
@@ -52,21 +44,15 @@ export function reportPage(title: string, views: readonly ReportedView[]): strin
     ...shots.map(({ ssim }) => fixed(ssim, 3)),
   ]);
   const last = ['Mean', ...means.map(({ psnrDb }) => fixed(psnrDb, 2)), ...means.map(({ ssim }) => fixed(ssim, 3))];
-  return `<!doctype html>
-<html lang="en">
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width">
-<title>${text(title)}</title>
-<style>${STYLE}</style>
-<h1>${text(title)}</h1>
-<p>Each photograph, rendered from all others at its own size. Figures are over the pixels that the mesh covers; pixels of 360° photographs count by the angle that they show. Error maps show |ΔCb| + |ΔCr|: dark blue is 0, yellow 25.5 or more of 255.</p>
+  return page(
+    title,
+    `<p>Each photograph, rendered from all others at its own size. Figures are over the pixels that the mesh covers; pixels of 360° photographs count by the angle that they show. Error maps show |ΔCb| + |ΔCr|: dark blue is 0, yellow 25.5 or more of 255.</p>
 <table>
 <tr>${head.map((cell) => `<th>${text(cell)}</th>`).join('')}</tr>
 ${[...rows, last].map((row) => `<tr>${row.map((cell) => `<td>${text(cell)}</td>`).join('')}</tr>`).join('\n')}
 </table>
-${views.map(viewSection).join('\n')}
-</html>
-`;
+${views.map(viewSection).join('\n')}`,
+  );
 }
 
 function viewSection({ file, photo, shots }: ReportedView): string {
@@ -86,12 +72,4 @@ function figure(source: string, caption: string): string {
 
 function capital(word: string): string {
   return word.charAt(0).toUpperCase() + word.slice(1).replace('-', ' ');
-}
-
-function fixed(value: number, digits: number): string {
-  return Number.isFinite(value) ? value.toFixed(digits) : '–';
-}
-
-function text(raw: string): string {
-  return raw.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
 }

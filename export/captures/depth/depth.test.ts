@@ -20,6 +20,8 @@ const ascii = (text: string, floats: readonly number[], isLittleEndian = true): 
   });
   return bytes;
 };
+/** The attribute `a` of the type `b` has −8 bytes. */
+const ENDLESS_EXR = Uint8Array.of(0x76, 0x2f, 0x31, 1, 2, 0, 0, 0, 0x61, 0, 0x62, 0, 0xf8, 0xff, 0xff, 0xff, 0);
 const inflate = (bytes: Uint8Array) => new Uint8Array(inflateSync(bytes));
 
 test('reads PFM files of both byte orders, whose first row is the lowest, and depth maps of COLMAP', () => {
@@ -56,6 +58,7 @@ test.each<[string, () => unknown, string]>([
   ['a normal map of COLMAP', () => readColmapDepth(ascii('2&2&3&', []), 'a.bin'), '3 channels'],
   ['another file', () => readColmapDepth(ascii('hello', []), 'a.bin'), 'not a depth map of COLMAP'],
   ['no EXR file', () => readExr(ascii('hello world', []), 'a.exr', inflate), 'not an EXR file'],
+  ['an EXR file whose first attribute leads back to itself', () => readExr(ENDLESS_EXR, 'a.exr', inflate), 'incomplete'],
   ['an EXR file that was cut', () => readExr(Uint8Array.of(0x76, 0x2f, 0x31, 0x01, 2, 0, 0, 0, 99), 'a.exr', inflate), 'incomplete'],
 ])('refuses %s', (_, read, reason) => {
   expect(read).toThrow(reason);

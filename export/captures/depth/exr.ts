@@ -94,7 +94,7 @@ function readHeader(view: DataView, name: string): Header {
   let box = [0, 0, -1, -1];
   for (let attribute = text(); attribute !== ''; attribute = text()) {
     text();
-    const end = at + 4 + view.getInt32(at, true);
+    const end = at + 4 + view.getUint32(at, true);
     at += 4;
     if (attribute === 'channels') channels = readChannels(view, at, name);
     if (attribute === 'compression') compression = view.getUint8(at);
