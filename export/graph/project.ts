@@ -16,6 +16,13 @@ export interface Project {
   /** Texts of the project's own shaders by file name in `shaders/`: `edge.fs`, `chunks/ink/dots.glsl`. */
   readonly sources: Readonly<Record<string, string>>;
   readonly assets: Readonly<Record<string, Asset>>;
+  /** Only of recipes: what the palette must know beside the title, the description and the graph `recipe` (`read-recipe.ts`). */
+  readonly recipe?: RecipeInfo;
+}
+
+export interface RecipeInfo {
+  /** Other words that people search for. */
+  readonly keywords: readonly string[];
 }
 
 /** Everything that the rendering depends on: input of the compiler and of validation. */

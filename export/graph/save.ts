@@ -20,7 +20,7 @@ export function saveProject(project: Project): ProjectTexts & { readonly layout:
   return { project: saveLogic(project), layout: saveLayout(project), sources: { ...project.sources } };
 }
 
-function saveLogic({ title, page, graphs, assets }: Project): string {
+function saveLogic({ title, page, graphs, assets, recipe }: Project): string {
   const pageFields = (['description', 'language', 'poster'] as const).filter((key) => page[key] !== DEFAULT_PAGE[key]);
   return printJson({
     format: PROJECT_FORMAT.format,
@@ -34,6 +34,7 @@ function saveLogic({ title, page, graphs, assets }: Project): string {
     }),
     graphs: mapMainFirst(graphs, saveGraph),
     ...(Object.keys(assets).length > 0 && { assets: mapSorted(assets, saveAsset) }),
+    ...(recipe && { recipe: recipe.keywords.length > 0 ? { keywords: inline(recipe.keywords) } : {} }),
   });
 }
 

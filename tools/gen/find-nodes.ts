@@ -1,6 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { listFiles } from '../lib/files.ts';
+import { listFiles, readIfThere } from '../lib/files.ts';
 
 /** A folder `nodes/CATEGORY/NAME`. */
 export interface NodeFolder {
@@ -26,6 +26,16 @@ export interface Found {
   readonly library: readonly ShaderFile[];
   /** Shaders that a node's definition names. */
   readonly nodeShaders: readonly ShaderFile[];
+  readonly recipes: readonly RecipeFolder[];
+}
+
+/** A folder `shader-library/recipes/NAME`, which is a project. */
+export interface RecipeFolder {
+  readonly name: string;
+  /** Text of `project.scrim.json`. */
+  readonly project: string;
+  /** Text of `project.layout.json`; null if there is none. */
+  readonly layout: string | null;
 }
 
 const LIBRARY_FOLDERS = ['filters', 'operators', 'generators', 'techniques', 'chunks', 'pictures'] as const;
@@ -50,7 +60,20 @@ export async function findNodes(root: string): Promise<Found> {
     bindings,
     library: await readLibrary(root),
     nodeShaders: await readShaders(join(root, 'nodes'), inFolders.filter(isShader)),
+    recipes: await readRecipes(join(root, 'shader-library', 'recipes')),
   };
+}
+
+async function readRecipes(folder: string): Promise<RecipeFolder[]> {
+  const files = await listFiles(folder);
+  const names = files.flatMap((path) => /^([^/]+)\/project\.scrim\.json$/.exec(path)?.[1] ?? []);
+  return Promise.all(
+    names.map(async (name) => ({
+      name,
+      project: await readFile(join(folder, name, 'project.scrim.json'), 'utf8'),
+      layout: await readIfThere(join(folder, name, 'project.layout.json')),
+    })),
+  );
 }
 
 async function readLibrary(root: string): Promise<ShaderFile[]> {

@@ -80,6 +80,22 @@ describe('gen', () => {
     expect(RUNTIME_FILES).toEqual({ 'value/twice': 'nodes/value/twice/runtime.ts' });
   });
 
+  test('a folder of recipes is in the registry, as texts of projects; a broken one fails with its name', async () => {
+    const project = JSON.stringify({
+      format: 'scrim-project',
+      version: 1,
+      title: 'Old photo',
+      graphs: { main: { nodes: {}, wires: [] }, recipe: { nodes: { 'sepia-a1b2': { type: 'filter/sepia', version: 1 } }, wires: [] } },
+      recipe: {},
+    });
+    await write({ 'shader-library/recipes/old-photo/project.scrim.json': project });
+    expect(await gen()).toBe(0);
+    expect(await load('recipes.gen.ts')).toEqual({ RECIPES: { 'old-photo': { project, layout: null } } });
+    await write({ 'shader-library/recipes/broken/project.scrim.json': '{ "format": "scrim-project" }' });
+    expect(await gen()).toBe(1);
+    expect(errors.mock.calls[0]?.[0]).toMatch(/^shader-library\/recipes\/broken: project\.scrim\.json.*SCR00\d/);
+  });
+
   test('what plays bound params is among the runtimes, and no node type', async () => {
     await write({
       'nodes/binding/track/runtime.ts': 'export function create() { return "track"; }\n',

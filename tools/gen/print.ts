@@ -24,6 +24,17 @@ export function printDefinitions(found: Found, isfDefinitions: readonly NodeDefi
   ].join('');
 }
 
+/** Text of `recipes.gen.ts`: the recipes of the palette, as the texts of their projects. */
+export function printRecipes({ recipes }: Found): string {
+  return [
+    HEADER,
+    '\n/** Name of a recipe → its project. */\n',
+    'export const RECIPES: Readonly<Record<string, { readonly project: string; readonly layout: string | null }>> = {\n',
+    ...recipes.map(({ name, project, layout }) => `  ${JSON.stringify(name)}: ${JSON.stringify({ project, layout })},\n`),
+    '};\n',
+  ].join('');
+}
+
 /** Text of `runtimes.gen.ts`: the runtimes of all node types, for pages that play any project. */
 export function printRuntimes(found: Found): string {
   const played = playedTypes(found);

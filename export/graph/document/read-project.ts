@@ -11,6 +11,7 @@ import {
   MAIN_GRAPH,
   type PageInfo,
   type Project,
+  type RecipeInfo,
   type Wire,
 } from '../project.ts';
 import { getOwn } from '../record.ts';
@@ -23,7 +24,7 @@ export type ProjectDocument = Omit<Project, 'layout' | 'sources'>;
 
 /** Reads the newest version of the document; the caller has checked `format` and `version`. */
 export function readProject(reader: ShapeReader, json: unknown): ProjectDocument {
-  const fields = reader.fields(json, [], ['format', 'version', 'title', 'page', 'graphs', 'assets']);
+  const fields = reader.fields(json, [], ['format', 'version', 'title', 'page', 'graphs', 'assets', 'recipe']);
   const graphs = reader.record(fields('graphs'), ['graphs'], GRAPH_NAME, (item, path) => readGraph(reader, item, path));
   if (isObject(json) && getOwn(graphs, MAIN_GRAPH) === undefined) reader.problem(['graphs'], `the graph "${MAIN_GRAPH}" is missing.`);
   return {
@@ -31,7 +32,14 @@ export function readProject(reader: ShapeReader, json: unknown): ProjectDocument
     page: readPage(reader, fields('page')),
     graphs,
     assets: reader.record(fields('assets'), ['assets'], ENTRY_ID, (item, path) => readAsset(reader, item, path)),
+    ...(fields('recipe') !== undefined && { recipe: readRecipeInfo(reader, fields('recipe')) }),
   };
+}
+
+function readRecipeInfo(reader: ShapeReader, json: unknown): RecipeInfo {
+  const keywords = reader.fields(json, ['recipe'], ['keywords'])('keywords');
+  if (keywords === undefined) return { keywords: [] };
+  return { keywords: reader.list(keywords, ['recipe', 'keywords'], (item, path) => reader.text(item, path)) };
 }
 
 function readPage(reader: ShapeReader, json: unknown): PageInfo {

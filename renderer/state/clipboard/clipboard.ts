@@ -1,8 +1,6 @@
 import { isShadertoy } from '../../../export/glsl/shadertoy/convert-shadertoy.ts';
 import { type Change, sequence, unchanged } from '../../../export/graph/commands/change.ts';
-import { setCollapsed } from '../../../export/graph/commands/layout-commands.ts';
-import { addNode, removeNodes, setMuted, setUnfused } from '../../../export/graph/commands/node-commands.ts';
-import { bindParam } from '../../../export/graph/commands/param-commands.ts';
+import { removeNodes } from '../../../export/graph/commands/node-commands.ts';
 import { putReroute, setRoutes } from '../../../export/graph/commands/route-commands.ts';
 import { connect } from '../../../export/graph/commands/wire-commands.ts';
 import { makeLayoutId, makeNodeId } from '../../../export/graph/document-names.ts';
@@ -19,6 +17,7 @@ import type { Editor } from '../editor/editor.ts';
 import { itemId } from '../editor/item-ids.ts';
 import { selectOnly } from '../editor/selection.ts';
 import { addToast } from '../editor/ui.ts';
+import { addCopy } from '../graph/add-copy.ts';
 import { importShadertoy } from '../shaders/import-shadertoy.ts';
 import { addDependencies, dependenciesOf, isCopiedDependencies, mapTypes } from './copied-dependencies.ts';
 import { hasAssets, isCopiedFiles, readCopiedFiles, writeCopiedFiles } from './copied-files.ts';
@@ -118,18 +117,7 @@ export function pasteClipping(
     ...Object.entries(nodes).map(([old, node]) => (before: Project): Change => {
       const id = makeNodeId(before, node.type, editor.random);
       ids.set(old, id);
-      return sequence(
-        before,
-        (p) => addNode(p, { library, graph, id, type: node.type, x: node.x + offset.x, y: node.y + offset.y }),
-        ...Object.entries(node.params).map(
-          ([param, binding]) =>
-            (p: Project) =>
-              bindParam(p, { library, graph, node: id, param, binding }),
-        ),
-        (p) => (node.muted ? setMuted(p, { graph, nodes: [id], muted: true }) : unchanged(p)),
-        (p) => (node.unfused ? setUnfused(p, { graph, nodes: [id], unfused: true }) : unchanged(p)),
-        (p) => (node.collapsed ? setCollapsed(p, { graph, nodes: [id], collapsed: true }) : unchanged(p)),
-      );
+      return addCopy(before, { library, graph, id, node: { ...node, x: node.x + offset.x, y: node.y + offset.y } });
     }),
     ...entering.map(({ from, to }) => (before: Project): Change => {
       const node = ids.get(to.node);

@@ -20,13 +20,14 @@ import { graphOf, layoutOf, nodeOf, titleOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { itemIds } from '../editor/item-ids.ts';
 import { selectOnly } from '../editor/selection.ts';
+import { type AddedRecipe, addRecipe } from './add-recipe.ts';
 import { autoConnect } from './auto-connect.ts';
 import { fitEncodings } from './fit-encodings.ts';
 import { placeFreely } from './free-places.ts';
-import { insertOnWire, spaceOnWire } from './insert-on-wire.ts';
+import { insertOnWire, insertPorts, spaceOnWire } from './insert-on-wire.ts';
 import { removeItems } from './layout-items.ts';
 import type { PaletteEntry } from './palette-search.ts';
-import { type AddedRecipe, addRecipe, recipesOf } from './recipes.ts';
+import { recipesOf } from './recipes.ts';
 
 /** One end of a wire and its side of the node. */
 export interface WireEnd extends PortAddress {
@@ -144,7 +145,8 @@ export function additionOf(
     project,
     (before) => added?.change(before) ?? addNode(before, { library, graph, id, type: definition.type, ...place }),
     (before) => {
-      if (throughWire !== null) return insertOnWire(editor, id, throughWire)(before);
+      if (throughWire !== null)
+        return (added ? insertPorts(editor, { ...added, definition }, throughWire) : insertOnWire(editor, id, throughWire))(before);
       if (draggedWire === null || port === null) return unchanged(before);
       const here = added ? (added.portOf(port) ?? { node: id, port }) : { node: id, port };
       const there = { node: draggedWire.node, port: draggedWire.port };

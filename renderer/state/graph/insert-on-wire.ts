@@ -67,19 +67,31 @@ export function canInsert(editor: Editor, node: string, stretch: string): boolea
   return isFree && definition !== undefined && types !== null && portsThrough(definition, types) !== null;
 }
 
+/** What is inserted into a wire: ports of its definition, and where they are in the graph. */
+export interface Inserted {
+  readonly definition: NodeDefinition;
+  readonly portOf: (port: string) => PortAddress | null;
+}
+
 /** Inserts a node into a stretch. The wires keep their order at their ports and their reroutes. */
 export function insertOnWire(editor: Editor, node: string, stretch: string): (project: Project) => Change {
   const { library, graph } = editor.document.getState();
-  const at = findStretch(editor.document.getState(), stretch);
-  const types = wireTypes(editor, stretch);
   return (project) => {
     const definition = library.definition(getOwn(project.graphs[graph]?.nodes ?? {}, node)?.type ?? '');
-    const ports = definition && types ? portsThrough(definition, types) : null;
-    if (!at || !ports) return sequence(project);
-    const output = { node, port: ports.output };
-    const led: RoutedWire = { from: at.source, to: { node, port: ports.input }, route: at.before };
-    return sequence(project, ...replaceWires(editor, at, output), connectAlong(editor, led));
+    return definition ? insertPorts(editor, { definition, portOf: (port) => ({ node, port }) }, stretch)(project) : sequence(project);
   };
+}
+
+/** Inserts the nodes of a recipe, or one node, into a stretch. */
+export function insertPorts(editor: Editor, { definition, portOf }: Inserted, stretch: string): (project: Project) => Change {
+  const at = findStretch(editor.document.getState(), stretch);
+  const types = wireTypes(editor, stretch);
+  const ports = types && portsThrough(definition, types);
+  const [input, output] = ports ? [portOf(ports.input), portOf(ports.output)] : [null, null];
+  return (project) =>
+    at && input && output
+      ? sequence(project, ...replaceWires(editor, at, output), connectAlong(editor, { from: at.source, to: input, route: at.before }))
+      : sequence(project);
 }
 
 /** Moves an inserted node to the middle of its wire, and the nodes after it to the right as far as needed. */

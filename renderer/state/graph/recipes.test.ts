@@ -163,6 +163,39 @@ describe('a combination', () => {
     ]);
   });
 
+  test('goes into a wire by its own ports, not by those of one of its nodes', async () => {
+    const { editor } = await openTestEditor();
+    const [camera, screen] = [choose(editor, 'camera video'), choose(editor, 'screen')];
+    connect(editor, { node: camera, port: 'layer' }, { node: screen, port: 'layer' });
+    const definition = ALL_RECIPES.find(({ definition: { type } }) => type === 'combination/soft-occlusion')?.definition;
+    if (!definition) throw new Error('There is no soft occlusion.');
+    addNodeFromPalette(editor, { definition, port: null }, AT, null, `${camera}.layer -> ${screen}.layer`);
+    expect(wiresOf(editor)).toEqual([
+      'camera-video > depth-occlusion.layer',
+      'choose-by-mask > screen.layer',
+      'depth > choose-by-mask.mask',
+      'depth > depth-occlusion.depth',
+      'depth-occlusion > choose-by-mask.inside',
+      'depth-occlusion > gaussian-blur.inputImage',
+      'gaussian-blur > choose-by-mask.outside',
+    ]);
+  });
+
+  test.each([
+    ['real-floor', [], true, false],
+    ['shadow-on-floor', ['lights'], false, true],
+    ['soft-occlusion', [], false, false],
+    ['attach-to-hand', [], true, false],
+    ['billboard', [], true, false],
+    ['on-objects-technique-toon', [], false, false],
+  ])(
+    '%s is known by its nodes: its inputs for lights, whether its objects are placed, whether it is a shadow',
+    (name, lit, isPlaced, isShadow) => {
+      const recipe = ALL_RECIPES.find(({ definition: { type } }) => type === `combination/${name}`);
+      expect(recipe).toMatchObject({ lit, isPlaced, isShadow });
+    },
+  );
+
   test.each([
     ['attach to hand', 'hand > follow.pose'],
     ['attach to controller', 'gamepad > follow.pose'],

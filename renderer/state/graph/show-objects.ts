@@ -4,7 +4,7 @@ import { connect } from '../../../export/graph/commands/wire-commands.ts';
 import { makeNodeId } from '../../../export/graph/document-names.ts';
 import { MAIN_GRAPH, type PortAddress, type Project } from '../../../export/graph/project.ts';
 import type { Place } from '../editor/canvas-state.ts';
-import { lightsOf } from './recipes.ts';
+import { lightsOf } from './add-recipe.ts';
 import { COLUMN_PX, type ShowContext, showLayer, soleScreen } from './show-layer.ts';
 import type { Standing } from './stand-on-floor.ts';
 

@@ -11,11 +11,12 @@ import type { DraggedWire, Place } from '../editor/canvas-state.ts';
 import { graphOf, layoutOf, nodeOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { selectOnly } from '../editor/selection.ts';
+import type { AddedRecipe } from './add-recipe.ts';
 import { continuationOf } from './continue-after.ts';
 import { additionOf } from './edit-graph.ts';
 import { placeFreely } from './free-places.ts';
 import { portsThrough, replaceSource, wireTypes } from './insert-on-wire.ts';
-import type { AddedRecipe, Recipe } from './recipes.ts';
+import type { Recipe } from './recipes.ts';
 import { COLUMN_PX, showLayer, showShadows } from './show-layer.ts';
 import { showObjects } from './show-objects.ts';
 
@@ -82,8 +83,8 @@ function wireFor(editor: Editor, { definition }: Recipe): string | null {
 }
 
 /** What a recipe takes from a node: the shadow of objects that a scene shows elsewhere, such as after a Transform, falls from there. */
-function givenTo({ document }: Editor, { definition }: Recipe, end: DraggedWire): DraggedWire {
-  if (end.type !== 'objects' || givesObjects(definition)) return end;
+function givenTo({ document }: Editor, { isShadow }: Recipe, end: DraggedWire): DraggedWire {
+  if (end.type !== 'objects' || !isShadow) return end;
   const state = document.getState();
   const { wires } = graphOf(state);
   const seen = new Set<string>();
@@ -103,10 +104,6 @@ function givenTo({ document }: Editor, { definition }: Recipe, end: DraggedWire)
   return { ...end, ...reached({ node: end.node, port: end.port }) };
 }
 
-function givesObjects({ outputs }: Recipe['definition']): boolean {
-  return Object.values(outputs).some(({ type }) => type === 'objects');
-}
-
 /** Connects required inputs that have no wire yet: to the objects of the scenes, or to a new source. */
 function bringInputs(editor: Editor, recipe: Recipe, added: AddedRecipe, place: Place): (project: Project) => Change {
   const { library } = editor.document.getState();
@@ -123,7 +120,7 @@ function bringInputs(editor: Editor, recipe: Recipe, added: AddedRecipe, place: 
         if (to === null || source === undefined || wires.some((wire) => sameAddress(wire.to, to))) return unchanged(before);
         const connectFrom = (from: PortAddress) => (p: Project) => connect(p, { library, graph, from, to });
         const inScenes = wires.filter((wire) => nodes[wire.to.node]?.type === SCENE && wire.to.port === 'objects').map(({ from }) => from);
-        const isShadow = type === 'objects' && !givesObjects(recipe.definition);
+        const isShadow = type === 'objects' && recipe.isShadow;
         if (isShadow && inScenes.length > 0) return sequence(before, ...inScenes.map(connectFrom));
         const id = makeNodeId(before, source.type, random);
         const at = { x: place.x - 2 * COLUMN_PX, y: place.y };
@@ -163,7 +160,7 @@ function showOutputs(editor: Editor, recipe: Recipe, added: AddedRecipe, { sourc
         const from = added.portOf(name);
         const { wires = [] } = before.graphs[MAIN_GRAPH] ?? {};
         if (from === null || wires.some((wire) => sameAddress(wire.from, from))) return unchanged(before);
-        if (type === 'layer') return (recipe.lit === undefined ? showLayer : showShadows)(from, place, context)(before);
+        if (type === 'layer') return (recipe.isShadow ? showShadows : showLayer)(from, place, context)(before);
         if (type !== 'objects') return unchanged(before);
         const taken = wires.filter((wire) => source !== null && sameAddress(wire.from, source) && !added.ids.includes(wire.to.node));
         if (taken.length === 0) return showObjects(from, place, context, recipe.isPlaced ? null : undefined)(before);
