@@ -2,8 +2,8 @@ import { BoxGeometry, type BufferGeometry, type PerspectiveCamera, Vector3 } fro
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import type { LightItem } from '../../nodes/kit/scene-lists.ts';
 import { createCasterStrokes } from '../../nodes/layer/shadow/strokes.ts';
-import { lookingAt, objects, sun } from './scenes-kit.ts';
-import { desk, SIDES, SUN, shoot, stand, thing } from './shadow-kit.ts';
+import { lookingAt, objects, room, sun } from './scenes-kit.ts';
+import { desk, type Shot, SIDES, SUN, shoot, stand, thing } from './shadow-kit.ts';
 
 /** Strokes of the shadow of a box of 0.3 m on a desk, read at points of the desk. */
 
@@ -26,7 +26,13 @@ const BOARD = new BoxGeometry(0.02, 0.4, 0.6)
   .rotateX(Math.PI / 6)
   .translate(...SLANTED.at);
 
-function shadowOf(lights: readonly LightItem[], camera: PerspectiveCamera, contour = 0, shape: BufferGeometry = BOX): Uint8Array {
+function shadowOf(
+  lights: readonly LightItem[],
+  camera: PerspectiveCamera,
+  contour = 0,
+  shape: BufferGeometry = BOX,
+  real: Pick<Shot, 'room'> = {},
+): Uint8Array {
   const box = thing(shape);
   const sketch = createCasterStrokes({
     spacingPx: { value: 7 },
@@ -35,7 +41,16 @@ function shadowOf(lights: readonly LightItem[], camera: PerspectiveCamera, conto
     contactM: { value: 0.15 },
   });
   sketch.update([objects(box)]);
-  const shot = { casters: [box], receivers: [desk()], lights, method: 'map', strength: 1, camera, strokes: sketch.strokes } as const;
+  const shot = {
+    casters: [box],
+    receivers: [desk()],
+    lights,
+    method: 'map',
+    strength: 1,
+    camera,
+    strokes: sketch.strokes,
+    ...real,
+  } as const;
   return shoot(stand, shot);
 }
 
@@ -134,6 +149,26 @@ export function borders(): readonly number[] {
     }
     return ink / count;
   });
+}
+
+/**
+ * Real bars of a pixel's width near the camera hide every third column of the shadow: how many pixels of the other columns differ from
+ * those without bars, of how many with ink.
+ */
+export function besideBars(): { readonly changed: number; readonly inked: number } {
+  const isBar = (x: number): boolean => x % 3 === 0;
+  const meters = Array.from({ length: WIDTH * HEIGHT }, (_, i) => (isBar(i % WIDTH) ? 0.3 : 0));
+  const bars = room(stand.gl, WIDTH, HEIGHT, meters);
+  const hidden = shadowOf([SIDEWARD], ABOVE, 1, BOX, { room: { depth: { views: [bars] }, toleranceM: { value: 0.05 } } });
+  const free = shadowOf([SIDEWARD], ABOVE, 1);
+  stand.gl.deleteTexture(bars.texture);
+  let [changed, inked] = [0, 0];
+  for (let i = 0; i < WIDTH * HEIGHT; i++) {
+    if (isBar(i % WIDTH)) continue;
+    if ((free[4 * i + 3] ?? 0) > 0) inked++;
+    if (free[4 * i + 3] !== hidden[4 * i + 3]) changed++;
+  }
+  return { changed, inked };
 }
 
 /** How far the outer side of the contour of a slanted edge strays from a straight line, and the size of a texel of the map, in pixels. */

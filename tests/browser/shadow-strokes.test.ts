@@ -46,6 +46,13 @@ test('the contour does not show the texels of a coarse map', async () => {
   expect(strayPx / texelPx).toBeLessThan(0.1);
 });
 
+test('strokes beside real objects that hide the shadow are those without them', async () => {
+  const { changed, inked } = await page.call<{ changed: number; inked: number }>('besideBars');
+  expect(inked).toBeGreaterThan(5000);
+  // By derivatives beside discarded fragments, they had garbage.
+  expect(changed).toBe(0);
+});
+
 test('without an error of WebGL', async () => {
   expect(await page.call('error')).toBe(0);
 });
