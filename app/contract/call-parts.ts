@@ -14,6 +14,19 @@ export const diagnostic = z.object({
   fix: z.string().optional(),
 });
 
+/** Text of a JSON document of a project. */
+export const documentText = z.string().max(64 * 2 ** 20);
+
+/** The files of a project as texts. */
+export const projectFiles = z.object({
+  /** Text of `project.scrim.json`. */
+  project: documentText,
+  /** Text of `project.layout.json`; null if there is none. */
+  layout: documentText.nullable(),
+  /** Texts of the files in `shaders/`, by file name. */
+  sources: z.record(z.string(), z.string().max(4 * 2 ** 20)),
+});
+
 /** Id of an open project. Valid while it is open. Never a path. */
 export const handle = z.string().regex(/^[a-z0-9]{16,64}$/);
 

@@ -1,6 +1,7 @@
 import { z } from 'zod';
-import { diagnostic, handle, isWithinLimit, projectPath, side } from './call-parts.ts';
+import { diagnostic, documentText, handle, isWithinLimit, projectFiles, projectPath, side } from './call-parts.ts';
 import { PHOTOGRAPH_CALLS } from './photograph-calls.ts';
+import { RECIPE_CALLS } from './recipe-calls.ts';
 import { REPHOTOGRAPH_CALLS } from './rephotograph-calls.ts';
 import { SIMPLIFY_CALLS } from './simplify-calls.ts';
 
@@ -16,18 +17,6 @@ import { SIMPLIFY_CALLS } from './simplify-calls.ts';
 export const MAX_COPIED_BYTES = 32 * 2 ** 20;
 
 const MAX_POSTER_BYTES = 8 * 2 ** 20;
-
-/** Text of a JSON document of a project. */
-const documentText = z.string().max(64 * 2 ** 20);
-
-const projectFiles = z.object({
-  /** Text of `project.scrim.json`. */
-  project: documentText,
-  /** Text of `project.layout.json`; null if there is none. */
-  layout: documentText.nullable(),
-  /** Texts of the files in `shaders/`, by file name. */
-  sources: z.record(z.string(), z.string().max(4 * 2 ** 20)),
-});
 
 /** Files in `assets/` with their sizes. */
 const assetFiles = z.array(z.object({ path: projectPath, bytes: z.number() }));
@@ -265,6 +254,7 @@ export const HOST_CONTRACT = {
   ...PHOTOGRAPH_CALLS,
   ...REPHOTOGRAPH_CALLS,
   ...SIMPLIFY_CALLS,
+  ...RECIPE_CALLS,
   /** Ends the program of others that imports photographs or simplifies an asset of a project, if there is one. */
   'tool.cancel': { input: z.object({ handle }), output: z.object({}) },
   /** Cancels the export of a project, if there is one. */

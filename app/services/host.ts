@@ -25,6 +25,7 @@ import { createPageServers } from './page-servers.ts';
 import { createPhotographImports } from './photograph-imports.ts';
 import { findProject, listAssets } from './project-files.ts';
 import { readAsset } from './read-asset.ts';
+import { listRecipes, removeRecipe, saveRecipe } from './recipe-folders.ts';
 import { createRephotographJobs, reportFolder } from './rephotograph/rephotograph-jobs.ts';
 import { ROOMS } from './rooms.ts';
 import { saveSession } from './save-session.ts';
@@ -282,6 +283,9 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       return {};
     },
     'rephotograph.show': async ({ handle, path }) => show(await reportFolder(projects.rootOf(handle), path), true),
+    'recipe.list': () => listRecipes(installation.projectsDir),
+    'recipe.save': async (input) => ({ path: await saveRecipe(installation.projectsDir, input, files) }),
+    'recipe.remove': async ({ name }) => ({ kept: await removeRecipe(installation.projectsDir, name, files) }),
     'export.cancel': async ({ handle }) => {
       exports.cancel(handle);
       return {};

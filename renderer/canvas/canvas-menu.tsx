@@ -44,6 +44,7 @@ const ON_NODE = [
   'graph.swap',
   'graph.collapse',
   'graph.subgraph',
+  'graph.save-recipe',
   'graph.frame',
   'line',
   'view.pin',

@@ -16,8 +16,9 @@ import { portsThrough, wireTypes } from '../state/graph/insert-on-wire.ts';
 import { NODE_WIDTH } from '../state/graph/node-shape.ts';
 import { candidateOf } from '../state/graph/palette-candidates.ts';
 import type { PaletteEntry } from '../state/graph/palette-search.ts';
-import { recipesOf } from '../state/graph/recipes.ts';
+import { type Recipe, recipeOfEntry, recipesOf } from '../state/graph/recipes.ts';
 import { addRecipeShown } from '../state/graph/show-recipe.ts';
+import { listRecipes } from '../state/recipes/list-recipes.ts';
 import { Palette } from './palette.tsx';
 
 interface PaletteHostProps {
@@ -32,10 +33,16 @@ export function PaletteHost({ toCanvas, canvas }: PaletteHostProps) {
   const editor = useEditor();
   const request = useStore(editor.ui, (state) => state.palette);
   const library = useNodeTypes();
+  const own = useStore(editor.recipes, (state) => state.own);
   const definitions = useMemo(() => {
     const all = [...library.types()].flatMap((type) => library.definition(type) ?? []);
-    return request === null ? all : offered(editor, request, all);
-  }, [editor, library, request]);
+    return request === null ? all : offered(editor, request, all, recipesOf(library, own));
+  }, [editor, library, request, own]);
+  const isOpen = request !== null;
+  useEffect(() => {
+    // A recipe may have been changed, renamed or added since, also by another window.
+    if (isOpen) void listRecipes(editor);
+  }, [editor, isOpen]);
   const showCandidate = useCallback(
     (entry: PaletteEntry | null) => {
       const project = entry && request && candidateOf(editor, entry, request);
@@ -73,7 +80,7 @@ export function PaletteHost({ toCanvas, canvas }: PaletteHostProps) {
           close(swap);
           return;
         }
-        const recipe = recipesOf(library).find(({ definition }) => definition.type === entry.definition.type);
+        const recipe = recipeOfEntry(editor, entry.definition.type);
         if (recipe && end === null && wire === undefined) {
           close(addRecipeShown(editor, recipe, request.after, request.place ?? toCanvas(middleOf(canvas.current))));
           return;
@@ -95,14 +102,19 @@ export function PaletteHost({ toCanvas, canvas }: PaletteHostProps) {
 }
 
 /** The node types that the palette offers: no subgraph that would contain itself; for a wire or a swap, only types with matching ports. */
-function offered(editor: Editor, { wire, swap }: PaletteRequest, all: readonly NodeDefinition[]): readonly NodeDefinition[] {
+function offered(
+  editor: Editor,
+  { wire, swap }: PaletteRequest,
+  all: readonly NodeDefinition[],
+  recipes: readonly Recipe[],
+): readonly NodeDefinition[] {
   const state = editor.document.getState();
   const possible = all.filter(({ type }) => {
     const name = subgraphName(type);
     return name === null || !usesGraph(state.project, name, state.graph);
   });
   const types = wire === undefined ? null : wireTypes(editor, wire);
-  const withRecipes = [...possible, ...recipesOf(state.library).map(({ definition }) => definition)];
+  const withRecipes = [...possible, ...recipes.map(({ definition }) => definition)];
   if (types) return withRecipes.filter((definition) => portsThrough(definition, types) !== null);
   const swapped = swap === undefined ? undefined : state.library.definition(nodeOf(state, swap)?.type ?? '');
   if (swapped) return possible.filter((definition) => definition.type !== swapped.type && givesSame(definition, swapped));

@@ -12,6 +12,7 @@ import { NewDialog } from './new-dialog.tsx';
 import { OpenDialog } from './open-dialog.tsx';
 import { PhotographDialog } from './photograph-dialog.tsx';
 import { PhotographsDialog } from './photographs-dialog.tsx';
+import { RecipeDialog, RecipesDialog } from './recipe-dialogs.tsx';
 import { RenderDialog } from './render-dialog.tsx';
 import { RephotographDialog, RephotographedDialog } from './rephotograph-dialogs.tsx';
 import { SaveAsDialog } from './save-as-dialog.tsx';
@@ -62,6 +63,10 @@ export function Dialogs() {
       return <LibraryNameDialog name={dialog.name} rename={dialog.rename === true} onClose={close} />;
     case 'library-remove':
       return <LibraryRemoveDialog name={dialog.name} onClose={close} />;
+    case 'recipe':
+      return <RecipeDialog onClose={close} />;
+    case 'recipes':
+      return <RecipesDialog onClose={close} />;
     case 'commands':
       return <CommandsDialog onClose={close} />;
     case 'shortcuts':

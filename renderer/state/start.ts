@@ -8,6 +8,7 @@ import { openStartScreen } from './editor/ui.ts';
 import { showExportProgress } from './files/export-page.ts';
 import { applyExternalShaders } from './files/external-changes.ts';
 import { confirmUnsaved, filesOf, loadExternalChanges, openPath, showRefusal } from './files/files.ts';
+import { listRecipes } from './recipes/list-recipes.ts';
 
 /** Pause in editing after which autosave writes. */
 const AUTOSAVE_MS = 2000;
@@ -21,6 +22,7 @@ export async function start(editor: Editor): Promise<{ readonly previewUrl: stri
   const info = await editor.host.call('app.info', {});
   const { canPickFolders, canReveal, projectsDir, examples, templates } = info;
   editor.document.setState({ canPickFolders, canReveal, projectsDir, examples, templates });
+  await listRecipes(editor);
   return { previewUrl: info.previewUrl, hasMenu: info.shell === 'electron' };
 }
 

@@ -31,6 +31,7 @@ export function createFakeHost(
   let saved = files;
   let revision = 1;
   let opened = 0;
+  let recipes: HostOutput<'recipe.list'> = [];
   const open = (path: string) => ({
     // Each opening returns another handle and URL, like the real host.
     handle: `abcdef0123456789${++opened}`,
@@ -119,6 +120,16 @@ export function createFakeHost(
     'rephotograph.finish': () => ({ means: [{ method: 'lumigraph', psnrDb: 30.5, ssim: 0.9, chromaError: 2, covered: 1 }] }),
     'rephotograph.cancel': () => ({}),
     'rephotograph.show': () => ({ url: 'http://127.0.0.1:2/', opened: false }),
+    'recipe.list': () => recipes,
+    'recipe.save': ({ name, files: texts }) => {
+      const path = `/home/me/Scrim/recipes/${name}`;
+      recipes.push({ name, path, files: { ...texts, sources: {} }, problem: null });
+      return { path };
+    },
+    'recipe.remove': ({ name }) => {
+      recipes = recipes.filter((recipe) => recipe.name !== name);
+      return { kept: `/home/me/Scrim/recipes/.removed/${name}` };
+    },
     ...handlers,
   };
   return {

@@ -44,6 +44,8 @@ export interface EditorPageOptions {
   readonly panels?: 'small' | 'usual';
   /** Opens the project as one that was left playing. False: as for the first time, so recordings stand at their first frame. Default: true. */
   readonly playing?: boolean;
+  /** Whether the projects folder is an own one, `projects` in the project, instead of that of the person. Default: false. */
+  readonly ownProjects?: boolean;
 }
 
 /** Opens the built editor on loopback with a project of one graph in its own folder. */
@@ -55,6 +57,7 @@ export async function openEditor(browser: Browser, graph: GraphText, options: Ed
     before,
     panels = 'small',
     playing = true,
+    ownProjects = false,
   } = options;
   const project = await mkdtemp(join(tmpdir(), 'scrim-editor-'));
   for (const [path, text] of Object.entries(filesOf(graph))) {
@@ -62,7 +65,9 @@ export async function openEditor(browser: Browser, graph: GraphText, options: Ed
     await writeFile(join(project, path), text);
   }
   const log = (message: string) => process.stderr.write(`${message}\n`);
-  const server = await startServer({ installation: installationAt(ROOT, '0.0.0'), startPath: project, log });
+  const installed = installationAt(ROOT, '0.0.0');
+  const installation = ownProjects ? { ...installed, projectsDir: join(project, 'projects') } : installed;
+  const server = await startServer({ installation, startPath: project, log });
   // Animations would only slow down tests.
   const page = await browser.newPage({ viewport: size, colorScheme, hasTouch, reducedMotion: 'reduce' });
   if (before) await page.addInitScript(before);

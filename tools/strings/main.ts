@@ -24,10 +24,10 @@ export async function collectStrings(root: string): Promise<UserString[]> {
   return strings;
 }
 
-/** Code and examples that a user meets: no tests, benches or tools. */
+/** Code, examples and recipes that a user meets: no tests, benches or tools. */
 function isProduct(path: string): boolean {
   if (/\.(test|page|bench|d)\.tsx?$|\.gen\.ts$/.test(path)) return false;
   if (/^(app|export|nodes|renderer)\/.*\.tsx?$/.test(path)) return true;
-  if (/^examples\/.*\/project\.scrim\.json$/.test(path)) return true;
+  if (/^(?:examples|shader-library\/recipes)\/.*\/project\.scrim\.json$/.test(path)) return true;
   return /^shader-library\/.*\.(fs|glsl)$/.test(path) && !path.startsWith('shader-library/chunks/');
 }

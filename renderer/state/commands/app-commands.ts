@@ -149,6 +149,20 @@ const COMMANDS = {
     run: (editor) => void makeUnique(editor),
   },
   'graph.save': { label: 'Save to the library…', keywords: ['subgraph'], keys: [], enabled: hasSubgraph, run: askToSaveSubgraph },
+  'graph.save-recipe': {
+    label: 'Save as recipe…',
+    keywords: ['preset', 'template', 'reuse', 'own', 'snippet'],
+    keys: [],
+    enabled: hasNodes,
+    run: ({ ui }) => ui.setState({ dialog: { kind: 'recipe' } }),
+  },
+  'graph.recipes': {
+    label: 'My recipes…',
+    keywords: ['manage', 'delete', 'rename', 'preset'],
+    keys: [],
+    enabled: always,
+    run: ({ ui }) => ui.setState({ dialog: { kind: 'recipes' } }),
+  },
   'graph.enter': {
     label: 'Open subgraph',
     keywords: ['enter', 'edit'],

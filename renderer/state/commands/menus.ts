@@ -58,6 +58,8 @@ export const MENUS: readonly { readonly label: string; readonly entries: readonl
       'line',
       'graph.subgraph',
       'graph.save',
+      'graph.save-recipe',
+      'graph.recipes',
       'graph.enter',
       'graph.leave',
       'graph.independent',

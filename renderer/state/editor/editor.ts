@@ -11,6 +11,7 @@ import { createGizmoState, type GizmoStore } from './gizmo-state.ts';
 import { createLibraries, type Libraries, type LibraryData } from './library.ts';
 import { createPreferences, DEFAULT_PREFERENCES, type Preferences, type PreferencesStore } from './preferences.ts';
 import { createPreviewState, type PreviewState, type PreviewStore } from './preview-state.ts';
+import { createRecipeState, type RecipeStore } from './recipe-state.ts';
 import { createSelection, type SelectionStore } from './selection.ts';
 import { createUi, type Dock, type PanelSizes, type UiStore } from './ui.ts';
 import { createThumbnailWatchers, createViewerState, type ThumbnailWatchers, type ViewerStore } from './viewer.ts';
@@ -89,6 +90,7 @@ export interface Editor {
   readonly viewer: ViewerStore;
   readonly gizmo: GizmoStore;
   readonly costs: CostStore;
+  readonly recipes: RecipeStore;
   readonly preferences: PreferencesStore;
 }
 
@@ -146,6 +148,7 @@ export function createEditor({
     viewer: createViewerState(),
     gizmo: createGizmoState(),
     costs: createCostState(),
+    recipes: createRecipeState(),
     preferences: createPreferences(preferences),
   };
 }

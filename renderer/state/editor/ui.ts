@@ -95,6 +95,10 @@ export type DialogRequest =
   | { readonly kind: 'library'; readonly name: string; readonly rename?: true }
   /** Confirms the removal of a subgraph that is in use. */
   | { readonly kind: 'library-remove'; readonly name: string }
+  /** Saves the selected nodes as a recipe. */
+  | { readonly kind: 'recipe' }
+  /** Lists the recipes of the person. */
+  | { readonly kind: 'recipes' }
   | { readonly kind: 'commands' }
   | { readonly kind: 'shortcuts' }
   | { readonly kind: 'find' };
@@ -117,7 +121,7 @@ export interface Toast {
 }
 
 /** The dialogs that show errors themselves, which are then no toasts. */
-const WITH_ERRORS: ReadonlySet<DialogRequest['kind']> = new Set(['new', 'open', 'save-as', 'export', 'render', 'photographs']);
+const WITH_ERRORS: ReadonlySet<DialogRequest['kind']> = new Set(['new', 'open', 'save-as', 'export', 'render', 'photographs', 'recipe']);
 
 /** A request to scroll the canvas. */
 export interface Reveal {

@@ -25,8 +25,8 @@ export function freeFolder(path: string, taken: ReadonlySet<string>): string {
 /** Most characters of a proposed name. File systems allow 255 bytes, and characters of some scripts take four. */
 const MOST_CHARACTERS = 48;
 
-/** Letters and digits of all scripts stay; everything else becomes one hyphen. Long names are cut. */
-function fileName(title: string): string {
+/** The name of a folder for a title. Letters and digits of all scripts stay; everything else becomes one hyphen. Long names are cut. */
+export function fileName(title: string): string {
   const words = title
     .toLowerCase()
     .replaceAll(/[^\p{L}\p{N}]+/gu, '-')

@@ -1,7 +1,7 @@
 import { canConnect } from '../../../export/graph/can-connect.ts';
 import { type Change, sequence, unchanged } from '../../../export/graph/commands/change.ts';
 import { changeType } from '../../../export/graph/commands/change-type.ts';
-import { setCollapsed } from '../../../export/graph/commands/layout-commands.ts';
+import { moveNodes, setCollapsed } from '../../../export/graph/commands/layout-commands.ts';
 import { addNode, removeNodes, setMuted, setUnfused } from '../../../export/graph/commands/node-commands.ts';
 import { setRoutes } from '../../../export/graph/commands/route-commands.ts';
 import { connect as connectCommand, disconnect, reorderWires as reorderCommand } from '../../../export/graph/commands/wire-commands.ts';
@@ -27,7 +27,7 @@ import { placeFreely } from './free-places.ts';
 import { insertOnWire, insertPorts, spaceOnWire } from './insert-on-wire.ts';
 import { removeItems } from './layout-items.ts';
 import type { PaletteEntry } from './palette-search.ts';
-import { recipesOf } from './recipes.ts';
+import { recipeOfEntry } from './recipes.ts';
 
 /** One end of a wire and its side of the node. */
 export interface WireEnd extends PortAddress {
@@ -138,7 +138,7 @@ export function additionOf(
 ): Addition {
   const { project, library, graph } = editor.document.getState();
   const { random } = editor;
-  const recipe = recipesOf(library).find((known) => known.definition.type === definition.type);
+  const recipe = recipeOfEntry(editor, definition.type);
   const added = recipe && addRecipe(recipe, { library, graph, random, project, ...place });
   const id = added?.main ?? makeNodeId(project, definition.type, random);
   const change = sequence(
@@ -160,10 +160,32 @@ export function additionOf(
     ...(added?.ids ?? [id]).map((node) => autoConnect(node, { library, graph, random })),
     (before) => added?.light(before) ?? unchanged(before),
     fitEncodings(editor),
-    (before) => (throughWire === null ? unchanged(before) : spaceOnWire(editor, id, throughWire)(before)),
+    (before) =>
+      throughWire === null
+        ? unchanged(before)
+        : along(before, { graph, ids: added?.ids ?? [id], main: id }, spaceOnWire(editor, id, throughWire)),
     placeFreely(project, { library, graph, hasThumbnail: editor.preferences.getState().thumbnails }),
   );
   return { id, change, recipe: added ?? null };
+}
+
+interface Moved {
+  readonly graph: string;
+  readonly ids: readonly string[];
+  /** The one of `ids` that a change moves. */
+  readonly main: string;
+}
+
+/** A change that moves one of several nodes, and moves the others along. */
+function along(project: Project, { graph, ids, main }: Moved, move: (project: Project) => Change): Change {
+  const placeIn = ({ layout }: Project, id: string) => getOwn(layout[graph]?.nodes ?? {}, id) ?? { x: 0, y: 0 };
+  const from = placeIn(project, main);
+  return sequence(project, move, (before) => {
+    const to = placeIn(before, main);
+    const others = ids.filter((id) => id !== main).map((id) => [id, placeIn(before, id)] as const);
+    const positions = Object.fromEntries(others.map(([id, { x, y }]) => [id, { x: x + to.x - from.x, y: y + to.y - from.y }]));
+    return moveNodes(before, { graph, positions });
+  });
 }
 
 export function deleteSelection(editor: Editor): boolean {

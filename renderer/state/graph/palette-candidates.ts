@@ -9,7 +9,7 @@ import { continuationOf } from './continue-after.ts';
 import { additionOf } from './edit-graph.ts';
 import { portsThrough, wireTypes } from './insert-on-wire.ts';
 import type { PaletteEntry } from './palette-search.ts';
-import { recipesOf } from './recipes.ts';
+import { recipeOfEntry } from './recipes.ts';
 import { recipeAddition } from './show-recipe.ts';
 
 /**
@@ -26,7 +26,7 @@ export function candidateOf(
     const change = changeType(project, { library, graph, node: swap, type: entry.definition.type });
     return hasErrors(change.diagnostics) ? null : change.project;
   }
-  const recipe = recipesOf(library).find(({ definition }) => definition.type === entry.definition.type);
+  const recipe = recipeOfEntry(editor, entry.definition.type);
   if (recipe && wire === undefined && graph === MAIN_GRAPH) {
     const { change } = recipeAddition(editor, recipe, after, { x: 0, y: 0 });
     return hasErrors(change.diagnostics) ? null : change.project;

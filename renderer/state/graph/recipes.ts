@@ -9,6 +9,8 @@ import { getOwn } from '../../../export/graph/record.ts';
 import { RECIPES } from '../../../nodes/generated/recipes.gen.ts';
 import { defineNode, type NodeDefinition, type NodeLibrary } from '../../../nodes/kit/definition.ts';
 import { formatDiagnostic } from '../../../nodes/kit/diagnostics.ts';
+import type { Editor } from '../editor/editor.ts';
+import type { OwnRecipe } from '../editor/recipe-state.ts';
 import { factsOf, type RecipeFacts } from './recipe-facts.ts';
 
 /** Several connected nodes that are added as one entry of the palette. After that they are ordinary nodes. */
@@ -24,19 +26,32 @@ export interface Recipe extends RecipeFacts {
   readonly main: string;
 }
 
+const CATEGORY = 'combination/';
 const COLUMN_PX = 240;
 const ROW_PX = 120;
 
+/**
+ * All recipes whose node types exist in the library: those of Scrim, one per technique that applies it to objects, and those of the person.
+ */
+export function recipesOf(library: NodeLibrary, own: readonly OwnRecipe[] = []): readonly Recipe[] {
+  return [...builtInRecipes(library), ...own.flatMap(({ name, project }) => toRecipe(library, `${CATEGORY}own-${name}`, project) ?? [])];
+}
+
+/** The recipe of a palette entry; undefined if its type is a node type. */
+export function recipeOfEntry({ document, recipes }: Pick<Editor, 'document' | 'recipes'>, type: string): Recipe | undefined {
+  if (!type.startsWith(CATEGORY)) return undefined;
+  return recipesOf(document.getState().library, recipes.getState().own).find(({ definition }) => definition.type === type);
+}
+
 const cached = new WeakMap<NodeLibrary, readonly Recipe[]>();
 
-/** The recipes of Scrim whose node types exist in the library, and one per technique that applies it to objects. */
-export function recipesOf(library: NodeLibrary): readonly Recipe[] {
+function builtInRecipes(library: NodeLibrary): readonly Recipe[] {
   const known = cached.get(library);
   if (known) return known;
   const shipped = Object.entries(RECIPES).map(([name, texts]) => {
     const { output, diagnostics } = readRecipe({ ...texts, sources: {} });
     if (output === null) throw new Error(`The recipe ${name} is broken: ${diagnostics.map(formatDiagnostic).join(' ')}`);
-    return toRecipe(library, `combination/${name}`, output);
+    return toRecipe(library, `${CATEGORY}${name}`, output);
   });
   const techniques = [...library.types()].flatMap((type) => {
     const definition = library.definition(type);
@@ -52,7 +67,7 @@ export function recipesOf(library: NodeLibrary): readonly Recipe[] {
  *
  * @param type Type of its palette entry.
  */
-export function toRecipe(library: NodeLibrary, type: string, { title, page, recipe, graphs, layout }: RecipeProject): Recipe | null {
+function toRecipe(library: NodeLibrary, type: string, { title, page, recipe, graphs, layout }: RecipeProject): Recipe | null {
   const graph = getOwn(migrateNodes({ graphs }, library).project.graphs, RECIPE_GRAPH);
   const ports = graph && createInterfaceLookup({ graphs: { [RECIPE_GRAPH]: graph } }, library)(subgraphType(RECIPE_GRAPH));
   if (!graph || !ports || Object.values(graph.nodes).some((node) => library.definition(node.type) === undefined)) return null;
@@ -104,7 +119,7 @@ function appliedTechnique(library: NodeLibrary, { type, version, title, doc, key
     },
   };
   const layout: GraphLayout = { ...EMPTY_LAYOUT, nodes: { apply: { x: 0, y: 0 }, technique: { x: -COLUMN_PX, y: ROW_PX } } };
-  return toRecipe(library, `combination/on-objects-${type.replaceAll('/', '-')}`, {
+  return toRecipe(library, `${CATEGORY}on-objects-${type.replaceAll('/', '-')}`, {
     title: `${title} on objects`,
     page: { description: `${doc} Adds a Set material node, too, which applies it to objects.` },
     recipe: { keywords },
