@@ -1,3 +1,4 @@
+import { useSyncExternalStore } from 'react';
 import { useStore } from 'zustand';
 import { Canvas } from '../canvas/canvas.tsx';
 import { HelpPanel } from '../help/help-panel.tsx';
@@ -61,7 +62,7 @@ function Layout({ previewUrl }: { readonly previewUrl: string }) {
 /** Graph, preview and inspector. A change of their arrangement moves the panes by CSS alone, so that the preview page is not reloaded. */
 function Workspace({ previewUrl }: { readonly previewUrl: string }) {
   const dock = useStore(useEditor().ui, (state) => state.dock);
-  const { side } = useSideArrangement();
+  const { side, graphLeastPx } = useSideArrangement();
   const below = dock === 'below';
   return (
     <Panes
@@ -71,7 +72,7 @@ function Workspace({ previewUrl }: { readonly previewUrl: string }) {
       label={below ? 'Height of preview and inspector' : 'Width of preview and inspector'}
       size={below ? 'belowHeightPx' : side}
       minPx={below ? 200 : 300}
-      otherMinPx={below ? 200 : 360}
+      otherMinPx={below ? 200 : graphLeastPx}
       first={<GraphArea />}
       second={<PreviewAndInspector previewUrl={previewUrl} />}
     />
@@ -137,7 +138,13 @@ function useSideArrangement(): SideArrangement {
   const { preview, ui } = useEditor();
   const shape = useStore(preview, shownShape);
   const sizes = useStore(ui, (state) => state.sizes);
-  return arrangeSide(shape, sizes);
+  const windowWidthPx = useSyncExternalStore(onWindowResize, () => window.innerWidth);
+  return arrangeSide(shape, sizes, windowWidthPx);
+}
+
+function onWindowResize(notify: () => void): () => void {
+  window.addEventListener('resize', notify);
+  return () => window.removeEventListener('resize', notify);
 }
 
 /**

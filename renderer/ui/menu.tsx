@@ -129,8 +129,8 @@ function MenuEntry({ item, onDone }: { readonly item: MenuItem; readonly onDone:
         item.run();
       }}
     >
-      <span>{item.label}</span>
       {item.checked === true && <Icon name="check" size={14} />}
+      <span>{item.label}</span>
       {item.keys && <kbd>{item.keys}</kbd>}
     </button>
   );

@@ -25,7 +25,7 @@ describe('the layout of panels', () => {
     const around = { rail: 33, case: 24, transport: 38, bars: 70 };
     const phoneHeight = (widthPx: number, heightPx: number) =>
       Math.min(heightPx - around.transport - around.case, (widthPx - around.rail - around.case) / PHONE_SHAPE);
-    const side = arrangeSide(PHONE_SHAPE, sizes);
+    const side = arrangeSide(PHONE_SHAPE, sizes, width);
     const now =
       side.place === 'beside'
         ? phoneHeight(sizes[side.side] - sizes[side.inspector], height - around.bars)
@@ -33,6 +33,14 @@ describe('the layout of panels', () => {
     const before = phoneHeight(sizes.sideWidthPx, sizes.previewHeightPx);
     expect((now / before) ** 2).toBeGreaterThan(width < 1200 ? 1.8 : 2);
     expect(sizes[side.side]).toBeLessThanOrEqual(width / 2);
+  });
+
+  test('leaves the graph half of a window that became narrow, whatever a phone took of the wide one', () => {
+    const { sizes } = loadLayout(storing(null), 1440, 900);
+    expect(arrangeSide(PHONE_SHAPE, sizes, 1440)).toMatchObject({ place: 'beside', graphLeastPx: 360 });
+    expect(arrangeSide(PHONE_SHAPE, sizes, 1100)).toMatchObject({ place: 'beside', graphLeastPx: 550 });
+    // Half of it is too narrow for phone and inspector side by side.
+    expect(arrangeSide(PHONE_SHAPE, sizes, 1024)).toMatchObject({ place: 'above', graphLeastPx: 512 });
   });
 
   test('keeps stored sizes, the dock and the device frame, and replaces invalid ones', () => {

@@ -28,8 +28,10 @@ const UPRIGHT_FRACTION = 0.68;
 const BARS_PX = 70;
 /** Space around a device. */
 const CASE_PX = 24;
-/** Most that a phone beside the inspector takes of the window's width. */
+/** Most that a phone beside the inspector takes of the window's width: by default, and always in a narrow window. */
 const TALL_SIDE_FRACTION = 0.5;
+/** Least width of the graph. */
+const GRAPH_LEAST_PX = 360;
 /** Pictures with a smaller width ÷ height get the whole height beside the inspector. */
 const TALL_SHAPE = 0.7;
 /** Least width of preview and inspector for that, in CSS pixels. */
@@ -83,21 +85,29 @@ function sizesFor(windowWidthPx: number, windowHeightPx: number): PanelSizes {
   };
 }
 
-/** Where the preview stands in a dock beside the graph: `above` or `beside` the inspector, and its stored sizes. */
-export type SideArrangement =
+/**
+ * Where the preview stands in a dock beside the graph: `above` or `beside` the inspector, its stored sizes, and the least width of the graph in
+ * CSS pixels.
+ */
+export type SideArrangement = { readonly graphLeastPx: number } & (
   | { readonly place: 'above'; readonly side: 'sideWidthPx' | 'tallSideWidthPx'; readonly preview: 'previewHeightPx' | 'uprightHeightPx' }
-  | { readonly place: 'beside'; readonly side: 'tallSideWidthPx'; readonly inspector: 'tallInspectorWidthPx' };
+  | { readonly place: 'beside'; readonly side: 'tallSideWidthPx'; readonly inspector: 'tallInspectorWidthPx' }
+);
 
 /**
  * Arranges the preview by the shape of its picture, so that the picture is as large as the dock permits.
  *
  * @param shape Width ÷ height of the picture; null for that of the panel.
+ * @param windowWidthPx The stored sizes may be those of a wider window.
  */
-export function arrangeSide(shape: number | null, sizes: PanelSizes): SideArrangement {
-  if (shape === null || shape >= 1) return { place: 'above', side: 'sideWidthPx', preview: 'previewHeightPx' };
-  if (shape >= TALL_SHAPE) return { place: 'above', side: 'sideWidthPx', preview: 'uprightHeightPx' };
-  if (sizes.tallSideWidthPx < TALL_LEAST_PX) return { place: 'above', side: 'tallSideWidthPx', preview: 'uprightHeightPx' };
-  return { place: 'beside', side: 'tallSideWidthPx', inspector: 'tallInspectorWidthPx' };
+export function arrangeSide(shape: number | null, sizes: PanelSizes, windowWidthPx: number): SideArrangement {
+  const graphLeastPx = GRAPH_LEAST_PX;
+  if (shape === null || shape >= 1) return { place: 'above', side: 'sideWidthPx', preview: 'previewHeightPx', graphLeastPx };
+  if (shape >= TALL_SHAPE) return { place: 'above', side: 'sideWidthPx', preview: 'uprightHeightPx', graphLeastPx };
+  const mostPx = windowWidthPx < NARROW_PX ? windowWidthPx * TALL_SIDE_FRACTION : windowWidthPx - GRAPH_LEAST_PX;
+  const tall = { side: 'tallSideWidthPx', graphLeastPx: windowWidthPx - mostPx } as const;
+  if (Math.min(sizes.tallSideWidthPx, mostPx) < TALL_LEAST_PX) return { place: 'above', preview: 'uprightHeightPx', ...tall };
+  return { place: 'beside', inspector: 'tallInspectorWidthPx', ...tall };
 }
 
 /** Stores the layout after each change. */
