@@ -182,6 +182,7 @@ test.each([
   [{ floor: at(9, 1) }, '9,1 is outside of a.jpg, which has 8 × 6 pixels'],
   [{ floor: at(5, 4, 'z.jpg') }, 'it has no photograph "z.jpg", only such as a.jpg'],
   [{ distance: { from: at(5, 4), to: at(5, 4), meters: 1 } }, 'are the same'],
+  [{ distance: { from: at(5, 4), to: at(6, 4), meters: 1e300 } }, 'its mesh is too large with 4e+300 meters per unit'],
   [{ floor: at(5, 2), cameraHeightM: 1 }, 'the camera of a.jpg is not above the point of the floor'],
 ])('refuses sizes that cannot be measured: %j', async (known, reason) => {
   await put('mesh.obj', 'v 0 0 2\nv 1 0 2\nv 0 -1 2\nv 0 1 2\nf 1 2 3\nf 1 2 4\n');

@@ -185,6 +185,7 @@ async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> 
     }
     mesh ??= fusion.mesh();
     if (mesh.indices.length === 0) throw new CaptureError('its depth files have too few neighboring depths for a surface');
+    if (!sizeOf(mesh).every(Number.isFinite)) throw new CaptureError(`its mesh is too large with ${metersPerUnit} meters per unit`);
     const meshBytes = captureMeshFile(mesh);
     await write(MESH_FILE, meshBytes);
     const document: CaptureDocument = {

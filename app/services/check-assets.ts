@@ -1,16 +1,15 @@
 import type { FileHandle } from 'node:fs/promises';
 import type { Asset } from '../../export/graph/project.ts';
-import { CaptureError, readCapture } from '../../nodes/kit/capture.ts';
 import type { AssetKind } from '../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { SplatError } from '../../nodes/kit/splats/splats.ts';
-import { HostError } from '../contract/host-error.ts';
+import { type AssetProblem, fileProblem } from './asset-problem.ts';
+import { captureProblem } from './check-capture.ts';
 import { exrFault, imageFileFault, radianceFault } from './check-image-files.ts';
 import { countSplats, manySplats } from './check-splats.ts';
 import { mp4Fault, webmFault } from './check-video-files.ts';
 import { resolveInside } from './confine.ts';
-import { errorCode } from './file-errors.ts';
-import { NotAFileError, openFile } from './read-file.ts';
+import { openFile } from './read-file.ts';
 
 /**
  * Checks asset files without decoding them: missing (SCR030), outside the project (SCR031), truncated, of invalid size, or of another
@@ -31,12 +30,10 @@ export async function checkAssets(
   return found.filter((diagnostic) => diagnostic !== null);
 }
 
-type Problem = Pick<Diagnostic, 'code' | 'message' | 'fix'> & { readonly severity?: 'warning' };
-
 /** Number of bytes that are read from the start of a file: enough for all signatures below. */
 const HEAD_BYTES = 16;
 
-async function problemOf(root: string, { path, kind }: Asset): Promise<Problem | null> {
+async function problemOf(root: string, { path, kind }: Asset): Promise<AssetProblem | null> {
   try {
     const file = await openFile(await resolveInside(root, path));
     try {
@@ -45,28 +42,20 @@ async function problemOf(root: string, { path, kind }: Asset): Promise<Problem |
       await file.read(head, 0, HEAD_BYTES, 0);
       const wrong = WRONG[kind](head, size) ?? (await contentFault(file, kind, head, size));
       if (wrong !== null) return { code: 'SCR032', message: `${path} ${wrong}`, fix: 'Export it again, or choose another file.' };
+      if (kind === 'capture') return await captureProblem(root, path, await file.readFile('utf8'));
       if (kind === 'splats') return await splatProblem(file, path, size);
       return tooLarge(path, kind, size);
     } finally {
       await file.close();
     }
   } catch (error) {
-    if (error instanceof HostError) return { code: 'SCR031', message: error.diagnostic.message };
-    if (error instanceof NotAFileError) {
-      return { code: 'SCR030', message: `${path} is ${error.what}, not a file.`, fix: 'Put a file in its place, or choose another one.' };
-    }
-    if (errorCode(error) === 'ENOENT') {
-      return { code: 'SCR030', message: `${path} is missing from the project folder.`, fix: 'Put the file back, or choose another one.' };
-    }
-    return { code: 'SCR030', message: `${path} cannot be read (${errorCode(error) ?? String(error)}).` };
+    return fileProblem(error, path);
   }
 }
 
 /** Checks the content after a valid header. Models are checked later (`check-models.ts`). */
 async function contentFault(file: FileHandle, kind: AssetKind, head: Buffer, size: number): Promise<string | null> {
   switch (kind) {
-    case 'capture':
-      return captureFault(await file.readFile('utf8'));
     case 'image':
       return imageFileFault(file, size);
     case 'environment':
@@ -76,7 +65,8 @@ async function contentFault(file: FileHandle, kind: AssetKind, head: Buffer, siz
       return isEbml(head) ? webmFault(file, size) : mp4Fault(file, size);
     case 'audio':
     case 'model':
-    // Splats are counted below.
+    // Captures and splats are checked below.
+    case 'capture':
     case 'splats':
       return null;
   }
@@ -106,7 +96,7 @@ const LARGE: Readonly<Record<AssetKind, { readonly bytes: number; readonly fix: 
   environment: { bytes: 16 * 2 ** 20, fix: 'Reduce its size: 2048 × 1024 is enough for light, 4096 × 2048 for a visible background.' },
 };
 
-function tooLarge(path: string, kind: AssetKind, size: number): Problem | null {
+function tooLarge(path: string, kind: AssetKind, size: number): AssetProblem | null {
   const large = LARGE[kind];
   if (large === null || size <= large.bytes) return null;
   const { bytes, fix } = large;
@@ -114,7 +104,7 @@ function tooLarge(path: string, kind: AssetKind, size: number): Problem | null {
   return { code: 'SCR034', severity: 'warning', message, fix };
 }
 
-async function splatProblem(file: FileHandle, path: string, size: number): Promise<Problem | null> {
+async function splatProblem(file: FileHandle, path: string, size: number): Promise<AssetProblem | null> {
   try {
     const many = manySplats(await countSplats(file, path, size));
     return many && { code: 'SCR034', severity: 'warning', message: `${path} ${many.message}`, fix: many.fix };
@@ -173,16 +163,6 @@ const WRONG: Readonly<Record<AssetKind, (head: Buffer, size: number) => string |
 
 /** A document of the most views has a third of it. */
 const MAX_CAPTURE_BYTES = 4 * 2 ** 20;
-
-function captureFault(text: string): string | null {
-  try {
-    readCapture(text);
-    return null;
-  } catch (error) {
-    if (!(error instanceof CaptureError)) throw error;
-    return `is not a valid capture: ${error.message}.`;
-  }
-}
 
 const IMAGES: readonly ((head: Buffer) => boolean)[] = [
   (head) => head.toString('latin1', 0, 8) === '\x89PNG\r\n\x1a\n',

@@ -37,7 +37,7 @@ const FLAGS = constants.O_RDONLY | (constants.O_NOFOLLOW ?? 0) | (constants.O_NO
  * folders, without opening them, and with system errors.
  */
 export async function openFile(path: string): Promise<FileHandle> {
-  refuseOthers(path, await lstat(path));
+  await statFile(path);
   const file = await open(path, FLAGS);
   try {
     // The file may have been replaced in between; `O_NONBLOCK` keeps the open from blocking.
@@ -47,6 +47,13 @@ export async function openFile(path: string): Promise<FileHandle> {
     await file.close();
     throw error;
   }
+}
+
+/** The size and times of a regular file. Rejects like `openFile`. */
+export async function statFile(path: string): Promise<Stats> {
+  const stats = await lstat(path);
+  refuseOthers(path, stats);
+  return stats;
 }
 
 /** Reads a regular file. Rejects like `openFile`, and with `TooLargeError` before reading. */

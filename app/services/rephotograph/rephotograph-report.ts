@@ -3,6 +3,7 @@ import type { FileSink } from '../../../export/bundle/bundle-page.ts';
 import type { ImageQuality } from '../../../export/captures/evaluate/image-quality.ts';
 import { REPHOTOGRAPH_METHODS, type RephotographMethod } from '../../../export/captures/evaluate/rephotograph.ts';
 import { CAPTURE_FILE, type CaptureDocument, CaptureError, readCapture } from '../../../nodes/kit/capture.ts';
+import { captureFilesProblem } from '../check-capture.ts';
 import { errorCode, refusal } from '../file-errors.ts';
 import type { FolderMark } from '../page-folder.ts';
 import { readBytes, readText } from '../read-file.ts';
@@ -39,6 +40,8 @@ export async function readRephotographed(folder: string): Promise<CaptureDocumen
   try {
     const document = readCapture(await readText(join(folder, CAPTURE_FILE), MAX_CAPTURE_BYTES));
     if (document.views.length < 2) throw new CaptureError('it has one photograph only, and none is left to draw it from');
+    const problem = await captureFilesProblem(document, '', async (file) => join(folder, file));
+    if (problem !== null) throw new CaptureError(problem.message.replace(/\.$/, ''));
     return document;
   } catch (error) {
     if (error instanceof CaptureError) throw refusal('SCR032', `${folder} cannot be rephotographed: ${error.message}.`);
