@@ -33,7 +33,11 @@ test.each<readonly [string, (file: string) => unknown, string]>([
   ['views/003.jpg', (file) => rm(file), 'error SCR030 assets/glossy-ball.capture/views/003.jpg is missing from the project folder.'],
   ['views/003.jpg', (file) => truncate(file, 0), 'error SCR032 assets/glossy-ball.capture/views/003.jpg is empty.'],
   ['mesh.bin', (file) => rm(file), 'error SCR030 assets/glossy-ball.capture/mesh.bin is missing from the project folder.'],
-  ['mesh.bin', (file) => truncate(file, 500), 'error SCR032 assets/glossy-ball.capture/mesh.bin has 500 bytes instead of 126456.'],
+  [
+    'mesh.bin',
+    (file) => truncate(file, 500),
+    'error SCR032 assets/glossy-ball.capture/mesh.bin has 500 bytes, but capture.json says 126456.',
+  ],
   [
     'capture.json',
     (file) => writeFile(file, '{}'),

@@ -47,7 +47,8 @@ export async function captureFilesProblem(
       try {
         const { size } = await statFile(await resolve(file));
         const fix = 'Import the capture again.';
-        if (bytes !== null && size !== bytes) return { code: 'SCR032', message: `${path} has ${size} bytes instead of ${bytes}.`, fix };
+        if (bytes !== null && size !== bytes)
+          return { code: 'SCR032', message: `${path} has ${size} bytes, but capture.json says ${bytes}.`, fix };
         return size === 0 ? { code: 'SCR032', message: `${path} is empty.`, fix } : null;
       } catch (error) {
         return fileProblem(error, path);
