@@ -307,16 +307,19 @@ test('leaves nothing behind when it is interrupted', async () => {
   expect(await readdir(join(project(), 'assets')).catch(() => [])).toEqual([]);
 });
 
-test('leaves nothing behind when the disk is full', async () => {
+test.each([
+  ['ENOSPC', /No space is left .* Nothing was changed\.$/],
+  ['EFBIG', /cannot be written: refused\. Nothing was changed\.$/],
+])('leaves nothing behind when a disk refuses what is written by %s', async (code, reason) => {
   let written = 0;
   const full: FileLayer = {
     ...NODE_FILES,
     writeNew: async (path, bytes) => {
-      if (++written === 3) throw Object.assign(new Error('no space left on device'), { code: 'ENOSPC' });
+      if (++written === 3) throw Object.assign(new Error('refused'), { code });
       await NODE_FILES.writeNew(path, bytes);
     },
   };
-  await expect(run(undefined, full)).rejects.toMatchObject({ diagnostic: { message: expect.stringMatching(/full|space/i) } });
+  await expect(run(undefined, full)).rejects.toMatchObject({ diagnostic: { message: expect.stringMatching(reason) } });
   expect(written).toBe(3);
   expect(await readdir(join(project(), 'assets')).catch(() => [])).toEqual([]);
 });

@@ -29,7 +29,7 @@ export function writeRefusal(error: unknown, path: string): HostError {
   if (code === 'ENAMETOOLONG') {
     return refusal('SCR060', 'A name in this path is too long. Nothing was changed.', 'Choose a name of at most 200 characters.');
   }
-  return refusal('SCR060', `${path} cannot be written: ${messageOf(error)} Nothing was changed.`);
+  return refusal('SCR060', `${path} cannot be written: ${messageOf(error).replace(/\.?$/, '.')} Nothing was changed.`);
 }
 
 export function refusal(code: string, message: string, fix?: string): HostError {

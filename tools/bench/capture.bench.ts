@@ -1,9 +1,12 @@
 import { tmpdir } from 'node:os';
 import type { Page } from 'playwright-core';
+import type { CaptureMesh } from '../../nodes/kit/capture.ts';
 import type { ToolContext } from '../lib/tool.ts';
-import type { Bench } from './bench.ts';
+import { type Bench, timeMs } from './bench.ts';
 import { call, openPage, startBenchBrowser } from './open-page.ts';
+import { bumpyBall, bumpyPinhole, bumpyPoses } from './pages/bumpy-capture.ts';
 import type { Weights } from './pages/capture.page.ts';
+import { paperViews, paperWeights } from './paper-weights.ts';
 
 const VERTICES = 200_000;
 const VIEWS = 50;
@@ -38,6 +41,7 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
     };
   };
   return [
+    ...[VERTICES / 4, VERTICES].map(paperLoop),
     measured(`draw a capture, ${of}, weights per pixel`, 'ms', () => frame('pixel')),
     measured(`draw a capture, ${of}, weights per vertex that are there`, 'ms', () => frame('kept')),
     measured(`compute weights, ${of}`, 'ms', () => frame('all')),
@@ -48,4 +52,30 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
       async () => (await frame('window')) / (await frame('all')),
     ),
   ];
+}
+
+/** The weights of all vertices by the loop of the paper, on one thread. */
+function paperLoop(vertexCount: number): Bench {
+  let scene: { readonly mesh: CaptureMesh; readonly normals: Int8Array; readonly views: ReturnType<typeof paperViews> } | undefined;
+  return {
+    name: `compute weights by the paper's loop, ${vertexCount / 1000},000 vertices, ${VIEWS} photographs`,
+    unit: 'ms',
+    samples: SAMPLES,
+    sample: () => {
+      if (!scene) {
+        const mesh = bumpyBall(vertexCount);
+        scene = { mesh, normals: outward(mesh), views: paperViews(mesh, bumpyPinhole, bumpyPoses(VIEWS)) };
+      }
+      const { mesh, normals, views } = scene;
+      return timeMs(() => paperWeights(mesh, normals, views, [2.4, 0.4, 0]));
+    },
+  };
+}
+
+/** The directions of the vertices from the middle of a ball, which are nearly its normals: four signed bytes each. */
+function outward({ positions }: CaptureMesh): Int8Array {
+  return Int8Array.from({ length: (4 * positions.length) / 3 }, (_, i) => {
+    const place = positions.subarray(3 * (i >> 2), 3 * (i >> 2) + 3);
+    return Math.round((127 * (place[i & 3] ?? 0)) / Math.hypot(...place));
+  });
 }

@@ -17,6 +17,7 @@ const MAX_FILE_BYTES = 2 ** 30;
 const LONGER = 10;
 /** Points that are drawn in a photograph. */
 const MOST_POINTS = 1500;
+const LEGEND = `<p>Blue: where a point of the reconstruction was seen. Red: towards where the camera projects it, ${LONGER} times as long as the error.</p>\n`;
 const STYLE = `
 svg { display: block; width: 100%; overflow: hidden; }
 .places figure { width: 26rem; }
@@ -62,8 +63,7 @@ export async function writeImportReport(
 ${camerasPictures(document, mesh, names)}
 </section>
 <h2>Photographs</h2>
-<p>Blue: where a point of the reconstruction was seen. Red: towards where the camera projects it, ${LONGER} times as long as the error.</p>
-<section>
+${imported.pointCount > 0 ? LEGEND : ''}<section>
 ${figures.join('\n')}
 </section>`;
   await write('index.html', new TextEncoder().encode(page(`${imported.path.split('/').at(-2) ?? ''}, imported`, body, STYLE)));
@@ -73,7 +73,7 @@ ${figures.join('\n')}
 
 function summaryOf({ form, views, pointCount, triangleCount, sizeM, up, diagnostics }: ImportedCapture): string {
   const size = sizeM.map((m) => m.toFixed(2)).join(' × ');
-  const facts = `From ${form}: ${views.length} photographs, ${pointCount} points, a mesh of ${triangleCount} triangles and ${size} m. Up is the ${up} axis of the reconstruction.`;
+  const facts = `From ${form}: ${views.length === 1 ? '1 photograph' : `${views.length} photographs`}, ${pointCount} points, a mesh of ${triangleCount} triangles and ${size} m. Up is the ${up} axis of the reconstruction.`;
   return [facts, ...diagnostics.map(({ message }) => message)].join(' ');
 }
 

@@ -1,6 +1,6 @@
 import { type CaptureTextures, createCaptureTextures } from '../../../export/runtime/assets/capture/capture-textures.ts';
 import { createGlObjects } from '../../../export/runtime/gl/gl-objects.ts';
-import type { CaptureDocument, CaptureMesh } from '../../../nodes/kit/capture.ts';
+import type { CaptureDocument, CaptureMesh, Pinhole } from '../../../nodes/kit/capture.ts';
 import { meshCounts } from '../../../nodes/kit/capture.ts';
 import { PHOTO_WHOLE } from '../../../nodes/kit/capture-asset.ts';
 
@@ -9,27 +9,30 @@ const AWAY_M = 3;
 const PHOTO_PX = 64;
 const FOCAL_PX = 80;
 
+/** The lens of each camera. */
+export const bumpyPinhole: Pinhole = {
+  widthPx: PHOTO_PX,
+  heightPx: PHOTO_PX,
+  fxPx: FOCAL_PX,
+  fyPx: FOCAL_PX,
+  cxPx: PHOTO_PX / 2,
+  cyPx: PHOTO_PX / 2,
+};
+
+/** Poses of cameras around the ball, on a Fibonacci lattice. */
+export function bumpyPoses(count: number): readonly (readonly number[])[] {
+  return Array.from({ length: count }, (_, view) => {
+    const y = 1 - (2 * view + 1) / count;
+    const turn = Math.PI * (3 - Math.sqrt(5)) * view;
+    const away = Math.sqrt(1 - y * y);
+    return [...poseTowardsMiddle([AWAY_M * away * Math.cos(turn), AWAY_M * y, AWAY_M * away * Math.sin(turn)])];
+  });
+}
+
 /** A ball with bumps of about `vertexCount` vertices and a radius of about 1 m, photographed from all sides in a pattern per camera. */
 export async function bumpyCapture(gl: WebGL2RenderingContext, vertexCount: number, viewCount: number): Promise<CaptureTextures> {
   const mesh = bumpyBall(vertexCount);
-  const views = Array.from({ length: viewCount }, (_, view) => {
-    // A Fibonacci lattice.
-    const y = 1 - (2 * view + 1) / viewCount;
-    const turn = Math.PI * (3 - Math.sqrt(5)) * view;
-    const away = Math.sqrt(1 - y * y);
-    return {
-      ...{
-        file: `${view}.png`,
-        widthPx: PHOTO_PX,
-        heightPx: PHOTO_PX,
-        fxPx: FOCAL_PX,
-        fyPx: FOCAL_PX,
-        cxPx: PHOTO_PX / 2,
-        cyPx: PHOTO_PX / 2,
-      },
-      worldFromCamera: [...poseTowardsMiddle([AWAY_M * away * Math.cos(turn), AWAY_M * y, AWAY_M * away * Math.sin(turn)])],
-    };
-  });
+  const views = bumpyPoses(viewCount).map((worldFromCamera, view) => ({ file: `${view}.png`, ...bumpyPinhole, worldFromCamera }));
   const document: CaptureDocument = { format: 'scrim-capture', version: 1, mesh: { file: 'mesh.bin', ...meshCounts(mesh) }, views };
   const textures = createCaptureTextures(createGlObjects(gl), document, { photoPx: [PHOTO_PX, PHOTO_PX], depthPx: [PHOTO_PX, PHOTO_PX] });
   textures.setMesh(mesh);
