@@ -1,6 +1,7 @@
 import { expect, test } from '@jest/globals';
 import { encode } from 'fast-png';
 import { saveGraphs, useEditor } from '../support/open-editor.ts';
+import { eventually } from '../support/patience.ts';
 
 /** A wall of 4 × 4 m in front of the eye, as a capture of one photograph. */
 function wallFiles(): Readonly<Record<string, Uint8Array>> {
@@ -38,7 +39,18 @@ test('two clicks in the preview and a known distance give a capture its true siz
   const section = inspector.getByRole('region', { name: 'True size' });
   const box = await page.locator('iframe[title="Preview"]').boundingBox();
   if (!box) throw new Error('There is no preview.');
-  const click = (x: number, y: number) => page.mouse.click(box.x + box.width * x, box.y + box.height * y);
+  /** Clicks where the magnifier is, which follows the pointer once moves reach the overlay over the preview. */
+  const click = async (x: number, y: number) => {
+    const loupe = page.locator('.loupe');
+    const at = { x: box.x + box.width * x, y: box.y + box.height * y };
+    await eventually(async () => {
+      await page.mouse.move(at.x - 5, at.y);
+      await page.mouse.move(at.x, at.y);
+      const left = await loupe.evaluate(({ style }) => Number.parseFloat(style.left), undefined, { timeout: 2000 });
+      expect(Math.abs(left - 100 * x)).toBeLessThan(0.5);
+    });
+    await page.mouse.click(at.x, at.y);
+  };
 
   /** The distance between two places of the preview, in meters. */
   const measure = async () => {
