@@ -34,6 +34,13 @@ describe('a recipe', () => {
     expect(output?.recipe).toEqual({ keywords: [] });
   });
 
+  test('says of itself that it shows nothing, and where it is used', () => {
+    const [problem, ...others] = validateProject(RECIPE, LIBRARY).filter(({ code }) => code === 'SCR017');
+    expect(others).toEqual([]);
+    expect(problem?.message).toContain('A recipe shows nothing by itself');
+    expect(problem?.fix).toContain('from the palette');
+  });
+
   test('has the key, a title and nodes', () => {
     const { recipe: _, ...ordinary } = RECIPE;
     expect(problemsOf(ordinary)).toEqual(['SCR002: The project is no recipe: the key “recipe” is missing.']);

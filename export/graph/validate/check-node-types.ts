@@ -36,6 +36,9 @@ export function checkScreens(check: GraphCheck): void {
   const [first, ...more] = screens;
   if (check.name !== MAIN_GRAPH) {
     for (const nodeId of screens) reportError(check, 'SCR017', { nodeId }, `${nodeId} is an output, which only the main graph can have.`);
+  } else if (first === undefined && check.project.recipe) {
+    const fix = 'Add it to another project from the palette. To see it here, add the node Output and connect a layer to it.';
+    reportError(check, 'SCR017', {}, 'A recipe shows nothing by itself: it has no output.', fix);
   } else if (first === undefined) {
     reportError(check, 'SCR017', {}, 'The graph shows nothing: it has no output.', 'Add the node Output and connect a layer to it.');
   } else {
