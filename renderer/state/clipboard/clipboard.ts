@@ -18,6 +18,7 @@ import { itemId } from '../editor/item-ids.ts';
 import { selectOnly } from '../editor/selection.ts';
 import { addToast } from '../editor/ui.ts';
 import { addCopy } from '../graph/add-copy.ts';
+import { placeTogether } from '../graph/free-places.ts';
 import { importShadertoy } from '../shaders/import-shadertoy.ts';
 import { addDependencies, dependenciesOf, isCopiedDependencies, mapTypes } from './copied-dependencies.ts';
 import { hasAssets, isCopiedFiles, readCopiedFiles, writeCopiedFiles } from './copied-files.ts';
@@ -86,8 +87,8 @@ function isPlace(value: unknown): boolean {
 }
 
 /**
- * Adds copies of the nodes under new ids, connects them as the originals are connected to each other, and selects them. One undo
- * step. A project has only one Output; a second one is left out with a message.
+ * Adds copies of the nodes under new ids, connects them as the originals are connected to each other, and selects them. They are moved down
+ * together until they cover no other node. One undo step. A project has only one Output; a second one is left out with a message.
  */
 export function pasteClipping(
   editor: Editor,
@@ -151,6 +152,7 @@ export function pasteClipping(
           ),
       );
     }),
+    (before) => placeTogether(project, { library, graph, hasThumbnail: editor.preferences.getState().thumbnails })(before),
   );
   if (!apply(editor, label, made)) return false;
   const there = layoutOf(editor.document.getState()).reroutes;

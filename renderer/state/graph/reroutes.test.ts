@@ -3,6 +3,7 @@ import { printWire } from '../../../export/graph/wires.ts';
 import { openTestEditor } from '../../../tests/support/test-editor.ts';
 import { clipSelection, duplicateSelection, parseClipping } from '../clipboard/clipboard.ts';
 import { undo } from '../document/apply.ts';
+import type { Place } from '../editor/canvas-state.ts';
 import { graphOf, layoutOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { itemId } from '../editor/item-ids.ts';
@@ -79,7 +80,7 @@ test('an end that is moved keeps the way there is, and takes none that is not it
 });
 
 test('copies are led through copies, as text too; wires that come in from elsewhere leave the old way at its last point', async () => {
-  const { editor, video, sepia, trunk, toSepia, toBlur } = await fan();
+  const { editor, video, sepia, blur, trunk, toSepia, toBlur } = await fan();
   selectOnly(editor.selection, [sepia]);
   duplicateSelection(editor, { wired: true });
   expect(Object.values(routesOf(editor))).toEqual([[trunk], [trunk], [trunk]]);
@@ -92,7 +93,15 @@ test('copies are led through copies, as text too; wires that come in from elsewh
   duplicateSelection(editor);
   const { [toSepia]: _, [toBlur]: __, ...copied } = routesOf(editor);
   const [copy = ''] = Object.values(copied).flat();
-  expect(layoutOf(editor.document.getState()).reroutes[copy]).toEqual({ x: 232, y: 72 });
+  // The point keeps its place between the copies, which cover none of the nodes.
+  const { nodes, reroutes } = layoutOf(editor.document.getState());
+  const [videoCopy = '', sepiaCopy = ''] = [...editor.selection.getState().nodes].sort((a, b) => (nodes[a]?.x ?? 0) - (nodes[b]?.x ?? 0));
+  const offset = (from?: Place, to?: Place) => ({ x: (to?.x ?? 0) - (from?.x ?? 0), y: (to?.y ?? 0) - (from?.y ?? 0) });
+  expect(offset(nodes[videoCopy], reroutes[copy])).toEqual(offset(nodes[video], reroutes[trunk]));
+  expect(offset(nodes[sepiaCopy], reroutes[copy])).toEqual(offset(nodes[sepia], reroutes[trunk]));
+  expect(nodes[videoCopy]?.x).toBe((nodes[video]?.x ?? 0) + 32);
+  const lowest = Math.max(...[video, sepia, blur].map((id) => nodes[id]?.y ?? 0));
+  expect(Math.min(nodes[videoCopy]?.y ?? 0, nodes[sepiaCopy]?.y ?? 0)).toBeGreaterThan(lowest + 40);
   expect(editor.selection.getState().items).toEqual(new Set([itemId('reroute', copy)]));
 });
 
