@@ -4,7 +4,7 @@ import { beforeEach, jest } from '@jest/globals';
 const LIMIT_MS = 600_000;
 jest.setTimeout(LIMIT_MS);
 
-// Many tests of a file that wait in vain would take the time of all other files.
+// Without it, a file whose tests all wait until their timeouts takes the time of the other files.
 const endMs = performance.now() + LIMIT_MS;
 beforeEach(() => {
   if (performance.now() > endMs) throw new Error('This test does not run, because those before it in the file took more than 10 minutes.');
