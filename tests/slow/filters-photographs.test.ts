@@ -153,6 +153,7 @@ async function reducedInPage(path: string, timeS: number | null = null): Promise
   const { width, height, scale, data } = await page.page.evaluate(
     async ([base64, longestPx, time]) => {
       const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+      const FRAME_S = 0.05;
       const frameAt = async (seconds: number): Promise<ImageBitmap> => {
         const video = document.createElement('video');
         const event = (name: string) =>
@@ -163,11 +164,16 @@ async function reducedInPage(path: string, timeS: number | null = null): Promise
         const loaded = event('loadeddata');
         video.src = URL.createObjectURL(new Blob([bytes], { type: 'video/mp4' }));
         await loaded;
-        const sought = event('seeked');
+        // The event `seeked` may come before the frame does.
+        const shown = new Promise<void>((resolve) => {
+          const look: VideoFrameRequestCallback = (_, { mediaTime }) => {
+            if (Math.abs(mediaTime - seconds) < FRAME_S) resolve();
+            else video.requestVideoFrameCallback(look);
+          };
+          video.requestVideoFrameCallback(look);
+        });
         video.currentTime = seconds;
-        await sought;
-        // A frame that was sought may not be decoded yet.
-        if (video.readyState < HTMLMediaElement.HAVE_CURRENT_DATA) await event('canplay');
+        await shown;
         return createImageBitmap(video);
       };
       const whole = await (time === null ? createImageBitmap(new Blob([bytes])) : frameAt(time));
