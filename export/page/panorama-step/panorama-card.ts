@@ -35,10 +35,12 @@ export function createPanoramaCard({ document, storage, widthPx, onUse, onForget
     element(document, 'a', { attributes: { href: url, download: 'panorama.png' } }).click();
     URL.revokeObjectURL(url);
   };
+  let chosen = 0;
   input.addEventListener('change', () => {
     const [file] = input.files ?? [];
     input.value = '';
     if (!file) return;
+    chosen++;
     status.textContent = 'Reading the picture…';
     readPicture(document, file, widthPx)
       .then(async (panorama) => {
@@ -47,7 +49,12 @@ export function createPanoramaCard({ document, storage, widthPx, onUse, onForget
       })
       .catch((error: unknown) => show(null, error instanceof Error ? error.message : String(error)));
   });
-  const refresh = async (): Promise<void> => show(await storage.load());
+  const refresh = async (): Promise<void> => {
+    const before = chosen;
+    const panorama = await storage.load();
+    // What is said of a picture that was chosen meanwhile stays.
+    if (chosen === before) show(panorama);
+  };
   const card = element(
     document,
     'details',
