@@ -54,8 +54,9 @@ test('a capture is rephotographed: the dialog has the means, the report the imag
   const [tab] = await Promise.all([page.waitForEvent('popup'), result.getByRole('button', { name: 'Open report' }).click()]);
   await tab.getByRole('heading', { name: 'ball, rephotographed' }).waitFor();
   const images = tab.getByRole('img');
-  expect(await images.count()).toBe(BALL_VIEWS * 7);
-  expect(await images.nth(1).evaluate((image: HTMLImageElement) => [image.naturalWidth, image.naturalHeight])).toEqual([320, 240]);
+  await eventually(async () => expect(await images.count()).toBe(BALL_VIEWS * 7));
+  const sizeOf = (image: HTMLImageElement) => [image.naturalWidth, image.naturalHeight];
+  await eventually(async () => expect(await images.nth(1).evaluate(sizeOf)).toEqual([320, 240]));
   if (process.env.SHOT) await tab.screenshot({ path: `${process.env.SHOT}-report.png` });
   await tab.close();
 });
