@@ -79,7 +79,10 @@ test('the result shows the page: its picture, sizes, devices and a code that a p
   expect(
     await result()
       .getByRole('img', { name: 'Poster of Test' })
-      .evaluate((image: HTMLImageElement) => image.naturalWidth),
+      .evaluate(async (image: HTMLImageElement) => {
+        await image.decode();
+        return image.naturalWidth;
+      }),
   ).toBe(1200);
   const sizes = result().getByRole('region', { name: 'Size' });
   expect(await sizes.getByRole('listitem').first().textContent()).toMatch(/^(Scripts|Poster)\d+ kB$/);
