@@ -3,6 +3,7 @@ import { type RefObject, useEffect, useRef } from 'react';
 import { useStore } from 'zustand';
 import { useEditor } from '../state/editor/editor-context.ts';
 import type { Reveal } from '../state/editor/ui.ts';
+import { overlaps } from '../state/graph/free-places.ts';
 import { isStill, uiScale } from '../ui/appearance.ts';
 
 const DURATION_MS = 260;
@@ -24,7 +25,7 @@ export function useReveal(): RefObject<(() => void) | null> {
   const revealing = useRef<(() => void) | null>(null);
   useEffect(() => {
     if (reveal === null) return;
-    const isFound = () => getNodes().some((node) => isSeen(getNodesBounds([node]), seenPart(store.getState())));
+    const isFound = () => getNodes().some((node) => overlaps(getNodesBounds([node]), seenPart(store.getState())));
     if (reveal.how === 'find' && (getNodes().length === 0 || isFound())) return;
     const duration = isStill() ? 0 : DURATION_MS;
     const move = (): void => {
@@ -65,10 +66,6 @@ export function useReveal(): RefObject<(() => void) | null> {
 /** The part of the graph that the canvas shows, in canvas units. */
 function seenPart({ transform: [x, y, zoom], width, height }: Pick<ReactFlowState, 'transform' | 'width' | 'height'>): Rect {
   return { x: -x / zoom, y: -y / zoom, width: width / zoom, height: height / zoom };
-}
-
-function isSeen(a: Rect, b: Rect): boolean {
-  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
 function nodesOf({ nodes }: Reveal): { nodes?: { id: string }[] } {

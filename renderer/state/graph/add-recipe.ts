@@ -7,10 +7,8 @@ import { getOwn } from '../../../export/graph/record.ts';
 import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
 import type { Place } from '../editor/canvas-state.ts';
 import { addCopy } from './add-copy.ts';
-import type { Recipe } from './recipes.ts';
-
-const COLUMN_PX = 240;
-const ROW_PX = 120;
+import { type Recipe, ROW_PX } from './recipes.ts';
+import { COLUMN_PX } from './show-layer.ts';
 
 export interface AddedRecipe {
   /** The main node of the recipe. */

@@ -109,6 +109,7 @@ function below(box: Box, others: readonly Box[]): Box {
   }
 }
 
-function overlaps(a: Box, b: Box): boolean {
+/** Whether two boxes have a part in common. */
+export function overlaps(a: Box, b: Box): boolean {
   return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }

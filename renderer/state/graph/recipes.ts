@@ -12,6 +12,7 @@ import { formatDiagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { Editor } from '../editor/editor.ts';
 import type { OwnRecipe } from '../editor/recipe-state.ts';
 import { factsOf, type RecipeFacts } from './recipe-facts.ts';
+import { COLUMN_PX } from './show-layer.ts';
 
 /** Several connected nodes that are added as one entry of the palette. After that they are ordinary nodes. */
 export interface Recipe extends RecipeFacts {
@@ -27,8 +28,8 @@ export interface Recipe extends RecipeFacts {
 }
 
 const CATEGORY = 'combination/';
-const COLUMN_PX = 240;
-const ROW_PX = 120;
+/** Distance between the rows of a recipe, in canvas units. */
+export const ROW_PX = 120;
 
 /**
  * All recipes whose node types exist in the library: those of Scrim, one per technique that applies it to objects, and those of the person.
