@@ -130,14 +130,16 @@ describe('another site in the same browser', () => {
   test('cannot show the editor, or its preview, in a frame of its own', async () => {
     await page.goto(evil.origin);
     for (const url of [server.invite(), `${server.previewOrigin}/`, `${evil.origin}/`]) {
-      await page.evaluate(
+      const loaded = await page.evaluateHandle(
         (address) =>
-          new Promise((done) => {
-            document.body.replaceChildren(Object.assign(document.createElement('iframe'), { src: address, onload: done }));
+          new Promise<HTMLIFrameElement>((done) => {
+            const iframe = Object.assign(document.createElement('iframe'), { src: address, onload: () => done(iframe) });
+            document.body.replaceChildren(iframe);
           }),
         url,
       );
-      const frame = page.frames().find((candidate) => candidate !== page.mainFrame());
+      // The frame of this very element: the page still lists the removed one until its process reports its end.
+      const frame = await loaded.contentFrame();
       const shown = await frame?.evaluate(() => window.location.protocol);
       // Its own page can be framed, so that the test can tell.
       expect([url, shown]).toEqual([url, url.startsWith(evil.origin) ? 'http:' : 'chrome-error:']);
