@@ -197,15 +197,20 @@ vec3 stroke(vec2 usual, float pull, bool crossed, float widthPx, float lengthPx)
   return vec3(heights / (total * sqrt(variance)), line / lines);
 }
 
-// How much ink is at a stroke's height, so that the mean over all heights is `dark`. `soft` is the range of heights over which a stroke
-// fades. Heights are normally distributed; a logistic curve makes all of them equally frequent.
-float inkAt(float height, float dark, float soft) {
-  float rank = 1.0 / (1.0 + exp(-1.702 * height));
+// How much ink is at a place of this rank, so that the mean over all ranks from 0 to 1 is `dark`: the highest ranks get ink first. `soft`
+// is the range of ranks over which the ink fades.
+float inkAtRank(float rank, float dark, float soft) {
   float least = min(dark, 1.0 - dark);
   // Near white and black the range is cut off, and the mean is a square.
   float from = least < 0.5 * soft ? 2.0 * sqrt(0.5 * least * soft) - 0.5 * soft : least;
   float above = dark < 0.5 ? 1.0 - from : from;
   return clamp((rank - above) / soft + 0.5, 0.0, 1.0);
+}
+
+// How much ink is at a stroke's height, so that the mean over all heights is `dark`. `soft` is the range of heights over which a stroke
+// fades. Heights are normally distributed; a logistic curve makes all of them equally frequent.
+float inkAt(float height, float dark, float soft) {
+  return inkAtRank(1.0 / (1.0 + exp(-1.702 * height)), dark, soft);
 }
 
 // Ink of a line from 0 to 1 by the soft threshold of XDoG; dark sides of edges have a negative difference.

@@ -20,6 +20,9 @@ const DRAWINGS = [
   ['watercolor', 0.85],
   ['oil-painting', 0.95],
   ['comic-drawing', 0.9],
+  ['stipple', 0.9],
+  ['engraving', 0.9],
+  ['pointillism', 0.9],
 ] as const;
 /** The blur that averages strokes: standard deviation in pixels. */
 const AVERAGED_PX = 7;

@@ -34,6 +34,9 @@ const LIMITS = [
   ['charcoal-drawing', 23],
   ['pencil-drawing', 21.5],
   ['oil-painting', 13.2],
+  ['stipple', 57],
+  ['engraving', 56.5],
+  ['pointillism', 3.6],
   ['watercolor', 1.8],
 ] as const;
 

@@ -6,9 +6,18 @@ import { machineLoad } from './machine-load.ts';
 
 /** Filters that draw or paint an image in strokes, dots or lines, besides those named `…-drawing`. */
 const DRAWINGS: ReadonlySet<string> = new Set(
-  ['watercolor', 'oil-painting', 'difference-of-gaussians', 'halftone', 'anisotropic-kuwahara', 'kuwahara', 'sobel-edges'].map(
-    (name) => `filter/${name}`,
-  ),
+  [
+    'watercolor',
+    'oil-painting',
+    'stipple',
+    'engraving',
+    'pointillism',
+    'difference-of-gaussians',
+    'halftone',
+    'anisotropic-kuwahara',
+    'kuwahara',
+    'sobel-edges',
+  ].map((name) => `filter/${name}`),
 );
 
 /** Measures the drawing filters alone in plain copies, as `filters.bench.ts` does for all filters in many times as long. */
