@@ -1,4 +1,5 @@
 import { z } from 'zod';
+import type { CaptureView } from '../../nodes/kit/capture.ts';
 import { diagnostic, handle, isWithinLimit, pictureSize, programPath, projectPath, side } from './call-parts.ts';
 
 /** The camera of all photographs of an acquisition: `AcquiredCamera`. */
@@ -6,6 +7,40 @@ const acquiredCamera = z.discriminatedUnion('projection', [
   z.object({ projection: z.literal('perspective'), widthPx: side, heightPx: side, fovYRad: z.number().positive().max(Math.PI) }),
   z.object({ projection: z.literal('equirectangular'), widthPx: side, heightPx: side }),
 ]);
+
+/** What an import understood: `ImportRecord`. */
+const importRecord = z.object({
+  format: z.literal('scrim-import-record'),
+  version: z.literal(1),
+  form: z.string(),
+  up: z.enum(['+x', '-x', '+y', '-y', '+z', '-z']),
+  metersPerUnit: z.number(),
+  pointCount: z.number(),
+  depth: z
+    .object({
+      unit: z.union([z.literal('m'), z.literal('mm'), z.literal('reconstruction'), z.number()]),
+      kind: z.enum(['z', 'ray']),
+      count: z.number(),
+    })
+    .nullable(),
+  depthTriangles: z.number(),
+  withoutPhotograph: z.array(z.string()).readonly(),
+  withoutCamera: z.array(z.string()).readonly(),
+  warnings: z.array(z.string()).readonly(),
+  views: z
+    .array(
+      z.object({
+        photo: z.string(),
+        model: z.string(),
+        widthPx: z.number(),
+        heightPx: z.number(),
+        errorPx: z.number().nullable(),
+        points: z.number(),
+        places: z.array(z.number()).readonly(),
+      }),
+    )
+    .readonly(),
+});
 
 /** Calls that make captures: of photographs that the editor takes of a scene, and of those in a folder. */
 export const PHOTOGRAPH_CALLS = {
@@ -47,6 +82,22 @@ export const PHOTOGRAPH_CALLS = {
   },
   /** Cancels an acquisition and deletes its photographs. */
   'capture.cancel': { input: z.object({ handle }), output: z.object({}) },
+  /**
+   * What is known of a capture: what its import understood, its cameras and points of its mesh. `path`: its `capture.json`. SCR032 if a file is
+   * damaged.
+   */
+  'capture.report': {
+    input: z.object({ handle, path: projectPath }),
+    output: z.object({
+      record: importRecord.nullable(),
+      /** Cameras and photographs; without files of depth. */
+      views: z.array(z.custom<CaptureView>()).readonly(),
+      vertexCount: z.number(),
+      triangleCount: z.number(),
+      sizeM: z.array(z.number()).readonly(),
+      surface: z.array(z.number()).readonly(),
+    }),
+  },
   /**
    * Looks into a folder of photographs. Without cameras, it needs COLMAP: `colmap` has its version and path, or `diagnostic` says why there is
    * none. `colmap` of the input is the path that the user typed; null: that of the setting, or in PATH. SCR004 if there is no such folder.

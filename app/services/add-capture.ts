@@ -4,7 +4,9 @@ import type { DepthAnswers, DepthScale } from '../../export/captures/depth/depth
 import { createDepthFusion } from '../../export/captures/depth/fuse-depth-meshes.ts';
 import type { Lens } from '../../export/captures/lens.ts';
 import { unitWarning } from '../../export/captures/plausible.ts';
-import { reprojectionErrorPx } from '../../export/captures/source-view.ts';
+import { sizeOfMesh } from '../../export/captures/report/capture-report.ts';
+import { IMPORT_FILE, type ImportRecord, MOST_PLACES, type RecordedView } from '../../export/captures/report/import-record.ts';
+import { reprojectedPlaces, reprojectionErrorPx } from '../../export/captures/source-view.ts';
 import { type Axis, upAxis, uprightMesh, uprightPose } from '../../export/captures/upright.ts';
 import { putAsset } from '../../export/graph/commands/asset-commands.ts';
 import { makeAssetId } from '../../export/graph/document-names.ts';
@@ -58,8 +60,8 @@ export interface CaptureJob {
   };
   /** Makes the mesh of the folder smaller; absent: it stays as it is. */
   readonly simplify?: (mesh: CaptureMesh) => Promise<CaptureMesh>;
-  /** Receives the photographs that will be packed, and their cameras in the space of the reconstruction. */
-  readonly onFound?: (views: readonly FoundView[]) => unknown;
+  /** Warnings from before, which are recorded with those of the import. */
+  readonly warnings?: readonly Diagnostic[];
   readonly files: FileLayer;
   /** Receives progress texts. */
   readonly say: (text: string) => void;
@@ -133,10 +135,10 @@ export async function packCapture(job: CaptureJob): Promise<PackedCapture> {
 async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> {
   const { folder, root, files, say, interrupted } = job;
   say('Reading cameras and mesh…');
-  const { source, views, mesh: wholeMesh, diagnostics: warnings } = await readCaptureFolder(resolve(folder));
+  const found = await readCaptureFolder(resolve(folder));
+  const { source, views, mesh: wholeMesh } = found;
   const ownMesh = wholeMesh && job.simplify ? await job.simplify(wholeMesh) : wholeMesh;
-  job.onFound?.(views);
-  const diagnostics = [...warnings];
+  const diagnostics = [...(job.warnings ?? []), ...found.diagnostics];
   const depths = await findUsedDepths(job, views);
   const missing = views.filter((_, i) => depths[i] == null);
   const hasDepth = depths.some((path) => path !== null);
@@ -147,7 +149,9 @@ async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> 
   const { metersPerUnit, floorM } = measureCapture(job.known, views, ownMesh, up, job.metersPerUnit);
   const scale = hasDepth ? await readDepthScale(views, depths, ownMesh, job.depth, metersPerUnit) : null;
   if (ownMesh) uprightMesh(ownMesh, up, metersPerUnit, floorM);
+  const depth = scale && { unit: scale.unit, kind: scale.kind, count: views.length - missing.length };
   let mesh = ownMesh;
+  let sizeM: readonly number[] = [];
   const cache = createAssetCache(root, files);
   let fileBytes = 0;
   let depthTriangles = 0;
@@ -157,9 +161,10 @@ async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> 
       await sink.write(file, bytes);
     };
     const packed: CaptureView[] = [];
+    const recorded: RecordedView[] = [];
     const fusion = createDepthFusion();
-    for (const [i, found] of views.entries()) {
-      const { file, lens, view } = found;
+    for (const [i, each] of views.entries()) {
+      const { file, lens, view } = each;
       interrupted.throwIfAborted();
       say(`Packing photographs (${i + 1} of ${views.length})…`);
       const { bytes, extension, pinhole } = await packPhoto(
@@ -173,7 +178,7 @@ async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> 
       await write(name, bytes);
       const worldFromCamera = uprightPose(view.worldFromCamera, up, metersPerUnit, floorM);
       const depthFile = depths[i] ?? null;
-      const map = depthFile === null || scale === null ? null : await readDepthM(depthFile, found, pinhole, scale, metersPerUnit);
+      const map = depthFile === null || scale === null ? null : await readDepthM(depthFile, each, pinhole, scale, metersPerUnit);
       if (map && source.form === PANORAMA_FORM) worldFromCamera[13] = heightAboveFloorM(map) ?? 0;
       // What one photograph does not show, the mesh of the place does, in the colors of others.
       const photo = ownMesh ? null : () => decodePhoto(bytes, view.name);
@@ -182,10 +187,14 @@ async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> 
       depthTriangles += more.members.depthMesh?.triangleCount ?? 0;
       if (!ownMesh && more.fused) fusion.add(more.fused);
       packed.push({ file: name, ...pinhole, worldFromCamera, ...more.members });
+      recorded.push({ ...reportOf(each), model: view.model, places: reprojectedPlaces(view, lens, pinhole, MOST_PLACES) });
     }
     mesh ??= fusion.mesh();
     if (mesh.indices.length === 0) throw new CaptureError('its depth files have too few neighboring depths for a surface');
-    if (!sizeOf(mesh).every(Number.isFinite)) throw new CaptureError(`its mesh is too large with ${metersPerUnit} meters per unit`);
+    sizeM = sizeOfMesh(mesh);
+    if (!sizeM.every(Number.isFinite)) throw new CaptureError(`its mesh is too large with ${metersPerUnit} meters per unit`);
+    const unit = unitWarning(sizeM);
+    if (unit !== null) diagnostics.push({ code: 'SCR069', severity: 'warning', message: unit });
     const meshBytes = captureMeshFile(mesh);
     await write(MESH_FILE, meshBytes);
     const document: CaptureDocument = {
@@ -198,12 +207,25 @@ async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> 
       mesh: { file: MESH_FILE, ...meshCounts(mesh) },
       views: packed,
     };
+    const record: ImportRecord = {
+      format: 'scrim-import-record',
+      version: 1,
+      form: source.form,
+      up,
+      metersPerUnit,
+      pointCount: source.pointCount,
+      depth,
+      depthTriangles,
+      withoutPhotograph: found.withoutPhotograph,
+      withoutCamera: found.withoutCamera,
+      warnings: diagnostics.map(({ message }) => message),
+      views: recorded,
+    };
+    await write(IMPORT_FILE, new TextEncoder().encode(`${JSON.stringify(record)}\n`));
     await write(CAPTURE_FILE, new TextEncoder().encode(`${JSON.stringify(document, null, 1)}\n`));
     return true;
   });
   if (!mesh) throw new Error('The capture has no mesh.');
-  const sizeM = sizeOf(mesh);
-  const unit = unitWarning(sizeM);
   return {
     path: `${path}/${CAPTURE_FILE}`,
     form: source.form,
@@ -213,11 +235,11 @@ async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> 
     pointCount: source.pointCount,
     vertexCount: mesh.positions.length / 3,
     triangleCount: mesh.indices.length / 3,
-    depth: scale && { unit: scale.unit, kind: scale.kind, count: views.length - missing.length },
+    depth,
     depthTriangles,
     sizeM,
     fileBytes,
-    diagnostics: unit === null ? diagnostics : [...diagnostics, { code: 'SCR069', severity: 'warning', message: unit }],
+    diagnostics,
   };
 }
 
@@ -251,17 +273,6 @@ function reportOf({ view, lens }: FoundView): ImportedView {
     errorPx: reprojectionErrorPx(view, lens),
     points: view.observations.length / 5,
   };
-}
-
-function sizeOf({ positions }: CaptureMesh): readonly number[] {
-  const least = [Infinity, Infinity, Infinity];
-  const most = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < positions.length; i++) {
-    const x = positions[i] ?? 0;
-    least[i % 3] = Math.min(least[i % 3] ?? x, x);
-    most[i % 3] = Math.max(most[i % 3] ?? x, x);
-  }
-  return most.map((x, i) => x - (least[i] ?? 0));
 }
 
 /** Adds the capture to the asset table of the project. Returns its id. */

@@ -16,6 +16,7 @@ import { type FileLayer, NODE_FILES } from './file-layer.ts';
 import { findExamples, withThumbnail } from './find-examples.ts';
 import { createFrameJobs } from './frame-jobs.ts';
 import { importAsset } from './import-asset.ts';
+import { reportOfAsset } from './import-report/read-capture-report.ts';
 import type { Installation } from './installation.ts';
 import { listFolders } from './list-folders.ts';
 import { createOpenProjects } from './open-projects.ts';
@@ -244,6 +245,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       await acquisitions.cancel(handle);
       return {};
     },
+    'capture.report': ({ handle, path }) => reportOfAsset(projects.rootOf(handle), path),
     'photographs.look': async ({ handle, folder, colmap }) => {
       projects.rootOf(handle);
       return photographs.look({ colmap }, fullPath(folder, 'SCR004'));

@@ -144,6 +144,7 @@ async function pack(
     metersPerUnit,
     known: UNKNOWN_SIZE,
     depth: { from: null, unit: null, kind: null },
+    warnings: made?.diagnostics ?? [],
   });
   const { views } = readCapture(await readText(await resolveInside(root, packed.path), MAX_DOCUMENT_BYTES));
   // Photographs that were dropped are not kept twice.
@@ -155,6 +156,6 @@ async function pack(
     found: packed.views.length,
     isRough: made !== null && !made.isDense && made.mesh !== null,
     start: firstEye(views),
-    diagnostics: [...(made?.diagnostics ?? []), ...packed.diagnostics],
+    diagnostics: [...packed.diagnostics],
   };
 }

@@ -29,6 +29,10 @@ export interface FoundCapture {
   readonly views: readonly FoundView[];
   /** Null if there is none: the depth of the photographs makes one. */
   readonly mesh: CaptureMesh | null;
+  /** Photographs that cameras have, and that are not there. */
+  readonly withoutPhotograph: readonly string[];
+  /** Photographs that are there, and that no camera has. */
+  readonly withoutCamera: readonly string[];
   /** Warnings. */
   readonly diagnostics: readonly Diagnostic[];
 }
@@ -79,7 +83,7 @@ export async function readCaptureFolder(folder: string): Promise<FoundCapture> {
     const count = counted(blind.length, 'photograph shows', 'photographs show');
     warnings.push(`${count} nothing of the mesh, such as ${blind[0]?.view.name}. Mesh and cameras may have different units or axes.`);
   }
-  return { source, views, mesh, diagnostics: warnings.map(warning) };
+  return { source, views, mesh, withoutPhotograph: missing, withoutCamera: without, diagnostics: warnings.map(warning) };
 }
 
 function counted(count: number, one: string, many: string): string {
@@ -135,7 +139,7 @@ async function findPanorama(folder: string): Promise<SourceCapture | null> {
   const size = photo && imageSize(photo.bytes);
   if (!size || size.widthPx !== 2 * size.heightPx) return null;
   const lens = (widthPx: number, heightPx: number) => equirectangularLens(widthPx, heightPx, name);
-  const still = { worldFromCamera: IDENTITY, depthName: null, sizePx: null, observations: new Float64Array(0) };
+  const still = { model: 'EQUIRECTANGULAR', worldFromCamera: IDENTITY, depthName: null, sizePx: null, observations: new Float64Array(0) };
   return { form: PANORAMA_FORM, pointCount: 0, views: [{ name, lens, ...still }] };
 }
 

@@ -18,16 +18,22 @@ interface ColmapImage {
   readonly seen: readonly number[];
 }
 
+/** A camera of a model. */
+interface ColmapCamera {
+  readonly model: string;
+  readonly lens: Lens;
+}
+
 /** Reads a model of text files. @throws CaptureError */
 export function readColmapText({ cameras, images, points }: ColmapFiles): SourceCapture {
-  const lenses = new Map<number, Lens>();
+  const cameraOf = new Map<number, ColmapCamera>();
   for (const { fields, line } of fieldsOf(cameras)) {
     if (fields.length === 0) continue;
     const [id, model = '', width, height, ...params] = fields;
     const numbers = [id, width, height, ...params].map(Number);
     if (!numbers.every(Number.isFinite)) throw new CaptureError(`line ${line} of cameras.txt has a number that is not finite`);
     const [key = 0, widthPx = 0, heightPx = 0, ...rest] = numbers;
-    lenses.set(key, lensOf(model, widthPx, heightPx, rest));
+    cameraOf.set(key, { model, lens: lensOf(model, widthPx, heightPx, rest) });
   }
   const positions = new Map<number, readonly number[]>();
   for (const { fields, line } of points === null ? [] : fieldsOf(points)) {
@@ -38,7 +44,7 @@ export function readColmapText({ cameras, images, points }: ColmapFiles): Source
     }
     positions.set(id, position);
   }
-  return finish('COLMAP (text)', lenses, readImagesText(images), positions);
+  return finish('COLMAP (text)', cameraOf, readImagesText(images), positions);
 }
 
 function readImagesText(bytes: Uint8Array): ColmapImage[] {
@@ -80,14 +86,14 @@ function* fieldsOf(bytes: Uint8Array): Generator<Line, undefined> {
 
 /** Reads a model of binary files. @throws CaptureError */
 export function readColmapBinary({ cameras, images, points }: ColmapFiles): SourceCapture {
-  const lenses = new Map<number, Lens>();
+  const cameraOf = new Map<number, ColmapCamera>();
   const camera = createReader(cameras, 'cameras.bin');
   for (let left = camera.count(24); left > 0; left--) {
     const id = camera.uint32();
     const model = modelOfId(camera.uint32());
     const widthPx = camera.uint64();
     const heightPx = camera.uint64();
-    lenses.set(id, lensOf(model.name, widthPx, heightPx, camera.doubles(model.params)));
+    cameraOf.set(id, { model: model.name, lens: lensOf(model.name, widthPx, heightPx, camera.doubles(model.params)) });
   }
   const positions = new Map<number, readonly number[]>();
   if (points !== null) {
@@ -101,7 +107,7 @@ export function readColmapBinary({ cameras, images, points }: ColmapFiles): Sour
       point.skip(8 * point.count(8));
     }
   }
-  return finish('COLMAP (binary)', lenses, readImagesBinary(images), positions);
+  return finish('COLMAP (binary)', cameraOf, readImagesBinary(images), positions);
 }
 
 function readImagesBinary(bytes: Uint8Array): ColmapImage[] {
@@ -160,20 +166,22 @@ function createReader(bytes: Uint8Array, file: string) {
 
 function finish(
   form: string,
-  lenses: ReadonlyMap<number, Lens>,
+  cameraOf: ReadonlyMap<number, ColmapCamera>,
   images: readonly ColmapImage[],
   positions: ReadonlyMap<number, readonly number[]>,
 ): SourceCapture {
   const views = images.map(({ name, camera, pose, seen }): SourceView => {
-    const lens = lenses.get(camera);
-    if (!lens) throw new CaptureError(`${name} has the camera ${camera}, which the reconstruction does not describe`);
+    const found = cameraOf.get(camera);
+    if (!found) throw new CaptureError(`${name} has the camera ${camera}, which the reconstruction does not describe`);
     const observations: number[] = [];
     for (let i = 0; i + 2 < seen.length; i += 3) {
       const position = positions.get(seen[i + 2] ?? -1);
       if (position) observations.push(seen[i] ?? 0, seen[i + 1] ?? 0, ...position);
     }
+    const { model, lens } = found;
     return {
       name,
+      model,
       lens: () => lens,
       sizePx: [lens.widthPx, lens.heightPx],
       depthName: null,

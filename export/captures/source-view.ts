@@ -6,6 +6,8 @@ import { project, unproject } from './lens.ts';
 export interface SourceView {
   /** Path of the photograph relative to the folder of photographs. */
   readonly name: string;
+  /** The camera model by its name, such as `SIMPLE_RADIAL`. */
+  readonly model: string;
   /** Null: the file does not say the size, which the photograph has. */
   readonly lens: (widthPx: number, heightPx: number) => Lens;
   /** Size of the photograph for which the lens is known; null if the file does not say it. */
@@ -94,17 +96,21 @@ function eachPointAhead(
  *
  * @param lens The lens of the photograph in which the points were seen.
  * @param pinhole The camera of the photograph without distortion.
- * @returns Column and row of both, in pixels of `pinhole`, for each point.
+ * @param most The number of points above which some are left out, evenly.
+ * @returns Column and row of both, in pixels of `pinhole` with two decimals, for each point.
  */
-export function reprojectedPlaces(view: SourceView, lens: Lens, pinhole: Pinhole): readonly number[] {
+export function reprojectedPlaces(view: SourceView, lens: Lens, pinhole: Pinhole, most: number): readonly number[] {
   if (lens.projection === 'equirectangular') return [];
   const places: number[] = [];
   const seen = new Float64Array(2);
+  const step = Math.max(1, Math.ceil(view.observations.length / 5 / most));
+  let index = 0;
   eachPointAhead(view, (column, row, x, y) => {
+    if (index++ % step !== 0) return;
     unproject(lens, column, row, seen);
     const [seenX = Number.NaN, seenY = Number.NaN] = seen;
     const pair = [seenX, seenY, x, y].map((at, i) => (i % 2 === 0 ? at * pinhole.fxPx + pinhole.cxPx : at * pinhole.fyPx + pinhole.cyPx));
-    if (pair.every(Number.isFinite)) places.push(...pair);
+    if (pair.every(Number.isFinite)) places.push(...pair.map((at) => Math.round(100 * at) / 100));
   });
   return places;
 }

@@ -39,10 +39,11 @@ function readFrame(all: Fields, frame: Fields, index: number): SourceView {
     return typeof value === 'number' ? value : null;
   };
   const [width, height] = [field('w'), field('h')];
-  const model = frame.camera_model ?? all.camera_model ?? 'OPENCV';
+  const model = String(frame.camera_model ?? all.camera_model ?? 'OPENCV');
   return {
     name: name.replace(/^\.\//, ''),
-    lens: (widthPx, heightPx) => lensOfFields(field, String(model), name, widthPx, heightPx),
+    model,
+    lens: (widthPx, heightPx) => lensOfFields(field, model, name, widthPx, heightPx),
     sizePx: width === null || height === null ? null : [width, height],
     worldFromCamera,
     depthName: typeof frame.depth_file_path === 'string' ? frame.depth_file_path.replace(/^\.\//, '') : null,

@@ -2,6 +2,7 @@ import { type DragEvent, useEffect, useMemo, useRef } from 'react';
 import { useStore } from 'zustand';
 import { ASSET_WORDS } from '../../nodes/kit/asset-words.ts';
 import type { AssetKind } from '../../nodes/kit/definition.ts';
+import { showCaptureReport } from '../state/acquisition/capture-report.ts';
 import { canvasCenter } from '../state/commands/command-actions.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { acceptedNames } from '../state/files/add-files.ts';
@@ -170,6 +171,9 @@ function Actions({ row, id }: { readonly row: AssetRow; readonly id: string }) {
         small
         onPress={() => void addAssetToGraph(editor, id, canvasCenter(editor))}
       />
+      {kind === 'capture' && bytes !== null && (
+        <IconButton icon="info" label={`Show what Scrim understood of ${name}`} small onPress={() => showCaptureReport(editor, path)} />
+      )}
       {kind === 'capture' && (
         <IconButton
           icon="weight"

@@ -3,6 +3,7 @@ import { useEditor } from '../state/editor/editor-context.ts';
 import type { DialogRequest } from '../state/editor/ui.ts';
 import { breakLockAndSave, reload, save, showProject } from '../state/files/files.ts';
 import { ChoiceDialog } from '../ui/choice-dialog.tsx';
+import { CaptureReportDialog } from './capture-report-dialog.tsx';
 import { CommandsDialog } from './commands-dialog.tsx';
 import { ExportDialog } from './export-dialog.tsx';
 import { ExportedDialog } from './exported-dialog.tsx';
@@ -43,6 +44,8 @@ export function Dialogs() {
       return <PhotographDialog onClose={close} />;
     case 'photographs':
       return <PhotographsDialog folder={dialog.folder} onClose={close} />;
+    case 'capture-report':
+      return <CaptureReportDialog path={dialog.path} note={dialog.note} onClose={close} />;
     case 'simplify':
       return <SimplifyDialog id={dialog.id} onClose={close} />;
     case 'rephotograph':

@@ -71,7 +71,10 @@ describeWithProgram('photographs in the editor', () => {
       expect((await readdir(folder)).sort()).toEqual(['.scrim-reconstruction', 'images']);
 
       await go.click();
-      await page.getByText('Added Kitchen.capture.').waitFor();
+      const report = page.getByRole('dialog', { name: 'Kitchen.capture: what was understood' });
+      await report.getByText(`Added Kitchen.capture. ${COUNT} photographs.`).waitFor();
+      await report.getByText(`${COUNT} × SIMPLE_RADIAL`).waitFor();
+      await report.getByRole('button', { name: 'Close' }).click();
       const log = await readFile(join(folder, '.scrim-reconstruction/colmap.log'), 'utf8');
       expect(log.match(/"feature_extractor" "--database_path"/g)).toHaveLength(1);
       const { views } = readCapture(await readFile(join(project, 'assets/Kitchen.capture/capture.json'), 'utf8'));

@@ -102,6 +102,7 @@ export function createFakeHost(
     'capture.add': () => ({}),
     'capture.finish': () => ({ path: 'assets/scene.capture/capture.json', diagnostics: [] }),
     'capture.cancel': () => ({}),
+    'capture.report': () => ({ record: null, views: [], vertexCount: 0, triangleCount: 0, sizeM: [0, 0, 0], surface: [] }),
     'photographs.look': () => ({ photographs: 12, hasCameras: false, colmap: '3.8 (/usr/bin/colmap)', diagnostic: null }),
     'photographs.import': () => ({
       path: 'assets/kitchen.capture/capture.json',

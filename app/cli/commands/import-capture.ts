@@ -8,7 +8,6 @@ import { IMPORT_MARK, writeImportReport } from '../../services/import-report/imp
 import { simplifyMesh } from '../../services/outside/simplify-mesh.ts';
 import { writePageFolder } from '../../services/page-folder.ts';
 import { findProject } from '../../services/project-files.ts';
-import type { FoundView } from '../../services/read-capture-folder.ts';
 import { readKnownSize } from '../capture/known-size.ts';
 import { type Call, type Command, UsageError } from '../command.ts';
 import { simplifyOptions } from './simplify.ts';
@@ -101,7 +100,6 @@ export const importCaptureCommand: Command = {
     if (project === null) throw new UsageError('The project is missing: add --project PROJECT.');
     const simplify = simplifyOptions(call, { say, interrupted });
     const root = await findProject(project);
-    const found: FoundView[] = [];
     const job: CaptureJob = {
       folder: call.project,
       root,
@@ -112,26 +110,25 @@ export const importCaptureCommand: Command = {
       up: axis(call),
       depth: { from: depthSource(call), unit: depthUnit(call), kind: depthKind(call) },
       ...(simplify && { simplify: async (mesh) => (await simplifyMesh(mesh, simplify)).mesh }),
-      onFound: (views) => found.push(...views),
       files: NODE_FILES,
       say,
       interrupted,
     };
     const out = call.text('report');
-    const imported = out === null ? await importCapture(job) : await importWithReport(job, out, found);
+    const imported = out === null ? await importCapture(job) : await importWithReport(job, out);
     const text = out === null ? textOf(imported) : `${textOf(imported)}\nWrote ${join(out, 'index.html')}`;
     return { status: 0, json: { ok: true, ...imported }, text, diagnostics: imported.diagnostics };
   },
 };
 
 /** A folder of other files is refused before the import. */
-async function importWithReport(job: CaptureJob, out: string, found: readonly FoundView[]): Promise<ImportedCapture> {
+async function importWithReport(job: CaptureJob, out: string): Promise<ImportedCapture> {
   const imported = await writePageFolder(
     out,
     job.files,
     async (sink) => {
       const made = await importCapture(job);
-      await writeImportReport(sink, dirname(join(job.root, made.path)), made, found);
+      await writeImportReport(sink, dirname(join(job.root, made.path)), made);
       return made;
     },
     IMPORT_MARK,

@@ -1,11 +1,11 @@
-import { mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
+import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
-import { encode } from 'jpeg-js';
 import { sampleSurface } from '../../../export/captures/points/sample-surface.ts';
 import { projectText, writeProject } from '../../../tests/support/project-kit.ts';
 import { scrim } from '../../../tests/support/scrim.ts';
+import { SCAN_SIZE, writeTwoCameraScan } from '../../../tests/support/two-camera-scan.ts';
 
 let base = '';
 beforeAll(async () => {
@@ -13,18 +13,9 @@ beforeAll(async () => {
 });
 afterAll(() => rm(base, { recursive: true, force: true }));
 
-const [WIDTH, HEIGHT] = [64, 48];
-
-/** Two cameras, 1 m apart and turned to z, and a wall 2 m away. The second photograph has a point that its camera projects elsewhere. */
-async function writeScan(camera: string): Promise<string> {
+async function writeScan(camera?: string): Promise<string> {
   const scan = join(base, 'scan');
-  await mkdir(join(scan, 'images'), { recursive: true });
-  const photo = encode({ width: WIDTH, height: HEIGHT, data: new Uint8Array(WIDTH * HEIGHT * 4).fill(90) }, 90).data;
-  for (const name of ['a&b.jpg', 'c.jpg']) await writeFile(join(scan, 'images', name), photo);
-  await writeFile(join(scan, 'cameras.txt'), `1 ${camera}\n`);
-  await writeFile(join(scan, 'images.txt'), '1 1 0 0 0 0 0 0 1 a&b.jpg\n32 24 1\n2 1 0 0 0 -1 0 0 1 c.jpg\n17 24 1\n');
-  await writeFile(join(scan, 'points3D.txt'), '1 0 0 2 0 0 0 0 1 0 2 0\n');
-  await writeFile(join(scan, 'mesh.obj'), 'v -2 -1 2\nv 3 -1 2\nv 3 1 2\nv -2 1 2\nf 1 2 3 4\n');
+  await writeTwoCameraScan(scan, camera);
   return scan;
 }
 
@@ -32,17 +23,30 @@ test('shows the cameras over the mesh, and in each photograph where points were 
   const project = join(base, 'project');
   await writeProject(project, { 'project.scrim.json': projectText({ nodes: { 'screen-a1': 'output/screen' }, wires: [] }) });
   const out = join(base, 'report');
-  const args = ['import', 'capture', await writeScan('PINHOLE 64 48 32 32 32 24'), '--project', project, '--report', out];
+  const args = ['import', 'capture', await writeScan(), '--project', project, '--report', out];
   const { status, out: said } = await scrim(...args);
   expect([status, said]).toEqual([0, expect.stringContaining(`Wrote ${join(out, 'index.html')}`)]);
   const html = await readFile(join(out, 'index.html'), 'utf8');
 
   // The second camera is 1 m to the right, and the point 2 m away: it is projected 16 px to the left of the middle, 1 px beside 17.
-  expect(html.match(/class="seen" d="[^"]*"/g)).toEqual(['class="seen" d="M32.0 24.0h0"', 'class="seen" d="M17.0 24.0h0"']);
-  expect(html.match(/class="off" d="[^"]*"/g)).toEqual(['class="off" d="M32.0 24.0l0.0 0.0"', 'class="off" d="M17.0 24.0l-10.0 0.0"']);
-  expect(html).toContain('a&#38;b.jpg: 0.00 px over 1 points');
-  expect(html).toContain('c.jpg: 1.00 px over 1 points');
-  expect((await readdir(join(out, 'views'))).map((name) => `views/${name}`)).toEqual(
+  // The worst photograph is the first.
+  expect(html.match(/class="seen" d="[^"]*"/g)).toEqual(['class="seen" d="M17.0 24.0h0"', 'class="seen" d="M32.0 24.0h0"']);
+  expect(html.match(/class="off" d="[^"]*"/g)).toEqual(['class="off" d="M17.0 24.0l-10.0 0.0"', 'class="off" d="M32.0 24.0l0.0 0.0"']);
+  expect([...html.matchAll(/<tr><td>([^<]+)<\/td><td>([^<]+)/g)].map(([, label, text]) => `${label}: ${text}`)).toEqual([
+    'Files: COLMAP (text)',
+    'Photographs: 2, 64 × 48 px',
+    'Cameras: 2 × PINHOLE',
+    'Points: 1, mean reprojection error 0.50 px',
+    'Mesh: 4 vertices, 2 triangles',
+    expect.stringMatching(/^Depth: depth meshes of \d+ triangles, from the mesh$/),
+    'Size: 5.00 × 2.00 × 0.00 m',
+    'Scale: 1 unit of the reconstruction is 1 m',
+    'Up: -y axis of the reconstruction',
+    'Left out: nothing',
+  ]);
+  expect(html).toContain('a&#38;b.jpg: 0.00 px over 1 point');
+  expect(html).toContain('c.jpg: 1.00 px over 1 point');
+  expect((await readdir(join(out, 'views'))).map((name) => `views/${name}`).reverse()).toEqual(
     [...html.matchAll(/<img src="([^"]+)"/g)].map(([, source]) => source),
   );
 
@@ -63,7 +67,7 @@ test('shows the cameras over the mesh, and in each photograph where points were 
   // The mesh is 5 m wide, and 1,000 units.
   expect([otherEye[0] - eye[0], otherEye[1] - eye[1]]).toEqual([expect.closeTo(200, -1), 0]);
   const [upright = []] = cameras(front);
-  expect((upright[2]?.[1] ?? 0) - (upright[0]?.[1] ?? 0)).toBeCloseTo((55 * HEIGHT) / 32, 0);
+  expect((upright[2]?.[1] ?? 0) - (upright[0]?.[1] ?? 0)).toBeCloseTo((55 * SCAN_SIZE.heightPx) / 32, 0);
   expect([...above.matchAll(/<title>([^<]+)/g)].map(([, name]) => name)).toEqual(['a&#38;b.jpg', 'c.jpg']);
 
   // A second import replaces the report; other files are not replaced, and then nothing is imported.
@@ -92,7 +96,7 @@ test('places of points in photographs whose distortion was removed are those of 
   const { views } = JSON.parse(await readFile(join(project, 'assets/scan.capture/capture.json'), 'utf8')) as {
     views: { fxPx: number; cxPx: number }[];
   };
-  const [, second] = html.matchAll(/class="seen" d="M(\S+) /g);
+  const [second] = html.matchAll(/class="seen" d="M(\S+) /g);
   const column = Number(second?.[1]);
   // Where the lens shows 17, the direction x over its depth solves 32 x (1 − 0.05 x²) = −15.
   const x = (column - (views[1]?.cxPx ?? 0)) / (views[1]?.fxPx ?? 1);

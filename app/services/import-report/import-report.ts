@@ -1,23 +1,23 @@
 import { extname, join } from 'node:path';
 import type { FileSink } from '../../../export/bundle/bundle-page.ts';
-import { reprojectedPlaces } from '../../../export/captures/source-view.ts';
-import { CAPTURE_FILE, type CaptureView, readCapture, readCaptureMesh } from '../../../nodes/kit/capture.ts';
-import type { ImportedCapture, ImportedView } from '../add-capture.ts';
+import { camerasPicture, SIDES } from '../../../export/captures/report/cameras-picture.ts';
+import {
+  type CaptureReport,
+  errorWords,
+  type ReportedPhoto,
+  reportFacts,
+  worstFirst,
+} from '../../../export/captures/report/capture-report.ts';
+import { MARKS_LEGEND, photoMarks } from '../../../export/captures/report/photo-marks.ts';
+import type { ImportedCapture } from '../add-capture.ts';
 import type { FolderMark } from '../page-folder.ts';
-import type { FoundView } from '../read-capture-folder.ts';
-import { readBytes, readText } from '../read-file.ts';
-import { fixed, page, text } from '../report-html.ts';
-import { camerasPictures } from './cameras-picture.ts';
+import { readBytes } from '../read-file.ts';
+import { page, text } from '../report-html.ts';
+import { readCaptureReport } from './read-capture-report.ts';
 
 export const IMPORT_MARK: FolderMark = { file: 'report.json', format: 'scrim-import', words: 'an earlier report' };
 
-const MAX_CAPTURE_BYTES = 16 * 2 ** 20;
-const MAX_FILE_BYTES = 2 ** 30;
-/** Errors are drawn so many times as long as they are. */
-const LONGER = 10;
-/** Points that are drawn in a photograph. */
-const MOST_POINTS = 1500;
-const LEGEND = `<p>Blue: where a point of the reconstruction was seen. Red: towards where the camera projects it, ${LONGER} times as long as the error.</p>\n`;
+const MAX_PHOTO_BYTES = 2 ** 30;
 const STYLE = `
 svg { display: block; width: 100%; overflow: hidden; }
 .places figure { width: 26rem; }
@@ -30,65 +30,53 @@ svg { display: block; width: 100%; overflow: hidden; }
 .seen, .off { vector-effect: non-scaling-stroke; }`;
 
 /**
- * Writes a page about an import: its cameras over the mesh, and where its points were seen in each photograph and where its cameras project
- * them. `report.json` has the figures.
+ * Writes a page about an import: what it understood, its cameras over the mesh, and where its points were seen in each photograph and where
+ * its cameras project them. `report.json` has the figures.
  *
  * @param folder Path of the folder of the capture.
- * @param sources The photographs and their cameras, in the order of the capture.
  */
-export async function writeImportReport(
-  sink: FileSink,
-  folder: string,
-  imported: ImportedCapture,
-  sources: readonly FoundView[],
-): Promise<void> {
-  const document = readCapture(await readText(join(folder, CAPTURE_FILE), MAX_CAPTURE_BYTES));
-  const mesh = readCaptureMesh(document.mesh, (await readBytes(join(folder, document.mesh.file), MAX_FILE_BYTES)).buffer);
+export async function writeImportReport(sink: FileSink, folder: string, imported: ImportedCapture): Promise<void> {
+  const report = await readCaptureReport(folder);
   const files: { readonly path: string }[] = [];
   const write = async (path: string, bytes: Uint8Array): Promise<void> => {
     await sink.write(path, bytes);
     files.push({ path });
   };
   const figures: string[] = [];
-  for (const [i, view] of document.views.entries()) {
-    const path = `views/${String(i).padStart(3, '0')}${extname(view.file)}`;
-    await write(path, await readBytes(join(folder, view.file), MAX_FILE_BYTES));
-    const [source, about] = [sources[i], imported.views[i]];
-    if (source && about) figures.push(photoFigure(path, view, source, about));
+  for (const photo of worstFirst(report)) {
+    const { file } = photo.view;
+    const path = `views/${String(photo.index).padStart(3, '0')}${extname(file)}`;
+    await write(path, await readBytes(join(folder, file), MAX_PHOTO_BYTES));
+    figures.push(photoFigure(path, photo));
   }
-  const names = imported.views.map(({ photo }) => photo);
-  const body = `<p>${text(summaryOf(imported))}</p>
+  const facts = reportFacts(report).map(({ label, text: words }) => `<tr><td>${label}</td><td>${text(words)}</td></tr>`);
+  const warnings = (report.record?.warnings ?? []).map((warning) => `<p>${text(warning)}</p>`);
+  const body = `<table>${facts.join('\n')}</table>
+${warnings.join('\n')}
 <h2>Cameras over the mesh</h2>
 <section class="places">
-${camerasPictures(document, mesh, names)}
+${camerasFigures(report)}
 </section>
 <h2>Photographs</h2>
-${imported.pointCount > 0 ? LEGEND : ''}<section>
+${imported.pointCount > 0 ? `<p>${MARKS_LEGEND}</p>\n` : ''}<section>
 ${figures.join('\n')}
 </section>`;
   await write('index.html', new TextEncoder().encode(page(`${imported.path.split('/').at(-2) ?? ''}, imported`, body, STYLE)));
-  const report = { format: IMPORT_MARK.format, version: 1, ...imported, files };
-  await sink.write(IMPORT_MARK.file, new TextEncoder().encode(`${JSON.stringify(report, null, 1)}\n`));
+  const json = { format: IMPORT_MARK.format, version: 1, ...imported, files };
+  await sink.write(IMPORT_MARK.file, new TextEncoder().encode(`${JSON.stringify(json, null, 1)}\n`));
 }
 
-function summaryOf({ form, views, pointCount, triangleCount, sizeM, up, diagnostics }: ImportedCapture): string {
-  const size = sizeM.map((m) => m.toFixed(2)).join(' × ');
-  const facts = `From ${form}: ${views.length === 1 ? '1 photograph' : `${views.length} photographs`}, ${pointCount} points, a mesh of ${triangleCount} triangles and ${size} m. Up is the ${up} axis of the reconstruction.`;
-  return [facts, ...diagnostics.map(({ message }) => message)].join(' ');
+function camerasFigures({ surface, views, record }: CaptureReport): string {
+  const figures = SIDES.map((side) => {
+    const { viewBox, mesh, cameras } = camerasPicture(side, surface, views);
+    const drawn = cameras.map((d, i) => `<path class="camera" d="${d}"><title>${text(record?.views[i]?.photo ?? '')}</title></path>`);
+    return `<figure><svg viewBox="${viewBox}" role="img" aria-label="${side.caption}"><path class="mesh" d="${mesh}"/>${drawn.join('')}</svg><figcaption>${side.caption}</figcaption></figure>`;
+  });
+  return figures.join('\n');
 }
 
-function photoFigure(path: string, view: CaptureView, { view: source, lens }: FoundView, { photo, errorPx, points }: ImportedView): string {
-  const { widthPx, heightPx } = view;
-  const places = reprojectedPlaces(source, lens, view);
-  const step = Math.max(1, Math.ceil(places.length / 4 / MOST_POINTS));
-  let [seen, off] = ['', ''];
-  for (let i = 0; i < places.length; i += 4 * step) {
-    const [x = 0, y = 0, toX = 0, toY = 0] = places.slice(i, i + 4);
-    const from = `M${x.toFixed(1)} ${y.toFixed(1)}`;
-    seen += `${from}h0`;
-    off += `${from}l${(LONGER * (toX - x)).toFixed(1)} ${(LONGER * (toY - y)).toFixed(1)}`;
-  }
-  const caption = `${photo}: ${errorPx === null ? 'no points' : `${fixed(errorPx, 2)} px over ${points} points`}`;
+function photoFigure(path: string, { view: { widthPx, heightPx }, about, name }: ReportedPhoto): string {
+  const { seen, off } = photoMarks(about?.places ?? []);
   const overlay = `<svg viewBox="0 0 ${widthPx} ${heightPx}" aria-hidden="true"><path class="seen" d="${seen}"/><path class="off" d="${off}"/></svg>`;
-  return `<figure><div class="photo"><img src="${path}" alt="${text(photo)}" loading="lazy">${overlay}</div><figcaption>${text(caption)}</figcaption></figure>`;
+  return `<figure><div class="photo"><img src="${path}" alt="${text(name)}" loading="lazy">${overlay}</div><figcaption>${text(`${name}: ${errorWords(about)}`)}</figcaption></figure>`;
 }

@@ -1,5 +1,6 @@
 import { rm } from 'node:fs/promises';
 import { join } from 'node:path';
+import { IMPORT_FILE } from '../../../export/captures/report/import-record.ts';
 import {
   CAPTURE_FILE,
   type CaptureDocument,
@@ -69,6 +70,12 @@ export async function copySimplified(folder: string, out: string, files: FileLay
       });
       await sink.write(file, bytes);
     }
+    const record = join(folder, IMPORT_FILE);
+    const recorded = await readBytes(record, MAX_VIEW_BYTES).catch((error: unknown) => {
+      if (errorCode(error) === 'ENOENT') return null;
+      throw readRefusal(error, record);
+    });
+    if (recorded !== null) await sink.write(IMPORT_FILE, recorded);
     await sink.write(document.mesh.file, mesh);
     await sink.write(CAPTURE_FILE, documentBytes(document));
     return true;

@@ -7,6 +7,7 @@ import { selectOnly } from '../editor/selection.ts';
 import { addToast, toastDiagnostic } from '../editor/ui.ts';
 import { nameOf, refreshAssetFiles } from '../files/edit-assets.ts';
 import { placeAsset } from '../graph/place-asset.ts';
+import { showCaptureReport } from './capture-report.ts';
 import { asked, runOutside } from './outside-run.ts';
 
 export interface PhotographsRequest {
@@ -55,12 +56,15 @@ async function show(
     if (node !== null) selectOnly(editor.selection, [node]);
   });
   await refreshAssetFiles(editor);
-  for (const warning of diagnostics as readonly Diagnostic[]) toastDiagnostic(editor.ui, warning);
   const count =
     found === photographs ? `${found} photographs.` : `${found} of ${photographs} photographs: COLMAP found no cameras for the others.`;
-  addToast(editor.ui, {
-    tone: 'success',
-    text: `Added ${nameOf(path)}.`,
-    detail: `${count}${isRough ? ' Its mesh is rough, because COLMAP needs CUDA for depth.' : ''} Set its true size in the inspector.`,
-  });
+  const text = `Added ${nameOf(path)}.`;
+  const detail = `${count}${isRough ? ' Its mesh is rough, because COLMAP needs CUDA for depth.' : ''} Set its true size in the inspector.`;
+  if (editor.ui.getState().dialog === null) {
+    // It shows the warnings, too.
+    showCaptureReport(editor, path, `${text} ${detail}`);
+    return;
+  }
+  for (const warning of diagnostics as readonly Diagnostic[]) toastDiagnostic(editor.ui, warning);
+  addToast(editor.ui, { tone: 'success', text, detail });
 }

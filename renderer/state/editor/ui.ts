@@ -79,6 +79,8 @@ export type DialogRequest =
   | { readonly kind: 'photograph' }
   /** Imports a folder of photographs. `folder` is its path; empty if it is not known yet. */
   | { readonly kind: 'photographs'; readonly folder: string }
+  /** What the import of a capture understood. `path`: its `capture.json`; `note`: what has just happened. */
+  | { readonly kind: 'capture-report'; readonly path: string; readonly note?: string }
   /** Makes a model or capture smaller. `id`: the chosen asset. */
   | { readonly kind: 'simplify'; readonly id?: string }
   /** How a capture is rephotographed. `path`: the chosen capture. */

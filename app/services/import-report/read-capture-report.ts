@@ -1,0 +1,45 @@
+import { dirname, join } from 'node:path';
+import { type CaptureReport, reportOfCapture } from '../../../export/captures/report/capture-report.ts';
+import { IMPORT_FILE, readImportRecord } from '../../../export/captures/report/import-record.ts';
+import { CAPTURE_FILE, CaptureError, readCapture, readCaptureMesh } from '../../../nodes/kit/capture.ts';
+import type { HostOutput } from '../../contract/contract.ts';
+import { resolveInside } from '../confine.ts';
+import { errorCode, readRefusal, refusal } from '../file-errors.ts';
+import { readBytes, readText } from '../read-file.ts';
+
+const MAX_DOCUMENT_BYTES = 2 ** 24;
+const MAX_MESH_BYTES = 2 ** 28;
+
+/**
+ * Reads what is known of a capture: what its import understood, its cameras and its mesh.
+ *
+ * @param folder Real path of `assets/NAME.capture`.
+ * @throws CaptureError if a file is damaged; SCR031; system errors if a file cannot be read.
+ */
+export async function readCaptureReport(folder: string): Promise<CaptureReport> {
+  const { mesh, views } = readCapture(await readText(join(folder, CAPTURE_FILE), MAX_DOCUMENT_BYTES));
+  const { buffer } = await readBytes(await resolveInside(folder, mesh.file), MAX_MESH_BYTES);
+  const record = await readText(join(folder, IMPORT_FILE), MAX_DOCUMENT_BYTES).catch((error: unknown) => {
+    if (errorCode(error) === 'ENOENT') return null;
+    throw error;
+  });
+  return reportOfCapture(views, readCaptureMesh(mesh, buffer), record === null ? null : readImportRecord(record, views.length));
+}
+
+/**
+ * Reads what is known of a capture of a project.
+ *
+ * @param root Real path of the project.
+ * @param path Path of its `capture.json` in the project.
+ * @throws SCR004, SCR031, SCR032
+ */
+export async function reportOfAsset(root: string, path: string): Promise<HostOutput<'capture.report'>> {
+  const file = await resolveInside(root, path);
+  try {
+    return await readCaptureReport(dirname(file));
+  } catch (error) {
+    if (error instanceof CaptureError)
+      throw refusal('SCR032', `${path} cannot be reported: ${error.message}.`, 'Import the capture again.');
+    throw errorCode(error) === undefined ? error : readRefusal(error, path);
+  }
+}

@@ -1,0 +1,119 @@
+import { mkdtemp, open as openFile, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterAll, afterEach, beforeAll, expect, test } from '@jest/globals';
+import { axeFindings } from '../support/axe.ts';
+import { withBall } from '../support/ball-project.ts';
+import { useBrowser } from '../support/browser.ts';
+import { type EditorPageOptions, type GraphText, type OpenEditor, openEditor } from '../support/open-editor.ts';
+import { eventually } from '../support/patience.ts';
+import { writeTwoCameraScan } from '../support/two-camera-scan.ts';
+
+const GRAPH: GraphText = {
+  nodes: { 'video-aaaa': { type: 'source/camera-video' }, 'screen-aaaa': { type: 'output/screen' } },
+  wires: ['video-aaaa.layer -> screen-aaaa.layer'],
+  places: { 'video-aaaa': [0, 0], 'screen-aaaa': [300, 0] },
+};
+
+const chromium = useBrowser();
+let window: OpenEditor | null = null;
+const open = async (graph: GraphText, options?: EditorPageOptions): Promise<OpenEditor> => {
+  window = await openEditor(chromium.browser, graph, options);
+  return window;
+};
+afterEach(async () => {
+  // The browser itself says so of a call that is refused.
+  const errors = window?.errors.filter((error) => !error.includes('422'));
+  await window?.close();
+  expect(errors).toEqual([]);
+});
+
+let base = '';
+beforeAll(async () => {
+  base = await mkdtemp(join(tmpdir(), 'scrim-capture-report-'));
+  await writeTwoCameraScan(join(base, 'wall'));
+});
+afterAll(() => rm(base, { recursive: true, force: true }));
+
+test('an import says what it understood, and so does the asset later', async () => {
+  const { page, editor, project } = await open(GRAPH, { size: { width: 1024, height: 700 } });
+  await editor.settled();
+  await page.keyboard.press('Control+Alt+i');
+  const form = page.getByRole('dialog', { name: 'Import photographs' });
+  await form.getByRole('textbox', { name: 'Folder', exact: true }).fill(join(base, 'wall'));
+  await form.getByText('2 photographs, with cameras.').waitFor();
+  await form.getByRole('button', { name: 'Import', exact: true }).click();
+
+  const dialog = page.getByRole('dialog', { name: 'wall.capture: what was understood' });
+  await dialog.getByText('Added wall.capture. 2 photographs. Set its true size in the inspector.').waitFor();
+  await dialog.getByText('It has 2 photographs only, so most sides are seen once or never.').waitFor();
+  const facts = await dialog.locator('.capture-facts > div').allInnerTexts();
+  expect(facts.map((fact) => fact.replace(/\s*\n\s*/, ': '))).toEqual(
+    expect.arrayContaining([
+      'Files: COLMAP (text)',
+      'Cameras: 2 × PINHOLE',
+      'Points: 1, mean reprojection error 0.50 px',
+      'Left out: nothing',
+    ]),
+  );
+
+  // The worst photograph is first and shown, with its point; the keys of a list show the other one.
+  const photos = dialog.getByRole('group', { name: 'Photographs, the worst first' });
+  expect(await photos.getByRole('radio').count()).toBe(2);
+  expect(await photos.locator('label').allTextContents()).toEqual(['c.jpg1.00 px', 'a&b.jpg0.00 px']);
+  const shown = dialog.getByRole('img', { name: 'c.jpg: 1.00 px over 1 point' });
+  expect(await shown.locator('.capture-off').getAttribute('d')).toBe('M17.0 24.0l-10.0 0.0');
+  await shown.locator('image').waitFor();
+  await photos.getByRole('radio', { name: 'c.jpg' }).focus();
+  await page.keyboard.press('ArrowDown');
+  await dialog.getByRole('img', { name: 'a&b.jpg: 0.00 px over 1 point' }).waitFor();
+
+  // The cameras turn by a key, and a press on one shows its photograph.
+  const cameras = dialog.getByRole('img', { name: 'Cameras over the mesh' });
+  const first = cameras.locator('[data-camera="0"]').first();
+  const before = await first.getAttribute('d');
+  await dialog.getByRole('slider', { name: 'Turn' }).focus();
+  await page.keyboard.press('ArrowRight');
+  await eventually(async () => expect(await first.getAttribute('d')).not.toBe(before));
+  await dialog.getByRole('button', { name: 'From the front' }).click();
+  const front = await first.getAttribute('d');
+  await cameras.hover({ position: { x: 20, y: 20 } });
+  await page.mouse.down();
+  await cameras.hover({ position: { x: 80, y: 20 } });
+  await page.mouse.up();
+  await eventually(async () => expect(await first.getAttribute('d')).not.toBe(front));
+  await dialog.getByRole('button', { name: 'From the front' }).click();
+  await cameras.locator('[data-camera="1"]').first().click();
+  await shown.waitFor();
+
+  for (const colorScheme of ['dark', 'light'] as const) {
+    await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
+    expect([colorScheme, await axeFindings(page)]).toEqual([colorScheme, []]);
+    if (process.env.SHOT) await page.screenshot({ path: `${process.env.SHOT}-${colorScheme}.png` });
+  }
+  await dialog.getByRole('button', { name: 'Close' }).click();
+
+  // The folder of the photographs is not needed any more. A damaged mesh is named in the dialog.
+  await rm(join(base, 'wall'), { recursive: true });
+  await page.keyboard.press('Shift+r');
+  const button = page.getByRole('button', { name: 'Show what Scrim understood of wall.capture' });
+  await button.click();
+  await dialog.getByText('COLMAP (text)').waitFor();
+  await page.keyboard.press('Escape');
+  const mesh = await openFile(join(project, 'assets/wall.capture/mesh.bin'), 'r+');
+  await mesh.write(new Uint8Array(new Float32Array([Number.NaN]).buffer), 0, 4, 12);
+  await mesh.close();
+  await button.click();
+  await dialog.getByRole('alert').getByText('a vertex of its mesh is not finite').waitFor();
+  expect(await axeFindings(page)).toEqual([]);
+});
+
+test('a capture without record shows its cameras and says why the rest is missing', async () => {
+  const { page, editor } = await open(await withBall());
+  await editor.settled();
+  await page.keyboard.press('Shift+r');
+  await page.getByRole('button', { name: 'Show what Scrim understood of ball.capture' }).click();
+  const dialog = page.getByRole('dialog', { name: 'ball.capture: what was understood' });
+  await dialog.getByText('Scrim imported this capture before').waitFor();
+  expect(await dialog.locator('.cameras-camera').count()).toBe(5);
+});
