@@ -104,8 +104,10 @@ export const LAYERS: readonly Layer[] = [
   {
     name: 'bundle',
     files: ['export/bundle/**'],
-    imports: ['kit', 'compiler', 'program', 'gltf', 'page', 'scenes', 'registry of runtime files'],
+    imports: ['kit', 'captures', 'compiler', 'program', 'gltf', 'page', 'scenes', 'registry of runtime files'],
     packages: [
+      '@jsquash/avif',
+      '@jsquash/jpeg',
       'esbuild',
       'node:*',
       'fast-png',

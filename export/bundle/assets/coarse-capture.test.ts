@@ -1,6 +1,11 @@
-import { expect, test } from '@jest/globals';
-import { decode, encode } from 'jpeg-js';
+import { resolve } from 'node:path';
+import { afterAll, expect, test } from '@jest/globals';
+import { encode } from 'jpeg-js';
+import { createPhotoWorkers } from '../photos/photo-workers.ts';
 import { coarseMesh, reducedPhoto } from './coarse-capture.ts';
+
+const workers = createPhotoWorkers(resolve('.'));
+afterAll(workers.dispose);
 
 /** A hemisphere of radius 1 m around the origin; each triangle has vertices of its own. */
 function hemisphere(rings: number, sectors: number) {
@@ -59,22 +64,29 @@ test('a photograph is reduced to 640 pixels with its shape and colors, once', as
     write: async (name: string, bytes: Uint8Array) => void kept.set(name, bytes),
   };
   const large = photo(1300, 700);
-  const reduced = await reducedPhoto(large, cache);
-  const { width, height, data } = decode(reduced ?? new Uint8Array(), { useTArray: true });
+  const reduced = await reducedPhoto(large, cache, workers);
+  const { widthPx: width, heightPx: height, data } = await workers.run({ kind: 'decode', file: reduced ?? new Uint8Array() });
   expect([width, height]).toEqual([433, 233]);
   const red = (x: number): number => data[4 * (116 * width + x)] ?? 0;
   // The mean of the noise is 31.5.
   expect(Math.abs(red(100) - 191.5)).toBeLessThan(25);
   expect(Math.abs(red(330) - 63.5)).toBeLessThan(25);
-  expect(await reducedPhoto(large, cache)).toBe(reduced);
+  expect(await reducedPhoto(large, cache, workers)).toBe(reduced);
   expect([reads, kept.size]).toEqual([2, 1]);
 });
 
+test('the reduced form of a photograph has the same bytes on each thread', async () => {
+  const large = photo(1300, 700);
+  const forms = await Promise.all([0, 1, 2].map(() => reducedPhoto(large, null, workers)));
+  expect(forms[0]?.length).toBeGreaterThan(1000);
+  expect(forms).toEqual(Array(3).fill(forms[0]));
+});
+
 test('small photographs, PNG files, and photographs that cannot be decoded have no reduced form', async () => {
-  expect(await reducedPhoto(photo(100, 100), null)).toBeNull();
+  expect(await reducedPhoto(photo(100, 100), null, workers)).toBeNull();
   const arithmetic = photo(1300, 700);
   // SOF9 in the place of SOF0: a form of JPEG that browsers may read, but not the decoder.
   arithmetic[arithmetic.indexOf(0xc0)] = 0xc9;
-  expect(await reducedPhoto(arithmetic, null)).toBeNull();
-  expect(await reducedPhoto(new Uint8Array(200_000), null)).toBeNull();
+  expect(await reducedPhoto(arithmetic, null, workers)).toBeNull();
+  expect(await reducedPhoto(new Uint8Array(200_000), null, workers)).toBeNull();
 });

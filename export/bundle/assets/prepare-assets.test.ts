@@ -154,7 +154,7 @@ describe('a capture', () => {
     expect(written.coarseMesh?.triangleCount).toBe(1);
     expect(written.phoneGpuBytes).toBe(128e6);
     expect(streamed.output.assets[0]?.report.gpuBytes.onPhones).toBeLessThan(128e6);
-    expect(written.views[0]?.reducedFile).toMatch(/-reduced-[0-9a-f]{10}\.jpg$/);
+    expect(written.views[0]?.reducedFile).toMatch(/-reduced-[0-9a-f]{10}\.avif$/);
     const alone = await prepare({ readAsset, streams: false }, [place]);
     expect(readCapture(new TextDecoder().decode(alone.output.assets[0]?.bytes))).toEqual({
       ...written,

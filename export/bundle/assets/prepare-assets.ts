@@ -28,6 +28,7 @@ import type { CompressedModel } from '../compress/compressed-model.ts';
 import { createCompressor } from '../compress/compressor.ts';
 import { hashedName } from '../hashed-name.ts';
 import { type ModelUse, modelUse } from '../model-use.ts';
+import { createPhotoWorkers } from '../photos/photo-workers.ts';
 import { chooseForms, type Form, gpuBytesOf } from './choose-forms.ts';
 import { coarseMesh, reducedPhoto } from './coarse-capture.ts';
 import { type AssetCache, remembered } from './model-cache.ts';
@@ -155,7 +156,7 @@ const MIN_STREAMED_BYTES = 500_000;
  * reduced photographs, which it draws while the others load.
  */
 async function readCaptureFiles(asset: ProgramAsset, bytes: Uint8Array, options: AssetOptions): Promise<ReadAsset> {
-  const { readAsset: read, cache, streams, say } = options;
+  const { readAsset: read, streams } = options;
   const document = readCapture(new TextDecoder().decode(bytes));
   const folder = asset.path.slice(0, asset.path.lastIndexOf('/') + 1);
   const name = captureName(asset.path);
@@ -175,15 +176,15 @@ async function readCaptureFiles(asset: ProgramAsset, bytes: Uint8Array, options:
   const photos: Uint8Array[] = [];
   for (const { file } of document.views) photos.push(await add(file));
   const isStreamed = streams && fileBytes >= MIN_STREAMED_BYTES;
+  const reducedPhotos = isStreamed ? await reduceAll(asset.path, photos, options) : [];
   const views: CaptureView[] = [];
   for (const [i, { depth: _, depthMesh, hiddenMesh, ...view }] of document.views.entries()) {
     const photo = photos[i] ?? new Uint8Array();
-    if (isStreamed) say(`Reducing the photographs of ${asset.path} (${i + 1} of ${document.views.length})…`);
-    const reduced = isStreamed ? await reducedPhoto(photo, cache) : null;
+    const reduced = reducedPhotos[i];
     views.push({
       ...view,
       file: put(view.file, photo),
-      ...(reduced ? { reducedFile: put(view.file.replace(/\.\w+$/, '-reduced.jpg'), reduced) } : {}),
+      ...(reduced ? { reducedFile: put(view.file.replace(/\.\w+$/, '-reduced.avif'), reduced) } : {}),
       ...(asset.depthMeshes && depthMesh ? { depthMesh: { ...depthMesh, file: put(depthMesh.file, await add(depthMesh.file)) } } : {}),
       ...(asset.depthMeshes && hiddenMesh ? { hiddenMesh: { ...hiddenMesh, file: put(hiddenMesh.file, await add(hiddenMesh.file)) } } : {}),
     });
@@ -196,6 +197,22 @@ async function readCaptureFiles(asset: ProgramAsset, bytes: Uint8Array, options:
   const limit = { phoneGpuBytes: PHONE_CAPTURE_GPU_BYTES };
   const renamed: CaptureDocument = { ...document, ...limit, mesh, views, ...(isStreamed ? { coarseMesh: first } : {}) };
   return { asset, bytes: new TextEncoder().encode(JSON.stringify(renamed)), fileBytes, others, capture: renamed };
+}
+
+async function reduceAll(path: string, photos: readonly Uint8Array[], { root, cache, say }: AssetOptions) {
+  const workers = createPhotoWorkers(root);
+  let reduced = 0;
+  try {
+    return await Promise.all(
+      photos.map(async (photo) => {
+        const made = await reducedPhoto(photo, cache, workers);
+        say(`Reducing the photographs of ${path} (${++reduced} of ${photos.length})…`);
+        return made;
+      }),
+    );
+  } finally {
+    await workers.dispose();
+  }
 }
 
 /** Packs the splats of a PLY file for the GPU. A SOG file is smaller than that, and stays as it is. */

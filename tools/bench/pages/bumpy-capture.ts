@@ -36,7 +36,7 @@ export async function bumpyCapture(gl: WebGL2RenderingContext, vertexCount: numb
   const document: CaptureDocument = { format: 'scrim-capture', version: 1, mesh: { file: 'mesh.bin', ...meshCounts(mesh) }, views };
   const textures = createCaptureTextures(createGlObjects(gl), document, { photoPx: [PHOTO_PX, PHOTO_PX], depthPx: [PHOTO_PX, PHOTO_PX] });
   textures.setMesh(mesh);
-  for (const view of views.keys()) await textures.setPhoto(view, await pattern(view), PHOTO_WHOLE);
+  for (const view of views.keys()) await textures.setPhoto(view, new Blob([await pattern(view)]), PHOTO_WHOLE);
   textures.finish();
   textures.bake();
   return textures;

@@ -18,7 +18,7 @@ export interface CaptureTextures {
    *
    * @param form `PHOTO_REDUCED` or `PHOTO_WHOLE`.
    */
-  setPhoto(view: number, bytes: ArrayBuffer, form: number): Promise<void>;
+  setPhoto(view: number, photo: Blob, form: number): Promise<void>;
   setDepthMeshes(meshes: CaptureDepthMeshes): void;
   /** Computes the colors of the mesh from the photographs that are there. */
   bake(): void;
@@ -99,8 +99,8 @@ export function createCaptureTextures(
       if (asset.panoramas.size > 0) drawPanoramaDepths(objects, asset, depthPx);
       gl.bindVertexArray(null);
     },
-    setPhoto: async (index, bytes, form) => {
-      const bitmap = await createImageBitmap(new Blob([bytes]), {
+    setPhoto: async (index, photo, form) => {
+      const bitmap = await createImageBitmap(photo, {
         premultiplyAlpha: 'none',
         colorSpaceConversion: 'none',
         imageOrientation: 'flipY',

@@ -68,7 +68,10 @@ export async function loadCapture(
     const view = views[index];
     if (!view) return;
     const isReduced = view.reducedFile !== undefined && capture.loaded[index] === PHOTO_MISSING;
-    await textures.setPhoto(index, await file(isReduced ? view.reducedFile : view.file), isReduced ? PHOTO_REDUCED : PHOTO_WHOLE);
+    const name = isReduced ? view.reducedFile : view.file;
+    // No standard tells browsers to recognize AVIF by its bytes.
+    const photo = new Blob([await file(name)], name.endsWith('.avif') ? { type: 'image/avif' } : {});
+    await textures.setPhoto(index, photo, isReduced ? PHOTO_REDUCED : PHOTO_WHOLE);
   };
   const bake = (): void => {
     if (!isDisposed()) textures.bake();
