@@ -163,7 +163,7 @@ export interface NumberParam extends ParamBase {
   readonly type: 'number';
   readonly stage: 'uniform' | 'structure';
   /** The part of the gizmo that changes the param. Only for uniform params. */
-  readonly handle?: Extract<Handle, 'scale' | 'azimuth' | 'elevation' | 'radius' | 'turn' | 'extent' | 'angle'>;
+  readonly handle?: Extract<Handle, 'scale' | 'azimuth' | 'elevation' | 'radius' | 'turn' | 'extent' | 'angle' | 'feather'>;
   readonly handleAxes?: HandleAxes;
   readonly default: number;
   readonly min?: number;
@@ -176,8 +176,8 @@ export interface NumberParam extends ParamBase {
 export interface VectorParam extends ParamBase {
   readonly type: 'vector2' | 'vector3' | 'vector4';
   readonly stage: 'uniform';
-  /** The part of the gizmo that changes the param: `center`, `low` and `high` of a `vector2`, the others of a `vector3`. */
-  readonly handle?: Extract<Handle, 'position' | 'rotation' | 'scale' | 'aim' | 'step' | 'center' | 'low' | 'high'>;
+  /** The part of the gizmo that changes the param: `center`, `low`, `high` and `size` of a `vector2`, the others of a `vector3`. */
+  readonly handle?: Extract<Handle, 'position' | 'rotation' | 'scale' | 'aim' | 'step' | 'center' | 'low' | 'high' | 'size'>;
   readonly handleAxes?: HandleAxes;
   readonly default: readonly number[];
   readonly min?: readonly number[];

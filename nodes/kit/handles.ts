@@ -16,14 +16,23 @@ export interface HandleAxes {
 /**
  * The part of a gizmo in an image that changes a param. `center`: a point, in UV. `extent`: the radius of a circle around it, in pixels of
  * the layer. `angle`: an angle around it, counterclockwise from the right. `low` and `high`: the bottom left and the top right corner of a
- * rectangle, in UV.
+ * rectangle, in UV. `size`: width and height of a shape around the center, rotated by the angle; `feather`: the width of its soft edge,
+ * half of it outside; both as fractions of the height of the layer.
  */
 export type ImageHandle = (typeof IMAGE_HANDLES)[number];
 
-export const IMAGE_HANDLES = ['center', 'extent', 'angle', 'low', 'high'] as const;
+export const IMAGE_HANDLES = ['center', 'extent', 'angle', 'low', 'high', 'size', 'feather'] as const;
 
 /** The handles that a param of a type can have in an image. */
-export const IMAGE_HANDLES_OF = { number: ['extent', 'angle'], vector2: ['center', 'low', 'high'] } as const;
+export const IMAGE_HANDLES_OF = { number: ['extent', 'angle', 'feather'], vector2: ['center', 'low', 'high', 'size'] } as const;
+
+/** Whether a param of this type can have this handle in an image. */
+export function isImageHandleOf<Type extends keyof typeof IMAGE_HANDLES_OF>(
+  type: Type,
+  handle: string | null,
+): handle is (typeof IMAGE_HANDLES_OF)[Type][number] {
+  return IMAGE_HANDLES_OF[type].some((known) => known === handle);
+}
 
 export function isImageHandle(handle: string): handle is ImageHandle {
   return IMAGE_HANDLES.some((known) => known === handle);

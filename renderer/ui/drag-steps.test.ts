@@ -1,5 +1,6 @@
 import { expect, test } from '@jest/globals';
-import { createSliderDrag, keyedValue, NO_DRAG_KEYS, scrubbedValue } from './drag-steps.ts';
+import { NO_DRAG_KEYS } from '../drag-keys.ts';
+import { createSliderDrag, keyedValue, scrubbedValue } from './drag-steps.ts';
 
 const FINE = { fine: true, snap: false };
 const SNAP = { fine: false, snap: true };

@@ -1,16 +1,4 @@
-/** Keys held during a drag or with an arrow key. Shift makes it ten times finer, Ctrl or Command snaps to whole tens of steps. */
-export interface DragKeys {
-  readonly fine: boolean;
-  readonly snap: boolean;
-}
-
-export const NO_DRAG_KEYS: DragKeys = { fine: false, snap: false };
-
-type KeyState = Pick<MouseEvent, 'shiftKey' | 'altKey' | 'ctrlKey' | 'metaKey'>;
-
-export function dragKeysOf({ shiftKey, altKey, ctrlKey, metaKey }: KeyState): DragKeys {
-  return { fine: shiftKey || altKey, snap: ctrlKey || metaKey };
-}
+import { type DragKeys, FINENESS } from '../drag-keys.ts';
 
 /** Drag of a slider. */
 export interface SliderDrag {
@@ -23,7 +11,6 @@ export interface SliderDrag {
   move(pointed: number, shown: number, keys: DragKeys): number;
 }
 
-const FINENESS = 10;
 const STEPS_PER_SNAP = 10;
 
 /** @param step Step of the slider, above 0. */

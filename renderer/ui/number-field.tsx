@@ -1,5 +1,6 @@
 import { type KeyboardEvent, type PointerEvent, useRef, useState } from 'react';
-import { dragKeysOf, keyedValue, scrubbedValue } from './drag-steps.ts';
+import { dragKeysOf } from '../drag-keys.ts';
+import { keyedValue, scrubbedValue } from './drag-steps.ts';
 import { useEscape } from './escape.ts';
 import './fields.css';
 

@@ -1,5 +1,6 @@
 import { type KeyboardEvent, useRef } from 'react';
-import { createSliderDrag, dragKeysOf, keyedValue, NO_DRAG_KEYS, type SliderDrag } from './drag-steps.ts';
+import { dragKeysOf, NO_DRAG_KEYS } from '../drag-keys.ts';
+import { createSliderDrag, keyedValue, type SliderDrag } from './drag-steps.ts';
 import { useEscape } from './escape.ts';
 import './fields.css';
 import type { EditHandlers } from './number-field.tsx';

@@ -93,6 +93,22 @@ describe('a fused pass draws what the passes drew', () => {
     await expectOnePass(twins(nodes, wires, { 'lit.fs': lit }));
   });
 
+  test('of a filter in a shape: the mask has no pass of its own', async () => {
+    const nodes = {
+      'shape-a': { type: 'generator/shape-mask', version: 1, params: { shape: 1, size: [0.9, 0.6], rotation: 0.4, feather: 0.2 } },
+      'grey-a': { type: 'filter/grey', version: versionOf('filter/grey') },
+      'matte-a': { type: 'operator/choose-by-mask', version: versionOf('operator/choose-by-mask') },
+    };
+    const wires = [
+      'pattern-a.layer -> grey-a.inputImage',
+      'grey-a.layer -> matte-a.inside',
+      'pattern-a.layer -> matte-a.outside',
+      'shape-a.layer -> matte-a.mask',
+      'matte-a.layer -> screen-a.layer',
+    ];
+    await expectOnePass(twins(nodes, wires));
+  });
+
   test('of a diamond, whose layers two passes read', async () => {
     const nodes = {
       'grey-a': { type: 'filter/grey', version: 1, params: { amount: 0.5 } },

@@ -21,20 +21,20 @@ export const SHADERS: Readonly<Record<string, string>> = Object.fromEntries(
 
 export type Params = Readonly<Record<string, number | readonly number[]>>;
 
-/** Draws a library shader with its defaults, except for `params`. */
+/** Draws a library shader with its defaults, except for `params`, in the size of the first picture. */
 export async function applyShader(
   page: PageModule,
   file: string,
   pictures: Readonly<Record<string, RgbaImage>>,
   params: Params = {},
+  size: Pick<RgbaImage, 'width' | 'height'> | undefined = Object.values(pictures)[0],
 ): Promise<RgbaImage> {
   const shader = made(readIsf(SHADERS[file] ?? '', file));
   const defaults = Object.fromEntries(shader.inputs.map((input) => [input.name, input.default]));
-  const [first] = Object.values(pictures);
-  if (first === undefined) throw new Error('A filter needs a picture.');
+  if (size === undefined) throw new Error('A filter needs a picture.');
   return drawPicture(page, {
-    width: first.width,
-    height: first.height,
+    width: size.width,
+    height: size.height,
     passes: made(linkIsf(shader, { node: 'test' })),
     pictures: Object.fromEntries(Object.entries(pictures).map(([name, picture]) => [name, toPage(picture)])),
     params: { ...defaults, ...params },

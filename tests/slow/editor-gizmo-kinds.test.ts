@@ -3,8 +3,9 @@ import type { Point } from '../../tools/lib/center-of.ts';
 import { chooseOption } from '../support/choose-option.ts';
 import { type Axis, gizmoKit } from '../support/gizmo-kit.ts';
 import { type GraphText, useOneEditor } from '../support/open-editor.ts';
+import { eventually } from '../support/patience.ts';
 
-/** Three boxes in a row half a meter above the floor, through a filter, and a lamp as bright as a region of the camera image. */
+/** Three boxes in a row half a meter above the floor, through a filter, and a lamp as bright as a region of the camera image; gray in a shape. */
 const GRAPH: GraphText = {
   nodes: {
     'box-aaaa': { type: 'objects/primitive', params: { color: [0.9, 0.6, 0.1, 1], sizeM: [0.2, 0.2, 0.2] } },
@@ -20,6 +21,9 @@ const GRAPH: GraphText = {
     'swirl-aaaa': { type: 'filter/swirl', params: { angle: 0.5, radius: 60 } },
     'camera-aaaa': { type: 'source/camera-video' },
     'measure-aaaa': { type: 'layer/measure-mask', params: { regionMin: [0.2, 0.2], regionMax: [0.6, 0.6] } },
+    'gray-aaaa': { type: 'filter/grey' },
+    'shape-aaaa': { type: 'generator/shape-mask', params: { center: [0.4, 0.4], size: [0.3, 0.2] } },
+    'matte-aaaa': { type: 'operator/choose-by-mask' },
     'screen-aaaa': { type: 'output/screen' },
   },
   wires: [
@@ -35,7 +39,11 @@ const GRAPH: GraphText = {
     'lamp-aaaa.lights -> scene-aaaa.lights',
     'scene-aaaa.layer -> swirl-aaaa.inputImage',
     'camera-aaaa.layer -> measure-aaaa.mask',
-    'swirl-aaaa.layer -> screen-aaaa.layer',
+    'swirl-aaaa.layer -> gray-aaaa.inputImage',
+    'gray-aaaa.layer -> matte-aaaa.inside',
+    'swirl-aaaa.layer -> matte-aaaa.outside',
+    'shape-aaaa.layer -> matte-aaaa.mask',
+    'matte-aaaa.layer -> screen-aaaa.layer',
   ],
   places: {
     'box-aaaa': [0, 0],
@@ -51,7 +59,10 @@ const GRAPH: GraphText = {
     'scene-aaaa': [630, 0],
     'swirl-aaaa': [820, 0],
     'measure-aaaa': [820, 260],
-    'screen-aaaa': [1030, 0],
+    'gray-aaaa': [1030, 0],
+    'shape-aaaa': [1030, 260],
+    'matte-aaaa': [1240, 0],
+    'screen-aaaa': [1450, 0],
   },
 };
 
@@ -194,6 +205,58 @@ test('a region is placed by its corners', async () => {
   await page.mouse.up();
   await undo();
   expect(await savedParams('measure-aaaa')).toEqual({ regionMin: [0.2, 0.2], regionMax: [0.6, 0.6] });
+});
+
+test('a shape is resized by a corner while the opposite one stays, rotated, and softened; Shift is fine', async () => {
+  const { page, editor } = open;
+  await select('shape');
+  await editor.preview.locator('#image-gizmo[data-mode="move"][data-node="shape-aaaa"]').waitFor();
+  await tool(/^Handles of Shape mask/).waitFor();
+  const { width, height } = await frameBox();
+  const isTopRight = ({ x, y }: Point) => x - y;
+  const isLowLeft = ({ x, y }: Point) => y - x;
+  const [corner, opposite] = [await tip('z', isTopRight), await tip('z', isLowLeft)];
+  await page.mouse.move(corner.x, corner.y);
+  await page.mouse.down();
+  await page.mouse.move(corner.x + height / 10, corner.y, { steps: 4 });
+  await expectValue('Size X', (value) => Math.abs(value - 0.4) < 0.015);
+  await page.keyboard.down('Shift');
+  await page.mouse.move(corner.x + height / 5, corner.y, { steps: 4 });
+  await expectValue('Size X', (value) => Math.abs(value - 0.41) < 0.015);
+  await page.mouse.up();
+  await page.keyboard.up('Shift');
+  const { size, center } = (await savedParams('shape-aaaa')) as { size: number[]; center: number[] };
+  expect(size).toEqual([expect.any(Number), 0.2]);
+  expect(center).toEqual([expect.closeTo(0.4 + (((size[0] ?? 0) - 0.3) / 2) * (height / width), 2), 0.4]);
+  await page.mouse.move(corner.x - 80, corner.y - 60);
+  const still = await tip('z', isLowLeft);
+  expect(Math.hypot(still.x - opposite.x, still.y - opposite.y)).toBeLessThan(2);
+  await undo();
+  expect(await savedParams('shape-aaaa')).toEqual({ center: [0.4, 0.4], size: [0.3, 0.2] });
+  const isBack = async () => {
+    const { x, y } = await tip('z', isTopRight);
+    if (Math.hypot(x - corner.x, y - corner.y) > 2) throw new Error('The corner is not back yet.');
+  };
+  await eventually(isBack);
+
+  const edge = await tip('y', ({ y }) => y);
+  await page.mouse.move(edge.x, edge.y);
+  await page.mouse.down();
+  await page.mouse.move(edge.x, edge.y + height / 20, { steps: 4 });
+  await expectValue('Feather', (value) => Math.abs(value - 0.1) < 0.015);
+  await page.mouse.up();
+  await undo();
+  await eventually(isBack);
+  // A quarter turn, counterclockwise.
+  const arm = await tip('x', ({ x }) => x);
+  const middle = { x: (corner.x + opposite.x) / 2, y: (corner.y + opposite.y) / 2 };
+  await page.mouse.move(arm.x, arm.y);
+  await page.mouse.down();
+  await page.mouse.move(middle.x, middle.y - (arm.x - middle.x), { steps: 12 });
+  await expectValue('Rotation', (value) => Math.abs(value - 90) < 5);
+  await page.mouse.up();
+  await undo();
+  expect(await savedParams('shape-aaaa')).toEqual({ center: [0.4, 0.4], size: [0.3, 0.2] });
 });
 
 test('a pose is moved and rotated in world space, and an offset along the axes of its pose', async () => {

@@ -163,7 +163,7 @@ export const LAYERS: readonly Layer[] = [
   // The preview is a page of its own, without the editor's host: messages are all they share.
   {
     name: 'preview protocol',
-    files: ['renderer/preview-protocol.ts', 'renderer/keybinding.ts', 'renderer/drag-watch.ts'],
+    files: ['renderer/preview-protocol.ts', 'renderer/keybinding.ts', 'renderer/drag-watch.ts', 'renderer/drag-keys.ts'],
     imports: ['kit', 'program'],
     types: ['captures'],
   },

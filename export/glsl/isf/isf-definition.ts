@@ -1,4 +1,5 @@
 import type { ChoiceParam, InputPort, NodeDefinition, OutputPort, ParamDefinition } from '../../../nodes/kit/definition.ts';
+import { isImageHandleOf } from '../../../nodes/kit/handles.ts';
 import { findAccess } from '../access/find-access.ts';
 import { findInput, type IsfInput, type IsfShader, imageInputs } from './isf-shader.ts';
 
@@ -122,7 +123,7 @@ function paramOf(input: IsfInput): ParamDefinition | null {
         ...range(input),
         ...(input.step === null ? {} : { step: input.step }),
         ...unit(input),
-        ...(input.handle === 'extent' || input.handle === 'angle' ? { handle: input.handle } : {}),
+        ...(isImageHandleOf('number', input.handle) ? { handle: input.handle } : {}),
       };
     case 'long':
       if (input.choices.length > 0) return { ...base, type: 'choice', default: first, options: input.choices };
@@ -137,7 +138,7 @@ function paramOf(input: IsfInput): ParamDefinition | null {
         ...(input.min === null ? {} : { min: input.min }),
         ...(input.max === null ? {} : { max: input.max }),
         ...unit(input),
-        ...(input.handle === 'center' || input.handle === 'low' || input.handle === 'high' ? { handle: input.handle } : {}),
+        ...(isImageHandleOf('vector2', input.handle) ? { handle: input.handle } : {}),
       };
     case 'vector3':
     case 'vector4':

@@ -81,7 +81,9 @@ describe('inputs', () => {
 
   test('HANDLE names the part of the gizmo, if the type can have it', () => {
     const inputs = '{ "NAME": "c", "TYPE": "point2D", "HANDLE": "center" }, { "NAME": "r", "TYPE": "float", "HANDLE": "extent" }';
-    expect(read(`{ "INPUTS": [${inputs}] }`).inputs.map(({ handle }) => handle)).toEqual(['center', 'extent']);
+    const shape = '{ "NAME": "s", "TYPE": "point2D", "HANDLE": "size" }, { "NAME": "f", "TYPE": "float", "HANDLE": "feather" }';
+    const handles = ['center', 'extent', 'size', 'feather'];
+    expect(read(`{ "INPUTS": [${inputs}, ${shape}] }`).inputs.map(({ handle }) => handle)).toEqual(handles);
     const wrong = '{ "INPUTS": [{ "NAME": "r", "TYPE": "float",\n "HANDLE": "center" }] }';
     expect(read(wrong).inputs[0]?.handle).toBeNull();
     expect(problems(wrong)).toMatchObject([{ code: 'SCR040', severity: 'warning', line: 2 }]);

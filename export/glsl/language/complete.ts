@@ -210,6 +210,8 @@ function valuesAt(key: string, isTechnique: boolean, inputs: readonly string[]):
         angle: 'Angle around the center',
         low: 'Bottom left corner of a rectangle',
         high: 'Top right corner of a rectangle',
+        size: 'Width and height around the center, as fractions of the height of the layer',
+        feather: 'Width of a soft edge, as a fraction of the height of the layer',
       };
     case 'SCRIM_ALPHA':
       return { straight: '', premultiplied: '' };

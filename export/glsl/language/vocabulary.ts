@@ -133,7 +133,7 @@ export const HEADER_KEYS: Readonly<Record<'root' | 'input' | 'pass', Readonly<Re
     LABELS: 'What those numbers are called.',
     UNIT: 'm, s, rad, px, K, Hz, cd, ratio or none.',
     STEP: 'Difference between a value of the control and the next.',
-    HANDLE: 'Part of the gizmo in the preview that changes it: center, extent, angle, low or high.',
+    HANDLE: 'Part of the gizmo in the preview that changes it: center, extent, angle, low, high, size or feather.',
     OPTIONAL: 'Whether an image may stay unconnected.',
   },
   pass: {

@@ -3,8 +3,10 @@ import type { Player } from '../../../export/runtime/player.ts';
 import { pickObject } from '../../../export/runtime/scenes/placed-objects.ts';
 import { isImageHandle } from '../../../nodes/kit/handles.ts';
 import type { SessionFrame } from '../../../nodes/kit/session.ts';
+import { dragKeysOf } from '../../drag-keys.ts';
 import type { FromPreview, PreviewGizmo, ToPreview } from '../../preview-protocol.ts';
 import type { CaptureSource } from '../posters.ts';
+import { createFineDrag, type FineDrag } from './fine-drag.ts';
 import { createImageTool } from './image-tool.ts';
 import type { ReadParam } from './place.ts';
 import { createSpaceTool } from './space-tool.ts';
@@ -53,6 +55,7 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
   /** The pointer of the drag. */
   let drag: number | null = null;
   let drags = 0;
+  let followed: FineDrag | null = null;
   let press: Press | null = null;
 
   const hover = ({ clientX, clientY }: PointerEvent) => {
@@ -99,6 +102,7 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
     if (press) wake();
     if (tool && seen && gizmo && tool.isActive()) {
       tool.begin(event.clientX, event.clientY);
+      followed = createFineDrag({ x: event.clientX, y: event.clientY });
       tool.canvas.setPointerCapture(event.pointerId);
       drags++;
       drag = event.pointerId;
@@ -118,8 +122,10 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
       return;
     }
     event.stopImmediatePropagation();
-    if (!tool || !gizmo) return;
-    tool.move(event.clientX, event.clientY, gizmo.snap !== (event.ctrlKey || event.metaKey));
+    if (!tool || !gizmo || !followed) return;
+    const { fine, snap } = dragKeysOf(event);
+    const { x, y } = followed.move({ x: event.clientX, y: event.clientY }, fine);
+    tool.move(x, y, gizmo.snap !== snap);
     tool.draw();
     sendValues('moved');
   };

@@ -3,7 +3,7 @@ import type { PassOperation } from '../../../export/program/program.ts';
 import type { Inspected } from '../../../export/runtime/inspected.ts';
 import { fitted } from '../../../export/runtime/passes/fit.ts';
 import type { ViewFrame } from '../../../nodes/kit/session.ts';
-import type { ImageBox } from './image-place.ts';
+import type { ImageBox } from './page-point.ts';
 import type { ViewBox } from './tool.ts';
 
 const IDENTITY = new Float32Array(new Matrix3().elements);

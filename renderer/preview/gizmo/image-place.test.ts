@@ -1,16 +1,7 @@
 import { describe, expect, test } from '@jest/globals';
-import {
-  ARM_PX,
-  draggedValues,
-  type ImageBox,
-  type ImagePart,
-  onPage,
-  type PagePoint,
-  partAt,
-  partsOf,
-  readImagePlace,
-  turnBetween,
-} from './image-place.ts';
+import { createFineDrag } from './fine-drag.ts';
+import { ARM_PX, draggedValues, type ImagePart, partAt, partsOf, readImagePlace, turnBetween } from './image-place.ts';
+import { type ImageBox, onPage, type PagePoint } from './page-point.ts';
 import type { HandleNames } from './place.ts';
 
 /** An image of 800 × 400 pixels, half as large on the page. */
@@ -97,6 +88,65 @@ describe('a rectangle', () => {
     expect(max[0]).toBeGreaterThan(0.25);
     expect(max[1]).toBeGreaterThan(0.25);
   });
+});
+
+describe('a shape', () => {
+  const SHAPE: HandleNames = { center: 'center', size: 'size', angle: 'rotation', feather: 'feather' };
+  /** In the middle, half as high as the image and as wide as it is high: 200 × 100 CSS pixels. */
+  const values = { center: [0.5, 0.5], size: [1, 0.5], rotation: [0], feather: [0.1] };
+
+  test('stands where its size says, in fractions of the height, and is rotated counterclockwise', () => {
+    const { pointOf } = setUp(SHAPE, values);
+    expect(pointOf({ kind: 'size', x: 1, y: 1 })).toEqual({ x: 400, y: 100 });
+    expect(pointOf({ kind: 'size', x: -1, y: 0 })).toEqual({ x: 200, y: 150 });
+    expect(pointOf({ kind: 'angle' })).toEqual({ x: 400 + ARM_PX, y: 150 });
+    expect(pointOf({ kind: 'feather' })).toEqual({ x: 350, y: 210 });
+    const upright = setUp(SHAPE, { ...values, rotation: [Math.PI / 2] });
+    const { x, y } = upright.pointOf({ kind: 'size', x: 1, y: 1 });
+    expect([x, y]).toEqual([expect.closeTo(250, 6), expect.closeTo(50, 6)]);
+  });
+
+  test('keeps the opposite side or corner where it is', () => {
+    const { drag } = setUp(SHAPE, values);
+    expect(drag({ kind: 'size', x: 1, y: 0 }, 40, 30)).toEqual({ size: [1.2, 0.5], center: [expect.closeTo(0.55, 6), 0.5] });
+    const corner = drag({ kind: 'size', x: -1, y: -1 }, -40, 20);
+    expect(corner).toEqual({ size: [1.2, expect.closeTo(0.6, 6)], center: [expect.closeTo(0.45, 6), expect.closeTo(0.45, 6)] });
+    for (const angle of [0.4, 2, -1]) {
+      const turned = setUp(SHAPE, { ...values, rotation: [angle] });
+      const dragged = turned.drag({ kind: 'size', x: 1, y: 1 }, 13, -21);
+      const after = setUp(SHAPE, { ...values, rotation: [angle], ...dragged });
+      const [before, still] = [turned, after].map(({ pointOf }) => pointOf({ kind: 'size', x: -1, y: -1 }));
+      expect(still).toEqual({ x: expect.closeTo(before?.x ?? 0, 6), y: expect.closeTo(before?.y ?? 0, 6) });
+      const [held, moved] = [turned, after].map(({ pointOf }) => pointOf({ kind: 'size', x: 1, y: 1 }));
+      expect(moved).toEqual({ x: expect.closeTo((held?.x ?? 0) + 13, 6), y: expect.closeTo((held?.y ?? 0) - 21, 6) });
+    }
+  });
+
+  test('grows about a center that is connected, and never turns inside out', () => {
+    const { center: _, ...fixed } = SHAPE;
+    expect(setUp(fixed, values).drag({ kind: 'size', x: 1, y: 0 }, 40, 0)).toEqual({ size: [1.4, 0.5] });
+    const { size } = setUp(SHAPE, values).drag({ kind: 'size', x: 0, y: 1 }, 0, 900) as { size: number[] };
+    expect(size).toEqual([1, expect.closeTo(0.01, 6)]);
+  });
+
+  test('has a soft edge that follows its part, half of it outside, and snaps', () => {
+    const { drag } = setUp(SHAPE, values);
+    expect(drag({ kind: 'feather' }, 5, 10)).toEqual({ feather: expect.closeTo(0.2, 6) });
+    expect(drag({ kind: 'feather' }, 0, -90)).toEqual({ feather: 0 });
+    expect(drag({ kind: 'feather' }, 0, 3.3, true)).toEqual({ feather: expect.closeTo(0.13, 6) });
+    expect(drag({ kind: 'size', x: 1, y: 0 }, 33, 0, true)).toMatchObject({ size: [expect.closeTo(1.15, 6), 0.5] });
+  });
+
+  test('has the part of its angle near the center where there is no room beside it', () => {
+    expect(setUp(SHAPE, { ...values, size: [1.9, 0.5] }).pointOf({ kind: 'angle' })).toEqual({ x: 300 + ARM_PX, y: 150 });
+  });
+});
+
+test('a fine drag takes the part a tenth as far, and goes on from there', () => {
+  const drag = createFineDrag({ x: 100, y: 100 });
+  expect(drag.move({ x: 110, y: 100 }, false)).toEqual({ x: 110, y: 100 });
+  expect(drag.move({ x: 130, y: 90 }, true)).toEqual({ x: 112, y: 99 });
+  expect(drag.move({ x: 131, y: 90 }, false)).toEqual({ x: 113, y: 99 });
 });
 
 test('turns add up beyond half a turn', () => {

@@ -1,20 +1,7 @@
+import { alongAxes, alongShape, featherPoint, type ImageShape, resized, sidePoint } from './image-shape.ts';
+import { type ImageBox, onPage, type PagePoint } from './page-point.ts';
 import type { HandleNames, ReadParam } from './place.ts';
 import type { GizmoValues } from './tool.ts';
-
-/** A point on the page in CSS pixels, y down. */
-export interface PagePoint {
-  readonly x: number;
-  readonly y: number;
-}
-
-/** Where an image is on the page, in CSS pixels from the top left, and how many of its pixels are one CSS pixel. */
-export interface ImageBox {
-  readonly left: number;
-  readonly top: number;
-  readonly width: number;
-  readonly height: number;
-  readonly scale: number;
-}
 
 /** The values of a gizmo in an image; null for handles that the node does not have. */
 export interface ImagePlace {
@@ -23,23 +10,25 @@ export interface ImagePlace {
   readonly extentPx: number | null;
   readonly angleRad: number | null;
   readonly rectangle: { readonly low: PagePoint; readonly high: PagePoint } | null;
+  readonly shape: ImageShape | null;
 }
 
 /**
- * A part that can be dragged. Of a rectangle, `x` and `y` are -1 for the left or bottom side, 1 for the right or top one and 0 for neither;
- * with both 0 all of it moves.
+ * A part that can be dragged. Of a rectangle and of the size of a shape, `x` and `y` are -1 for the left or bottom side, 1 for the right or
+ * top one and 0 for neither; with both 0 all of a rectangle moves.
  */
 export type ImagePart =
-  | { readonly kind: 'center' | 'extent' | 'angle' }
-  | { readonly kind: 'rectangle'; readonly x: number; readonly y: number };
+  | { readonly kind: 'center' | 'extent' | 'angle' | 'feather' }
+  | { readonly kind: 'rectangle' | 'size'; readonly x: number; readonly y: number };
 
-/** Distance of the angle's part from the center, in CSS pixels. */
+/** Distance of the angle's part from the center, or from the side of a shape if it is in the image there, in CSS pixels. */
 export const ARM_PX = 44;
 /** How near the pointer has to be to a part, in CSS pixels. */
 const REACH_PX = 9;
 const SNAP_UV = 0.05;
 const SNAP_PX = 10;
 const SNAP_RAD = Math.PI / 12;
+const SNAP_FEATHER = 0.01;
 /** Least side of a rectangle, in UV. */
 const LEAST_SIDE = 0.01;
 
@@ -53,33 +42,35 @@ export function readImagePlace(handles: HandleNames, read: ReadParam): ImagePlac
   };
   const [low, high] = [point(handles.low), point(handles.high)];
   const rectangle = low && high && { low, high };
-  return {
-    center:
-      point(handles.center) ??
-      (rectangle ? { x: (rectangle.low.x + rectangle.high.x) / 2, y: (rectangle.low.y + rectangle.high.y) / 2 } : MIDDLE),
-    extentPx: values(handles.extent)?.[0] ?? null,
-    angleRad: values(handles.angle)?.[0] ?? null,
-    rectangle,
-  };
+  const center =
+    point(handles.center) ??
+    (rectangle ? { x: (rectangle.low.x + rectangle.high.x) / 2, y: (rectangle.low.y + rectangle.high.y) / 2 } : MIDDLE);
+  const angleRad = values(handles.angle)?.[0] ?? null;
+  const size = point(handles.size);
+  const feather = values(handles.feather)?.[0] ?? null;
+  const shape = size && { center, angleRad: angleRad ?? 0, width: size.x, height: size.y, feather };
+  return { center, extentPx: values(handles.extent)?.[0] ?? null, angleRad, rectangle, shape };
 }
 
 const MIDDLE: PagePoint = { x: 0.5, y: 0.5 };
-
-export function onPage({ x, y }: PagePoint, { left, top, width, height }: ImageBox): PagePoint {
-  return { x: left + x * width, y: top + (1 - y) * height };
-}
 
 /** The parts with a point of their own, and where that is on the page. The first one is nearest to the user. */
 export function partsOf(handles: HandleNames, place: ImagePlace, box: ImageBox): { readonly part: ImagePart; readonly at: PagePoint }[] {
   const center = onPage(place.center, box);
   const parts: { part: ImagePart; at: PagePoint }[] = [];
   if (place.angleRad !== null) {
-    const at = { x: center.x + ARM_PX * Math.cos(place.angleRad), y: center.y - ARM_PX * Math.sin(place.angleRad) };
-    parts.push({ part: { kind: 'angle' }, at });
+    parts.push({ part: { kind: 'angle' }, at: armPoint(place, place.angleRad, box) });
   }
   if (handles.center !== undefined) parts.push({ part: { kind: 'center' }, at: center });
   // Below the center, because the angle begins at the right.
   if (place.extentPx !== null) parts.push({ part: { kind: 'extent' }, at: { x: center.x, y: center.y + place.extentPx / box.scale } });
+  if (place.shape) {
+    const { shape } = place;
+    for (const y of SIDES) {
+      for (const x of SIDES) if (x !== 0 || y !== 0) parts.push({ part: { kind: 'size', x, y }, at: sidePoint(shape, { x, y }, box) });
+    }
+    if (shape.feather !== null) parts.push({ part: { kind: 'feather' }, at: featherPoint(shape, box) });
+  }
   if (place.rectangle) {
     const { low, high } = place.rectangle;
     const along = (from: number, to: number, side: number) => from + ((side + 1) / 2) * (to - from);
@@ -90,6 +81,15 @@ export function partsOf(handles: HandleNames, place: ImagePlace, box: ImageBox):
     }
   }
   return parts;
+}
+
+/** Right of the shape before it is rotated, if that is in the image; else near the center. */
+function armPoint({ center, shape }: ImagePlace, angleRad: number, box: ImageBox): PagePoint {
+  const at = (distance: number) => alongShape({ center, angleRad }, distance, 0, box);
+  const beside = at((shape?.width ?? 0) / 2 + ARM_PX / box.height);
+  const { left, top, width, height } = box;
+  const isInside = beside.x >= left && beside.x <= left + width && beside.y >= top && beside.y <= top + height;
+  return isInside ? beside : at(ARM_PX / box.height);
 }
 
 /** The part at a point of the page; null if there is none. All of the circle is the part of the extent. */
@@ -134,6 +134,18 @@ export function draggedValues(handles: HandleNames, { part, from, start, to, tur
     case 'angle':
       if (handles.angle === undefined || from.angleRad === null) return {};
       return { [handles.angle]: snapped(from.angleRad + turnedRad, SNAP_RAD) };
+    case 'size': {
+      const { size, center } = handles;
+      if (size === undefined || from.shape === null) return {};
+      const by = alongAxes(from.shape, start, to, box);
+      const shape = resized(from.shape, part, by, center === undefined, (value) => snapped(value, SNAP_UV), box);
+      return { [size]: [shape.width, shape.height], ...(center === undefined ? {} : { [center]: [shape.center.x, shape.center.y] }) };
+    }
+    case 'feather': {
+      if (handles.feather === undefined || from.shape === null) return {};
+      const { y } = alongAxes(from.shape, start, to, box);
+      return { [handles.feather]: Math.max(snapped((from.shape.feather ?? 0) - 2 * y, SNAP_FEATHER), 0) };
+    }
     case 'rectangle': {
       const { low, high } = handles;
       if (low === undefined || high === undefined || from.rectangle === null) return {};

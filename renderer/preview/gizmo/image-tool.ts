@@ -1,29 +1,35 @@
 import { imageBox } from './image-box.ts';
 import {
   draggedValues,
-  type ImageBox,
   type ImageDrag,
   type ImagePart,
   type ImagePlace,
-  onPage,
   partAt,
   partsOf,
   readImagePlace,
   turnBetween,
 } from './image-place.ts';
+import { type ImageBox, onPage } from './page-point.ts';
 import type { HandleNames } from './place.ts';
 import type { GizmoTool } from './tool.ts';
 
 const MAX_PIXEL_RATIO = 2;
 const RADIUS_PX = 6;
-/** Radius of the parts of a rectangle. */
+/** Radius of the parts of a rectangle or shape. */
 const CORNER_PX = 4.5;
 /** Colors of the parts, and of the one under the pointer: those of the axes in the room. */
-const COLORS = { center: '#4c8dff', extent: '#7ac74f', angle: '#f2495c', rectangle: '#4c8dff' } as const;
+const COLORS = {
+  center: '#4c8dff',
+  extent: '#7ac74f',
+  angle: '#f2495c',
+  rectangle: '#4c8dff',
+  size: '#4c8dff',
+  feather: '#7ac74f',
+} as const;
 const ACTIVE = '#ffd23f';
 const OUTLINE = 'rgb(0 0 0 / 65%)';
 
-/** The gizmo of what has a place in an image: center, radius and angle of a filter, or a rectangle. */
+/** The gizmo of what has a place in an image: center, radius and angle of a filter, a rectangle, or a shape with a soft edge. */
 export function createImageTool(parentElement: HTMLElement): GizmoTool {
   const canvas = parentElement.ownerDocument.createElement('canvas');
   canvas.id = 'image-gizmo';
@@ -116,6 +122,19 @@ function drawPlace(
     const [low, high] = [onPage(place.rectangle.low, box), onPage(place.rectangle.high, box)];
     stroke(COLORS.rectangle, () => context.rect(low.x, high.y, high.x - low.x, low.y - high.y));
   }
+  if (place.shape) {
+    const { angleRad, width, height, feather } = place.shape;
+    const outline = (beyond: number) => {
+      const [across, up] = [(width + beyond) * box.height, (height + beyond) * box.height];
+      context.save();
+      context.translate(center.x, center.y);
+      context.rotate(-angleRad);
+      context.roundRect(-across / 2, -up / 2, across, up, (beyond / 2) * box.height);
+      context.restore();
+    };
+    if (feather) stroke(colorOf({ kind: 'feather' }), () => outline(feather));
+    stroke(COLORS.size, () => outline(0));
+  }
   for (const { part, at } of parts) {
     if (part.kind !== 'angle') continue;
     stroke(colorOf(part), () => {
@@ -126,7 +145,7 @@ function drawPlace(
   // The first part is drawn last, over the others.
   for (const { part, at } of [...parts].reverse()) {
     context.beginPath();
-    context.arc(at.x, at.y, part.kind === 'rectangle' ? CORNER_PX : RADIUS_PX, 0, 2 * Math.PI);
+    context.arc(at.x, at.y, part.kind === 'rectangle' || part.kind === 'size' ? CORNER_PX : RADIUS_PX, 0, 2 * Math.PI);
     Object.assign(context, { strokeStyle: OUTLINE, lineWidth: 3, fillStyle: colorOf(part) });
     context.stroke();
     context.fill();

@@ -97,7 +97,7 @@ function imageTarget(state: DocumentState, id: string): GizmoTargetResult | null
   if (node.muted) return { target: null, reason: `${titleOf(state, id)} is muted. Unmute it to use the gizmo.` };
   const free = all.filter((param) => drivenBy(state, id, node, definition, param) === null);
   // Without the point or the corners there is no place for the rest.
-  const isPlace = ({ handle }: HandleParam) => handle !== 'extent' && handle !== 'angle';
+  const isPlace = ({ handle }: HandleParam) => handle === 'center' || handle === 'low' || handle === 'high';
   const fixed = free.length === 0 ? all[0] : all.find((param) => isPlace(param) && !free.includes(param));
   if (fixed) return { target: null, reason: drivenBy(state, id, node, definition, fixed) };
   return { target: { ...makeTarget(state, id, node, definition, free), inImage: true } };

@@ -173,6 +173,13 @@ describe('what is taken hold of', () => {
     });
     selectOnly(editor.selection, [add(editor, 'layer/measure-mask')]);
     expect(shown()).toMatchObject({ handles: { low: 'regionMin', high: 'regionMax' } });
+    const shape = add(editor, 'generator/shape-mask');
+    selectOnly(editor.selection, [shape]);
+    expect(shown()?.handles).toEqual({ center: 'center', size: 'size', angle: 'rotation', feather: 'feather' });
+    for (const width of [0.6, 9]) drag({ size: [width, 0.5] }, width > 1 ? 'ended' : 'moved');
+    expect(nodeOf(editor.document.getState(), shape)?.params).toEqual({ size: { value: [4, 0.5] } });
+    undo(editor);
+    expect(nodeOf(editor.document.getState(), shape)?.params).toEqual({});
   });
 
   test('poses by their position and rotation, which are not scaled and have no objects to connect', async () => {
