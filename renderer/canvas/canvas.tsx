@@ -20,6 +20,7 @@ import './canvas.css';
 import './far-view.css';
 import { useCanvasCenter, useScale, useShownPlace, useWheel } from './canvas-view.ts';
 import { ConnectionHint } from './connection-hint.tsx';
+import { createCopies } from './copy-nodes.ts';
 import { DetailProvider, detailOf } from './detail.ts';
 import { useFileDrop } from './file-drop.ts';
 import { FirstSteps } from './first-steps.tsx';
@@ -61,7 +62,6 @@ export function Canvas() {
 
 function CanvasInside() {
   const { nodes, wires, items, reroutes, borders } = useCanvasView();
-  const all = useMemo(() => [...items, ...nodes, ...reroutes, ...borders], [items, nodes, reroutes, borders]);
   const flow = useReactFlow<AnyNode, CanvasWire>();
   const root = useRef<HTMLDivElement>(null);
   const menu = useCanvasMenu(flow.screenToFlowPosition);
@@ -79,6 +79,11 @@ function CanvasInside() {
   useCanvasCenter(root, flow.screenToFlowPosition);
   const far = useFlowStore((state) => state.transform[2] < FAR_ZOOM);
   const detail = useFlowStore((state) => detailOf(state.transform[2], nodes.length));
+  const [copyOf] = useState(createCopies<AnyNode>);
+  const all = useMemo(() => {
+    const view = [...items, ...nodes, ...reroutes, ...borders];
+    return detail === 'overview' ? view.map(copyOf) : view;
+  }, [items, nodes, reroutes, borders, detail, copyOf]);
 
   return (
     <div

@@ -1,7 +1,10 @@
 import { type ReactNode, useEffect, useState } from 'react';
 import { createPortal } from 'react-dom';
+import { keybindingOf } from '../keybinding.ts';
+import { watchFileDrops } from '../state/drops/watch-file-drops.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 import { addToast } from '../state/editor/ui.ts';
+import { previewKeybindings, runPreviewKey } from '../state/gizmo/preview-keys.ts';
 import { popOutPreview } from '../state/preview/pop-out.ts';
 
 const SIZE = 'popup,width=960,height=720';
@@ -20,6 +23,14 @@ export function PopOut({ children }: { readonly children: ReactNode }) {
       return;
     }
     dress(made.document, window.document);
+    const unwatch = watchFileDrops(editor, made);
+    // Until the preview is clicked, keys reach its window alone.
+    made.addEventListener('keydown', (event) => {
+      const keybinding = keybindingOf(event, editor.mac);
+      if (!made.document.activeElement?.matches('body, iframe') || !previewKeybindings(editor).includes(keybinding)) return;
+      event.preventDefault();
+      runPreviewKey(editor, keybinding);
+    });
     setBody(made.document.body);
     let stopWaiting = () => {};
     const look = () => {
@@ -31,6 +42,7 @@ export function PopOut({ children }: { readonly children: ReactNode }) {
     window.addEventListener('pagehide', close);
     return () => {
       stopWaiting();
+      unwatch();
       window.removeEventListener('pagehide', close);
       close();
     };

@@ -3,7 +3,8 @@ import { join } from 'node:path';
 import { expect, test } from '@jest/globals';
 import { centerOf } from '../../tools/lib/center-of.ts';
 import { dropFiles } from '../support/drop-files.ts';
-import { FLAG_PX } from '../support/editor-driver.ts';
+import { dropModel } from '../support/drop-model.ts';
+import { EditorDriver } from '../support/editor-driver.ts';
 import { encodeImage } from '../support/image.ts';
 import { type GraphText, useEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
@@ -67,33 +68,36 @@ test('nothing is added behind a dialog', async () => {
   expect(page.url()).toBe(address);
 });
 
+test('a window of the preview takes files beside the picture, too', async () => {
+  const { page, editor, project } = await open(GRAPH);
+  const picture = join(project, 'gray.png');
+  await writeFile(picture, encodeImage({ width: 2, height: 2, data: new Uint8Array(16).fill(200) }));
+  await editor.press('Phone, portrait');
+  const popup = await editor.popOut();
+  const frame = await popup.locator('iframe[title="Preview"]').boundingBox();
+  if (!frame) throw new Error('The window has no preview.');
+  const pages = page.context().pages().length;
+  const target = popup.locator('.picture-drop');
+  for (const [index, at] of [
+    { x: 8, y: 8 },
+    { x: frame.x + 20, y: frame.y + 100 },
+  ].entries()) {
+    await dropFiles(popup, [picture], at, () => expect(target.isVisible()).resolves.toBe(true));
+    await eventually(async () => expect(await editor.node('image-file').count()).toBe(index + 1));
+    await target.waitFor({ state: 'detached' });
+  }
+  expect(popup.url()).toBe('about:blank');
+  expect(page.context().pages()).toHaveLength(pages);
+});
+
 describeWithData('a real model', 'models/Fox.glb', (fox) => {
   test('stands on the floor where it is dropped on the picture, in a size that is seen; one undo takes all back', async () => {
     const { page, editor } = await open(GRAPH);
     const empty = await editor.rewind();
-    const box = await page.locator('iframe[title="Preview"]').boundingBox();
-    if (!box) throw new Error('There is no preview.');
-    const at = { x: Math.round(box.width * 0.6), y: Math.round(box.height * 0.85) };
-    const target = page.locator('.picture-drop');
-    await dropFiles(page, [fox], { x: box.x + at.x, y: box.y + at.y }, () => expect(target.isVisible()).resolves.toBe(true));
-    await editor.node('transform').waitFor();
-    await editor.settled();
-    const shown = await editor.imageOtherThan(empty);
-    let [left, right, bottom, count] = [shown.width, 0, 0, 0];
-    for (let i = 0; i < shown.data.length; i += 4) {
-      if (Math.abs((shown.data[i] ?? 0) - (empty.data[i] ?? 0)) < 12) continue;
-      const [x, y] = [(i / 4) % shown.width, Math.floor(i / 4 / shown.width)];
-      left = Math.min(left, x);
-      right = Math.max(right, x);
-      bottom = Math.max(bottom, y);
-      count++;
-    }
+    const { left, right, count } = await dropModel(page, fox, empty);
     // It is 154 units long.
     expect(count).toBeGreaterThan(500);
-    expect(right - left).toBeLessThan(shown.width * 0.7);
-    expect(Math.abs((left + right) / 2 - at.x)).toBeLessThan(shown.width * 0.15);
-    // Its feet are around the pointer.
-    expect(Math.abs(bottom + FLAG_PX - at.y)).toBeLessThan(shown.height * 0.15);
+    expect(right - left).toBeLessThan(empty.width * 0.7);
     await page.locator('.canvas').focus();
     await page.keyboard.press('Control+z');
     await editor.node('transform').waitFor({ state: 'detached' });
@@ -101,5 +105,16 @@ describeWithData('a real model', 'models/Fox.glb', (fox) => {
     await page.keyboard.press('f');
     await eventually(async () => expect(await page.locator('.react-flow__node').count()).toBe(2));
     await editor.imageSameAs(empty);
+  });
+
+  test('stands so in the window of the preview, whose keys undo it', async () => {
+    const { editor } = await open(GRAPH);
+    await editor.rewind();
+    const popup = await editor.popOut();
+    const empty = await new EditorDriver(popup).restingImage();
+    await dropModel(popup, fox, empty);
+    await popup.keyboard.press('Control+z');
+    await editor.node('transform').waitFor({ state: 'detached' });
+    await new EditorDriver(popup).imageSameAs(empty);
   });
 });

@@ -142,13 +142,7 @@ test('the preview has the shape of the chosen device', async () => {
 
 test('the preview moves to a window of its own, where it shows the same, and returns when that is closed', async () => {
   const { page, editor } = open;
-  const opening = page.waitForEvent('popup');
-  await editor.press('Pop out preview');
-  const popup = await opening;
-  const inPopup = popup.frameLocator('iframe[title="Preview"]').locator('#picture');
-  await inPopup.waitFor();
-  await page.locator('iframe[title="Preview"]').waitFor({ state: 'detached' });
-  await page.waitForFunction(() => document.querySelector('.stage')?.getAttribute('aria-busy') === 'false');
+  const popup = await editor.popOut();
   expect(countColors(decodeImage(await popup.screenshot()))).toBeGreaterThan(100);
   await popup.close();
   await page.locator('iframe[title="Preview"]').waitFor();

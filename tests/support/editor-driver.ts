@@ -100,6 +100,23 @@ export class EditorDriver {
     );
   }
 
+  /** Waits until the preview plays the newest program, in whatever window. */
+  async previewAnswers(): Promise<void> {
+    await this.page.waitForFunction(() => document.querySelector('.stage')?.getAttribute('aria-busy') === 'false');
+  }
+
+  /** Moves the preview to a window of its own, and returns that. It is small, so that all machines draw it in the same time. */
+  async popOut(): Promise<Page> {
+    const opening = this.page.waitForEvent('popup');
+    await this.press('Pop out preview');
+    const popup = await opening;
+    await popup.setViewportSize({ width: 480, height: 360 });
+    await popup.frameLocator('iframe[title="Preview"]').locator('#picture').waitFor();
+    await this.page.locator('iframe[title="Preview"]').waitFor({ state: 'detached' });
+    await this.previewAnswers();
+    return popup;
+  }
+
   async frame(): Promise<number> {
     return Number(await this.page.locator('.transport-time span').textContent());
   }

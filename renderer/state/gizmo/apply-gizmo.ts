@@ -1,8 +1,6 @@
 import { getOwn } from '../../../export/graph/record.ts';
 import type { ParamDefinition, ParamValue } from '../../../nodes/kit/definition.ts';
 import type { FromPreview, GizmoMode, ToPreview } from '../../preview-protocol.ts';
-import { appCommand, appCommandIds, runCommand } from '../commands/app-commands.ts';
-import { commandOfKeybinding, keybindingsOf } from '../commands/keybindings.ts';
 import { apply, endGesture } from '../document/apply.ts';
 import { cancelDrag } from '../document/cancel-drag.ts';
 import { nodeOf } from '../editor/document.ts';
@@ -16,6 +14,7 @@ import { revealNodes } from '../editor/ui.ts';
 import { transformAfter } from '../graph/transform-after.ts';
 import { editParams } from '../params/edit-params.ts';
 import { editAt } from '../params/keyframes.ts';
+import { previewKeybindings, runPreviewKey } from './preview-keys.ts';
 
 export function currentGizmoTarget(
   { document, selection, gizmo }: Pick<Editor, 'document' | 'selection' | 'gizmo'>,
@@ -52,8 +51,7 @@ export function createGizmoSync(editor: Editor, post: (message: ToPreview) => vo
     post({ kind: 'picking', on: mode !== null });
   };
   const sendKeys = () => {
-    const keybindings = appCommandIds().flatMap((id) => (appCommand(id).byEvent === true ? [] : keybindingsOf(editor, id)));
-    post({ kind: 'keys', keybindings: keybindings.filter((keybinding) => keybinding !== 'Tab'), mac: editor.mac });
+    post({ kind: 'keys', keybindings: previewKeybindings(editor), mac: editor.mac });
   };
   const stops = [
     document.subscribe((state, before) => {
@@ -79,7 +77,7 @@ export function createGizmoSync(editor: Editor, post: (message: ToPreview) => vo
     receive: (message) => {
       if (message.kind === 'gizmo') receiveDrag(editor, message);
       if (message.kind === 'picked') receivePick(editor, message);
-      if (message.kind === 'key') receiveKey(editor, message.keybinding);
+      if (message.kind === 'key') runPreviewKey(editor, message.keybinding);
     },
     dispose: () => {
       for (const stop of stops) stop();
@@ -181,13 +179,4 @@ function receivePick(editor: Editor, { chain, phantom }: Extract<FromPreview, { 
 function definitionParams({ document }: Editor, id: string): Readonly<Record<string, ParamDefinition>> {
   const state = document.getState();
   return state.library.definition(nodeOf(state, id)?.type ?? '')?.params ?? {};
-}
-
-function receiveKey(editor: Editor, keybinding: string): void {
-  const { dialog, palette } = editor.ui.getState();
-  if (dialog !== null || palette !== null) return;
-  // The preview has no timeline, so keys of the gizmo take precedence over those of the timeline.
-  const plain = commandOfKeybinding(editor, keybinding, false);
-  const id = plain?.startsWith('gizmo.') ? plain : commandOfKeybinding(editor, keybinding, false, 'time');
-  if (id !== null) runCommand(editor, id);
 }

@@ -34,7 +34,7 @@ const FRAGMENT = {
 varying vec4 scrimPositionClip;
 `,
   start: '',
-  // Last, because derivatives of what a shader computes are undefined beside a fragment that was discarded (GLSL ES 3.00, section 8.9).
+  // Last, because derivatives of what a shader computes are undefined beside a discarded fragment (GLSL ES 3.00, section 8.9; ADR 26).
   end: /* glsl */ `
   float scrimVisible = scrimVisibility( scrimPositionClip.xy / scrimPositionClip.w * 0.5 + 0.5, scrimPositionClip.w );
   if ( scrimVisible <= 0.0 ) discard;
