@@ -159,29 +159,29 @@ interface Triangles {
 
 function createTriangles(vertexCount: number, indices: Uint32Array): Triangles {
   const corners = Int32Array.from(indices);
-  const heads = new Int32Array(vertexCount).fill(-1);
-  const nexts = new Int32Array(corners.length).fill(-1);
+  const firsts = new Int32Array(vertexCount).fill(-1);
+  const followers = new Int32Array(corners.length).fill(-1);
   const add = (corner: number): void => {
     const vertex = corners[corner] ?? 0;
-    nexts[corner] = heads[vertex] ?? -1;
-    heads[vertex] = corner;
+    followers[corner] = firsts[vertex] ?? -1;
+    firsts[vertex] = corner;
   };
   const remove = (corner: number): void => {
     const vertex = corners[corner] ?? 0;
-    let at = heads[vertex] ?? -1;
-    if (at === corner) heads[vertex] = nexts[corner] ?? -1;
+    let at = firsts[vertex] ?? -1;
+    if (at === corner) firsts[vertex] = followers[corner] ?? -1;
     else {
-      while (nexts[at] !== corner) at = nexts[at] ?? -1;
-      nexts[at] = nexts[corner] ?? -1;
+      while (followers[at] !== corner) at = followers[at] ?? -1;
+      followers[at] = followers[corner] ?? -1;
     }
   };
   for (let corner = 0; corner < corners.length; corner++) add(corner);
   return {
     vertexOf: (corner) => corners[corner] ?? 0,
-    first: (vertex) => heads[vertex] ?? -1,
-    next: (corner) => nexts[corner] ?? -1,
+    first: (vertex) => firsts[vertex] ?? -1,
+    next: (corner) => followers[corner] ?? -1,
     merge: (vertex, neighbor) => {
-      for (let corner = heads[vertex] ?? -1; corner >= 0; corner = heads[vertex] ?? -1) {
+      for (let corner = firsts[vertex] ?? -1; corner >= 0; corner = firsts[vertex] ?? -1) {
         const [b, c] = [following(corner), following(following(corner))];
         if (corners[b] === neighbor || corners[c] === neighbor) {
           for (const gone of [corner, b, c]) remove(gone);
