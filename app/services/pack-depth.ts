@@ -5,6 +5,7 @@ import { type DepthMesh, makeDepthMesh } from '../../export/captures/depth/depth
 import { raysOf } from '../../export/captures/depth/depth-rays.ts';
 import type { FusedView } from '../../export/captures/depth/fuse-depth-meshes.ts';
 import { hiddenSurface } from '../../export/captures/depth/hidden-surface.ts';
+import { thinDepthMesh } from '../../export/captures/depth/thin-depth-mesh.ts';
 import type { Photo } from '../../export/captures/undistort.ts';
 import { CAPTURE_LIMITS, type CaptureMesh, type CaptureView, MOST_DEPTH_TRIANGLES, type Pinhole } from '../../nodes/kit/capture.ts';
 
@@ -61,11 +62,13 @@ export function packDepthFiles(
   const seen = map ?? (mesh && depthSeen(mesh, camera, worldFromCamera));
   if (!seen) return { files, members, fused: null };
   const most = camera.projection === undefined ? MAX_TRIANGLES : MAX_TRIANGLES_AROUND;
-  const made = makeDepthMesh(seen, raysOf(camera), Math.min(most, Math.floor(MOST_TRIANGLES / viewCount)));
+  const rays = raysOf(camera);
+  const made = makeDepthMesh(seen, rays, Math.min(most, Math.floor(MOST_TRIANGLES / viewCount)));
   if (made.indices.length === 0) return { files, members, fused: null };
+  const thin = thinDepthMesh(made, seen, rays);
   const file = `depth-meshes/${number}.bin`;
-  files.push([file, meshBytes(made)]);
-  const counts = { vertexCount: made.depths.length, triangleCount: made.indices.length / 3 };
+  files.push([file, meshBytes(thin)]);
+  const counts = { vertexCount: thin.depths.length, triangleCount: thin.indices.length / 3 };
   const depthMesh = { file, widthPx: seen.widthPx, heightPx: seen.heightPx, ...counts };
   members = { ...members, depthMesh };
   const share = Math.min(MAX_HIDDEN_TRIANGLES, Math.floor((MOST_DEPTH_TRIANGLES - MOST_TRIANGLES) / viewCount));
@@ -111,8 +114,15 @@ function colorsFor({ widthPx, heightPx, data }: Photo, width: number, height: nu
 
 function packMap({ widthPx, heightPx, values }: DepthMap): { readonly bytes: Uint8Array; readonly metersPerLevel: number } {
   const isStored = (depth: number): boolean => isKnown(depth) && depth <= MOST_DEPTH_M;
-  const metersPerLevel = values.reduce((most, depth) => (isStored(depth) ? Math.max(most, depth) : most), 0) / LEVELS || 0.001;
-  const data = Uint16Array.from(values, (depth) => (isStored(depth) ? Math.max(1, Math.round(depth / metersPerLevel)) : 0));
+  let most = 0;
+  for (const depth of values) if (isStored(depth) && depth > most) most = depth;
+  const metersPerLevel = most / LEVELS || 0.001;
+  // `Uint16Array.from` would first make an array of objects.
+  const data = new Uint16Array(values.length);
+  for (let i = 0; i < data.length; i++) {
+    const depth = values[i] ?? 0;
+    if (isStored(depth)) data[i] = Math.max(1, Math.round(depth / metersPerLevel));
+  }
   return { bytes: encodePng({ width: widthPx, height: heightPx, data, depth: 16, channels: 1 }), metersPerLevel };
 }
 

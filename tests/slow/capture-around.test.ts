@@ -49,6 +49,8 @@ describeWithData('a 360° photograph with depth', 'panoramas/rgbd360', (folder) 
     const position = views[0]?.worldFromCamera.slice(12, 15) ?? [];
     // The floor of the model is at 0.
     expect(position).toEqual([0, expect.closeTo(eye[1] ?? 0, 1), 0]);
+    // Of two per square of pixels.
+    expect(views[0]?.depthMesh?.triangleCount).toBeLessThan(0.02 * 2 * 2048 * 1023);
     expect(stretchedArea(await readFile(join(captureFolder, 'depth-meshes/000.bin')), views[0]?.depthMesh)).toBeLessThan(0.001);
     const page = await openModule(chromium.browser, 'tests/slow/capture-around.page.ts', {
       mounts: { '/capture/': captureFolder, '/models/': resolve(folder, '../../models') },

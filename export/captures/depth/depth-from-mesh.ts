@@ -20,14 +20,14 @@ export function depthFromMesh({ positions, indices }: CaptureMesh, pinhole: Pinh
   for (let i = 0; i + 2 < indices.length; i += 3) {
     const corners = clipAtNear(seen, indices, i, polygon);
     for (let corner = 0; corner < corners; corner++) {
-      const [x = 0, y = 0, z = 0] = polygon.subarray(3 * corner, 3 * corner + 3);
+      const [x, y, z] = [polygon[3 * corner] ?? 0, polygon[3 * corner + 1] ?? 0, polygon[3 * corner + 2] ?? 0];
       polygon[3 * corner] = (pinhole.fxPx * x) / z + pinhole.cxPx;
       polygon[3 * corner + 1] = (pinhole.fyPx * y) / z + pinhole.cyPx;
       polygon[3 * corner + 2] = 1 / z;
     }
     for (let corner = 1; corner + 1 < corners; corner++) fill(inverse, widthPx, heightPx, polygon, corner);
   }
-  return { widthPx, heightPx, values: Float32Array.from(inverse, (value) => (value > 0 ? 1 / value : 0)) };
+  return { widthPx, heightPx, values: new Float32Array(inverse.map((value) => (value > 0 ? 1 / value : 0))) };
 }
 
 /** x to the right, y down and the depth of each vertex. */
@@ -69,8 +69,10 @@ function clipAtNear(seen: Float64Array, indices: Uint32Array, first: number, out
 
 /** Fills the triangle of the corners 0, `corner` and `corner + 1` of a polygon with the largest inverse depth of each pixel center. */
 function fill(inverse: Float64Array, widthPx: number, heightPx: number, polygon: Float64Array, corner: number): void {
-  const [ax = 0, ay = 0, az = 0] = polygon;
-  const [bx = 0, by = 0, bz = 0, cx = 0, cy = 0, cz = 0] = polygon.subarray(3 * corner, 3 * corner + 6);
+  const of = (i: number): number => polygon[i] ?? 0;
+  const next = 3 * corner;
+  const [ax, ay, az, bx, by, bz] = [of(0), of(1), of(2), of(next), of(next + 1), of(next + 2)];
+  const [cx, cy, cz] = [of(next + 3), of(next + 4), of(next + 5)];
   const area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
   if (area === 0 || !Number.isFinite(area)) return;
   const left = Math.max(0, Math.ceil(Math.min(ax, bx, cx) - 0.5));

@@ -14,8 +14,10 @@ export interface DepthMesh {
   readonly places: Uint16Array;
   /** The depth of each vertex. */
   readonly depths: Float32Array;
-  /** Three vertices per triangle. */
+  /** Three vertices per triangle, clockwise as the camera sees them. */
   readonly indices: Uint32Array;
+  /** Relative error of depth that triangles have at most. */
+  readonly tolerance: number;
 }
 
 /** Relative error of depth that triangles may have. */
@@ -55,7 +57,7 @@ function meshWithin(map: DepthMap, rays: DepthRays, tolerance: number): DepthMes
   }
   for (const block of large) addBlock(block, widthPx, builder, tests);
   if (rays.wraps) for (const row of [0, heightPx - 1]) closePole(row, map, tests, builder);
-  return builder.build();
+  return { ...builder.build(), tolerance };
 }
 
 /** Halves both sides of a block, or the longer one of a block that is one pixel wide. */
@@ -73,11 +75,15 @@ function divided({ left, top, right, bottom }: Block): readonly Block[] {
 function holds(block: Block, widthPx: number, tests: TriangleTests): boolean {
   const corners = cornersOf(block, widthPx);
   const middle = middleOf(block, widthPx);
-  if (!tests.isKnown(middle) || !corners.every((corner) => tests.isKnown(corner.at))) return false;
+  if (!tests.isKnown(middle.at) || !corners.every((corner) => tests.isKnown(corner.at))) return false;
   return corners.every((from, i) => {
     const to = corners[(i + 1) % 4] ?? from;
-    return tests.fits(from.at, to.at, middle, block, sectorOf(block, from, to)) && !tests.isTorn(from.at, to.at, middle);
+    return fits(middle, from, to, tests) && !tests.isTorn(middle.at, from.at, to.at);
   });
+}
+
+function fits(a: Corner, b: Corner, c: Corner, tests: TriangleTests): boolean {
+  return tests.fits(a.column, a.row, b.column, b.row, c.column, c.row);
 }
 
 interface Corner {
@@ -87,21 +93,17 @@ interface Corner {
   readonly at: number;
 }
 
+function cornerAt(column: number, row: number, widthPx: number): Corner {
+  return { column, row, at: row * widthPx + (column % widthPx) };
+}
+
 /** The corners of a block, clockwise from the top left one. */
-function cornersOf({ left, top, right, bottom }: Block, widthPx: number): readonly Corner[] {
-  const corner = (column: number, row: number): Corner => ({ column, row, at: row * widthPx + (column % widthPx) });
-  return [corner(left, top), corner(right, top), corner(right, bottom), corner(left, bottom)];
+function cornersOf({ left, top, right, bottom }: Block, widthPx: number): readonly [Corner, Corner, Corner, Corner] {
+  return [cornerAt(left, top, widthPx), cornerAt(right, top, widthPx), cornerAt(right, bottom, widthPx), cornerAt(left, bottom, widthPx)];
 }
 
-function middleOf({ left, top, right, bottom }: Block, widthPx: number): number {
-  return ((top + bottom) >> 1) * widthPx + (((left + right) >> 1) % widthPx);
-}
-
-/** The pixels between the lines from the middle of a block to two corners, clockwise. */
-function sectorOf({ left, top, right, bottom }: Block, from: Corner, to: Corner) {
-  const [x, y] = [(left + right) >> 1, (top + bottom) >> 1];
-  const side = (corner: Corner, column: number, row: number): number => (corner.column - x) * (row - y) - (corner.row - y) * (column - x);
-  return (column: number, row: number): boolean => side(from, column, row) >= 0 && side(to, column, row) <= 0;
+function middleOf({ left, top, right, bottom }: Block, widthPx: number): Corner {
+  return cornerAt((left + right) >> 1, (top + bottom) >> 1, widthPx);
 }
 
 /** Collects triangles; vertices are pixels, or poles behind them. */
@@ -110,7 +112,7 @@ interface Builder {
   use(corner: number): void;
   isUsed(corner: number): boolean;
   add(a: number, b: number, c: number): void;
-  build(): DepthMesh;
+  build(): Omit<DepthMesh, 'tolerance'>;
 }
 
 function createBuilder({ widthPx, heightPx, values }: DepthMap): Builder {
@@ -147,29 +149,30 @@ function createBuilder({ widthPx, heightPx, values }: DepthMap): Builder {
 }
 
 /** Adds the triangles of a block of one pixel by the diagonal along which depth changes less; none that is stretched. */
-function addCell(block: Block, widthPx: number, { values }: DepthMap, tests: TriangleTests, builder: Builder): void {
-  const [a = 0, b = 0, c = 0, d = 0] = cornersOf(block, widthPx).map(({ at }) => at);
-  const known = [a, b, c, d].filter(tests.isKnown);
-  const change = (from: number, to: number): number => Math.abs((values[from] ?? 0) - (values[to] ?? 0));
-  const triangles =
-    known.length === 3
-      ? [known]
-      : known.length < 3
-        ? []
-        : change(a, c) <= change(b, d)
-          ? [
-              [a, b, c],
-              [a, c, d],
-            ]
-          : [
-              [a, b, d],
-              [b, c, d],
-            ];
-  for (const [p = 0, q = 0, r = 0] of triangles) {
-    if (tests.isTorn(p, q, r)) continue;
-    for (const corner of [p, q, r]) builder.use(corner);
-    builder.add(p, q, r);
+function addCell({ left, top, right, bottom }: Block, widthPx: number, { values }: DepthMap, tests: TriangleTests, builder: Builder): void {
+  const a = top * widthPx + left;
+  const b = top * widthPx + (right % widthPx);
+  const c = bottom * widthPx + (right % widthPx);
+  const d = bottom * widthPx + left;
+  if (!tests.isKnown(a)) addTriangle(b, c, d, tests, builder);
+  else if (!tests.isKnown(b)) addTriangle(a, c, d, tests, builder);
+  else if (!tests.isKnown(c)) addTriangle(a, b, d, tests, builder);
+  else if (!tests.isKnown(d)) addTriangle(a, b, c, tests, builder);
+  else if (Math.abs((values[a] ?? 0) - (values[c] ?? 0)) <= Math.abs((values[b] ?? 0) - (values[d] ?? 0))) {
+    addTriangle(a, b, c, tests, builder);
+    addTriangle(a, c, d, tests, builder);
+  } else {
+    addTriangle(a, b, d, tests, builder);
+    addTriangle(b, c, d, tests, builder);
   }
+}
+
+function addTriangle(a: number, b: number, c: number, tests: TriangleTests, builder: Builder): void {
+  if (!tests.isKnown(a) || !tests.isKnown(b) || !tests.isKnown(c) || tests.isTorn(a, b, c)) return;
+  builder.use(a);
+  builder.use(b);
+  builder.use(c);
+  builder.add(a, b, c);
 }
 
 /** Adds a larger block: two triangles if they suffice, else a fan from its middle to the corners on its edges. */
@@ -184,23 +187,20 @@ function addBlock(block: Block, widthPx: number, builder: Builder, tests: Triang
   for (let row = top; row < bottom; row++) visit(right, row);
   for (let column = right; column > left; column--) visit(column, bottom);
   for (let row = bottom; row > top; row--) visit(left, row);
-  const [a = 0, b = 0, c = 0, d = 0] = around;
   if (around.length === 4) {
-    const [p, q, r, s] = cornersOf(block, widthPx) as [Corner, Corner, Corner, Corner];
-    const half = (from: Corner, to: Corner, isAbove: boolean) => (column: number, row: number) =>
-      ((to.column - from.column) * (row - from.row) - (to.row - from.row) * (column - from.column)) * (isAbove ? -1 : 1) >= 0;
-    if (tests.fits(a, b, c, block, half(p, r, true)) && tests.fits(a, c, d, block, half(p, r, false))) {
-      builder.add(a, b, c);
-      builder.add(a, c, d);
+    const [a, b, c, d] = cornersOf(block, widthPx);
+    if (fits(a, b, c, tests) && fits(a, c, d, tests)) {
+      builder.add(a.at, b.at, c.at);
+      builder.add(a.at, c.at, d.at);
       return;
     }
-    if (tests.fits(a, b, d, block, half(q, s, false)) && tests.fits(b, c, d, block, half(q, s, true))) {
-      builder.add(a, b, d);
-      builder.add(b, c, d);
+    if (fits(a, b, d, tests) && fits(b, c, d, tests)) {
+      builder.add(a.at, b.at, d.at);
+      builder.add(b.at, c.at, d.at);
       return;
     }
   }
-  const middle = middleOf(block, widthPx);
+  const middle = middleOf(block, widthPx).at;
   around.forEach((corner, i) => {
     builder.add(corner, around[(i + 1) % around.length] ?? corner, middle);
   });

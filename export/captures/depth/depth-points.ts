@@ -3,7 +3,7 @@ import type { DepthMesh } from './depth-mesh.ts';
 import type { DepthRays } from './depth-rays.ts';
 
 /** The points of a depth mesh in the axes of its camera, which looks along −z with y up. */
-export function pointsOfDepthMesh({ places, depths, indices }: DepthMesh, rays: DepthRays): CaptureMesh {
+export function pointsOfDepthMesh({ places, depths, indices }: Omit<DepthMesh, 'tolerance'>, rays: DepthRays): CaptureMesh {
   const { across, ahead, level, down, heightPx } = rays;
   const positions = new Float32Array(3 * depths.length);
   depths.forEach((depth, i) => {

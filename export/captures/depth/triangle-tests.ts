@@ -14,11 +14,10 @@ export interface TriangleTests {
   /** Whether the depth of a pixel is known. */
   isKnown(corner: number): boolean;
   /**
-   * Whether a triangle shows all pixels of a part of a block with a relative error of at most `tolerance`.
-   *
-   * @param isPart Whether a pixel belongs to the triangle.
+   * Whether a triangle shows all its pixels, including those on its edges, with a relative error of at most `tolerance`. Corners are columns
+   * and rows, clockwise; a column may be beyond the map where it wraps.
    */
-  fits(a: number, b: number, c: number, block: Block, isPart: (column: number, row: number) => boolean): boolean;
+  fits(ax: number, ay: number, bx: number, by: number, cx: number, cy: number): boolean;
   /** Whether a triangle stretches over an edge of what is seen. */
   isTorn(a: number, b: number, c: number): boolean;
 }
@@ -37,6 +36,7 @@ export function createTriangleTests({ values }: DepthMap, rays: DepthRays, toler
   const plane = new Float64Array(3);
   const points = new Float64Array(9);
 
+  const wrapped = (column: number): number => (column < 0 ? column + widthPx : column < widthPx ? column : column - widthPx);
   const direct = (corner: number, at: number, factor: number): void => {
     const column = corner % widthPx;
     const row = (corner - column) / widthPx;
@@ -51,21 +51,31 @@ export function createTriangleTests({ values }: DepthMap, rays: DepthRays, toler
   };
   return {
     isKnown: (corner) => isKnown(values[corner] ?? 0),
-    fits: (a, b, c, { left, top, right, bottom }, isPart) => {
+    fits: (ax, ay, bx, by, cx, cy) => {
+      const a = ay * widthPx + wrapped(ax);
+      const b = by * widthPx + wrapped(bx);
+      const c = cy * widthPx + wrapped(cx);
       direct(a, 0, 1);
       direct(b, 3, 1);
       direct(c, 6, 1);
       // Along a ray of direction d, the plane n · point = 1 is at the depth 1 / (n · d).
       if (!solve(points, 1 / (values[a] ?? 0), 1 / (values[b] ?? 0), 1 / (values[c] ?? 0), plane)) return false;
-      const [nx = 0, ny = 0, nz = 0] = plane;
-      for (let row = top; row <= bottom; row++) {
+      const [nx, ny, nz] = [plane[0] ?? 0, plane[1] ?? 0, plane[2] ?? 0];
+      const leastColumn = Math.min(ax, bx, cx);
+      const mostColumn = Math.max(ax, bx, cx);
+      const bottom = Math.max(ay, by, cy);
+      for (let row = Math.min(ay, by, cy); row <= bottom; row++) {
         const flat = level[row] ?? 0;
         const y = ny * (down[row] ?? 0);
+        // The columns of the row that are inside of each edge.
+        const left =
+          Math.max(leastColumn, firstInside(ax, ay, bx, by, row), firstInside(bx, by, cx, cy, row), firstInside(cx, cy, ax, ay, row)) | 0;
+        const right =
+          Math.min(mostColumn, lastInside(ax, ay, bx, by, row), lastInside(bx, by, cx, cy, row), lastInside(cx, cy, ax, ay, row)) | 0;
         for (let column = left; column <= right; column++) {
-          if (!isPart(column, row)) continue;
-          const wrapped = column % widthPx;
-          const inverse = (nx * (across[wrapped] ?? 0) + nz * (ahead[wrapped] ?? 0)) * flat + y;
-          const error = Math.abs((values[row * widthPx + wrapped] ?? 0) * inverse - 1);
+          const at = wrapped(column);
+          const inverse = (nx * (across[at] ?? 0) + nz * (ahead[at] ?? 0)) * flat + y;
+          const error = Math.abs((values[row * widthPx + at] ?? 0) * inverse - 1);
           if (!(error <= tolerance)) return false;
         }
       }
@@ -85,28 +95,41 @@ export function createTriangleTests({ values }: DepthMap, rays: DepthRays, toler
   };
 }
 
+/** The first column of a row inside of an edge that goes up on the left of a triangle. */
+function firstInside(ax: number, ay: number, bx: number, by: number, row: number): number {
+  return by < ay ? ax + Math.ceil(((bx - ax) * (row - ay)) / (by - ay)) : Number.NEGATIVE_INFINITY;
+}
+
+/** The last column of a row inside of an edge that goes down on the right of a triangle. */
+function lastInside(ax: number, ay: number, bx: number, by: number, row: number): number {
+  return by > ay ? ax + Math.floor(((bx - ax) * (row - ay)) / (by - ay)) : Number.POSITIVE_INFINITY;
+}
+
 /** Solves n · dᵢ = vᵢ for the three directions in `d`. Returns false if they lie in a plane. */
 function solve(d: Float64Array, v0: number, v1: number, v2: number, out: Float64Array): boolean {
-  const [ax = 0, ay = 0, az = 0, bx = 0, by = 0, bz = 0, cx = 0, cy = 0, cz = 0] = d;
-  const [bcx, bcy, bcz] = [by * cz - bz * cy, bz * cx - bx * cz, bx * cy - by * cx];
-  const determinant = ax * bcx + ay * bcy + az * bcz;
+  const at = (i: number): number => d[i] ?? 0;
+  const bcx = at(4) * at(8) - at(5) * at(7);
+  const bcy = at(5) * at(6) - at(3) * at(8);
+  const bcz = at(3) * at(7) - at(4) * at(6);
+  const determinant = at(0) * bcx + at(1) * bcy + at(2) * bcz;
   if (Math.abs(determinant) < 1e-14) return false;
-  const [cax, cay, caz] = [cy * az - cz * ay, cz * ax - cx * az, cx * ay - cy * ax];
-  const [abx, aby, abz] = [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];
-  out[0] = (v0 * bcx + v1 * cax + v2 * abx) / determinant;
-  out[1] = (v0 * bcy + v1 * cay + v2 * aby) / determinant;
-  out[2] = (v0 * bcz + v1 * caz + v2 * abz) / determinant;
+  out[0] = (v0 * bcx + v1 * (at(7) * at(2) - at(8) * at(1)) + v2 * (at(1) * at(5) - at(2) * at(4))) / determinant;
+  out[1] = (v0 * bcy + v1 * (at(8) * at(0) - at(6) * at(2)) + v2 * (at(2) * at(3) - at(0) * at(5))) / determinant;
+  out[2] = (v0 * bcz + v1 * (at(6) * at(1) - at(7) * at(0)) + v2 * (at(0) * at(4) - at(1) * at(3))) / determinant;
   return true;
 }
 
 /** The cosine between the normal of a triangle and the direction from its center to the camera, at the origin. */
 function cosineToCamera(p: Float64Array): number {
-  const [ax = 0, ay = 0, az = 0, bx = 0, by = 0, bz = 0, cx = 0, cy = 0, cz = 0] = p;
-  const [ux, uy, uz] = [bx - ax, by - ay, bz - az];
-  const [vx, vy, vz] = [cx - ax, cy - ay, cz - az];
-  const [nx, ny, nz] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-  const [mx, my, mz] = [ax + bx + cx, ay + by + cy, az + bz + cz];
-  return Math.abs(nx * mx + ny * my + nz * mz) / (Math.hypot(nx, ny, nz) * Math.hypot(mx, my, mz) || 1);
+  const at = (i: number): number => p[i] ?? 0;
+  const along = (from: number, axis: number): number => at(from + axis) - at(axis);
+  const nx = along(3, 1) * along(6, 2) - along(3, 2) * along(6, 1);
+  const ny = along(3, 2) * along(6, 0) - along(3, 0) * along(6, 2);
+  const nz = along(3, 0) * along(6, 1) - along(3, 1) * along(6, 0);
+  const mx = at(0) + at(3) + at(6);
+  const my = at(1) + at(4) + at(7);
+  const mz = at(2) + at(5) + at(8);
+  return Math.abs(nx * mx + ny * my + nz * mz) / (Math.sqrt((nx * nx + ny * ny + nz * nz) * (mx * mx + my * my + mz * mz)) || 1);
 }
 
 function stretch(p: Float64Array, from: number, to: number, pixels: number): number {
