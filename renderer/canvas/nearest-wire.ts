@@ -1,62 +1,43 @@
+import { type Box, type Curve, type Distance, distanceToCurve, isNearer } from './curve-distance.ts';
+
 /** Greatest distance from a wire at which something dropped goes onto it, in client pixels. */
 const REACH_PX = 24;
-/** Distance between samples of a wire, in client pixels. */
-const STEP_PX = 4;
+/** Error of a distance, in client pixels. */
+const TOLERANCE_PX = 1;
 
-/** A rectangle in client pixels; one without width and height is a point. */
-export interface ClientBox {
-  readonly x: number;
-  readonly y: number;
-  readonly width: number;
-  readonly height: number;
-}
+/** What is drawn by each path, by its path data. */
+const drawn = new WeakMap<SVGPathElement, { readonly data: string; readonly curve: Curve }>();
 
 /**
- * Id of the accepted wire nearest to a rectangle, by the distance to the drawn line; null if none is within 24 px. Of wires that cross the
- * rectangle, the one nearest to its center.
+ * Id of the accepted wire nearest to a rectangle in client pixels, by the distance to the drawn line; null if none is within 24 px. Of wires
+ * that cross the rectangle, the one nearest to its center.
  */
-export function nearestWire(box: ClientBox, accepts: (id: string) => boolean): string | null {
+export function nearestWire(client: Box, accepts: (id: string) => boolean): string | null {
+  const paths = document.querySelectorAll<SVGPathElement>('.react-flow__edge-path');
+  // All wires have the transform of the canvas. Distances are measured in its units, in which curves do not change when it moves.
+  const toClient = paths[0]?.getScreenCTM();
+  if (!toClient) return null;
+  const { a: zoom, e: left, f: top } = toClient;
+  const box = { x: (client.x - left) / zoom, y: (client.y - top) / zoom, width: client.width / zoom, height: client.height / zoom };
   let nearest: string | null = null;
-  let least: Distance = { toBoxPx: REACH_PX, toCenterPx: Number.POSITIVE_INFINITY };
-  for (const path of document.querySelectorAll<SVGPathElement>('.react-flow__edge-path')) {
+  let least: Distance = { toBox: REACH_PX / zoom, toCenter: Number.POSITIVE_INFINITY };
+  for (const path of paths) {
+    const distance = distanceToCurve(curveOf(path), box, least, TOLERANCE_PX / zoom);
+    if (!isNearer(distance, least)) continue;
     const id = path.closest('.react-flow__edge')?.getAttribute('data-id');
-    if (id === null || id === undefined || distanceBetween(path.getBoundingClientRect(), box) > REACH_PX) continue;
-    const distance = distanceTo(path, box);
-    if (!isNearer(distance, least) || !accepts(id)) continue;
+    if (id === null || id === undefined || !accepts(id)) continue;
     nearest = id;
     least = distance;
   }
   return nearest;
 }
 
-interface Distance {
-  readonly toBoxPx: number;
-  readonly toCenterPx: number;
-}
-
-function isNearer(a: Distance, b: Distance): boolean {
-  return a.toBoxPx < b.toBoxPx || (a.toBoxPx === b.toBoxPx && a.toCenterPx < b.toCenterPx);
-}
-
-function distanceTo(path: SVGPathElement, box: ClientBox): Distance {
-  const toClient = path.getScreenCTM();
-  const length = path.getTotalLength();
-  const steps = Math.max(1, Math.ceil((length * (toClient?.a ?? 1)) / STEP_PX));
-  let least: Distance = { toBoxPx: Number.POSITIVE_INFINITY, toCenterPx: Number.POSITIVE_INFINITY };
-  for (let i = 0; i <= steps; i++) {
-    const { x, y } = path.getPointAtLength((length * i) / steps).matrixTransform(toClient ?? undefined);
-    const distance = {
-      toBoxPx: distanceBetween({ x, y, width: 0, height: 0 }, box),
-      toCenterPx: Math.hypot(x - (box.x + box.width / 2), y - (box.y + box.height / 2)),
-    };
-    if (isNearer(distance, least)) least = distance;
-  }
-  return least;
-}
-
-/** Distance between two rectangles; 0 if they overlap. */
-function distanceBetween(a: ClientBox, b: ClientBox): number {
-  const acrossPx = Math.max(b.x - (a.x + a.width), a.x - (b.x + b.width), 0);
-  const downPx = Math.max(b.y - (a.y + a.height), a.y - (b.y + b.height), 0);
-  return Math.hypot(acrossPx, downPx);
+/** The curve that `stretchPath` wrote. */
+function curveOf(path: SVGPathElement): Curve {
+  const data = path.getAttribute('d') ?? '';
+  const known = drawn.get(path);
+  if (known?.data === data) return known.curve;
+  const curve = (data.match(/-?\d[\d.]*(?:e-?\d+)?/g) ?? []).map(Number) as readonly number[] as Curve;
+  drawn.set(path, { data, curve });
+  return curve;
 }

@@ -1,8 +1,9 @@
-import { useId } from 'react';
-import { setPage, setTitle } from '../../export/graph/commands/project-info.ts';
+import { useId, useState } from 'react';
+import { setKeywords, setPage, setTitle } from '../../export/graph/commands/project-info.ts';
 import { apply, endGesture } from '../state/document/apply.ts';
 import { graphOf } from '../state/editor/document.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { textOfWords, wordsIn } from '../state/recipes/search-words.ts';
 import { DevicesSection } from './devices-section.tsx';
 import { LibrarySection } from './library-section.tsx';
 
@@ -50,6 +51,7 @@ export function ProjectInspector() {
             onBlur={() => endGesture(editor)}
           />
         </div>
+        <SearchWords />
       </section>
       <DevicesSection />
       <LibrarySection />
@@ -57,5 +59,31 @@ export function ProjectInspector() {
         <p className="inspector-note">Select a node to change its parameters. Hold Shift to select several.</p>
       </section>
     </>
+  );
+}
+
+/** Words by which the palette finds the recipe that is open. Other projects have none. */
+function SearchWords() {
+  const editor = useEditor();
+  const id = useId();
+  const [typed, setTyped] = useState('');
+  const keywords = useDocument((state) => state.project.recipe?.keywords);
+  if (keywords === undefined) return null;
+  return (
+    <div className="stacked">
+      <label htmlFor={id}>Search words</label>
+      <input
+        id={id}
+        className="field"
+        placeholder="Separated by commas"
+        value={textOfWords(keywords, typed)}
+        onChange={({ target }) => {
+          setTyped(target.value);
+          const change = setKeywords(editor.document.getState().project, { keywords: wordsIn(target.value) });
+          apply(editor, 'Change the search words', change, 'keywords');
+        }}
+        onBlur={() => endGesture(editor)}
+      />
+    </div>
   );
 }

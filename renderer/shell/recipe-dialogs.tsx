@@ -5,6 +5,7 @@ import { confirmUnsaved, openPath } from '../state/files/files.ts';
 import { listRecipes, wordsOf } from '../state/recipes/list-recipes.ts';
 import { recipeOfSelection } from '../state/recipes/recipe-of-selection.ts';
 import { describeRecipe, portsOfRecipe, recipeTitleProblem, removeRecipe, saveRecipe } from '../state/recipes/save-recipe.ts';
+import { wordsIn } from '../state/recipes/search-words.ts';
 import { Button, IconButton } from '../ui/button.tsx';
 import { Dialog } from '../ui/dialog.tsx';
 import { FormDialog } from '../ui/form-dialog.tsx';
@@ -13,13 +14,14 @@ import { Icon } from '../ui/icon.tsx';
 import { DialogErrors, ErrorText } from './dialog-error.tsx';
 import './open-dialog.css';
 
-/** Asks for the name and the description of a recipe with the selected nodes, or says why they cannot be one. */
+/** Asks for the name, the description and the search words of a recipe with the selected nodes, or says why they cannot be one. */
 export function RecipeDialog({ onClose }: { readonly onClose: () => void }) {
   const editor = useEditor();
   const id = useId();
   const [recipe] = useState(() => recipeOfSelection(editor));
   const [title, setTitle] = useState('My recipe');
   const [description, setDescription] = useState(() => ('project' in recipe ? describeRecipe(editor, recipe.project) : ''));
+  const [searchWords, setSearchWords] = useState('');
   const [busy, setBusy] = useState(false);
   const problem = useStore(editor.recipes, (recipes) => recipeTitleProblem(recipes, title));
   if ('problem' in recipe) {
@@ -31,7 +33,8 @@ export function RecipeDialog({ onClose }: { readonly onClose: () => void }) {
   }
   const go = async () => {
     setBusy(true);
-    if (await saveRecipe(editor, recipe.project, { title: title.trim(), description: description.trim() })) onClose();
+    const words = { title: title.trim(), description: description.trim(), keywords: wordsIn(searchWords) };
+    if (await saveRecipe(editor, recipe.project, words)) onClose();
     else setBusy(false);
   };
   const ports = (side: 'inputs' | 'outputs') => portsOfRecipe(editor, recipe.project, side);
@@ -46,6 +49,7 @@ export function RecipeDialog({ onClose }: { readonly onClose: () => void }) {
         value={description}
         onChange={(event) => setDescription(event.target.value)}
       />
+      <TextField label="Search words, separated by commas" text={searchWords} plain onChange={setSearchWords} />
       <p className="dialog-note">{`Inputs: ${ports('inputs')}. Outputs: ${ports('outputs')}.`}</p>
       <DialogErrors />
     </FormDialog>
@@ -83,7 +87,9 @@ export function RecipesDialog({ onClose }: { readonly onClose: () => void }) {
       {own.length + broken.length === 0 ? (
         <p className="dialog-note">Select nodes and choose “Save as recipe…” in their menu.</p>
       ) : (
-        <p className="dialog-note">A recipe opens as a project. Its title is its name in the palette.</p>
+        <p className="dialog-note">
+          A recipe opens as a project. Its title is its name in the palette, which also finds it by its search words.
+        </p>
       )}
     </Dialog>
   );

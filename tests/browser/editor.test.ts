@@ -2,6 +2,7 @@ import { readdir, readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { describe, expect, test } from '@jest/globals';
 import { centerOf } from '../../tools/lib/center-of.ts';
+import { frameOf } from '../../tools/lib/frame-of.ts';
 import { chooseOption } from '../support/choose-option.ts';
 import { encodeImage } from '../support/image.ts';
 import { type GraphText, saveGraphs, useEditor } from '../support/open-editor.ts';
@@ -25,10 +26,10 @@ const start = (graph: GraphText = SIMPLE) => openEditor(graph);
 
 test('a preview that is busy does not hold up the editor', async () => {
   const { page, editor } = await start();
-  const preview = page.frames().find((frame) => frame !== page.mainFrame());
+  const preview = await frameOf(page);
   let isBusy = true;
   const busy = preview
-    ?.evaluate((ms) => {
+    .evaluate((ms) => {
       for (const untilMs = performance.now() + ms; performance.now() < untilMs; );
     }, BUSY_MS)
     .then(() => {
@@ -264,15 +265,15 @@ describe('the preview', () => {
     const { page, editor } = await start();
     await editor.settled();
     const before = await editor.rewind();
-    const frame = page.frames().find((candidate) => candidate !== page.mainFrame());
-    await frame?.evaluate(() => {
+    const frame = await frameOf(page);
+    await frame.evaluate(() => {
       const gl = document.querySelector<HTMLCanvasElement>('#picture')?.getContext('webgl2');
       const extension = gl?.getExtension('WEBGL_lose_context');
       (globalThis as { lost?: WEBGL_lose_context | null }).lost = extension ?? null;
       extension?.loseContext();
     });
     await page.getByText('The graphics device was lost').waitFor();
-    await frame?.evaluate(() => (globalThis as { lost?: WEBGL_lose_context | null }).lost?.restoreContext());
+    await frame.evaluate(() => (globalThis as { lost?: WEBGL_lose_context | null }).lost?.restoreContext());
     await page.getByText('The graphics device was lost').waitFor({ state: 'detached' });
     await editor.imageSameAs(before);
   });
@@ -280,8 +281,8 @@ describe('the preview', () => {
   test('waits to be started where the device was lost the last time, and where Shift was held on opening', async () => {
     const { page, editor } = await start();
     await editor.settled();
-    const frame = page.frames().find((candidate) => candidate !== page.mainFrame());
-    await frame?.evaluate(() => {
+    const frame = await frameOf(page);
+    await frame.evaluate(() => {
       document.querySelector<HTMLCanvasElement>('#picture')?.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
     });
     await page.getByText('The graphics device was lost').waitFor();

@@ -2,6 +2,7 @@ import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { build } from 'esbuild';
 import type { Page } from 'playwright-core';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
+import { frameOf } from '../../tools/lib/frame-of.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { type StaticServer, serveStatic } from '../support/serve.ts';
 
@@ -91,9 +92,7 @@ test('a page under a strict policy enters an emulated room by a click, and only 
 
 test('a page without storage, as in a sandboxed frame, can enter too', async () => {
   const { page, errors } = await open('/framed', { device: 'headset', room: null, clock: 'manual' });
-  await page.waitForSelector('iframe');
-  const frame = page.frames().find((candidate) => candidate !== page.mainFrame());
-  if (!frame) throw new Error('The frame is missing.');
+  const frame = await frameOf(page, 'iframe');
   await frame.waitForSelector('body[data-ready]');
   const state = await frame.evaluate(() => {
     try {

@@ -7,6 +7,7 @@ import { TOKEN_HEADER } from '../../app/contract/http-client.ts';
 import { encodeMessage, MESSAGE_TYPE } from '../../app/contract/message.ts';
 import { type EditorServer, startServer } from '../../app/server/start-server.ts';
 import { installationAt } from '../../app/services/installation.ts';
+import { frameOf } from '../../tools/lib/frame-of.ts';
 import { useBrowser } from '../support/browser.ts';
 import { projectText, writeProject } from '../support/project-kit.ts';
 import { type StaticServer, serveStatic } from '../support/serve.ts';
@@ -97,10 +98,10 @@ describe('the editor on loopback, in a browser', () => {
 
   test('keeps its preview from the host, even with the token', async () => {
     await openEditor();
-    const preview = await page.waitForSelector('iframe').then((frame) => frame.contentFrame());
-    expect(new URL(preview?.url() ?? '').origin).toBe(server.previewOrigin);
+    const preview = await frameOf(page);
+    expect(new URL(preview.url()).origin).toBe(server.previewOrigin);
     const call = (origin: string) =>
-      preview?.evaluate(
+      preview.evaluate(
         async ([address, secret, header]) =>
           fetch(`${address}/api/call/app.info`, { method: 'POST', headers: { [header as string]: secret as string } }).then(
             (response) => String(response.status),
@@ -111,13 +112,13 @@ describe('the editor on loopback, in a browser', () => {
     expect(await call(server.editorOrigin)).toBe('blocked');
     expect(await call(server.previewOrigin)).toBe('405');
     expect(
-      await preview?.evaluate(() =>
+      await preview.evaluate(() =>
         Promise.resolve()
           .then(() => window.parent.document.title)
           .catch(() => 'refused'),
       ),
     ).toBe('refused');
-    expect(await preview?.evaluate(() => 'scrimHost' in window)).toBe(false);
+    expect(await preview.evaluate(() => 'scrimHost' in window)).toBe(false);
   });
 });
 

@@ -1,4 +1,5 @@
 import { expect, test } from '@jest/globals';
+import { frameOf } from '../../tools/lib/frame-of.ts';
 import { useEditor } from '../support/open-editor.ts';
 import { TINTED } from '../support/tinted.ts';
 import { type FramesSeen, watchFrames } from './watch-frames.ts';
@@ -11,8 +12,7 @@ test(`a shader broken and fixed ${TIMES} times by typing shows no black frame, l
   const { page, editor } = await openEditor(TINTED, { before: watchFrames });
   await editor.settled();
   await editor.openCode('tint-aaaa');
-  const preview = page.frames().find((frame) => frame !== page.mainFrame());
-  if (!preview) throw new Error('There is no preview.');
+  const preview = await frameOf(page);
   const seen = () => preview.evaluate(() => ({ ...(globalThis as unknown as { framesSeen: FramesSeen }).framesSeen }));
   const mark = page.locator('.monaco-editor .squiggly-error').first();
   await editor.findInText('0), pixel.a)');

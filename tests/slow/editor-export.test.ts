@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import type { Locator } from 'playwright-core';
 import { decodeQR } from 'qr/decode.js';
+import { frameOf } from '../../tools/lib/frame-of.ts';
 import { axeFindings } from '../support/axe.ts';
 import { chooseOption } from '../support/choose-option.ts';
 import { expectPoster } from '../support/exported-page.ts';
@@ -222,8 +223,8 @@ test('the poster is framed in the preview, and the project keeps the frame until
 
 test('a page is exported without a picture where the graphics are lost, and the problems say so', async () => {
   const { page } = open;
-  const frame = page.frames().find((candidate) => candidate !== page.mainFrame());
-  await frame?.evaluate(() => {
+  const frame = await frameOf(page);
+  await frame.evaluate(() => {
     document.querySelector<HTMLCanvasElement>('#picture')?.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
   });
   await page.getByText('The graphics device was lost').waitFor();

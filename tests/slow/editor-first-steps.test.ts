@@ -1,4 +1,5 @@
 import { expect, test } from '@jest/globals';
+import { frameOf } from '../../tools/lib/frame-of.ts';
 import { axeFindings } from '../support/axe.ts';
 import { type GraphText, useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
@@ -77,8 +78,7 @@ test('the image before stays, and the preview is busy, until a step of the histo
   const { page, editor } = open;
   await editor.settled();
   const placed = await editor.picture();
-  const [, preview] = page.frames();
-  if (!preview) throw new Error('There is no preview.');
+  const preview = await frameOf(page);
   await preview.evaluate(() => {
     for (const canvas of document.querySelectorAll('canvas')) canvas.dataset.before = '';
     (window as unknown as { framesHeld: boolean }).framesHeld = true;

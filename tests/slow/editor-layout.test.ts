@@ -1,5 +1,6 @@
 import { afterEach, describe, expect, test } from '@jest/globals';
 import { centerOf } from '../../tools/lib/center-of.ts';
+import { frameOf } from '../../tools/lib/frame-of.ts';
 import { type GraphText, useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
 
@@ -97,8 +98,8 @@ describe('the layout of the window', () => {
   });
 
   test('gives an upright phone nearly the whole height beside the inspector, without loading its page again', async () => {
-    const frame = open.page.frames().find((candidate) => candidate.parentFrame() !== null);
-    await frame?.evaluate(() => Object.assign(window, { upright: true }));
+    const frame = await frameOf(open.page);
+    await frame.evaluate(() => Object.assign(window, { upright: true }));
     await open.page.getByRole('button', { name: 'Phone, portrait' }).click();
     const phone = open.page.locator('.stage-device');
     await eventually(async () => expect((await phone.boundingBox())?.height).toBeGreaterThan(900 * 0.8));
@@ -107,14 +108,14 @@ describe('the layout of the window', () => {
     const inspector = await open.editor.inspector.boundingBox();
     expect(inspector?.x).toBeGreaterThanOrEqual((box?.x ?? 0) + (box?.width ?? 0));
     expect(inspector?.width).toBeGreaterThanOrEqual(260);
-    expect(await frame?.evaluate(() => 'upright' in window)).toBe(true);
+    expect(await frame.evaluate(() => 'upright' in window)).toBe(true);
     await open.page.getByRole('button', { name: 'Fit to panel' }).click();
     await eventually(async () => expect((await previewBox()).width).toBeGreaterThanOrEqual(1440 * 0.4));
   });
 
   test('docks the preview left and below without loading its page again, and fits the graph', async () => {
-    const frame = open.page.frames().find((candidate) => candidate.parentFrame() !== null);
-    await frame?.evaluate(() => Object.assign(window, { mark: true }));
+    const frame = await frameOf(open.page);
+    await frame.evaluate(() => Object.assign(window, { mark: true }));
     await run('Dock preview left');
     await eventually(async () => expect((await previewBox()).x).toBe(RAIL_PX));
     expect((await canvasBox()).x).toBeGreaterThan(500);
@@ -128,7 +129,7 @@ describe('the layout of the window', () => {
         expect(box && box.y + box.height <= canvas.y + canvas.height).toBe(true);
       }
     });
-    expect(await frame?.evaluate(() => 'mark' in window)).toBe(true);
+    expect(await frame.evaluate(() => 'mark' in window)).toBe(true);
   });
 
   test('the bottom panel leaves in view what was: a graph that was fitted whole, else what was in the middle', async () => {

@@ -1,4 +1,5 @@
 import { expect, test } from '@jest/globals';
+import { frameOf } from '../../tools/lib/frame-of.ts';
 import { useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
 import { ballMiddle, ballPixels, PLACED_BALL } from '../support/placed-ball.ts';
@@ -25,9 +26,9 @@ test('what a tap places in the preview stays while the recorded room repeats', a
 test('two fingers on the preview scale it', async () => {
   await open.editor.hold();
   const before = await ballPixels(open.editor);
-  const preview = open.page.frames().find((frame) => frame !== open.page.mainFrame());
+  const preview = await frameOf(open.page);
   const box = await open.page.locator('iframe[title="Preview"]').boundingBox();
-  if (!preview || !box) throw new Error('There is no preview.');
+  if (!box) throw new Error('There is no preview.');
   const [xPx, yPx] = await ballMiddle(open.editor);
   // Touches reach a frame in a process of its own only by its session, at points of the page.
   const client = await open.page.context().newCDPSession(preview);

@@ -1,4 +1,4 @@
-import { mkdir, readdir, writeFile } from 'node:fs/promises';
+import { mkdir, readdir, readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { expect, test } from '@jest/globals';
 import { axeFindings } from '../support/axe.ts';
@@ -61,6 +61,7 @@ test('selected nodes are saved as a recipe by their menu', async () => {
   expect(await form.getByRole('button', { name: 'Save' }).isDisabled()).toBe(true);
   expect(await axeFindings(page)).toEqual([]);
   await form.getByRole('textbox', { name: 'Name' }).fill('Old film');
+  await form.getByRole('textbox', { name: 'Search words' }).fill('celluloid, cinema');
   await page.keyboard.press('Enter');
   await form.waitFor({ state: 'detached' });
   await page.getByText('Saved the recipe “Old film”. The node search finds it.').waitFor();
@@ -68,7 +69,7 @@ test('selected nodes are saved as a recipe by their menu', async () => {
 });
 
 test('the palette adds it at once, shown, and one undo takes it away', async () => {
-  await open.editor.addNode('old film');
+  await open.editor.addNode('celluloid');
   const main = await countOf(2);
   const blurs = Object.values(main?.nodes ?? {}).filter(({ type }) => type === 'filter/gaussian-blur');
   expect(blurs.map(({ params }) => params)).toEqual([{ radius: 9 }, { radius: 9 }]);
@@ -111,9 +112,15 @@ test('“My recipes” opens one as a project, which renames it, and deletes it'
     .click();
   await title('recipe').waitFor();
   await open.editor.inspector.getByRole('textbox', { name: 'Title' }).fill('Silent film');
+  const words = open.editor.inspector.getByRole('textbox', { name: 'Search words' });
+  expect(await words.inputValue()).toBe('celluloid, cinema');
+  await words.press('End');
+  await words.pressSequentially(', mute');
   await page.keyboard.press('Tab');
   await page.keyboard.press('Control+s');
   await page.locator('.unsaved').waitFor({ state: 'detached' });
+  const saved = await readFile(join(recipes(), 'old-film', 'project.scrim.json'), 'utf8');
+  expect(JSON.parse(saved).recipe).toEqual({ keywords: ['celluloid', 'cinema', 'mute'] });
   await openMyRecipes();
   await dialog('My recipes').getByRole('button', { name: 'Delete torn' }).click();
   await dialog('My recipes').getByText('was left out').waitFor({ state: 'detached' });

@@ -1,4 +1,5 @@
 import { expect, test } from '@jest/globals';
+import { frameOf } from '../../tools/lib/frame-of.ts';
 import { chooseOption, chosenValue } from '../support/choose-option.ts';
 import { useEditor } from '../support/open-editor.ts';
 
@@ -17,8 +18,8 @@ test('the preview of an emulated room comes back after the graphics device was l
   await chooseOption(source, 'room/studio');
   await editor.settled();
   const before = await editor.rewind();
-  const frame = page.frames().find((candidate) => candidate !== page.mainFrame());
-  const canLose = await frame?.evaluate(() => {
+  const frame = await frameOf(page);
+  const canLose = await frame.evaluate(() => {
     const extension = document.querySelector<HTMLCanvasElement>('#picture')?.getContext('webgl2')?.getExtension('WEBGL_lose_context');
     (globalThis as Losing).lost = extension ?? null;
     extension?.loseContext();
@@ -26,10 +27,10 @@ test('the preview of an emulated room comes back after the graphics device was l
   });
   expect(canLose).toBe(true);
   await page.getByText('The graphics device was lost').waitFor();
-  await frame?.evaluate(() => (globalThis as Losing).lost?.restoreContext());
+  await frame.evaluate(() => (globalThis as Losing).lost?.restoreContext());
   await page.getByText('The graphics device was lost').waitFor({ state: 'detached' });
   const isLost = () => document.querySelector<HTMLCanvasElement>('#picture')?.getContext('webgl2')?.isContextLost();
-  expect(await frame?.evaluate(isLost)).toBe(false);
+  expect(await frame.evaluate(isLost)).toBe(false);
   expect(await chosenValue(source)).toBe('room/studio');
   await editor.imageSameAs(before);
 });

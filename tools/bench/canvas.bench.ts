@@ -1,12 +1,10 @@
-import { once } from 'node:events';
-import { mkdtemp, rm, writeFile } from 'node:fs/promises';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
+import type { Point } from '../lib/center-of.ts';
 import type { ToolContext } from '../lib/tool.ts';
 import type { Bench } from './bench.ts';
-import { GRID_ROWS, type GridGraph, gridGraph } from './grid-graph.ts';
-import { openServer, startBenchBrowser } from './open-page.ts';
+import { openGraph, zoomToNode } from './graph-page.ts';
+import { GRID_ROWS, gridGraph } from './grid-graph.ts';
+import { startBenchBrowser } from './open-page.ts';
 
 const FRAMES = 120;
 /** Distance between pointer moves, as in a manual drag. */
@@ -48,34 +46,13 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
 }
 
 async function framesOf(root: string, browser: Browser, what: Case): Promise<number[]> {
-  const folder = await mkdtemp(join(tmpdir(), 'scrim-bench-'));
-  await writeProject(folder, gridGraph(what.nodes));
-  const { server, url } = await openServer(root, folder);
-  const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
+  const { page, close } = await openGraph(root, browser, gridGraph(what.nodes));
   try {
-    await page.goto(url);
-    await page.locator('.react-flow__node').first().waitFor();
-    const from = what.columns === 0 ? await oneNode(page) : await selectColumns(page, what.columns);
+    const from = what.columns === 0 ? await zoomToNode(page, 'node-a2') : await selectColumns(page, what.columns);
     return await drag(page, from);
   } finally {
-    await page.close();
-    server.kill();
-    await once(server, 'exit');
-    await rm(folder, { recursive: true, force: true });
+    await close();
   }
-}
-
-async function writeProject(folder: string, { nodes, wires, places }: GridGraph): Promise<void> {
-  const graph = { nodes: Object.fromEntries(Object.entries(nodes).map(([id, node]) => [id, { ...node, version: 1 }])), wires };
-  const layout = { nodes: Object.fromEntries(Object.entries(places).map(([id, [x, y]]) => [id, { x, y }])) };
-  const write = (file: string, content: object) => writeFile(join(folder, file), JSON.stringify(content));
-  await write('project.scrim.json', { format: 'scrim-project', version: 1, title: 'Grid', graphs: { main: graph } });
-  await write('project.layout.json', { format: 'scrim-layout', version: 1, graphs: { main: layout } });
-}
-
-interface Point {
-  readonly x: number;
-  readonly y: number;
 }
 
 /** Selects columns in the middle with a selection box. Returns a point in the selection. */
@@ -95,17 +72,6 @@ async function selectColumns(page: Page, columns: number): Promise<Point> {
   await page.mouse.up();
   await page.getByRole('heading', { name: new RegExp(`^${columns * GRID_ROWS} nodes`) }).waitFor();
   return { x: (box.left + box.right) / 2, y: (box.top + box.bottom) / 2 };
-}
-
-/** Zooms in to one node. Returns a point on its title. */
-async function oneNode(page: Page): Promise<Point> {
-  await page.locator('[data-node="node-a2"]').click();
-  await page.keyboard.press('Shift+F');
-  const title = page.locator('[data-node="node-a2"] .node-title');
-  await page.waitForFunction(() => (document.querySelector('[data-node="node-a2"]')?.getBoundingClientRect().width ?? 0) > 150);
-  const box = await title.boundingBox();
-  if (!box) throw new Error('The node is not on screen.');
-  return { x: box.x + 8, y: box.y + box.height / 2 };
 }
 
 /** Milliseconds between paints while the pointer moves back and forth. */

@@ -24,3 +24,14 @@ export function gridGraph(count: number): GridGraph {
   }
   return { nodes, wires, places };
 }
+
+/** A camera video that the screen and so many filters read, in columns below it: all wires begin at one port. */
+export function hubGraph(count: number): GridGraph {
+  const { nodes, places } = gridGraph(count + 2);
+  const wires = Array.from({ length: count }, (_, i) => `node-a0.layer -> node-a${i + 2}.inputImage`);
+  return {
+    nodes,
+    places: { ...places, 'node-a0': [Math.floor(count / GRID_ROWS / 2) * SPACING.x, -2 * SPACING.y] },
+    wires: ['node-a0.layer -> node-a1.layer', ...wires],
+  };
+}

@@ -4,6 +4,7 @@ import { cp, mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Browser, Frame, Page } from 'playwright-core';
+import { frameOf } from '../lib/frame-of.ts';
 import type { ToolContext } from '../lib/tool.ts';
 import { type Bench, timeMs } from './bench.ts';
 import { childrenCpuMs } from './cpu-time.ts';
@@ -108,9 +109,7 @@ async function openEditor(root: string, project: string, thumbnails: boolean): P
   }, thumbnails);
   await page.goto(url);
   await page.locator('.react-flow__node').first().waitFor();
-  const preview = page.frames().find((frame) => frame !== page.mainFrame());
-  if (!preview) throw new Error('There is no preview.');
-  return { server, browser, page, preview, folder };
+  return { server, browser, page, preview: await frameOf(page), folder };
 }
 
 /** A project that opens for the first time stands at its first frame. */

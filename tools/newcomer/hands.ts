@@ -2,6 +2,7 @@ import { readFile } from 'node:fs/promises';
 import { basename } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
 import { centerOf, type Point } from '../lib/center-of.ts';
+import { frameOf } from '../lib/frame-of.ts';
 
 /** An interaction as a user counts it: a click, a drag, or a field with its Enter. */
 export interface Interaction {
@@ -51,8 +52,7 @@ export class Hands {
   /** Puts two fingers on opposite sides of a point of the preview and turns them about it, clockwise as seen. */
   async twist(what: string, { x, y }: Point, radiusPx: number, turnRad: number): Promise<void> {
     // Touches reach a frame in a process of its own only by its session, at points of the page.
-    const preview = this.page.frames().find((frame) => frame !== this.page.mainFrame()) ?? this.page.mainFrame();
-    const client = await this.page.context().newCDPSession(preview);
+    const client = await this.page.context().newCDPSession(await frameOf(this.page));
     const put = async (type: 'touchStart' | 'touchMove', rad: number) => {
       const touchPoints = [rad, rad + Math.PI].map((at, id) => ({ x: x + radiusPx * Math.cos(at), y: y + radiusPx * Math.sin(at), id }));
       await client.send('Input.dispatchTouchEvent', { type, touchPoints });

@@ -23,7 +23,7 @@ import { createSubgraph } from './create-subgraph.ts';
 import { moveNodes, putFrame, putNote, removeFromLayout, setCollapsed } from './layout-commands.ts';
 import { addNode, removeNodes, setMuted, setUnfused } from './node-commands.ts';
 import { bindParam, setParam } from './param-commands.ts';
-import { replaceProject, setFraming, setPage, setPoster, setTitle } from './project-info.ts';
+import { replaceProject, setFraming, setKeywords, setPage, setPoster, setTitle } from './project-info.ts';
 import { pruneRoutesAfter, putReroute, setRoutes } from './route-commands.ts';
 import { forkShader, removeSource, setSource } from './shader-commands.ts';
 import { addGraph, exposePort, hidePort, removeGraph, renameExposed, renameGraph } from './subgraph-commands.ts';
@@ -225,6 +225,7 @@ const LOGIC_COMMANDS: Readonly<Record<string, Command>> = {
   replace: (p, pick) => replaceProject(p, setTitle(p, { title: `T${pick.next()}` }).project),
   poster: (p, pick) => setPoster(p, { path: pick.of([null, 'assets/poster.jpg']) ?? null }),
   framing: (p, pick) => setFraming(p, { framing: pick.of([null, { center: [0, 0.1], height: 0.5 }]) ?? null }),
+  keywords: (p, pick) => setKeywords(p, { keywords: pick.of([[], ['film', 'grain']]) ?? [] }),
   page: (p, pick) => setPage(p, { page: { language: pick.of(['en', 'de']) ?? '', description: pick.of(['', 'x']) ?? '' } }),
 };
 

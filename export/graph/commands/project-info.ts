@@ -32,6 +32,20 @@ export function setPage(project: Project, { page }: { readonly page: Partial<Omi
 }
 
 /**
+ * Sets the words by which the palette finds a recipe, besides its title and description.
+ *
+ * @returns The change; this command is never refused.
+ *
+ * @example
+ * setKeywords(project, { keywords: ['film', 'grain'] });
+ */
+export function setKeywords(project: Project, { keywords }: { readonly keywords: readonly string[] }): Change {
+  return change(project, (draft) => {
+    draft.recipe = { keywords: [...keywords] };
+  });
+}
+
+/**
  * Chooses the poster of the exported page; null: each export draws one.
  *
  * @returns The change; this command is never refused.

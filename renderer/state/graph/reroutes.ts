@@ -1,7 +1,7 @@
 import { sequence } from '../../../export/graph/commands/change.ts';
 import { putReroute, setRoutes } from '../../../export/graph/commands/route-commands.ts';
 import { makeLayoutId } from '../../../export/graph/document-names.ts';
-import type { PortAddress, Wire } from '../../../export/graph/project.ts';
+import type { Graph, GraphLayout, PortAddress, Wire } from '../../../export/graph/project.ts';
 import { getOwn } from '../../../export/graph/record.ts';
 import { routeOf, type Stretch, stretchesOf, wiresThrough } from '../../../export/graph/routes.ts';
 import { printWire } from '../../../export/graph/wires.ts';
@@ -13,9 +13,19 @@ import { itemId, itemOf } from '../editor/item-ids.ts';
 import { type Selection, selectOnly } from '../editor/selection.ts';
 import { portPlace } from './arrange.ts';
 
+/** By the wires of a graph, which never change: gestures look up several stretches for each move of the pointer. */
+const known = new WeakMap<Graph['wires'], { readonly routes: GraphLayout['routes']; readonly stretches: ReadonlyMap<string, Stretch> }>();
+
 /** The stretch of wire with this id on the canvas. The last stretch has the id of its wire. */
 export function findStretch(state: OpenGraph, id: string): Stretch | undefined {
-  return stretchesOf(graphOf(state), layoutOf(state)).get(id);
+  const { wires } = graphOf(state);
+  const { routes } = layoutOf(state);
+  let found = known.get(wires);
+  if (found?.routes !== routes) {
+    found = { routes, stretches: stretchesOf({ wires }, { routes }) };
+    known.set(wires, found);
+  }
+  return found.stretches.get(id);
 }
 
 /** Ids of the wires that share a stretch. */

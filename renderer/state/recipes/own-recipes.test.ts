@@ -52,7 +52,8 @@ const problemOf = (editor: Editor) => {
   return 'problem' in recipe ? recipe.problem : null;
 };
 
-const saveOldFilm = (editor: Editor) => saveRecipe(editor, projectOf(editor), { title: 'Old film', description: 'Brown and soft.' });
+const saveOldFilm = (editor: Editor) =>
+  saveRecipe(editor, projectOf(editor), { title: 'Old film', description: 'Brown and soft.', keywords: ['celluloid'] });
 const wiresOf = (editor: Editor) => {
   const typeOf = (id: string) => nodeOf(editor.document.getState(), id)?.type.split('/')[1];
   return graphOf(editor.document.getState()).wires.map(({ from, to }) => `${typeOf(from.node)} > ${typeOf(to.node)}.${to.port}`);

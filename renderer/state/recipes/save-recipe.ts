@@ -38,11 +38,11 @@ export function recipeTitleProblem({ own, broken }: RecipeState, title: string):
 export async function saveRecipe(
   editor: Editor,
   project: Project,
-  { title, description }: { readonly title: string; readonly description: string },
+  { title, description, keywords }: { readonly title: string; readonly description: string; readonly keywords: readonly string[] },
 ): Promise<boolean> {
   clearDialogErrors(editor.ui);
   try {
-    const { project: text, layout } = saveProject({ ...project, title, page: { ...project.page, description } });
+    const { project: text, layout } = saveProject({ ...project, title, page: { ...project.page, description }, recipe: { keywords } });
     const { path } = await editor.host.call('recipe.save', { name: fileName(title), files: { project: text, layout } });
     await listRecipes(editor);
     addToast(editor.ui, { tone: 'success', text: `Saved the recipe “${title}”. The node search finds it.`, detail: path });
