@@ -215,6 +215,7 @@ function withoutDepth(count: number, name: string): Diagnostic {
 const NO_MESH =
   'it has neither a mesh (.ply, .obj, .glb or .gltf) nor depth of its photographs. Make a mesh, as with COLMAP’s poisson_mesher, and put it into the folder';
 const MESH_FILE = 'mesh.bin';
+
 /** The oldest version of the format that has all that the views have. */
 function versionOf(views: readonly CaptureView[]): CaptureDocument['version'] {
   if (views.some(({ file }) => file.endsWith('.avif'))) return 4;
