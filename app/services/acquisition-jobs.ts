@@ -50,7 +50,8 @@ interface Job extends AcquisitionOptions {
 
 const MATRIX_TOLERANCE = 1e-6;
 
-export function createAcquisitionJobs(files: FileLayer): AcquisitionJobs {
+/** @param sources Absolute path of the folder with Scrim's sources and `node_modules`. */
+export function createAcquisitionJobs(files: FileLayer, sources: string): AcquisitionJobs {
   const jobs = createProjectJobs<Job>('No photographs of this project are being taken.', async ({ folder, canceled }) => {
     canceled.abort();
     await rm(folder, { recursive: true, force: true }).catch(() => {});
@@ -89,6 +90,7 @@ export function createAcquisitionJobs(files: FileLayer): AcquisitionJobs {
         return await packCapture({
           folder,
           root,
+          sources,
           name,
           files,
           say,

@@ -1,8 +1,8 @@
 import { randomInt } from 'node:crypto';
 import { basename, dirname, resolve } from 'node:path';
+import type { FileSink } from '../../export/bundle/bundle-page.ts';
 import type { DepthAnswers, DepthScale } from '../../export/captures/depth/depth-scale.ts';
 import { createDepthFusion } from '../../export/captures/depth/fuse-depth-meshes.ts';
-import type { Lens } from '../../export/captures/lens.ts';
 import { unitWarning } from '../../export/captures/plausible.ts';
 import { sizeOfMesh } from '../../export/captures/report/capture-report.ts';
 import { IMPORT_FILE, type ImportRecord, MOST_PLACES, type RecordedView } from '../../export/captures/report/import-record.ts';
@@ -14,7 +14,6 @@ import { loadProject } from '../../export/graph/load.ts';
 import { saveProject } from '../../export/graph/save.ts';
 import {
   CAPTURE_FILE,
-  CAPTURE_LIMITS,
   type CaptureDocument,
   CaptureError,
   type CaptureMesh,
@@ -23,31 +22,24 @@ import {
   meshCounts,
 } from '../../nodes/kit/capture.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import { createAssetCache } from './asset-cache-folder.ts';
 import { findDepths, readDepthM, readDepthScale } from './capture-depths.ts';
 import { resolveInside } from './confine.ts';
 import { refusal } from './file-errors.ts';
-import type { FileLayer } from './file-layer.ts';
 import { withFreeCapture } from './free-capture.ts';
 import { type KnownSize, measureCapture } from './measure-capture.ts';
 import { heightAboveFloorM, packDepthFiles } from './pack-depth.ts';
-import { decodePhoto, packPhoto } from './pack-photo.ts';
+import { type PackedPhotos, type PackingJob, withPackedPhotos } from './pack-photos.ts';
 import { writePageFolder } from './page-folder.ts';
 import { revisionOf } from './project-files.ts';
 import { type FoundView, PANORAMA_FORM, readCaptureFolder } from './read-capture-folder.ts';
-import { readSource } from './read-source.ts';
 import { readConsistentFiles } from './recover-folder.ts';
 import { saveOver } from './save-over.ts';
 
-export interface CaptureJob {
+export interface CaptureJob extends PackingJob {
   /** Folder with photographs, cameras and mesh. */
   readonly folder: string;
-  /** Real path of the project. */
-  readonly root: string;
   /** Name of the capture; null: that of the folder. */
   readonly name: string | null;
-  /** Photographs are reduced to this longest side, pixels. */
-  readonly maxSidePx: number;
   /** The axis of the reconstruction that points up; null: estimated. */
   readonly up: Axis | null;
   /** Meters per unit of the reconstruction, if `known` does not give it. */
@@ -62,10 +54,8 @@ export interface CaptureJob {
   readonly simplify?: (mesh: CaptureMesh) => Promise<CaptureMesh>;
   /** Warnings from before, which are recorded with those of the import. */
   readonly warnings?: readonly Diagnostic[];
-  readonly files: FileLayer;
   /** Receives progress texts. */
   readonly say: (text: string) => void;
-  readonly interrupted: AbortSignal;
 }
 
 /** What was packed. */
@@ -152,10 +142,10 @@ async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> 
   const depth = scale && { unit: scale.unit, kind: scale.kind, count: views.length - missing.length };
   let mesh = ownMesh;
   let sizeM: readonly number[] = [];
-  const cache = createAssetCache(root, files);
   let fileBytes = 0;
   let depthTriangles = 0;
-  await writePageFolder(await resolveInside(root, path), files, async (sink) => {
+  const target = await resolveInside(root, path);
+  const writeAll = async (sink: FileSink, photos: PackedPhotos): Promise<true> => {
     const write = async (file: string, bytes: Uint8Array): Promise<void> => {
       fileBytes += bytes.length;
       await sink.write(file, bytes);
@@ -164,16 +154,10 @@ async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> 
     const recorded: RecordedView[] = [];
     const fusion = createDepthFusion();
     for (const [i, each] of views.entries()) {
-      const { file, lens, view } = each;
+      const { lens, view } = each;
       interrupted.throwIfAborted();
       say(`Packing photographs (${i + 1} of ${views.length})…`);
-      const { bytes, extension, pinhole } = await packPhoto(
-        await readSource(file, MAX_PHOTO_BYTES),
-        view.name,
-        lens,
-        sideOf(lens, job.maxSidePx),
-        cache,
-      );
+      const { bytes, extension, pinhole } = await photos.next();
       const name = `views/${String(i).padStart(3, '0')}${extension}`;
       await write(name, bytes);
       const worldFromCamera = uprightPose(view.worldFromCamera, up, metersPerUnit, floorM);
@@ -181,7 +165,7 @@ async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> 
       const map = depthFile === null || scale === null ? null : await readDepthM(depthFile, each, pinhole, scale, metersPerUnit);
       if (map && source.form === PANORAMA_FORM) worldFromCamera[13] = heightAboveFloorM(map) ?? 0;
       // What one photograph does not show, the mesh of the place does, in the colors of others.
-      const photo = ownMesh ? null : () => decodePhoto(bytes, view.name);
+      const photo = ownMesh || !map ? null : await photos.decode(bytes, view.name);
       const more = packDepthFiles(map, job.depth.from === 'none' ? null : ownMesh, photo, pinhole, worldFromCamera, i, views.length);
       for (const [name, content] of more.files) await write(name, content);
       depthTriangles += more.members.depthMesh?.triangleCount ?? 0;
@@ -199,11 +183,7 @@ async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> 
     await write(MESH_FILE, meshBytes);
     const document: CaptureDocument = {
       format: 'scrim-capture',
-      version: packed.some(({ hiddenMesh }) => hiddenMesh)
-        ? 3
-        : packed.some(({ projection, depth, depthMesh }) => projection ?? depth ?? depthMesh)
-          ? 2
-          : 1,
+      version: versionOf(packed),
       mesh: { file: MESH_FILE, ...meshCounts(mesh) },
       views: packed,
     };
@@ -224,7 +204,8 @@ async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> 
     await write(IMPORT_FILE, new TextEncoder().encode(`${JSON.stringify(record)}\n`));
     await write(CAPTURE_FILE, new TextEncoder().encode(`${JSON.stringify(document, null, 1)}\n`));
     return true;
-  });
+  };
+  await withPackedPhotos(job, views, (photos) => writePageFolder(target, files, (sink) => writeAll(sink, photos)));
   if (!mesh) throw new Error('The capture has no mesh.');
   return {
     path: `${path}/${CAPTURE_FILE}`,
@@ -256,14 +237,13 @@ function withoutDepth(count: number, name: string): Diagnostic {
 const NO_MESH =
   'it has neither a mesh (.ply, .obj, .glb or .gltf) nor depth of its photographs. Make a mesh, as with COLMAP’s poisson_mesher, and put it into the folder';
 const MESH_FILE = 'mesh.bin';
-/** A 360° photograph may be larger by this factor, because it shows more. */
-const AROUND = 2.5;
 
-function sideOf({ projection }: Lens, maxSidePx: number): number {
-  return projection === 'equirectangular' ? Math.min(AROUND * maxSidePx, CAPTURE_LIMITS.sidePx) : maxSidePx;
+/** The oldest version of the format that has all that the views have. */
+function versionOf(views: readonly CaptureView[]): CaptureDocument['version'] {
+  if (views.some(({ file }) => file.endsWith('.avif'))) return 4;
+  if (views.some(({ hiddenMesh }) => hiddenMesh)) return 3;
+  return views.some(({ projection, depth, depthMesh }) => projection ?? depth ?? depthMesh) ? 2 : 1;
 }
-
-const MAX_PHOTO_BYTES = 256 * 2 ** 20;
 
 function reportOf({ view, lens }: FoundView): ImportedView {
   return {

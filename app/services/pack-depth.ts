@@ -36,13 +36,13 @@ const MOST_TRIANGLES = Math.min(MOST_DEPTH_TRIANGLES, CAPTURE_LIMITS.triangles);
  *
  * @param map Depth in meters; null: it is drawn from `mesh`.
  * @param mesh The mesh of the place in meters; null: no depth mesh is made without a map.
- * @param photo Reads the photograph, to paint what it does not show; null: nothing does.
+ * @param photo The photograph, to paint what it does not show; null: nothing does.
  * @param viewCount Number of views that share the limit of triangles.
  */
 export function packDepthFiles(
   map: DepthMap | null,
   mesh: CaptureMesh | null,
-  photo: (() => Photo) | null,
+  photo: Photo | null,
   pinhole: Pinhole,
   worldFromCamera: readonly number[],
   index: number,
@@ -72,7 +72,7 @@ export function packDepthFiles(
   const depthMesh = { file, widthPx: seen.widthPx, heightPx: seen.heightPx, ...counts };
   members = { ...members, depthMesh };
   const share = Math.min(MAX_HIDDEN_TRIANGLES, Math.floor((MOST_DEPTH_TRIANGLES - MOST_TRIANGLES) / viewCount));
-  const hidden = photo && packHidden(seen, camera, photo(), share);
+  const hidden = photo && packHidden(seen, camera, photo, share);
   if (hidden) {
     const { bytes, ...hiddenCounts } = hidden;
     const hiddenMesh = { file: `hidden-meshes/${number}.bin`, widthPx: seen.widthPx, heightPx: seen.heightPx, ...hiddenCounts };

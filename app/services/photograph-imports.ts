@@ -50,7 +50,8 @@ const STAGED = 'photographs';
 const MAX_SIDE_PX = 1600;
 const MAX_DOCUMENT_BYTES = 2 ** 24;
 
-export function createPhotographImports(files: FileLayer, tools: ToolJobs): PhotographImports {
+/** @param sources Absolute path of the folder with Scrim's sources and `node_modules`. */
+export function createPhotographImports(files: FileLayer, tools: ToolJobs, sources: string): PhotographImports {
   return {
     look: async ({ colmap }, typed) => {
       const folder = await realFolder(typed);
@@ -73,7 +74,7 @@ export function createPhotographImports(files: FileLayer, tools: ToolJobs): Phot
         try {
           const folder = await realFolder(job.folder);
           const isMade = (await hasCameras(folder)) && !(await isReconstructed(folder));
-          return await pack(folder, isMade ? null : await findCameras(folder, job, interrupted, onLine), job, files, interrupted);
+          return await pack(folder, isMade ? null : await findCameras(folder, job, interrupted, onLine), job, files, sources, interrupted);
         } catch (error) {
           interrupted.throwIfAborted();
           throw asRefusal(error, job.folder);
@@ -127,6 +128,7 @@ async function pack(
   made: Reconstruction | null,
   { root, name, onProgress }: PhotographJob,
   files: FileLayer,
+  sources: string,
   interrupted: AbortSignal,
 ): Promise<HostOutput<'photographs.import'>> {
   const folder = made?.isDense ? join(asked, 'dense/0') : asked;
@@ -135,6 +137,7 @@ async function pack(
   const packed = await packCapture({
     folder,
     root,
+    sources,
     name,
     files,
     say: (text) => onProgress({ step: 'pack', text }),

@@ -123,7 +123,13 @@ export function isDistorted({ projection, radial, tangential }: Lens): boolean {
  */
 export function project({ projection, fxPx, fyPx, cxPx, cyPx, radial, tangential }: Lens, x: number, y: number, out: Float64Array): void {
   const r2 = x * x + y * y;
-  const [k1 = 0, k2 = 0, k3 = 0, k4 = 0, k5 = 0, k6 = 0] = radial;
+  // By index: taking lists apart makes an iterator per call.
+  const k1 = radial[0] ?? 0;
+  const k2 = radial[1] ?? 0;
+  const k3 = radial[2] ?? 0;
+  const k4 = radial[3] ?? 0;
+  const k5 = radial[4] ?? 0;
+  const k6 = radial[5] ?? 0;
   let px = x;
   let py = y;
   if (projection === 'fisheye') {
@@ -135,7 +141,8 @@ export function project({ projection, fxPx, fyPx, cxPx, cyPx, radial, tangential
     py = y * scale;
   } else {
     const scale = (1 + r2 * (k1 + r2 * (k2 + r2 * k3))) / (1 + r2 * (k4 + r2 * (k5 + r2 * k6)));
-    const [p1, p2] = tangential;
+    const p1 = tangential[0];
+    const p2 = tangential[1];
     px = x * scale + 2 * p1 * x * y + p2 * (r2 + 2 * x * x);
     py = y * scale + 2 * p2 * x * y + p1 * (r2 + 2 * y * y);
   }

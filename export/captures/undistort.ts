@@ -9,6 +9,8 @@ export interface Photo {
 }
 
 const SAMPLES = 64;
+/** Distance of two samples of a reduced photograph, in its own pixels: each bilinear sample reaches 1 pixel far, so every pixel counts. */
+const SAMPLE_PX = 1.25;
 
 /**
  * The pinhole camera that shows the largest upright rectangle of which the lens sees every point, as COLMAP's undistorter does without
@@ -59,42 +61,48 @@ function innerRectangle(lens: Lens) {
 /** Draws the photograph of a lens as a pinhole camera sees it: bilinear, and the mean of several samples where it is reduced. */
 export function resample(photo: Photo, lens: Lens, pinhole: Pinhole): Photo {
   const { widthPx, heightPx } = pinhole;
+  const from = photo.data;
+  const [lastColumn, lastRow] = [photo.widthPx - 1, photo.heightPx - 1];
   const data = new Uint8Array(widthPx * heightPx * 4);
   const place = new Float64Array(2);
-  const perSide = Math.max(1, Math.round(lens.widthPx / widthPx));
-  const sum = new Float64Array(3);
+  const perSide = Math.max(1, Math.ceil(lens.widthPx / widthPx / SAMPLE_PX));
+  const samples = perSide * perSide;
   for (let row = 0; row < heightPx; row++) {
     for (let column = 0; column < widthPx; column++) {
-      sum.fill(0);
-      for (let sample = 0; sample < perSide * perSide; sample++) {
+      let red = 0;
+      let green = 0;
+      let blue = 0;
+      for (let sample = 0; sample < samples; sample++) {
         const sx = ((sample % perSide) + 0.5) / perSide;
         const sy = (Math.floor(sample / perSide) + 0.5) / perSide;
         project(lens, (column + sx - pinhole.cxPx) / pinhole.fxPx, (row + sy - pinhole.cyPx) / pinhole.fyPx, place);
-        addBilinear(photo, (place[0] ?? 0) - 0.5, (place[1] ?? 0) - 0.5, sum);
+        // Places outside have the color of the edge.
+        const x = Math.min(Math.max((place[0] ?? 0) - 0.5, 0), lastColumn);
+        const y = Math.min(Math.max((place[1] ?? 0) - 0.5, 0), lastRow);
+        const left = Math.floor(x);
+        const top = Math.floor(y);
+        const fx = x - left;
+        const fy = y - top;
+        const a = 4 * (top * photo.widthPx + left);
+        const b = left < lastColumn ? a + 4 : a;
+        const down = top < lastRow ? 4 * photo.widthPx : 0;
+        const c = a + down;
+        const d = b + down;
+        const wa = (1 - fx) * (1 - fy);
+        const wb = fx * (1 - fy);
+        const wc = (1 - fx) * fy;
+        const wd = fx * fy;
+        // Written out, because this is most of the time of an import.
+        red += (from[a] ?? 0) * wa + (from[b] ?? 0) * wb + (from[c] ?? 0) * wc + (from[d] ?? 0) * wd;
+        green += (from[a + 1] ?? 0) * wa + (from[b + 1] ?? 0) * wb + (from[c + 1] ?? 0) * wc + (from[d + 1] ?? 0) * wd;
+        blue += (from[a + 2] ?? 0) * wa + (from[b + 2] ?? 0) * wb + (from[c + 2] ?? 0) * wc + (from[d + 2] ?? 0) * wd;
       }
-      const at = (row * widthPx + column) * 4;
-      for (let c = 0; c < 3; c++) data[at + c] = Math.round((sum[c] ?? 0) / (perSide * perSide));
+      const at = 4 * (row * widthPx + column);
+      data[at] = Math.round(red / samples);
+      data[at + 1] = Math.round(green / samples);
+      data[at + 2] = Math.round(blue / samples);
       data[at + 3] = 255;
     }
   }
   return { widthPx, heightPx, data };
-}
-
-/** Adds the color between four pixel centers to `sum`. Places outside have the color of the edge. */
-function addBilinear({ widthPx, heightPx, data }: Photo, x: number, y: number, sum: Float64Array): void {
-  const column = Math.min(Math.max(x, 0), widthPx - 1);
-  const row = Math.min(Math.max(y, 0), heightPx - 1);
-  const left = Math.floor(column);
-  const top = Math.floor(row);
-  const fx = column - left;
-  const fy = row - top;
-  const right = Math.min(left + 1, widthPx - 1);
-  const bottom = Math.min(top + 1, heightPx - 1);
-  for (let c = 0; c < 3; c++) {
-    const a = data[(top * widthPx + left) * 4 + c] ?? 0;
-    const b = data[(top * widthPx + right) * 4 + c] ?? 0;
-    const d = data[(bottom * widthPx + left) * 4 + c] ?? 0;
-    const e = data[(bottom * widthPx + right) * 4 + c] ?? 0;
-    sum[c] = (sum[c] ?? 0) + (a * (1 - fx) + b * fx) * (1 - fy) + (d * (1 - fx) + e * fx) * fy;
-  }
 }

@@ -4,8 +4,8 @@
  */
 export interface CaptureDocument {
   readonly format: 'scrim-capture';
-  /** Version 2 has depth maps or depth meshes; version 3 has hidden meshes. */
-  readonly version: 1 | 2 | 3;
+  /** Version 2 has depth maps or depth meshes; version 3 has hidden meshes; version 4 has photographs in AVIF. */
+  readonly version: (typeof VERSIONS)[number];
   readonly mesh: CaptureMeshFile;
   readonly views: readonly CaptureView[];
   /** A coarse form of the mesh, which pages draw until the other files are there. Exports make it; projects do not contain it. */
@@ -82,6 +82,8 @@ export interface CaptureMesh {
   readonly indices: Uint32Array<ArrayBuffer>;
 }
 
+const VERSIONS = [1, 2, 3, 4] as const;
+
 /** The largest capture that is imported and shown. */
 export const CAPTURE_LIMITS = { views: 1000, triangles: 4_000_000, vertices: 8_000_000, sidePx: 8192 } as const;
 
@@ -114,9 +116,8 @@ export function readCapture(text: string): CaptureDocument {
   }
   const { format, version, mesh, views, coarseMesh, phoneGpuBytes } = record(json, 'the document');
   if (format !== 'scrim-capture') throw new CaptureError('it is not a capture: its "format" is not "scrim-capture"');
-  if (version !== 1 && version !== 2 && version !== 3) {
-    throw new CaptureError(`it has version ${String(version)}, but only versions 1 to 3 can be read`);
-  }
+  const known = VERSIONS.find((one) => one === version);
+  if (!known) throw new CaptureError(`it has version ${String(version)}, but only versions 1 to 4 can be read`);
   if (!Array.isArray(views) || views.length === 0) throw new CaptureError('it has no views');
   if (views.length > CAPTURE_LIMITS.views) throw new CaptureError(`it has ${views.length} views, more than ${CAPTURE_LIMITS.views}`);
   const checked = views.map((view, i) => readView(view, `view ${i + 1}`));
@@ -136,7 +137,7 @@ export function readCapture(text: string): CaptureDocument {
   }
   return {
     format,
-    version,
+    version: known,
     mesh: readMeshFile(mesh, 'the mesh'),
     views: checked,
     ...(coarseMesh === undefined ? {} : { coarseMesh: readMeshFile(coarseMesh, 'the coarse mesh') }),

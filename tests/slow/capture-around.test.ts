@@ -32,6 +32,7 @@ describeWithData('a 360° photograph with depth', 'panoramas/rgbd360', (folder) 
     const imported = await importCapture({
       folder,
       root: base,
+      sources: resolve('.'),
       name: 'gallery',
       maxSidePx: 1600,
       up: null,

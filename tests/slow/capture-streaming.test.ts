@@ -38,6 +38,7 @@ describeWithData('the page of a captured living room', 'captures/icl-livingroom'
     const { path, asset } = await importCapture({
       folder,
       root: base,
+      sources: resolve('.'),
       name: 'room',
       maxSidePx: 320,
       up: null,

@@ -29,6 +29,7 @@ const jobFor = (folder: string): CaptureJob => ({
   ...{
     folder,
     root: base,
+    sources: resolve('.'),
     name: 'room',
     maxSidePx: 1600,
     up: null,

@@ -1,6 +1,6 @@
 import { mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { join, resolve } from 'node:path';
 import sharp from 'sharp';
 import { packCapture } from '../../app/services/add-capture.ts';
 import { NODE_FILES } from '../../app/services/file-layer.ts';
@@ -34,7 +34,7 @@ function importOf(count: number): Bench {
       const root = join(folder, `project-${taken++}`);
       await mkdir(root);
       const known = { known: UNKNOWN_SIZE, up: null, metersPerUnit: 1, depth: { from: 'mesh', unit: null, kind: null } } as const;
-      const job = { folder: join(folder, 'scan'), root, name: 'room', maxSidePx: 1600, ...known };
+      const job = { folder: join(folder, 'scan'), root, sources: resolve('.'), name: 'room', maxSidePx: 1600, ...known };
       return timeMs(() => packCapture({ ...job, files: NODE_FILES, say: () => {}, interrupted: new AbortController().signal }));
     },
     dispose: async () => rm((await base) ?? '', { recursive: true, force: true }),

@@ -95,7 +95,7 @@ export const importCaptureCommand: Command = {
       says: 'Opened in a browser, hall-import/index.html shows whether cameras, photographs and mesh belong together.',
     },
   ],
-  run: async (call, { say, interrupted }) => {
+  run: async (call, { installation, say, interrupted }) => {
     const project = call.text('project');
     if (project === null) throw new UsageError('The project is missing: add --project PROJECT.');
     const simplify = simplifyOptions(call, { say, interrupted });
@@ -103,6 +103,7 @@ export const importCaptureCommand: Command = {
     const job: CaptureJob = {
       folder: call.project,
       root,
+      sources: installation.root,
       name: call.text('name'),
       maxSidePx: positive(call, 'size', DEFAULT_SIDE_PX),
       metersPerUnit: positive(call, 'unit', 1),

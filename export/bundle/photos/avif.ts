@@ -7,8 +7,6 @@ import type { Photo } from '../../captures/undistort.ts';
 
 const CODEC = 'node_modules/@jsquash/avif/codec';
 const BITS = 8;
-/** Of 10: a photograph of 640 pixels takes 0.1 s, one of 2 megapixels 0.5 s. Speed 6 takes three times as long for 0.3 dB more. */
-const SPEED = 8;
 /** Color in the resolution of the photograph, as in its JPEG form. */
 const FULL_COLOR = 3;
 
@@ -18,8 +16,9 @@ export interface AvifCodec {
    * The same photograph gives the same bytes on every machine.
    *
    * @param quality 0 to 100.
+   * @param speed 0 to 10.
    */
-  encode(photo: Photo, quality: number): Promise<Uint8Array>;
+  encode(photo: Photo, form: { readonly quality: number; readonly speed: number }): Promise<Uint8Array>;
   /** @throws Error if the file is damaged. */
   decode(file: Uint8Array): Promise<Photo>;
 }
@@ -30,9 +29,9 @@ export function createAvifCodec(root: string): AvifCodec {
   let encoder: ReturnType<typeof createEncoder> | null = null;
   let decoder: ReturnType<typeof createDecoder> | null = null;
   return {
-    encode: async ({ widthPx, heightPx, data }, quality) => {
+    encode: async ({ widthPx, heightPx, data }, form) => {
       encoder ??= load('enc/avif_enc.wasm').then(createEncoder);
-      const bytes = (await encoder).encode(data, widthPx, heightPx, { ...defaultOptions, quality, speed: SPEED, subsample: FULL_COLOR });
+      const bytes = (await encoder).encode(data, widthPx, heightPx, { ...defaultOptions, ...form, subsample: FULL_COLOR });
       if (bytes === null) throw new Error('The photograph cannot be encoded.');
       return bytes;
     },

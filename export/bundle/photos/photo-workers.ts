@@ -16,9 +16,12 @@ export interface PhotoWorkers {
 /** Each takes some 250 MB for a photograph of 12 megapixels. */
 const MOST_WORKERS = 3;
 
-/** @param root Absolute path of the folder with Scrim's sources and `node_modules`. */
-export function createPhotoWorkers(root: string): PhotoWorkers {
-  const count = Math.min(MOST_WORKERS, Math.max(1, cpus().length));
+/**
+ * @param root Absolute path of the folder with Scrim's sources and `node_modules`.
+ * @param most The most threads.
+ */
+export function createPhotoWorkers(root: string, most = MOST_WORKERS): PhotoWorkers {
+  const count = Math.max(1, Math.min(most, MOST_WORKERS, cpus().length));
   const all = new Set<Worker>();
   const idle: Worker[] = [];
   const waiting: (() => void)[] = [];
