@@ -23,3 +23,18 @@ declare module 'draco3dgltf' {
   const draco3d: { createEncoderModule(): Promise<unknown> };
   export default draco3d;
 }
+
+// Comes without types. Options are objects of the library.
+declare module '@mkkellogg/gaussian-splats-3d' {
+  export const SceneRevealMode: { readonly Instant: number };
+  export const PlyLoader: {
+    loadFromFileData(file: ArrayBuffer, leastAlpha: number, compression: number, optimize: boolean, degree: number): Promise<unknown>;
+  };
+  export class Viewer {
+    constructor(options: object);
+    addSplatBuffers(buffers: readonly unknown[], options: readonly object[], isFinal: boolean, showsProgress: boolean): Promise<void>;
+    update(): void;
+    render(): void;
+    dispose(): Promise<void>;
+  }
+}

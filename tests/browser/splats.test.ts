@@ -4,7 +4,7 @@ import { writeSplatFile } from '../../nodes/kit/splats/splat-file.ts';
 import { readSplatPly } from '../../nodes/kit/splats/splat-ply.ts';
 import { type SplatPoint, sogOf } from '../../tools/examples/splats/write-sog.ts';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
-import { plyFile, plyOf, splatAt } from '../support/splat-files.ts';
+import { plyFile, plyOf, splatAt, splatCloud } from '../support/splat-files.ts';
 import { colorFrom, rasterize } from '../support/splat-reference.ts';
 import type { SplatShot, SplatShotOptions } from './splats.page.ts';
 
@@ -32,28 +32,6 @@ const depthAt = ({ depthM }: SplatShot, x: number, y: number): number => depthM[
 /** The pixel at the middle; its center is half a pixel to the right and above. */
 const MIDDLE = [WIDTH / 2, HEIGHT / 2] as const;
 
-/** Pseudorandom numbers in [0, 1). */
-function dice(seed: number): () => number {
-  let state = seed;
-  return () => {
-    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-    return state / 2 ** 32;
-  };
-}
-
-function cloud(count: number, coefficients: number): SplatPoint[] {
-  const random = dice(7);
-  const between = (low: number, high: number): number => low + (high - low) * random();
-  return Array.from({ length: count }, () => ({
-    position: [between(-1.6, 1.6), between(-1.2, 1.2), between(-4.5, -1)] as const,
-    scale: [between(0.01, 0.25), between(0.01, 0.25), between(0.01, 0.25)] as const,
-    rotation: [between(-1, 1), between(-1, 1), between(-1, 1), between(-1, 1)] as const,
-    color: [between(0.1, 0.8), between(0.1, 0.8), between(0.1, 0.8)] as const,
-    opacity: between(0.05, 0.95),
-    harmonics: Array.from({ length: 3 * coefficients }, () => between(-0.2, 0.2)),
-  }));
-}
-
 function difference(a: ArrayLike<number>, b: ArrayLike<number>): { readonly mean: number; readonly largest: number } {
   let sum = 0;
   let largest = 0;
@@ -67,7 +45,7 @@ function difference(a: ArrayLike<number>, b: ArrayLike<number>): { readonly mean
 
 describe('what the node draws', () => {
   test.each([0, 3, 8, 15])('is what the published formula gives in double precision, with %i harmonics', async (coefficients) => {
-    const splats = cloud(250, coefficients);
+    const splats = splatCloud(250, coefficients);
     const eye = [0.3, 0.2, 0.4] as const;
     const size = { widthPx: 96, heightPx: 72 };
     const shot = await shoot(splats, { eye, target: [0, 0, -2], ...size });
@@ -127,7 +105,7 @@ describe('what the node draws', () => {
   });
 
   test('is the same in each draw, in any order of the file, and in a part of the framebuffer', async () => {
-    const splats = cloud(120, 3);
+    const splats = splatCloud(120, 3);
     const first = await shoot(splats);
     expect(Buffer.compare((await shoot(splats)).pixels, first.pixels)).toBe(0);
     expect(Buffer.compare((await shoot([...splats].reverse())).pixels, first.pixels)).toBe(0);
@@ -236,7 +214,7 @@ describe('the depth of the layer', () => {
 
 describe('files', () => {
   test('SOG gives the image of the PLY file, and the form of pages exactly', async () => {
-    const splats = cloud(200, 3);
+    const splats = splatCloud(200, 3);
     const ply = await shoot(splats);
     const packed = Uint8Array.from(gzipSync(writeSplatFile(readSplatPly(plyOf(splats)))));
     const inPage = await shoot(packed, { name: 'a.splats' });
@@ -256,7 +234,7 @@ describe('files', () => {
   });
 
   test('a damaged archive, image or page file is refused', async () => {
-    const sog = await sogOf(cloud(20, 0));
+    const sog = await sogOf(splatCloud(20, 0));
     const errorOf = async (bytes: Uint8Array, name: string): Promise<string> =>
       (await page.call<{ readonly error: string }>('draw', { bytes, name })).error;
     expect(await errorOf(sog.subarray(0, sog.length - 200), 'a.sog')).toBe('its archive is incomplete');

@@ -1,6 +1,6 @@
 import { spawnSync } from 'node:child_process';
 import { describe } from '@jest/globals';
-import { describeMissing } from './required.ts';
+import { describeMissing, type Requirement } from './required.ts';
 
 /** Runs a Python script with arguments. @returns What it prints. */
 export function runPython(script: string, ...args: readonly string[]): string {
@@ -19,7 +19,12 @@ export function describeWithSkimage(name: string, tests: () => void): void {
   describeWithPackage(name, 'skimage', 'scikit-image', tests);
 }
 
-function describeWithPackage(name: string, module: 'pycolmap' | 'skimage', title: string, tests: () => void): void {
+/** Tests that run the algorithm of Instant Meshes by a package for Python. Skipped with the reason where that is missing. */
+export function describeWithInstantMeshes(name: string, tests: () => void): void {
+  describeWithPackage(name, 'instantmeshes', 'pynanoinstantmeshes', tests, 'pynanoinstantmeshes');
+}
+
+function describeWithPackage(name: string, what: Requirement, title: string, tests: () => void, module: string = what): void {
   if (spawnSync('python3', ['-c', `import ${module}`]).status === 0) describe(name, tests);
-  else describeMissing(name, module, `python3 has no package ${title} (https://pypi.org/project/${title})`);
+  else describeMissing(name, what, `python3 has no package ${title} (https://pypi.org/project/${title})`);
 }

@@ -1,8 +1,8 @@
 import process from 'node:process';
 import { describe, test } from '@jest/globals';
 
-/** Things that a machine may lack: a working Electron, the real data beside the repository, COLMAP, its package for Python, scikit-image, Blender. */
-export type Requirement = 'electron' | 'data' | 'colmap' | 'pycolmap' | 'skimage' | 'blender';
+/** Things that a machine may lack: a working Electron, the real data beside the repository, COLMAP, its package for Python, scikit-image, Blender, the algorithm of Instant Meshes, splat-transform. */
+export type Requirement = 'electron' | 'data' | 'colmap' | 'pycolmap' | 'skimage' | 'blender' | 'instantmeshes' | 'splat-transform';
 
 /** Whether `SCRIM_REQUIRE`, such as `SCRIM_REQUIRE=electron,data`, requires it. */
 export function isRequired(what: Requirement): boolean {

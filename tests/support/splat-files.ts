@@ -34,3 +34,26 @@ export function plyFile(count: number, names: readonly string[], rows: readonly 
   file.set(new Uint8Array(Float32Array.from(rows).buffer), header.length);
   return file;
 }
+
+/** Pseudorandom numbers in [0, 1). */
+function dice(seed: number): () => number {
+  let state = seed;
+  return () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 2 ** 32;
+  };
+}
+
+/** Splats of all sizes, colors and opacities before an eye at the origin, the same at each call. */
+export function splatCloud(count: number, coefficients: number): SplatPoint[] {
+  const random = dice(7);
+  const between = (low: number, high: number): number => low + (high - low) * random();
+  return Array.from({ length: count }, () => ({
+    position: [between(-1.6, 1.6), between(-1.2, 1.2), between(-4.5, -1)] as const,
+    scale: [between(0.01, 0.25), between(0.01, 0.25), between(0.01, 0.25)] as const,
+    rotation: [between(-1, 1), between(-1, 1), between(-1, 1), between(-1, 1)] as const,
+    color: [between(0.1, 0.8), between(0.1, 0.8), between(0.1, 0.8)] as const,
+    opacity: between(0.05, 0.95),
+    harmonics: Array.from({ length: 3 * coefficients }, () => between(-0.2, 0.2)),
+  }));
+}

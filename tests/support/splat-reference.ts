@@ -11,6 +11,8 @@ export interface ReferenceView {
   readonly clipFromView: ArrayLike<number>;
   readonly viewFromWorld: ArrayLike<number>;
   readonly eyeWorld: readonly [number, number, number];
+  /** Standard deviations at which splats end. Default: where alpha falls below 1/255, as in Kerbl et al. */
+  readonly endsAt?: number;
 }
 
 interface Projected {
@@ -27,7 +29,7 @@ interface Projected {
 
 /** Premultiplied RGBA in [0, 255], rows from the bottom. */
 export function rasterize(splats: readonly SplatPoint[], view: ReferenceView): Float64Array {
-  const { widthPx, heightPx } = view;
+  const { widthPx, heightPx, endsAt } = view;
   const projected = splats
     .flatMap((splat) => project(splat, view) ?? [])
     .map((splat, index) => ({ splat, index }))
@@ -44,7 +46,7 @@ export function rasterize(splats: readonly SplatPoint[], view: ReferenceView): F
         if (Math.abs(dx) > reach[0] || Math.abs(dy) > reach[1]) continue;
         const power = -0.5 * (conic[0] * dx * dx + conic[2] * dy * dy) - conic[1] * dx * dy;
         const alpha = Math.min(0.99, opacity * Math.exp(power));
-        if (alpha < 1 / 255) continue;
+        if (endsAt === undefined ? alpha < 1 / 255 : power < -0.5 * endsAt ** 2) continue;
         for (let c = 0; c < 3; c++) pixels[at + c] = (pixels[at + c] ?? 0) + 255 * through * alpha * Math.min(1, color[c] ?? 0);
         through *= 1 - alpha;
       }

@@ -18,11 +18,11 @@ const USAGE = `Usage: npm test
        npm run test:slow
        npm run record-durations     of the last npm test and test:slow, for tests/support/longest-first.mjs
 
-SCRIM_REQUIRE=electron,data,colmap,pycolmap,skimage,blender makes tests fail that are else skipped where there is no Electron, no real data, no
-COLMAP, no package pycolmap or scikit-image, or no Blender.`;
+SCRIM_REQUIRE=electron,data,colmap,pycolmap,skimage,blender,instantmeshes,splat-transform makes tests fail that are else skipped where there is no
+Electron, no real data, no COLMAP, no package pycolmap, scikit-image or pynanoinstantmeshes, no Blender, or no splat-transform.`;
 
 /** Names of requirements, as `Requirement` of tests/support/required.ts lists them. */
-const REQUIREMENTS = ['electron', 'data', 'colmap', 'pycolmap', 'skimage', 'blender'];
+const REQUIREMENTS = ['electron', 'data', 'colmap', 'pycolmap', 'skimage', 'blender', 'instantmeshes', 'splat-transform'];
 
 /**
  * `npm test`: registry, types, lint, build, then every test project in one run of Jest. A failed phase does not stop the next, so that one

@@ -6,8 +6,8 @@ import { writeProgram } from '../../../tests/support/fake-program.ts';
 import { type SimplifyOptions, simplifyMesh } from './simplify-mesh.ts';
 
 /*
- * Instant Meshes by a program that stands in for it: the real one has not been run, because no package has it. Its command line is that of its
- * documentation. tests/slow/simplify.test.ts runs the real Blender.
+ * Instant Meshes by a program that stands in for it, because no package has the real one. tests/slow/simplify.test.ts runs its algorithm, and
+ * the real Blender.
  */
 
 let base = '';
