@@ -4,6 +4,8 @@ import { type LoadedCapture, loadCapture } from '../../export/runtime/assets/cap
 import { createGlObjects } from '../../export/runtime/gl/gl-objects.ts';
 import { readCapture } from '../../nodes/kit/capture.ts';
 import { createGl } from '../browser/scenes-kit.ts';
+import { photoPixels } from '../support/photo-pixels.page.ts';
+import type { LoadingCurve } from '../support/quality-plot.ts';
 import { draw } from './capture.page.ts';
 
 export interface Streamed {
@@ -78,4 +80,45 @@ export async function stream(baseUrl: string, file: string, view: number): Promi
   const error = gl.getError();
   gl.getExtension('WEBGL_lose_context')?.loseContext();
   return { steps, totalBytes: loadedBytes, equalsWhole, leaks, error };
+}
+
+/**
+ * Loads the other photographs of a capture of a page as the page does, and compares what it shows from the camera of a view with its photograph
+ * before each file that it requests. The time in which the test draws and compares does not count.
+ */
+export async function rephotographWhileLoading(
+  baseUrl: string,
+  file: string,
+  view: number,
+): Promise<LoadingCurve & { readonly error: number }> {
+  const source = createFetchAssetSource(new URL(baseUrl, location.href).href, (...args: Parameters<typeof fetch>) => fetch(...args));
+  const document = readCapture(new TextDecoder().decode(await source.load(file)));
+  const target = document.views[view];
+  if (!target) throw new Error(`There is no view ${view}.`);
+  const others = new TextEncoder().encode(
+    JSON.stringify({ ...document, views: document.views.filter((other) => other !== target) }),
+  ).buffer;
+  const { widthPx, heightPx } = target;
+  const folder = file.slice(0, file.lastIndexOf('/') + 1);
+  const truth = await photoPixels(await source.load(folder + target.file), widthPx, heightPx);
+  const gl = createGl(widthPx, heightPx);
+  const quality = (capture: LoadedCapture): number =>
+    compareImages({ shown: draw(gl, capture, 'lumigraph', target).pixels, truth, widthPx, heightPx }).psnrDb;
+  const steps: { timeS: number; psnrDb: number }[] = [];
+  let shown: LoadedCapture | null = null;
+  let startMs = performance.now();
+  const load = async (path: string): Promise<ArrayBuffer> => {
+    const timeS = (performance.now() - startMs) / 1000;
+    if (shown) steps.push({ timeS, psnrDb: quality(shown) });
+    startMs = performance.now() - 1000 * timeS;
+    return source.load(path);
+  };
+  const capture = await loadCapture(createGlObjects(gl), others, file, load, false, (early) => {
+    shown = early;
+  });
+  const finalDb = quality(capture);
+  capture.dispose();
+  const error = gl.getError();
+  gl.getExtension('WEBGL_lose_context')?.loseContext();
+  return { steps, finalDb, error };
 }

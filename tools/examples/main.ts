@@ -19,11 +19,13 @@ import { makeBracket } from './paper/bracket.ts';
 import { makeHands } from './paper/hands.ts';
 import { makeProject } from './paper/recipe.ts';
 import { RECIPES } from './paper/recipes.ts';
+import { photographDesk } from './photographed-desk.ts';
 import { makePinwheel } from './pinwheel.ts';
 import { makeBall, makeCan, makeCrate } from './play/cans.ts';
 import { MARBLES, makeBase, makeChutes, makeMarble, makeStand } from './play/marble-run.ts';
 import { PLAY } from './play/recipes.ts';
 import { makeRobot } from './robot.ts';
+import { makeRobotAndDesk, ROBOT_AND_DESK } from './robot-and-desk.ts';
 import { makeSky } from './sky.ts';
 import { makeVase } from './splats/vase.ts';
 
@@ -35,6 +37,7 @@ const ROBOT_PATHS = [
   'examples/first-light/assets/robot.glb',
   'examples/templates/occlusion/assets/robot.glb',
   `examples/${LAMP_AND_WINDOW}/assets/robot.glb`,
+  `examples/${ROBOT_AND_DESK}/assets/robot.glb`,
   ...foldersWith('robot-tin1').map((folder) => `${folder}/assets/robot.glb`),
 ];
 
@@ -79,12 +82,17 @@ export const main: ToolMain = async ([only], { root }) => {
     await placeCapture(root);
     return 0;
   }
+  if (only === 'desk') {
+    await placeDesk(root);
+    return 0;
+  }
   if (only === 'splats') {
     await place(root, VASE_PATHS, await makeVase());
     return 0;
   }
   await place(root, ROBOT_PATHS, await makeRobot());
   await placeCapture(root);
+  await placeDesk(root);
   await placeProject(root, 'boards/gallery', makeGallery(library()));
   await placePlay(root);
   await placeProject(root, LAMP_AND_WINDOW, makeLampAndWindow(library()));
@@ -127,6 +135,13 @@ async function placeCapture(root: string): Promise<void> {
   const captures = { [CAPTURE_FOLDER]: await makeGlossyBall(), [SMALL_CAPTURE_FOLDER]: await makeGlossyBall(4, 24) };
   for (const [folder, files] of Object.entries(captures))
     for (const [path, bytes] of Object.entries(files)) await place(root, [`${folder}/${path}`], bytes);
+}
+
+/** Writes the example with the photographed desk, and its capture. */
+async function placeDesk(root: string): Promise<void> {
+  await placeProject(root, ROBOT_AND_DESK, makeRobotAndDesk(library()));
+  const capture = `examples/${ROBOT_AND_DESK}/assets/desk.capture`;
+  for (const [path, bytes] of Object.entries(await photographDesk(root, library()))) await place(root, [`${capture}/${path}`], bytes);
 }
 
 /** Generates the physics examples and their models. */
