@@ -26,7 +26,7 @@ export interface PackedPhotos {
   decode(bytes: Uint8Array, name: string): Promise<Photo>;
 }
 
-/** Photographs that are decoded at a time have at most so many pixels together: two of 12 megapixels take 1 GB with all else. */
+/** Photographs that are decoded at a time have at most so many pixels together: two of 12 megapixels take 1.1 GB with all else. */
 const MOST_PIXELS = 30e6;
 const MAX_PHOTO_BYTES = 256 * 2 ** 20;
 /** A 360° photograph may be larger by this factor, because it shows more. */
