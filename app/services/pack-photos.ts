@@ -26,8 +26,8 @@ export interface PackedPhotos {
   decode(bytes: Uint8Array, name: string): Promise<Photo>;
 }
 
-/** Photographs that are decoded at a time have at most so many pixels together, so that they take less than 1 GB. */
-const MOST_PIXELS = 40e6;
+/** Photographs that are decoded at a time have at most so many pixels together: two of 12 megapixels take 1.1 GB with all else. */
+const MOST_PIXELS = 30e6;
 const MAX_PHOTO_BYTES = 256 * 2 ** 20;
 /** A 360° photograph may be larger by this factor, because it shows more. */
 const AROUND = 2.5;

@@ -13,7 +13,7 @@ export interface PhotoWorkers {
   dispose(): Promise<void>;
 }
 
-/** Each takes some 250 MB for a photograph of 12 megapixels. */
+/** Each takes some 400 MB for a photograph of 12 megapixels. */
 const MOST_WORKERS = 3;
 
 /**
