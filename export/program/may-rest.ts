@@ -48,6 +48,7 @@ export const MOVED_TYPES: readonly string[] = [
  */
 const COMPARED: ReadonlySet<Resource['kind']> = new Set([
   'bodies',
+  'capture',
   'environment',
   'external',
   'lights',

@@ -110,6 +110,8 @@ export type Resource =
   | { readonly id: ResourceId; readonly kind: 'pulses' }
   /** A rigid transform in world space, written in every frame before its readers run. */
   | { readonly id: ResourceId; readonly kind: 'pose' }
+  /** A captured place, without the GPU. */
+  | { readonly id: ResourceId; readonly kind: 'capture' }
   /** Physics bodies. */
   | { readonly id: ResourceId; readonly kind: 'bodies' }
   /** A curve as a table of heights, or a gradient as a table of colors (`texture-sizes.ts`), from the slot. No operation writes it. */
@@ -193,7 +195,8 @@ interface OperationBase {
 }
 
 /**
- * An operation that the node type's `runtime.ts` plays. Two types are not nodes but bindings of params, and write the param's slot.
+ * An operation that the node type's `runtime.ts` plays. A type `part/NAME` writes one output of a node that draws (`OutputPort.part`). Two
+ * more types are not nodes but bindings of params, and write the param's slot.
  * `binding/expression` has the config `postfix` (see `nodes/kit/expression.ts`) and `otherwise`, the numbers for a result that is not
  * finite. `binding/track` has `times` (seconds, ascending), `values` (all numbers of the first key first), `easings` (one word per key for
  * the interpolation to the next, or control points separated by commas), optional `limits` (lowest and highest value of each number, if the

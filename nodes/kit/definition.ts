@@ -113,6 +113,11 @@ export interface InputPort {
   readonly depthType?: 'raw';
   /** Only for layer inputs: the encoding that the node reads. All inputs with `either` get the same encoding. Default: `display`. */
   readonly encoding?: LayerEncoding | 'either';
+  /**
+   * Names of params of the node that it does not read while something is connected to this input, as the wire carries their values. The
+   * compiler ignores what is bound to them, the inspector says so.
+   */
+  readonly replaces?: readonly string[];
   /** Only for layer inputs of behaviors: the node reads a reduced image of an earlier frame on the CPU, as `PixelsView` (ADR 46). */
   readonly pixels?: true;
 }
@@ -136,6 +141,11 @@ export interface OutputPort {
    * nodes with a `runtime.ts`.
    */
   readonly whenRead?: true;
+  /**
+   * Only for nodes that draw, and outputs besides their layer: the folder in `nodes/part/` whose runtime writes the output, such as
+   * `part/capture-place`. It gets the params of the node and no inputs, and is played before anything is drawn, if something reads the output.
+   */
+  readonly part?: `part/${string}`;
 }
 
 /**

@@ -1,5 +1,6 @@
 import type { AnchorService } from './anchors.ts';
 import type { AssetService } from './assets.ts';
+import type { CapturedPlace } from './captured-place.ts';
 import type { InputPort, LayerEncoding, NodeDefinition, OutputPort, ParamDefinition } from './definition.ts';
 import type { Diagnostic } from './diagnostics.ts';
 import type { OcclusionView } from './early-occlusion.ts';
@@ -187,9 +188,8 @@ export interface WireViews extends ValueViews {
   pulse: PulseList;
   pose: PoseView;
   body: BodyList;
-  // No node has these yet.
-  surfaces: never;
-  capture: never;
+  capture: CapturedPlace;
+  surfaces: never; // No node has them yet.
 }
 
 type WireView<T extends WireType> = WireViews[T];
@@ -203,8 +203,8 @@ type InputView<P extends InputPort> = P extends { readonly type: 'pulse' }
         InputPort extends P
         ? readonly WireView<P['type']>[] | WireView<P['type']> | PixelsView | null
         : WireView<P['type']> | null;
-type OutputView<T extends WireType> = T extends keyof ValueViews
-  ? Writable<ValueViews[T]>
+type OutputView<T extends WireType> = T extends keyof ValueViews | 'capture'
+  ? Writable<WireViews[T]>
   : T extends 'pulse'
     ? PulseOutput
     : T extends 'pose'

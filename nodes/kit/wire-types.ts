@@ -50,7 +50,12 @@ export const WIRE_TYPES = {
     shape: 'diamond',
   },
   body: { label: 'Body', doc: 'A physics body, meters, kilograms, seconds.', color: '#a0522d', shape: 'pill' },
-  capture: { label: 'Capture', doc: 'Calibrated photographs and their geometry.', color: '#5f7f3f', shape: 'cross' },
+  capture: {
+    label: 'Capture',
+    doc: 'A captured place: its file, the cameras and the mesh of its photographs, which of them have loaded, and its pose and scale in world space, meters.',
+    color: '#5f7f3f',
+    shape: 'cross',
+  },
   audio: { label: 'Audio', doc: 'Waveform and spectrum of a sound.', color: '#2f8f5b', shape: 'ring' },
   number: { label: 'Number', doc: 'One real number; its unit is named at the port.', color: '#8f98a3', shape: 'circle' },
   vector2: { label: 'Vector 2', doc: 'Two real numbers.', color: '#6f7fd1', shape: 'circle' },

@@ -1,6 +1,7 @@
 import { useMemo } from 'react';
 import { useStore } from 'zustand';
 import { subgraphName } from '../../export/graph/document-names.ts';
+import { replacedParams } from '../../export/graph/library/replaced-params.ts';
 import type { Binding } from '../../export/graph/project.ts';
 import { getOwn } from '../../export/graph/record.ts';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
@@ -23,6 +24,7 @@ import { InputsSection } from './inputs-section.tsx';
 import { LampsSection } from './lamps-section.tsx';
 import { ParamRow } from './param-row.tsx';
 import { PassesSection } from './passes-section.tsx';
+import { ReplacedRow } from './replaced-row.tsx';
 import { SubgraphSection } from './subgraph-section.tsx';
 import { TrueSizeSection } from './true-size-section.tsx';
 
@@ -142,12 +144,15 @@ interface ParamsProps {
 function Params({ id, definition, params, sourceOf }: ParamsProps) {
   const entries = Object.entries(definition.params).filter(([name]) => definition.type !== LAMPS_TYPE || !isOfOneLamp(name));
   if (entries.length === 0) return null;
+  const replaced = replacedParams(definition, (port) => sourceOf(port) !== undefined);
   return (
     <section className="inspector-section" aria-label="Parameters">
       <h3>Parameters</h3>
-      {entries.map(([name, param]) => (
-        <ParamRow key={name} node={id} name={name} param={param} binding={getOwn(params, name)} source={sourceOf(name)} />
-      ))}
+      {entries.map(([name, param]) => {
+        const input = definition.inputs[replaced.get(name) ?? ''];
+        if (input) return <ReplacedRow key={name} name={name} param={param} input={input.label} />;
+        return <ParamRow key={name} node={id} name={name} param={param} binding={getOwn(params, name)} source={sourceOf(name)} />;
+      })}
     </section>
   );
 }

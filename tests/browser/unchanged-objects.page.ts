@@ -75,6 +75,11 @@ export async function open(program: Program, assetUrl: string): Promise<void> {
   playing = { gl, player, room: roomTexture(gl), draws, input: SESSION_INPUTS.page(canvas) };
 }
 
+/** Replaces the program as the preview does after an edit. Unchanged nodes are kept. */
+export async function replace(program: Program): Promise<void> {
+  await opened().player.replaceProgram(program);
+}
+
 /** Draws the changes of a frame. Returns the number of calls that draw or clear. */
 export function next(widthPx = WIDTH): number {
   const { player, draws } = opened();
@@ -141,6 +146,11 @@ export function images(): { readonly kept: number; readonly drawn: number } {
   return { kept, drawn: hashOf(gl) };
 }
 
+/** The canvas as it is: RGBA. */
+export function pixels(): number[] {
+  return [...pixelsOf(opened().gl)];
+}
+
 function opened(): Playing {
   if (!playing) throw new Error('Nothing is open.');
   return playing;
@@ -171,9 +181,13 @@ function roomTexture(gl: WebGL2RenderingContext): WebGLTexture {
   return made;
 }
 
-function hashOf(gl: WebGL2RenderingContext): number {
+function pixelsOf(gl: WebGL2RenderingContext): Uint8Array {
   gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   const bytes = new Uint8Array(WIDTH * HEIGHT * 4);
   gl.readPixels(0, 0, WIDTH, HEIGHT, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-  return bytes.reduce((hash, byte) => (Math.imul(hash, 31) + byte) | 0, 7);
+  return bytes;
+}
+
+function hashOf(gl: WebGL2RenderingContext): number {
+  return pixelsOf(gl).reduce((hash, byte) => (Math.imul(hash, 31) + byte) | 0, 7);
 }

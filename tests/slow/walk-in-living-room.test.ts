@@ -12,7 +12,7 @@ import { encodeImage, type RgbaImage } from '../support/image.ts';
 import { type ProjectText, projectText, writeProject } from '../support/project-kit.ts';
 import { serveProject } from '../support/project-page.ts';
 import { describeWithData } from '../support/shared-data.ts';
-import { judge, TrueView, type Walk, walkPast } from '../xr/walk-behind.ts';
+import { judge, TrueView, type Walk, walkPast } from './walk-behind.ts';
 
 const chromium = useBrowser();
 

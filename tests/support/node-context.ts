@@ -1,4 +1,5 @@
 import { createPulseQueue, type PulseQueue } from '../../export/runtime/values/pulses.ts';
+import { createCapturedPlace } from '../../nodes/kit/captured-place.ts';
 import type { InputPort, NodeDefinition, ParamDefinition, ParamValue } from '../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { createPose } from '../../nodes/kit/pose.ts';
@@ -110,6 +111,8 @@ function emptyOutput(type: WireType): unknown {
       return createPulseQueue();
     case 'pose':
       return createPose();
+    case 'capture':
+      return createCapturedPlace();
     case 'objects':
     case 'lights':
       return { version: 0, items: [] };

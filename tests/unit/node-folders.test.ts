@@ -9,7 +9,7 @@ import { LIBRARY } from '../support/library.ts';
 import { definitionProblems } from '../support/node-contract.ts';
 
 /** Folders that are no categories of nodes; what is in `binding` plays what params are bound to. */
-const OTHERS = ['kit', 'generated', 'binding'];
+const OTHERS = ['kit', 'generated', 'binding', 'part'];
 
 const FOLDERS = subfolders('nodes')
   .filter((category) => !OTHERS.includes(category))

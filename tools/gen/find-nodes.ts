@@ -20,8 +20,8 @@ export interface ShaderFile {
 
 export interface Found {
   readonly nodes: readonly NodeFolder[];
-  /** Runtimes of `nodes/binding/`, which play bindings of params. They are not node types. */
-  readonly bindings: readonly string[];
+  /** Runtimes of `nodes/binding/`, which play bindings of params, and of `nodes/part/` (`OutputPort.part`). They are not node types. */
+  readonly parts: readonly string[];
   /** ISF files and techniques, each of which is a node type, and the chunks and images (as base64) that techniques include. */
   readonly library: readonly ShaderFile[];
   /** Shaders that a node's definition names. */
@@ -54,10 +54,10 @@ export async function findNodes(root: string): Promise<Found> {
     .filter((path) => path.endsWith('/definition.ts'))
     .map((path) => path.slice(0, -'/definition.ts'.length))
     .map((type) => ({ type, hasRuntime: present.has(`${type}/runtime.ts`), hasWorker: present.has(`${type}/worker.ts`) }));
-  const bindings = inFolders.flatMap((path) => /^(binding\/[^/]+)\/runtime\.ts$/.exec(path)?.[1] ?? []);
+  const parts = inFolders.flatMap((path) => /^((?:binding|part)\/[^/]+)\/runtime\.ts$/.exec(path)?.[1] ?? []);
   return {
     nodes,
-    bindings,
+    parts,
     library: await readLibrary(root),
     nodeShaders: await readShaders(join(root, 'nodes'), inFolders.filter(isShader)),
     recipes: await readRecipes(join(root, 'shader-library', 'recipes')),

@@ -66,14 +66,14 @@ interface Played {
   readonly file: string;
 }
 
-function playedTypes({ nodes, bindings }: Found): Played[] {
+function playedTypes({ nodes, parts }: Found): Played[] {
   const runtime = (type: string): Played => ({ type, file: `${type}/runtime.ts` });
   return [
     ...nodes.flatMap(({ type, hasRuntime, hasWorker }) => {
       if (hasWorker) return [{ type, file: `generated/${WORKERS_FOLDER}/${workerFile(type)}` }];
       return hasRuntime ? [runtime(type)] : [];
     }),
-    ...bindings.map(runtime),
+    ...parts.map(runtime),
   ];
 }
 

@@ -34,7 +34,7 @@ const TYPE = /^[a-z][a-z0-9]*(-[a-z0-9]+)*\/[a-z][a-z0-9]*(-[a-z0-9]+)*$/;
 /**
  * Categories that a new node folder cannot have: those of ISF files, techniques and subgraphs, and folders of `nodes/` without node types.
  */
-const NO_CATEGORIES = ['filter', 'operator', 'generator', 'technique', 'graph', 'binding', 'kit', 'generated'];
+const NO_CATEGORIES = ['filter', 'operator', 'generator', 'technique', 'graph', 'binding', 'part', 'kit', 'generated'];
 
 /**
  * Checks the type of a new node.

@@ -20,7 +20,7 @@ const never = (): boolean => false;
 const isSpatial = ({ spatial }: PageUse): boolean => spatial;
 
 const RESOURCES = ['target', 'external', 'room-depth', 'objects', 'lights', 'environment', 'sound'];
-const MORE_RESOURCES = ['table', 'pulses', 'pose', 'pixels', 'bodies', 'technique', 'shadow-maps'];
+const MORE_RESOURCES = ['table', 'pulses', 'pose', 'pixels', 'bodies', 'capture', 'technique', 'shadow-maps'];
 const resources = { labels: [...RESOURCES, ...MORE_RESOURCES], needed: ({ resourceKinds }: PageUse) => resourceKinds };
 
 const samplers = { labels: ['import', 'sound', 'table', 'room-depth', 'depth'], needed: ({ samplerKinds }: PageUse) => samplerKinds };

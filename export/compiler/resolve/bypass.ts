@@ -1,5 +1,6 @@
 import { topologicalOrder } from '../../graph/topology.ts';
 import { type FlatGraph, type FlatNode, portKey, type Source } from '../flat-graph.ts';
+import { dropReplaced } from './drop-replaced.ts';
 import type { Draft, DraftNode } from './flatten.ts';
 
 /**
@@ -19,7 +20,7 @@ export function bypassMuted({ nodes, shown }: Draft): Pick<FlatGraph, 'nodes' | 
       if (through.length > 0) kept.set(port, several ? through : through.slice(0, 1));
       else muteBlocked.set(port, sources[0]?.node ?? '');
     }
-    flat.set(id, { id, definition, unfused, inputs: kept, bindings, muteBlocked });
+    flat.set(id, dropReplaced({ id, definition, unfused, inputs: kept, bindings, muteBlocked }));
   }
   const replacements = new Map<string, Source>();
   for (const [key, sources] of [...passed, ...[...shown].map(([key, source]) => [key, [source]] as const)]) {

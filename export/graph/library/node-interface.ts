@@ -79,7 +79,7 @@ function interfaceOfGraph(project: Pick<Project, 'graphs'>, library: NodeLibrary
     const end = innermost(project, library, name, { node, port }, 'inputs');
     const input = end && getOwn(end.definition.inputs, end.port);
     const param = end && getOwn(end.definition.params, end.port);
-    if (input) inputs[outside] = isWired(graph, { node, port }) ? { ...input, required: false } : input;
+    if (input) inputs[outside] = portOf(input, isWired(graph, { node, port }));
     else if (param) params[outside] = withDefault(param, end);
   }
   for (const { name: outside, node, port } of graph.exposed.outputs) {
@@ -88,6 +88,11 @@ function interfaceOfGraph(project: Pick<Project, 'graphs'>, library: NodeLibrary
     if (output) outputs[outside] = output;
   }
   return { type: `graph/${name}`, version: 1, title: name, doc: `The subgraph “${name}” of this project.`, inputs, outputs, params };
+}
+
+/** An input as the instances of a subgraph have it. The params that it replaces are inside. */
+function portOf({ replaces: _, ...input }: InputPort, isWired: boolean): InputPort {
+  return isWired ? { ...input, required: false } : input;
 }
 
 /** A port of a node of the library, with the node. */

@@ -2,6 +2,7 @@ import type { AssetParam, ParamDefinition } from '../../../nodes/kit/definition.
 import { parseBinding, parseValue } from '../expression/param-expression.ts';
 import { bindingMisfit } from '../library/binding-misfit.ts';
 import { boundValue, outOfRange } from '../library/param-value.ts';
+import { replacedParams } from '../library/replaced-params.ts';
 import type { Binding } from '../project.ts';
 import { getOwn } from '../record.ts';
 import { type GraphCheck, inGraph, reportError } from './context.ts';
@@ -16,10 +17,20 @@ export function checkParams(check: GraphCheck): void {
       if (param) checkBinding(check, nodeId, port, param, binding);
       else reportError(check, 'SCR018', { nodeId, port }, `${nodeId} (${nodeInterface.title}) has no parameter “${port}”.`, 'Remove it.');
     }
+    const replaced = replacedParams(nodeInterface, (port) => isConnected(check, nodeId, port));
     for (const [port, param] of Object.entries(nodeInterface.params)) {
+      if (replaced.has(port)) continue;
       if (param.type === 'asset' && isUsed(param, nodeInterface.params, node.params)) checkChosen(check, nodeId, port, param, node.params);
     }
   }
+}
+
+/** Whether a wire in the graph leads to an input, or perhaps one from outside the subgraph. */
+function isConnected({ graph }: GraphCheck, node: string, port: string): boolean {
+  return (
+    graph.wires.some(({ to }) => to.node === node && to.port === port) ||
+    graph.exposed.inputs.some((exposed) => exposed.node === node && exposed.port === port)
+  );
 }
 
 function checkBinding(check: GraphCheck, nodeId: string, port: string, param: ParamDefinition, binding: Binding): void {

@@ -105,6 +105,8 @@ function viewOf(id: string, resources: LiveResources): object {
       return resource.queue;
     case 'pose':
       return resource.pose;
+    case 'capture':
+      return resource.place;
     case 'pixels':
       return resource.pixels;
     case 'technique':

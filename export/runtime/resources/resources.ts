@@ -1,8 +1,10 @@
+import { type CapturedPlace, createCapturedPlace } from '../../../nodes/kit/captured-place.ts';
 import { IDENTITY } from '../../../nodes/kit/matrices.ts';
 import type { BodyList } from '../../../nodes/kit/physics.ts';
 import { createPose, type PoseOutput } from '../../../nodes/kit/pose.ts';
 import { type LayerOutput, MAY_CHANGE } from '../../../nodes/kit/runtime.ts';
 import type { EnvironmentOutput, LightList, ObjectList, RoomDepthOutput } from '../../../nodes/kit/scene-lists.ts';
+import type { Writable } from '../../../nodes/kit/value-views.ts';
 import type { Program, Resource, ResourceId } from '../../program/program.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
 import { createLivePixels, type LivePixels } from '../pixels/live-pixels.ts';
@@ -28,6 +30,7 @@ export type LiveResource =
   | { readonly kind: 'pulses'; readonly queue: PulseQueue }
   | { readonly kind: 'pose'; readonly pose: PoseOutput }
   | { readonly kind: 'bodies'; readonly list: BodyList }
+  | { readonly kind: 'capture'; readonly place: Writable<CapturedPlace> }
   | { readonly kind: 'pixels'; readonly pixels: LivePixels }
   | { readonly kind: 'technique'; readonly technique: LiveTechnique }
   /** Shadow maps have no object here: their operation creates them. */
@@ -136,6 +139,10 @@ export function clearOutput(resource: LiveResource): void {
       resource.pose.valid = false;
       resource.pose.jumps++;
       break;
+    case 'capture':
+      resource.place.assetId = null;
+      resource.place.facts = null;
+      break;
     case 'target':
     case 'table':
     case 'technique':
@@ -176,6 +183,8 @@ function create(resource: Resource, parts: TargetParts, isViewed: boolean): Live
       return { kind: 'pixels', pixels: createLivePixels(objects.gl) };
     case 'bodies':
       return { kind: 'bodies', list: { version: 0, bodies: [] } };
+    case 'capture':
+      return { kind: 'capture', place: createCapturedPlace() };
     case 'technique':
       return { kind: 'technique', technique: createLiveTechnique(resource.id) };
     case 'shadow-maps':

@@ -6,9 +6,17 @@ export const definition = defineNode({
   type: 'source/capture-mesh',
   version: 1,
   title: 'Capture mesh',
-  doc: 'Outputs the mesh of a captured place as a phantom: it hides virtual objects that are behind the captured ones, and receives their shadows. Put the layers of Scene and Shadow over that of a Capture node that has the same file, position, rotation and scale.',
+  doc: 'Outputs the mesh of a captured place as a phantom: it hides virtual objects that are behind the captured ones, and receives their shadows. Put the layers of Scene and Shadow over that of the Capture node that is connected, or of one that has the same file, position, rotation and scale.',
   keywords: ['proxy', 'occlusion', 'shadow catcher', 'phantom', 'photogrammetry', 'scan', 'room', 'place'],
-  inputs: {},
+  inputs: {
+    capture: {
+      type: 'capture',
+      label: 'Capture',
+      doc: 'The captured place, from a Capture node: the mesh moves with it. Optional. Without it, the node has a file, position, rotation and scale of its own.',
+      required: false,
+      replaces: ['file', 'positionM', 'rotationRad', 'scale'],
+    },
+  },
   outputs: {
     objects: {
       type: 'objects',

@@ -16,6 +16,13 @@ export const definition = defineNode({
       domain: 'view',
       depth: true,
     },
+    capture: {
+      type: 'capture',
+      label: 'Capture',
+      doc: 'The place for other nodes, as Capture mesh: its file, position, rotation and scale. It does not depend on the method, and needs no layer that is shown.',
+      whenRead: true,
+      part: 'part/capture-place',
+    },
   },
   params: {
     file: {

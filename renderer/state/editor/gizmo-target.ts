@@ -1,4 +1,5 @@
 import { subgraphName } from '../../../export/graph/document-names.ts';
+import { replacedParams } from '../../../export/graph/library/replaced-params.ts';
 import type { GraphNode, Project } from '../../../export/graph/project.ts';
 import { getOwn } from '../../../export/graph/record.ts';
 import type { NodeDefinition, ParamDefinition } from '../../../nodes/kit/definition.ts';
@@ -236,8 +237,10 @@ export function carriesObjects(state: DocumentState, { node, port }: { readonly 
  */
 function drivenBy(state: DocumentState, id: string, node: GraphNode, definition: NodeDefinition, { name }: HandleParam): string | null {
   const what = `“${definition.params[name]?.label}” of ${titleOf(state, id)}`;
-  if (graphOf(state).wires.some(({ to }) => to.node === id && to.port === name))
-    return `${what} is connected. Disconnect it to use the gizmo.`;
+  const isConnected = (port: string) => graphOf(state).wires.some(({ to }) => to.node === id && to.port === port);
+  if (isConnected(name)) return `${what} is connected. Disconnect it to use the gizmo.`;
+  const input = definition.inputs[replacedParams(definition, isConnected).get(name) ?? ''];
+  if (input) return `${what} comes from the input “${input.label}”. Disconnect it to use the gizmo.`;
   const binding = getOwn(node.params, name);
   return binding !== undefined && 'expression' in binding ? `${what} has an expression. Reset it to use the gizmo.` : null;
 }

@@ -5,7 +5,7 @@ import type { Leaf } from '../screen-plan.ts';
 import { lowerCopyToScreen } from './lower-copy.ts';
 import { isCpu, lowerCpu } from './lower-cpu.ts';
 import { isDelayed, lowerCaptures, lowerDelayed } from './lower-delayed.ts';
-import { isPlayed, lowerDraw, lowerNode } from './lower-node.ts';
+import { isPlayed, lowerDraw, lowerNode, lowerParts } from './lower-node.ts';
 import { type LoweredPasses, lowerLastPassAgain, lowerPasses } from './lower-passes.ts';
 import { isTechnique, lowerTechnique } from './lower-technique.ts';
 import type { Lowering } from './lowering.ts';
@@ -27,7 +27,9 @@ export function lowerShown(lowering: Lowering, order: readonly FlatNode[], leave
     if (!demand.nodes.has(node.id)) continue;
     const fusedDraw = demand.fused.get(node.id);
     // The draw is lowered at the position of the occlusion, because the room depth may come after the objects.
-    const draw = fusedDraw ?? (isDraw(node) && (!fusedDraws.has(node.id) || needsTexture(node, demand)) ? node : null);
+    const isShown = needsTexture(node, demand) || (direct.has(node.id) && !fusedDraws.has(node.id));
+    const draw = fusedDraw ?? (isDraw(node) && isShown ? node : null);
+    lowerParts(lowering, node);
     if (isTechnique(node)) lowerTechnique(lowering, node);
     else if (isPlayed(node)) lowerNode(lowering, node);
     else if (isCpu(node)) lowerCpu(lowering, node);
@@ -85,6 +87,7 @@ export function lowerViewed(lowering: Lowering, order: readonly FlatNode[], dema
     if (!demand.nodes.has(node.id)) continue;
     const fusedDraw = demand.fused.get(node.id);
     const ended = ends.get(node.id);
+    lowerParts(lowering, node);
     if (isTechnique(node)) {
       lowerTechnique(lowering, node);
     } else if (isPlayed(node)) {

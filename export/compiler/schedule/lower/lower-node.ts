@@ -39,6 +39,37 @@ export function lowerNode(lowering: Lowering, node: FlatNode): void {
   addStep(lowering, operation, valueSteps(lowering, node));
 }
 
+/**
+ * Lowers what a node that draws outputs besides its layer: operations that run before anything is drawn, for the outputs that something
+ * reads. They have no inputs, so they can be lowered before those of the node.
+ */
+export function lowerParts(lowering: Lowering, node: FlatNode): void {
+  for (const [port, { type, part }] of Object.entries(node.definition.outputs)) {
+    const source = { node: node.id, port };
+    const id = portKey(source);
+    if (part === undefined || isValueType(type) || !lowering.read.has(id) || lowering.resourceOf.has(id)) continue;
+    const resource = addResource(lowering, outputResource(lowering, source, type));
+    lowering.resourceOf.set(id, resource);
+    lowering.writerOf.set(resource, id);
+    const operation: NodeOperation & { readonly kind: 'source'; readonly view: 'once' } = {
+      id,
+      node: node.id,
+      kind: 'source',
+      view: 'once',
+      reads: [],
+      writes: [resource],
+      type: part,
+      inputs: {},
+      multiple: [],
+      config: {},
+      outputs: { [port]: { kind: 'resource', resource } },
+      params: uniformParams(lowering, node, node.definition.params),
+      assets: assetsOf(node),
+    };
+    addStep(lowering, operation, valueSteps(lowering, node));
+  }
+}
+
 export interface DrawRequest {
   readonly node: FlatNode;
   /** The occlusion that is fused with the draw, if any. */
@@ -166,13 +197,17 @@ export function nodeOperation<K extends NodeKind | 'draw' | 'cpu'>(
         param.stage === 'structure' ? [[name, configValue(lowering, node, param, startValue(node, name, param))]] : [],
       ),
     ),
-    assets: Object.fromEntries(
-      Object.entries(params).flatMap(([name, param]) =>
-        param.stage === 'asset' ? [[name, String(startValue(node, name, param)) || null]] : [],
-      ),
-    ),
+    assets: assetsOf(node),
     ...(drawsDepthMeshes(node) ? { depthMeshes: true } : {}),
   };
+}
+
+function assetsOf(node: FlatNode): Record<string, string | null> {
+  return Object.fromEntries(
+    Object.entries(node.definition.params).flatMap(([name, param]) =>
+      param.stage === 'asset' ? [[name, String(startValue(node, name, param)) || null]] : [],
+    ),
+  );
 }
 
 function drawsDepthMeshes(node: FlatNode): boolean {
@@ -282,9 +317,10 @@ function outputResource({ layers }: Lowering, source: Source, type: Exclude<Wire
       return { id, kind: 'sound' };
     case 'body':
       return { id, kind: 'bodies' };
+    case 'capture':
+      return { id, kind: 'capture' };
     case 'technique':
     case 'surfaces':
-    case 'capture':
       throw new Error(`The program has no resources of type ${type} yet, which ${id} gives.`);
   }
 }

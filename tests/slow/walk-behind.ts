@@ -3,8 +3,8 @@ import { type BufferGeometry, DoubleSide, Matrix4, Quaternion, Ray, Vector3 } fr
 import { mergeGeometries } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 import { MeshBVH } from 'three-mesh-bvh';
 import { pixelAt, type RgbaImage } from '../support/image.ts';
-import { type Eye, eyesOf } from './eyes.ts';
-import { openXrPage } from './xr-page.ts';
+import { type Eye, eyesOf } from '../xr/eyes.ts';
+import { openXrPage } from '../xr/xr-page.ts';
 
 /** Layer of both eyes, px. */
 export const [WIDTH, HEIGHT] = [640, 320] as const;
