@@ -66,7 +66,7 @@ describeWithData('a captured living room', 'captures/icl-livingroom', (folder) =
     await cp(resolve('examples/first-light/assets/robot.glb'), join(base, 'assets/robot.glb'));
     await writeProject(base, { 'project.scrim.json': projectText({ nodes: { 'screen-a1': 'output/screen' }, wires: [] }) });
     const { path, views } = await importCapture({
-      ...{ folder, root: base, name: 'room', maxSidePx: 320, up: null, metersPerUnit: 1, known: UNKNOWN_SIZE },
+      ...{ folder, root: base, sources: resolve('.'), name: 'room', maxSidePx: 320, up: null, metersPerUnit: 1, known: UNKNOWN_SIZE },
       depth: { from: 'none', unit: null, kind: null },
       files: NODE_FILES,
       say: () => {},
