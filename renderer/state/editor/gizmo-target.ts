@@ -101,7 +101,11 @@ function imageTarget(state: DocumentState, id: string): GizmoTargetResult | null
   const isPlace = ({ handle }: HandleParam) => handle === 'center' || handle === 'low' || handle === 'high';
   const fixed = free.length === 0 ? all[0] : all.find((param) => isPlace(param) && !free.includes(param));
   if (fixed) return { target: null, reason: drivenBy(state, id, node, definition, fixed) };
-  return { target: { ...makeTarget(state, id, node, definition, free), inImage: true } };
+  // The sides of a shape lie along its angle, which the gizmo does not know while something else sets it.
+  const turned = all.find((param) => param.handle === 'angle' && !free.includes(param));
+  const held = turned ? free.filter(({ handle }) => handle !== 'size' && handle !== 'feather') : free;
+  if (turned && held.length === 0) return { target: null, reason: drivenBy(state, id, node, definition, turned) };
+  return { target: { ...makeTarget(state, id, node, definition, held), inImage: true } };
 }
 
 /** Categories of nodes that create virtual objects. The room decides where those of `world/` are. */
