@@ -6,10 +6,12 @@ import process from 'node:process';
 import { afterEach, beforeEach, expect, test } from '@jest/globals';
 import { decode as decodePng, encode as encodePng } from 'fast-png';
 import { encode } from 'jpeg-js';
+import { reportFacts } from '../../export/captures/report/capture-report.ts';
 import { readCapture } from '../../nodes/kit/capture.ts';
 import { projectText } from '../../tests/support/project-kit.ts';
 import { type CaptureJob, importCapture } from './add-capture.ts';
 import { type FileLayer, NODE_FILES } from './file-layer.ts';
+import { readCaptureReport } from './import-report/read-capture-report.ts';
 import { type KnownSize, UNKNOWN_SIZE } from './measure-capture.ts';
 import { readBytes } from './read-file.ts';
 
@@ -78,6 +80,9 @@ test('warns of what it leaves out', async () => {
     '1 photograph has no camera, such as e.jpg.',
     'It has 3 photographs only, so most sides are seen once or never.',
   ]);
+  const report = await readCaptureReport(join(project(), 'assets/scan.capture'));
+  expect(report.record?.warnings).toEqual(diagnostics.map(({ message }) => message));
+  expect(reportFacts(report)).toContainEqual({ label: 'Left out', text: 'd.jpg (no photograph); e.jpg (no camera)' });
 });
 
 test.each([

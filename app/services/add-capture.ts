@@ -52,6 +52,8 @@ export interface CaptureJob extends PackingJob {
   };
   /** Makes the mesh of the folder smaller; absent: it stays as it is. */
   readonly simplify?: (mesh: CaptureMesh) => Promise<CaptureMesh>;
+  /** Names of the photographs whose cameras were searched; absent: those in the folder. */
+  readonly searched?: readonly string[];
   /** Warnings from before, which are recorded with those of the import. */
   readonly warnings?: readonly Diagnostic[];
   /** Receives progress texts. */
@@ -197,7 +199,7 @@ async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> 
       depth,
       depthTriangles,
       withoutPhotograph: found.withoutPhotograph,
-      withoutCamera: found.withoutCamera,
+      withoutCamera: job.searched?.filter((name) => !source.views.some((view) => view.name === name)) ?? found.withoutCamera,
       warnings: diagnostics.map(({ message }) => message),
       views: recorded,
     };

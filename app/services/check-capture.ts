@@ -1,7 +1,10 @@
-import { type CaptureDocument, CaptureError, type CaptureMeshFile, readCapture } from '../../nodes/kit/capture.ts';
+import type { FileHandle } from 'node:fs/promises';
+import { DAMAGED_CAPTURE_FIX, meshesOfCapture, type PieceCheck } from '../../export/captures/file-faults.ts';
+import { type CaptureDocument, CaptureError, readCapture } from '../../nodes/kit/capture.ts';
 import { type AssetProblem, fileProblem } from './asset-problem.ts';
+import { imageFileFault } from './check-image-files.ts';
 import { resolveInside } from './confine.ts';
-import { statFile } from './read-file.ts';
+import { openFile, statFile } from './read-file.ts';
 
 /**
  * Checks the document of a capture in a project, and whether its files are there.
@@ -21,43 +24,81 @@ export async function captureProblem(root: string, path: string, text: string): 
   }
 }
 
+/** Meshes are read in pieces of this size. */
+const PIECE_BYTES = 2 ** 20;
+
 /**
- * The first file of a capture that is missing, is no file, is empty, or is a mesh of another size than its document says. Files of depth are
- * not needed to draw it.
+ * The first file of a capture that is missing, is no file, or is damaged: a mesh of another size than its document says or with numbers that no
+ * mesh has, or a photograph that is empty or cut off. One file at a time is read. Files of depth are not needed to draw it.
  *
  * @param folder What messages begin paths with; ends in `/`.
  * @param resolve Gives the absolute path of a file of the capture.
  */
-export async function captureFilesProblem(
-  { mesh, views }: CaptureDocument,
-  folder: string,
-  resolve: (file: string) => Promise<string>,
-): Promise<AssetProblem | null> {
-  const expected: readonly (readonly [file: string, bytes: number | null])[] = [
-    [mesh.file, meshBytes(mesh, 12)],
-    ...views.flatMap(({ file, depthMesh, hiddenMesh }): (readonly [string, number | null])[] => [
-      [file, null],
-      ...(depthMesh ? [[depthMesh.file, meshBytes(depthMesh, 8)] as const] : []),
-      ...(hiddenMesh ? [[hiddenMesh.file, meshBytes(hiddenMesh, 12)] as const] : []),
-    ]),
-  ];
-  const problems = await Promise.all(
-    expected.map(async ([file, bytes]): Promise<AssetProblem | null> => {
-      const path = folder + file;
-      try {
-        const { size } = await statFile(await resolve(file));
-        const fix = 'Import the capture again.';
-        if (bytes !== null && size !== bytes)
-          return { code: 'SCR032', message: `${path} has ${size} bytes, but capture.json says ${bytes}.`, fix };
-        return size === 0 ? { code: 'SCR032', message: `${path} is empty.`, fix } : null;
-      } catch (error) {
-        return fileProblem(error, path);
-      }
-    }),
-  );
-  return problems.find((problem) => problem !== null) ?? null;
+export async function captureFilesProblem(document: CaptureDocument, folder: string, resolve: Resolve): Promise<AssetProblem | null> {
+  const files = filesOf(document);
+  const sizes = await Promise.all(files.map(({ file, bytes }) => problemOf(folder + file, () => sizeFault(resolve, file, bytes))));
+  const wrongSize = sizes.find((problem) => problem !== null);
+  if (wrongSize) return wrongSize;
+  for (const { file, faultOf } of files) {
+    const problem = await problemOf(folder + file, () => contentFault(resolve, file, faultOf));
+    if (problem !== null) return problem;
+  }
+  return null;
 }
 
-function meshBytes({ vertexCount, triangleCount }: CaptureMeshFile, bytesPerVertex: number): number {
-  return bytesPerVertex * vertexCount + 12 * triangleCount;
+type Resolve = (file: string) => Promise<string>;
+type FaultOf = (file: FileHandle, size: number) => Promise<string | null>;
+
+interface CheckedFile {
+  readonly file: string;
+  /** The size that it must have; null: any but 0. */
+  readonly bytes: number | null;
+  readonly faultOf: FaultOf;
+}
+
+function filesOf(document: CaptureDocument): readonly CheckedFile[] {
+  const meshes = meshesOfCapture(document).map(({ mesh, bytes, check }) => ({
+    file: mesh.file,
+    bytes,
+    faultOf: (file: FileHandle) => meshFault(file, check()),
+  }));
+  return [...meshes, ...document.views.map(({ file }) => ({ file, bytes: null, faultOf: imageFileFault }))];
+}
+
+/** `fault` gives the predicate of a message. */
+async function problemOf(path: string, fault: () => Promise<string | null>): Promise<AssetProblem | null> {
+  try {
+    const found = await fault();
+    return found === null ? null : { code: 'SCR032', message: `${path} ${found}`, fix: DAMAGED_CAPTURE_FIX };
+  } catch (error) {
+    return fileProblem(error, path);
+  }
+}
+
+async function sizeFault(resolve: Resolve, file: string, bytes: number | null): Promise<string | null> {
+  const { size } = await statFile(await resolve(file));
+  if (bytes !== null && size !== bytes) return `has ${size} bytes, but capture.json says ${bytes}.`;
+  return size === 0 ? 'is empty.' : null;
+}
+
+async function contentFault(resolve: Resolve, file: string, faultOf: FaultOf): Promise<string | null> {
+  const opened = await openFile(await resolve(file));
+  try {
+    return await faultOf(opened, (await opened.stat()).size);
+  } finally {
+    await opened.close();
+  }
+}
+
+async function meshFault(file: FileHandle, check: PieceCheck): Promise<string | null> {
+  const piece = Buffer.alloc(PIECE_BYTES);
+  for (;;) {
+    let length = 0;
+    // A read may give less than was asked for.
+    for (let read = -1; read !== 0 && length < PIECE_BYTES; length += read) {
+      read = (await file.read(piece, length, PIECE_BYTES - length)).bytesRead;
+    }
+    const fault = check(piece.subarray(0, length));
+    if (fault !== null || length < PIECE_BYTES) return fault;
+  }
 }

@@ -147,7 +147,7 @@ async function pack(
     metersPerUnit,
     known: UNKNOWN_SIZE,
     depth: { from: null, unit: null, kind: null },
-    warnings: made?.diagnostics ?? [],
+    ...(made && { searched: made.names, warnings: made.diagnostics }),
   });
   const { views } = readCapture(await readText(await resolveInside(root, packed.path), MAX_DOCUMENT_BYTES));
   // Photographs that were dropped are not kept twice.

@@ -15,6 +15,7 @@ import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import { text as decodeRadiance } from '../../nodes/generated/workers/decode-radiance.gen.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { FromPreview } from '../preview-protocol.ts';
+import { withCheckedCaptures } from './checked-captures.ts';
 import { type CostMeter, createCostMeter } from './cost-meter.ts';
 import { previewDecoderFile } from './decoder-files.ts';
 import type { LayerGate } from './layer-gate.ts';
@@ -68,7 +69,7 @@ export function createPlayerHost(options: PlayerHostOptions): PlayerHost {
   const { antialias } = program.presentation;
   const gl = canvas.getContext('webgl2', { alpha: true, antialias, depth: true, stencil: false, powerPreference: 'high-performance' });
   if (!gl) throw new Error('This browser has no WebGL 2.');
-  const assets = createFetchAssetSource(assetBaseUrl, pageFetch);
+  const assets = withCheckedCaptures(createFetchAssetSource(assetBaseUrl, pageFetch));
   const createScenes = createScenesWith({
     decoders: ALL_DECODERS,
     files: previewDecoderFile,

@@ -117,3 +117,28 @@ test('a capture without record shows its cameras and says why the rest is missin
   await dialog.getByText('Scrim imported this capture before').waitFor();
   expect(await dialog.locator('.cameras-camera').count()).toBe(5);
 });
+
+test.each([
+  ['views/002.jpg', (file: Uint8Array) => file.subarray(0, -60), 'views/002.jpg is incomplete.'],
+  ['mesh.bin', withNaN, 'mesh.bin is damaged at byte 208: vertex 17 is not finite.'],
+] as const)('the problems name a damaged %s, its place and the remedy', async (name, damage, message) => {
+  const ball = await withBall();
+  const file = `ball.capture/${name}`;
+  const { page } = await open({
+    ...ball,
+    nodes: { 'place-aaaa': { type: 'source/capture', params: { file: { value: 'ball' } } }, 'screen-aaaa': { type: 'output/screen' } },
+    wires: ['place-aaaa.layer -> screen-aaaa.layer'],
+    places: { 'place-aaaa': [0, 0], 'screen-aaaa': [300, 0] },
+    assetFiles: { ...ball.assetFiles, [file]: damage(ball.assetFiles?.[file] ?? new Uint8Array()) },
+  });
+  await page.locator('.status-bar').getByText('1 problem').click();
+  const problem = page.getByRole('list', { name: 'Problems' }).getByRole('button');
+  await problem.getByText(`assets/ball.capture/${message}`).waitFor();
+  await problem.getByText('Import the capture again.').waitFor();
+});
+
+function withNaN(mesh: Uint8Array): Uint8Array {
+  const damaged = Uint8Array.from(mesh);
+  damaged.set(new Uint8Array(Float32Array.of(Number.NaN).buffer), 12 * 17 + 4);
+  return damaged;
+}

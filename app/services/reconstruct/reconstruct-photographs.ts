@@ -33,6 +33,8 @@ export interface ReconstructionJob {
 
 export interface Reconstruction {
   readonly photographs: number;
+  /** Their names, as COLMAP has them. */
+  readonly names: readonly string[];
   /** The photographs whose cameras were found. */
   readonly found: number;
   /** Mesh relative to the folder; null: the folder had depth or a mesh already. */
@@ -190,7 +192,7 @@ async function run(job: ReconstructionJob): Promise<Reconstruction> {
     });
   }
   const mesh = isDense ? DENSE_MESH : done.includes('mesh') ? `${SPARSE}/${SPARSE_MESH}` : null;
-  return { photographs: names.length, found, mesh, isDense, kept, log, diagnostics };
+  return { photographs: names.length, names, found, mesh, isDense, kept, log, diagnostics };
 }
 
 /** Number of the photographs that `reconstruct` would use. */
