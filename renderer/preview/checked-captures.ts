@@ -32,6 +32,6 @@ function addChecks(checks: Map<string, FaultOf>, path: string, bytes: ArrayBuffe
     for (const { file } of document.views) checks.set(folder + file, imageFault);
     for (const { mesh, check } of meshesOfCapture(document)) checks.set(folder + mesh.file, (content) => check()(content));
   } catch {
-    // Whoever loads the document says what is wrong with it.
+    // Its loader says what is wrong with the document.
   }
 }

@@ -126,12 +126,12 @@ test.each([
   const file = `ball.capture/${name}`;
   const { page } = await open({
     ...ball,
-    nodes: { 'place-aaaa': { type: 'source/capture', params: { file: { value: 'ball' } } }, 'screen-aaaa': { type: 'output/screen' } },
+    nodes: { 'place-aaaa': { type: 'source/capture', params: { file: 'ball' } }, 'screen-aaaa': { type: 'output/screen' } },
     wires: ['place-aaaa.layer -> screen-aaaa.layer'],
     places: { 'place-aaaa': [0, 0], 'screen-aaaa': [300, 0] },
     assetFiles: { ...ball.assetFiles, [file]: damage(ball.assetFiles?.[file] ?? new Uint8Array()) },
   });
-  await page.locator('.status-bar').getByText('1 problem').click();
+  await page.locator('.status-bar').getByText('1 error').click();
   const problem = page.getByRole('list', { name: 'Problems' }).getByRole('button');
   await problem.getByText(`assets/ball.capture/${message}`).waitFor();
   await problem.getByText('Import the capture again.').waitFor();
