@@ -5,8 +5,8 @@ import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import type { ElectronApplication, Page } from 'playwright-core';
 import type { Answer } from '../../app/contract/host-error.ts';
 import type { HostBridge } from '../../app/contract/ipc-client.ts';
-import { frameOf } from '../../tools/lib/frame-of.ts';
 import { describeElectron, editorWindow, findElectron } from '../support/electron.ts';
+import { eventually } from '../support/patience.ts';
 
 /** The shell as it is built, with pages of the test's own: what they may do is what is asked here. */
 const SHELL = resolve(import.meta.dirname, '../../dist/electron');
@@ -61,7 +61,12 @@ describeElectron('the Electron shell', await findElectron(), (launch) => {
     );
     expect(imported).toEqual({ output: { path: 'assets/a.png' } });
     expect([...(await readFile(join(project, 'assets', 'a.png')))]).toEqual([0, 200]);
-    const preview = await frameOf(page, 'iframe');
+    // The frame is on its way to its page for a while.
+    const preview = await eventually(() => {
+      const found = page.frames().find((frame) => frame.url() === 'scrim://preview/index.html');
+      if (!found) throw new Error('The preview has no frame.');
+      return found;
+    });
     expect(await preview.evaluate(async (url) => (await fetch(url)).text(), `${assetBaseUrl}assets/cup.glb`)).toBe('glTF');
   });
 
@@ -83,8 +88,8 @@ describeElectron('the Electron shell', await findElectron(), (launch) => {
     const { assetBaseUrl } = opened.output;
     await put('secret.txt', 'secret');
     await symlink(join(base, 'secret.txt'), join(project, 'assets', 'link.txt'));
-    const preview = await frameOf(page, 'iframe');
-    const statusOf = (url: string) => preview.evaluate(async (address) => (await fetch(address)).status, url);
+    const preview = page.frames().find((frame) => frame.url() === 'scrim://preview/index.html');
+    const statusOf = (url: string) => preview?.evaluate(async (address) => (await fetch(address)).status, url);
     expect(await statusOf(`${assetBaseUrl}assets/cup.glb`)).toBe(200);
     for (const path of [
       '../secret.txt',
@@ -105,10 +110,10 @@ describeElectron('the Electron shell', await findElectron(), (launch) => {
     const names = ['require', 'process', 'module', 'Buffer', 'electron', 'ipcRenderer'];
     const globals = (list: string[]) => list.filter((name) => name in globalThis);
     expect(await page.evaluate(globals, names)).toEqual([]);
-    const preview = await frameOf(page, 'iframe');
-    expect(await preview.evaluate(globals, [...names, 'scrimHost'])).toEqual([]);
+    const preview = page.frames().find((frame) => frame.url() === 'scrim://preview/index.html');
+    expect(await preview?.evaluate(globals, [...names, 'scrimHost'])).toEqual([]);
     expect(await page.evaluate(() => Object.keys((window as unknown as { scrimHost: object }).scrimHost))).toEqual(['call', 'subscribe']);
-    expect(await preview.evaluate(() => window.isSecureContext)).toBe(true);
+    expect(await preview?.evaluate(() => window.isSecureContext)).toBe(true);
     expect(await app.evaluate(({ BrowserWindow }) => BrowserWindow.getAllWindows().length)).toBe(1);
   });
 
@@ -133,7 +138,11 @@ describeElectron('the Electron shell', await findElectron(), (launch) => {
     });
     const popup = await opening;
     expect(await popup.evaluate(() => 'scrimHost' in window)).toBe(false);
-    const preview = await frameOf(popup, 'iframe');
+    const preview = await eventually(async () => {
+      const found = popup.frames().find((frame) => frame.url() === 'scrim://preview/index.html');
+      if (!found) throw new Error('The window has no preview.');
+      return found;
+    });
     await preview.waitForFunction(() => document.title === 'Preview');
     await popup.close();
     for (const url of ['https://example.com/', 'file:///etc/passwd', 'scrim://preview/index.html', 'http://127.0.0.1:1/']) {
@@ -174,9 +183,9 @@ describeElectron('the Electron shell', await findElectron(), (launch) => {
     await put('dist/preview/assets/own.js', 'globalThis.ran = true; globalThis.postMessage?.("ran")');
     const opened = await call<{ assetBaseUrl: string }>('project.open', { path: project });
     if (!('output' in opened)) throw new Error(JSON.stringify(opened));
-    const preview = await frameOf(page, 'iframe');
+    const preview = page.frames().find((frame) => frame.url() === 'scrim://preview/index.html');
     const run = (url: string) =>
-      preview.evaluate(async (src) => {
+      preview?.evaluate(async (src) => {
         // What ends in an event either way; nothing is waited for by time.
         const outcome = (start: (done: (how: string) => void) => void) =>
           new Promise<string>((resolve) => {
