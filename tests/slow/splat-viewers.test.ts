@@ -96,3 +96,12 @@ test('a single splat has the same place, size, turn and color', async () => {
     expect(psnr(ours.pixels, theirs)).toBeGreaterThan(55);
   }
 });
+
+test('a splat that is thinner than a pixel is widened as much', async () => {
+  const thin = splatAt(0.2, 0.1, -1.6, { scale: [0.1, 0.002, 0.002], opacity: 0.8 });
+  const bytes = fileOf(Array.from({ length: 12 }, (_, i) => (i === 0 ? thin : { ...thin, position: [0, 0, 20 + i] as const })));
+  const sum = (pixels: Uint8Array): number => pixels.reduce((total, value, i) => (i % 4 === 3 ? total + value : total), 0);
+  const ours = sum((await shoot(bytes)).pixels);
+  expect(ours).toBeGreaterThan(2000);
+  expect(Math.abs(ours / sum(await shootByViewer(bytes)) - 1)).toBeLessThan(0.08);
+});
