@@ -269,9 +269,32 @@ test('imports a 360° photograph with its depth, which gives its height above th
   expect(views[0]?.worldFromCamera.slice(12, 15)).toEqual([0, expect.closeTo(1.5, 3), 0]);
 });
 
-test('refuses a 360° photograph without depth, and what only looks like one', async () => {
+test('puts a 360° photograph without depth onto a floor and a dome', async () => {
   await onlyPanorama();
-  await expect(run()).rejects.toMatchObject({ diagnostic: { message: expect.stringContaining('neither a mesh') } });
+  const { form, depth, sizeM, diagnostics } = await run();
+  expect([form, depth]).toEqual(['one 360° photograph', null]);
+  expect(diagnostics.map(({ message }) => message)).toEqual([
+    expect.stringContaining('without depth. So its floor is 1.6 m below the camera'),
+  ]);
+  // As wide and deep as the dome; from the floor to its top.
+  expect(sizeM).toEqual([expect.closeTo(16, 1), expect.closeTo(9.6, 3), expect.closeTo(16, 1)]);
+  const { views, mesh } = readCapture(Buffer.from(await readBytes(join(project(), 'assets/scan.capture/capture.json'), 1e6)).toString());
+  expect(views.map(({ projection, worldFromCamera }) => [projection, worldFromCamera[13]])).toEqual([
+    ['equirectangular', expect.closeTo(1.6, 5)],
+  ]);
+  const content = await readBytes(join(project(), 'assets/scan.capture', mesh.file), 1e6);
+  const heights = new Float32Array(content.buffer, content.byteOffset, 3 * mesh.vertexCount).filter((_, i) => i % 3 === 1);
+  expect([heights.reduce((a, b) => Math.min(a, b)), heights.reduce((a, b) => Math.max(a, b))]).toEqual([
+    expect.closeTo(0, 5),
+    expect.closeTo(9.6, 4),
+  ]);
+});
+
+test('refuses what only looks like a 360° photograph, and one whose depth is asked for but missing', async () => {
+  await onlyPanorama();
+  await expect(run(undefined, undefined, { from: 'files', unit: null, kind: null })).rejects.toMatchObject({
+    diagnostic: { message: expect.stringContaining('neither a mesh') },
+  });
   await onlyPanorama(12);
   await expect(run()).rejects.toMatchObject({ diagnostic: { message: expect.stringContaining('it has no cameras') } });
 });

@@ -3,6 +3,7 @@ import { basename, dirname, resolve } from 'node:path';
 import type { FileSink } from '../../export/bundle/bundle-page.ts';
 import type { DepthAnswers, DepthScale } from '../../export/captures/depth/depth-scale.ts';
 import { createDepthFusion } from '../../export/captures/depth/fuse-depth-meshes.ts';
+import { DOME_EYE_M, DOME_RADIUS_M, makeDomeMesh } from '../../export/captures/dome-mesh.ts';
 import { unitWarning } from '../../export/captures/plausible.ts';
 import { sizeOfMesh } from '../../export/captures/report/capture-report.ts';
 import { IMPORT_FILE, type ImportRecord, MOST_PLACES, type RecordedView } from '../../export/captures/report/import-record.ts';
@@ -129,16 +130,20 @@ async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> 
   say('Reading cameras and mesh…');
   const found = await readCaptureFolder(resolve(folder));
   const { source, views, mesh: wholeMesh } = found;
-  const ownMesh = wholeMesh && job.simplify ? await job.simplify(wholeMesh) : wholeMesh;
   const diagnostics = [...(job.warnings ?? []), ...found.diagnostics];
   const depths = await findUsedDepths(job, views);
   const missing = views.filter((_, i) => depths[i] == null);
   const hasDepth = depths.some((path) => path !== null);
+  const isDome = source.form === PANORAMA_FORM && !wholeMesh && !hasDepth && job.depth.from !== 'files';
+  if (isDome) diagnostics.push(DOME);
+  const readMesh = isDome ? makeDomeMesh() : wholeMesh;
+  const ownMesh = readMesh && job.simplify ? await job.simplify(readMesh) : readMesh;
   if (!ownMesh && !hasDepth) throw new CaptureError(NO_MESH);
   if (job.depth.from === 'files' && !hasDepth) throw new CaptureError('it has no depth files with the names of the photographs');
   if (hasDepth && missing.length > 0) diagnostics.push(withoutDepth(missing.length, missing[0]?.view.name ?? ''));
   const up = job.up ?? upAxis(views.map(({ view }) => view.worldFromCamera));
-  const { metersPerUnit, floorM } = measureCapture(job.known, views, ownMesh, up, job.metersPerUnit);
+  const { metersPerUnit, floorM: measuredM } = measureCapture(job.known, views, ownMesh, up, job.metersPerUnit);
+  const floorM = isDome ? -DOME_EYE_M * metersPerUnit : measuredM;
   const scale = hasDepth ? await readDepthScale(views, depths, ownMesh, job.depth, metersPerUnit) : null;
   if (ownMesh) uprightMesh(ownMesh, up, metersPerUnit, floorM);
   const depth = scale && { unit: scale.unit, kind: scale.kind, count: views.length - missing.length };
@@ -236,6 +241,11 @@ function withoutDepth(count: number, name: string): Diagnostic {
   return { code: 'SCR069', severity: 'warning', message: `${photographs} no depth, such as ${name}.` };
 }
 
+const DOME: Diagnostic = {
+  code: 'SCR069',
+  severity: 'warning',
+  message: `It is one 360° photograph without depth. So its floor is ${DOME_EYE_M} m below the camera, and all else is ${DOME_RADIUS_M} m away. With depth or a mesh, things are where they were.`,
+};
 const NO_MESH =
   'it has neither a mesh (.ply, .obj, .glb or .gltf) nor depth of its photographs. Make a mesh, as with COLMAP’s poisson_mesher, and put it into the folder';
 const MESH_FILE = 'mesh.bin';

@@ -26,8 +26,6 @@ export interface PackedPhotos {
   decode(bytes: Uint8Array, name: string): Promise<Photo>;
 }
 
-/** Photographs that are decoded at a time have at most so many pixels together: two of 12 megapixels take 1.1 GB with all else. */
-const MOST_PIXELS = 30e6;
 const MAX_PHOTO_BYTES = 256 * 2 ** 20;
 /** A 360° photograph may be larger by this factor, because it shows more. */
 const AROUND = 2.5;
@@ -42,7 +40,7 @@ export async function withPackedPhotos<T>(
   task: (photos: PackedPhotos) => Promise<T>,
 ): Promise<T> {
   const largest = views.reduce((most, { lens }) => Math.max(most, lens.widthPx * lens.heightPx), 1);
-  const workers = createPhotoWorkers(sources, Math.floor(MOST_PIXELS / largest));
+  const workers = createPhotoWorkers(sources, largest);
   const cache = createAssetCache(root, files);
   const pack = async ({ file, lens, view }: FoundView): Promise<PackedPhoto> => {
     const side = lens.projection === 'equirectangular' ? Math.min(AROUND * maxSidePx, CAPTURE_LIMITS.sidePx) : maxSidePx;

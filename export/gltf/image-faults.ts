@@ -58,7 +58,18 @@ function isCutOff(bytes: Uint8Array, view: DataView): boolean {
   if (tag(bytes, 0) === '\x89PNG') return !hasPngEnd(bytes, view);
   if (view.getUint16(0) === 0xffd8) return !hasJpegEnd(bytes);
   if (tag(bytes, 0) === 'RIFF') return view.getUint32(4, true) + 8 > bytes.length;
-  return false;
+  return tag(bytes, 4) === 'ftyp' && endsInBox(bytes, view);
+}
+
+/** Whether a file of boxes, such as AVIF, ends within one (ISO/IEC 14496-12 §4.2). A box of size 0 is the rest of the file. */
+function endsInBox(bytes: Uint8Array, view: DataView): boolean {
+  let at = 0;
+  while (at + 8 <= bytes.length) {
+    const size = view.getUint32(at);
+    if (size === 0) return false;
+    at += Math.max(8, size === 1 ? Number(view.getBigUint64(at + 8)) : size);
+  }
+  return at !== bytes.length;
 }
 
 /** Whether a PNG file is complete: its last chunk is IEND (PNG specification, §11.2.5). */

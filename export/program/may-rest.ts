@@ -17,6 +17,7 @@ export const STILL_TYPES: readonly string[] = [
   'objects/primitive',
   'objects/text-3d',
   'objects/transform',
+  'part/capture-place',
   'source/capture',
   'source/capture-mesh',
   'source/model',

@@ -23,15 +23,20 @@ export function CamerasView({ report: { surface, views }, names, chosen, onChoos
   const [side, setSide] = useState(START);
   const ball = useMemo(() => ballAround(surface, views), [surface, views]);
   const { viewBox, mesh, cameras } = useMemo(() => camerasPicture(side, surface, views, ball), [side, surface, views, ball]);
-  const turn = (yawRad: number, pitchRad: number) =>
-    setSide({ yawRad: Math.atan2(Math.sin(yawRad), Math.cos(yawRad)), pitchRad: Math.min(Math.max(pitchRad, -Math.PI / 2), Math.PI / 2) });
+  // Pointers may move several times before the next render.
+  const turn = (to: (side: Side) => Side) =>
+    setSide((now) => {
+      const { yawRad, pitchRad } = to(now);
+      return { yawRad: Math.atan2(Math.sin(yawRad), Math.cos(yawRad)), pitchRad: Math.min(Math.max(pitchRad, -Math.PI / 2), Math.PI / 2) };
+    });
   const onPointerDown = (event: PointerEvent<SVGSVGElement>) => {
     event.currentTarget.setPointerCapture(event.pointerId);
     const camera = (event.target as Element).getAttribute('data-camera');
     if (camera !== null) onChoose(Number(camera));
   };
   const onPointerMove = ({ currentTarget, pointerId, movementX, movementY }: PointerEvent<SVGSVGElement>) => {
-    if (currentTarget.hasPointerCapture(pointerId)) turn(side.yawRad + movementX * RAD_PER_PX, side.pitchRad + movementY * RAD_PER_PX);
+    if (!currentTarget.hasPointerCapture(pointerId)) return;
+    turn(({ yawRad, pitchRad }) => ({ yawRad: yawRad + movementX * RAD_PER_PX, pitchRad: pitchRad + movementY * RAD_PER_PX }));
   };
   return (
     <section className="cameras-view" aria-label="Cameras over the mesh">
@@ -51,8 +56,8 @@ export function CamerasView({ report: { surface, views }, names, chosen, onChoos
           </Button>
         ))}
       </div>
-      <Angle label="Turn" mostDeg={180} rad={side.yawRad} onEdit={(yawRad) => turn(yawRad, side.pitchRad)} />
-      <Angle label="Tilt" mostDeg={90} rad={side.pitchRad} onEdit={(pitchRad) => turn(side.yawRad, pitchRad)} />
+      <Angle label="Turn" mostDeg={180} rad={side.yawRad} onEdit={(yawRad) => turn((now) => ({ ...now, yawRad }))} />
+      <Angle label="Tilt" mostDeg={90} rad={side.pitchRad} onEdit={(pitchRad) => turn((now) => ({ ...now, pitchRad }))} />
     </section>
   );
 }

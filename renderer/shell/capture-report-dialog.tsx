@@ -1,4 +1,5 @@
 import { useEffect, useId, useMemo, useState } from 'react';
+import { DAMAGED_CAPTURE_FIX } from '../../export/captures/file-faults.ts';
 import {
   type CaptureReport,
   errorWords,
@@ -144,7 +145,7 @@ function usePhotograph(path: string) {
       if (made !== null) URL.revokeObjectURL(made);
     };
   }, [editor, path]);
-  const onDamaged = () => setError({ message: `${path} cannot be shown: it is damaged.`, fix: 'Import the capture again.' });
+  const onDamaged = () => setError({ message: `${path} cannot be shown: it is damaged.`, fix: DAMAGED_CAPTURE_FIX });
   return { url, error, onDamaged };
 }
 

@@ -117,7 +117,7 @@ vec3 covered() {
     for (int x = -CELLS; x <= CELLS; x++) {
       vec2 cell = home + vec2(float(x), float(y));
       if (any(lessThan(cell, vec2(0.0))) || any(greaterThanEqual(cell, cells))) continue;
-      vec4 drop = IMG_PIXEL(dots, cell + 0.5);
+      vec4 drop = IMG_NORM_PIXEL(dots, (cell + 0.5) / cells);
       if (drop.z <= 0.0) continue;
       vec2 center = cell + drop.xy;
       float cover = clamp(0.6 * drop.z * dotPx + 0.5 - length((here - center) * cellPx), 0.0, 1.0);

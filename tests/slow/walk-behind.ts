@@ -45,7 +45,7 @@ export async function walkPast(
   const xr = await openXrPage(browser, url, { device: 'headset', room: null, fovYRad, framesPerSecond }, { width: WIDTH, height: HEIGHT });
   // All of them, and what is made of them then.
   await xr.page.waitForFunction(
-    (count) => performance.getEntriesByType('resource').filter(({ name }) => /-\d{3}-\w+\.jpg$/.test(name)).length >= count,
+    (count) => performance.getEntriesByType('resource').filter(({ name }) => /-\d{3}-\w+\.(?:jpg|avif)$/.test(name)).length >= count,
     photographs,
   );
   await xr.page.waitForLoadState('networkidle');

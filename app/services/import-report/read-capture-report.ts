@@ -1,4 +1,5 @@
 import { dirname, join } from 'node:path';
+import { DAMAGED_CAPTURE_FIX } from '../../../export/captures/file-faults.ts';
 import { type CaptureReport, reportOfCapture } from '../../../export/captures/report/capture-report.ts';
 import { IMPORT_FILE, readImportRecord } from '../../../export/captures/report/import-record.ts';
 import { CAPTURE_FILE, CaptureError, readCapture, readCaptureMesh } from '../../../nodes/kit/capture.ts';
@@ -19,7 +20,8 @@ const MAX_MESH_BYTES = 2 ** 28;
 export async function readCaptureReport(folder: string): Promise<CaptureReport> {
   const { mesh, views } = readCapture(await readText(join(folder, CAPTURE_FILE), MAX_DOCUMENT_BYTES));
   const { buffer } = await readBytes(await resolveInside(folder, mesh.file), MAX_MESH_BYTES);
-  const record = await readText(join(folder, IMPORT_FILE), MAX_DOCUMENT_BYTES).catch((error: unknown) => {
+  const recordFile = await resolveInside(folder, IMPORT_FILE);
+  const record = await readText(recordFile, MAX_DOCUMENT_BYTES).catch((error: unknown) => {
     if (errorCode(error) === 'ENOENT') return null;
     throw error;
   });
@@ -38,8 +40,7 @@ export async function reportOfAsset(root: string, path: string): Promise<HostOut
   try {
     return await readCaptureReport(dirname(file));
   } catch (error) {
-    if (error instanceof CaptureError)
-      throw refusal('SCR032', `${path} cannot be reported: ${error.message}.`, 'Import the capture again.');
+    if (error instanceof CaptureError) throw refusal('SCR032', `${path} cannot be reported: ${error.message}.`, DAMAGED_CAPTURE_FIX);
     throw errorCode(error) === undefined ? error : readRefusal(error, path);
   }
 }

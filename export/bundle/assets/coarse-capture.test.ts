@@ -4,7 +4,7 @@ import { encode } from 'jpeg-js';
 import { createPhotoWorkers } from '../photos/photo-workers.ts';
 import { coarseMesh, reducedPhoto } from './coarse-capture.ts';
 
-const workers = createPhotoWorkers(resolve('.'));
+const workers = createPhotoWorkers(resolve('.'), 640 * 480);
 afterAll(workers.dispose);
 
 /** A hemisphere of radius 1 m around the origin; each triangle has vertices of its own. */

@@ -176,7 +176,7 @@ async function readCaptureFiles(asset: ProgramAsset, bytes: Uint8Array, options:
   const photos: Uint8Array[] = [];
   for (const { file } of document.views) photos.push(await add(file));
   const isStreamed = streams && fileBytes >= MIN_STREAMED_BYTES;
-  const reducedPhotos = isStreamed ? await reduceAll(asset.path, photos, options) : [];
+  const reducedPhotos = isStreamed ? await reduceAll(asset.path, photos, document.views, options) : [];
   const views: CaptureView[] = [];
   for (const [i, { depth: _, depthMesh, hiddenMesh, ...view }] of document.views.entries()) {
     const photo = photos[i] ?? new Uint8Array();
@@ -199,8 +199,8 @@ async function readCaptureFiles(asset: ProgramAsset, bytes: Uint8Array, options:
   return { asset, bytes: new TextEncoder().encode(JSON.stringify(renamed)), fileBytes, others, capture: renamed };
 }
 
-async function reduceAll(path: string, photos: readonly Uint8Array[], { root, cache, say }: AssetOptions) {
-  const workers = createPhotoWorkers(root);
+async function reduceAll(path: string, photos: readonly Uint8Array[], views: readonly CaptureView[], { root, cache, say }: AssetOptions) {
+  const workers = createPhotoWorkers(root, Math.max(...views.map(({ widthPx, heightPx }) => widthPx * heightPx)));
   let reduced = 0;
   try {
     return await Promise.all(

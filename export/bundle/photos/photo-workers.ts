@@ -13,15 +13,16 @@ export interface PhotoWorkers {
   dispose(): Promise<void>;
 }
 
-/** Each takes some 400 MB for a photograph of 12 megapixels. */
 const MOST_WORKERS = 3;
+/** Photographs that are decoded at a time have at most so many pixels together: two of 12 megapixels take 1.1 GB with all else. */
+const MOST_PIXELS = 30e6;
 
 /**
  * @param root Absolute path of the folder with Scrim's sources and `node_modules`.
- * @param most The most threads.
+ * @param largestPx Number of pixels of the largest photograph: of large ones, fewer are decoded at a time.
  */
-export function createPhotoWorkers(root: string, most = MOST_WORKERS): PhotoWorkers {
-  const count = Math.max(1, Math.min(most, MOST_WORKERS, cpus().length));
+export function createPhotoWorkers(root: string, largestPx: number): PhotoWorkers {
+  const count = Math.max(1, Math.min(Math.floor(MOST_PIXELS / largestPx), MOST_WORKERS, cpus().length));
   const all = new Set<Worker>();
   const idle: Worker[] = [];
   const waiting: (() => void)[] = [];
@@ -35,13 +36,21 @@ export function createPhotoWorkers(root: string, most = MOST_WORKERS): PhotoWork
       script ??= bundleWorker(root, 'export/bundle/photos/photo-worker.ts');
       const code = await script;
       if (isDisposed) throw new Error(ENDED);
-      const worker = idle.pop() ?? new Worker(code, { eval: true, workerData: root, stdout: true, stderr: true });
-      all.add(worker);
-      return worker;
+      return idle.pop() ?? start(code);
     } catch (error) {
       release();
       throw error;
     }
+  };
+  const start = (code: string): Worker => {
+    const worker = new Worker(code, { eval: true, workerData: root, stdout: true, stderr: true });
+    all.add(worker);
+    // An error between two tasks has no task to reject.
+    worker.on('error', () => {
+      all.delete(worker);
+      if (idle.includes(worker)) idle.splice(idle.indexOf(worker), 1);
+    });
+    return worker;
   };
   const release = (): void => {
     busy--;

@@ -1,7 +1,7 @@
 import { CaptureError } from '../../../nodes/kit/capture.ts';
 import type { DepthKind } from '../depth/depth-map.ts';
 import type { DepthUnit } from '../depth/depth-scale.ts';
-import type { Axis } from '../upright.ts';
+import { AXES, type Axis } from '../upright.ts';
 
 /** The name of the record in the folder of a capture. Pages do not contain it. */
 export const IMPORT_FILE = 'import.json';
@@ -72,7 +72,8 @@ function isRecord(json: unknown): json is ImportRecord {
   return (
     format === 'scrim-import-record' &&
     version === 1 &&
-    areTexts([form, up]) &&
+    typeof form === 'string' &&
+    AXES.some((axis) => axis === up) &&
     [metersPerUnit, pointCount, depthTriangles].every(Number.isFinite) &&
     (depth === null || isDepth(fieldsOf(depth))) &&
     [withoutPhotograph, withoutCamera, warnings].every(areTexts) &&
@@ -82,7 +83,7 @@ function isRecord(json: unknown): json is ImportRecord {
 }
 
 function isDepth({ unit, kind, count }: Fields): boolean {
-  return ['string', 'number'].includes(typeof unit) && typeof kind === 'string' && Number.isFinite(count);
+  return ['string', 'number'].includes(typeof unit) && (kind === 'z' || kind === 'ray') && Number.isFinite(count);
 }
 
 function isView({ photo, model, widthPx, heightPx, errorPx, points, places }: Fields): boolean {

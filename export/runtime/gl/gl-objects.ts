@@ -9,7 +9,7 @@ export interface GlCounts {
   readonly vertexArrays: number;
 }
 
-/** Creates and deletes GPU objects and counts them. The player creates every object with it. */
+/** Creates and deletes GPU objects and counts them. The player creates its own objects with it; nodes that draw themselves use `gl`. */
 export interface GlObjects {
   readonly gl: WebGL2RenderingContext;
   readonly limits: GlLimits;

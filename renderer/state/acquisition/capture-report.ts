@@ -11,7 +11,9 @@ export function readCaptureReport(editor: Editor, path: string): Promise<Capture
 
 /** Reads a photograph of a capture, or why it cannot be read. `path`: that in the project. */
 export function readPhotograph(editor: Editor, path: string): Promise<Blob | Diagnostic | null> {
-  return asked(editor, async (handle) => new Blob([bytesOf((await editor.host.call('asset.read', { handle, path })).base64)]));
+  // Browsers recognize the other formats by their content.
+  const type = path.endsWith('.avif') ? 'image/avif' : '';
+  return asked(editor, async (handle) => new Blob([bytesOf((await editor.host.call('asset.read', { handle, path })).base64)], { type }));
 }
 
 /** Shows what is known of a capture. `note` stands above it. */
