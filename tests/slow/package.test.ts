@@ -92,7 +92,8 @@ describeElectron('the packaged app', electron, () => {
     const page = context?.pages()[0] ?? (await context?.waitForEvent('page'));
     if (!page) throw new Error('The app opened no window.');
     page.setDefaultTimeout(PATIENCE_MS);
-    await page.waitForURL('scrim://editor/', { waitUntil: 'commit' });
+    // Asked of the page: playwright misses a navigation that ends while it connects, and would wait for another one.
+    await page.waitForFunction(() => window.location.href === 'scrim://editor/');
     return page;
   }
 
