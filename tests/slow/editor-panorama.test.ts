@@ -62,7 +62,8 @@ function differenceBeside(a: RgbaImage, b: RgbaImage): number {
 
 test('one click takes the panorama of the emulated room; behind the objects it is where the room is', async () => {
   const { editor, page } = open;
-  const before = await editor.picture();
+  // The choice of a room changes the shape of the preview, and its image follows.
+  const before = await editor.restingImage();
   await keep('before', before);
   await editor.inspector.getByRole('button', { name: 'Take panorama in the preview' }).click();
   await page.getByText(/The panorama of the room is made of \d+ photos/).waitFor();
