@@ -1,7 +1,7 @@
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { PHONE_CAPTURE_GPU_BYTES } from '../../nodes/kit/capture-size.ts';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
 import type { Budget } from '../browser/capture-budget.page.ts';
+import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
 
 const chromium = useBrowser();
 let page: PageModule;
