@@ -6,7 +6,7 @@ import { createDepthFusion } from '../../export/captures/depth/fuse-depth-meshes
 import { DOME_EYE_M, DOME_RADIUS_M, makeDomeMesh } from '../../export/captures/dome-mesh.ts';
 import { unitWarning } from '../../export/captures/plausible.ts';
 import { sizeOfMesh } from '../../export/captures/report/capture-report.ts';
-import { IMPORT_FILE, type ImportRecord, MOST_PLACES, type RecordedView } from '../../export/captures/report/import-record.ts';
+import { IMPORT_FILE, importRecordFile, MOST_PLACES, type RecordedView } from '../../export/captures/report/import-record.ts';
 import { reprojectedPlaces, reprojectionErrorPx } from '../../export/captures/source-view.ts';
 import { type Axis, upAxis, uprightMesh, uprightPose } from '../../export/captures/upright.ts';
 import { putAsset } from '../../export/graph/commands/asset-commands.ts';
@@ -32,7 +32,7 @@ import { heightAboveFloorM, packDepthFiles } from './pack-depth.ts';
 import { type PackedPhotos, type PackingJob, withPackedPhotos } from './pack-photos.ts';
 import { writePageFolder } from './page-folder.ts';
 import { revisionOf } from './project-files.ts';
-import { type FoundView, PANORAMA_FORM, readCaptureFolder } from './read-capture-folder.ts';
+import { type FoundCapture, type FoundView, PANORAMA_FORM, readCaptureFolder } from './read-capture-folder.ts';
 import { readConsistentFiles } from './recover-folder.ts';
 import { saveOver } from './save-over.ts';
 
@@ -194,21 +194,9 @@ async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> 
       mesh: { file: MESH_FILE, ...meshCounts(mesh) },
       views: packed,
     };
-    const record: ImportRecord = {
-      format: 'scrim-import-record',
-      version: 1,
-      form: source.form,
-      up,
-      metersPerUnit,
-      pointCount: source.pointCount,
-      depth,
-      depthTriangles,
-      withoutPhotograph: found.withoutPhotograph,
-      withoutCamera: job.searched?.filter((name) => !source.views.some((view) => view.name === name)) ?? found.withoutCamera,
-      warnings: diagnostics.map(({ message }) => message),
-      views: recorded,
-    };
-    await write(IMPORT_FILE, new TextEncoder().encode(`${JSON.stringify(record)}\n`));
+    const warnings = diagnostics.map(({ message }) => message);
+    const record = { ...leftOut(found, job), form: source.form, up, metersPerUnit, pointCount: source.pointCount, depth, depthTriangles };
+    await write(IMPORT_FILE, importRecordFile({ ...record, warnings, views: recorded }));
     await write(CAPTURE_FILE, new TextEncoder().encode(`${JSON.stringify(document, null, 1)}\n`));
     return true;
   };
@@ -249,6 +237,12 @@ const DOME: Diagnostic = {
 const NO_MESH =
   'it has neither a mesh (.ply, .obj, .glb or .gltf) nor depth of its photographs. Make a mesh, as with COLMAP’s poisson_mesher, and put it into the folder';
 const MESH_FILE = 'mesh.bin';
+
+/** What the import leaves out, by name. */
+function leftOut({ source, withoutPhotograph, withoutCamera }: FoundCapture, { searched }: CaptureJob) {
+  const hasCamera = new Set(source.views.map(({ name }) => name));
+  return { withoutPhotograph, withoutCamera: searched?.filter((name) => !hasCamera.has(name)) ?? withoutCamera };
+}
 
 /** The oldest version of the format that has all that the views have. */
 function versionOf(views: readonly CaptureView[]): CaptureDocument['version'] {

@@ -51,7 +51,7 @@ type FaultOf = (file: FileHandle, size: number) => Promise<string | null>;
 
 interface CheckedFile {
   readonly file: string;
-  /** The size that it must have; null: any but 0. */
+  /** The size that it must have; null if every size but 0 is valid. */
   readonly bytes: number | null;
   readonly faultOf: FaultOf;
 }

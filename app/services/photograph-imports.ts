@@ -1,7 +1,7 @@
 import { rm } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { firstEye } from '../../export/captures/first-eye.ts';
-import { CaptureError, readCapture } from '../../nodes/kit/capture.ts';
+import { CaptureError } from '../../nodes/kit/capture.ts';
 import type { HostInput, HostOutput } from '../contract/contract.ts';
 import { HostError } from '../contract/host-error.ts';
 import { packCapture } from './add-capture.ts';
@@ -11,8 +11,8 @@ import type { FileLayer } from './file-layer.ts';
 import { UNKNOWN_SIZE } from './measure-capture.ts';
 import { COLMAP, findTypedTool } from './outside/outside-tools.ts';
 import type { ToolEvents, ToolJobs } from './outside/tool-jobs.ts';
+import { readCaptureDocument } from './read-capture.ts';
 import { hasCameras, readCameras } from './read-capture-folder.ts';
-import { readText } from './read-file.ts';
 import { openColmap } from './reconstruct/colmap.ts';
 import { guessedUnit } from './reconstruct/guessed-unit.ts';
 import { countPhotographs, isReconstructed, type Reconstruction, reconstruct } from './reconstruct/reconstruct-photographs.ts';
@@ -48,7 +48,6 @@ const STEPS = { features: 'features', matches: 'matches', sparse: 'cameras', den
 /** Folder of dropped photographs, in that of Scrim. */
 const STAGED = 'photographs';
 const MAX_SIDE_PX = 1600;
-const MAX_DOCUMENT_BYTES = 2 ** 24;
 
 /** @param sources Absolute path of the folder with Scrim's sources and `node_modules`. */
 export function createPhotographImports(files: FileLayer, tools: ToolJobs, sources: string): PhotographImports {
@@ -149,7 +148,7 @@ async function pack(
     depth: { from: null, unit: null, kind: null },
     ...(made && { searched: made.names, warnings: made.diagnostics }),
   });
-  const { views } = readCapture(await readText(await resolveInside(root, packed.path), MAX_DOCUMENT_BYTES));
+  const { views } = await readCaptureDocument(dirname(await resolveInside(root, packed.path)));
   // Photographs that were dropped are not kept twice.
   const staged = join(root, SCRIM_FOLDER, STAGED);
   if (asked.startsWith(staged)) await rm(staged, { recursive: true, force: true });

@@ -42,7 +42,7 @@ const MAX_PHOTO_BYTES = 256 * 2 ** 20;
 /** Folders in which reconstructions keep their cameras. */
 const CAMERA_FOLDERS = ['', 'sparse/0', 'sparse', 'colmap/sparse/0', 'sparse_bin'];
 const PHOTO_FOLDERS = ['images', ''];
-/** The last one has the mesh of points that `reconstruct` makes: any other is finer. */
+/** In this order, because the mesh of points that `reconstruct` writes into the last one is coarser than all others. */
 const MESH_FOLDERS = ['', 'dense', 'sparse/0'];
 /** The mesh of points, beside the cameras. */
 export const SPARSE_MESH = 'mesh.ply';

@@ -40,7 +40,7 @@ export interface CaptureAsset extends CaptureFacts {
    * view whose photograph is missing is less by 2.
    */
   readonly cameras: WebGLTexture;
-  /** The incomplete photograph that suits the eye best. Drawings write it, and the loader loads it next; -1: any. */
+  /** The view whose incomplete photograph suits the eye best; -1 if none is asked for. Drawings write it, and the loader loads it next. */
   wantedView: number;
   /** The depth that the depth maps hold as 1, meters. */
   readonly farM: number;
@@ -50,7 +50,7 @@ export interface CaptureAsset extends CaptureFacts {
 
 /** The depth meshes of all views. */
 export interface CaptureDepthMeshes extends CaptureViewMeshes {
-  /** The surfaces that the photographs do not show, behind near things: attribute 2 is their color. Null if no view has any. */
+  /** The surfaces that the photographs do not show, behind near things: attribute 2 is their color. Null without them. */
   readonly hidden: CaptureViewMeshes | null;
 }
 

@@ -40,7 +40,7 @@ interface Search {
   toCenter: number;
 }
 
-/** Numbers as parameters, because it is called some thousand times for a move of the pointer. */
+/** Searches a part of the curve. It takes numbers instead of a list: a move of the pointer calls it thousands of times. */
 function searchPart(search: Search, x0: number, y0: number, x1: number, y1: number, x2: number, y2: number, x3: number, y3: number): void {
   const left = Math.min(x0, x1, x2, x3);
   const right = Math.max(x0, x1, x2, x3);

@@ -3,6 +3,7 @@ import { DAMAGED_CAPTURE_FIX } from '../../export/captures/file-faults.ts';
 import {
   type CaptureReport,
   errorWords,
+  photosOf,
   type ReportedPhoto,
   reportFacts,
   worstFirst,
@@ -70,13 +71,11 @@ const NO_RECORD =
   'Scrim imported this capture before it kept what it understands. Import the photographs again to see how well their points fit.';
 
 function Report({ report, folder }: { readonly report: CaptureReport; readonly folder: string }) {
-  const photos = useMemo(() => worstFirst(report), [report]);
-  const names = useMemo(() => {
-    const byIndex = [...photos].sort((a, b) => a.index - b.index);
-    return byIndex.map(({ name }) => name);
-  }, [photos]);
-  const [index, setIndex] = useState(photos[0]?.index ?? 0);
-  const chosen = photos.find((photo) => photo.index === index);
+  const photos = useMemo(() => photosOf(report), [report]);
+  const worst = useMemo(() => worstFirst(photos), [photos]);
+  const names = useMemo(() => photos.map(({ name }) => name), [photos]);
+  const [index, setIndex] = useState(worst[0]?.index ?? 0);
+  const chosen = photos[index];
   const warnings = report.record?.warnings ?? [NO_RECORD];
   return (
     <>
@@ -97,7 +96,7 @@ function Report({ report, folder }: { readonly report: CaptureReport; readonly f
         <CamerasView report={report} names={names} chosen={index} onChoose={setIndex} />
         <section aria-label="Photographs">
           {chosen && <Photo key={chosen.index} photo={chosen} path={folder + chosen.view.file} />}
-          <PhotoList photos={photos} chosen={index} onChoose={setIndex} />
+          <PhotoList photos={worst} chosen={index} onChoose={setIndex} />
         </section>
       </div>
     </>

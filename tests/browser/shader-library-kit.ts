@@ -41,6 +41,10 @@ export async function applyShader(
   });
 }
 
+/** The noise of a camera: whole numbers from −3 to 3 without a pattern, others for each seed. */
+export const noiseOf = (seed: number) => (x: number, y: number) =>
+  Math.floor(((Math.sin(x * 12.9898 + y * 78.233 + seed) * 43758.5453) % 1) * 3.5);
+
 /** One of the images in `tests/browser/expected/`; the scripts beside them say who made them. */
 export async function expectedImage(name: string): Promise<RgbaImage> {
   return decodeImage(await readFile(`tests/browser/expected/${name}.png`));

@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { PAGE, paint } from '../browser/glsl-kit.ts';
-import { applyShader, type Params } from '../browser/shader-library-kit.ts';
+import { applyShader, noiseOf, type Params } from '../browser/shader-library-kit.ts';
 import { useModule } from '../support/browser.ts';
 import { pixelAt, type RgbaImage } from '../support/image.ts';
 
@@ -13,14 +13,11 @@ const TONES = [230, 191, 128, 64, 0];
 const AREA = WIDTH / (TONES.length + 1);
 const MARGIN = 12;
 
-/** Noise from −3 to 3 without a pattern, another for each seed. */
-const noiseOf = (seed: number, x: number, y: number) => Math.floor(((Math.sin(x * 12.9898 + y * 78.233 + seed) * 43758.5453) % 1) * 3.5);
-
 const tones = (seed = 0) =>
   paint(WIDTH, HEIGHT, (x, y) => {
     const tone = TONES[Math.floor(x / AREA)];
     if (tone === undefined) return [0, 0, 0, 0];
-    const value = Math.min(Math.max(tone + (seed === 0 ? 0 : noiseOf(seed, x, y)), 0), 255);
+    const value = Math.min(Math.max(tone + (seed === 0 ? 0 : noiseOf(seed)(x, y)), 0), 255);
     return [value, value, value, 255];
   });
 

@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, test } from '@jest/globals';
 import { PAGE, paint } from '../browser/glsl-kit.ts';
-import { applyShader, type Params } from '../browser/shader-library-kit.ts';
+import { applyShader, noiseOf, type Params } from '../browser/shader-library-kit.ts';
 import { useModule } from '../support/browser.ts';
 import { pixelAt, type RgbaImage } from '../support/image.ts';
 
@@ -49,10 +49,6 @@ function testImage(noise: (x: number, y: number) => number = () => 0): RgbaImage
     return [value, value, value, 255];
   });
 }
-
-/** Noise from −3 to 3 without a pattern, another for each seed. */
-const noiseOf = (seed: number) => (x: number, y: number) =>
-  Math.floor(((Math.sin(x * 12.9898 + y * 78.233 + seed) * 43758.5453) % 1) * 3.5);
 
 /** The mean over an area of a function of a pixel's position. */
 function mean({ left, top, width, height }: Area, of: (x: number, y: number) => number): number {

@@ -4,6 +4,7 @@ import { camerasPicture, SIDES } from '../../../export/captures/report/cameras-p
 import {
   type CaptureReport,
   errorWords,
+  photosOf,
   type ReportedPhoto,
   reportFacts,
   worstFirst,
@@ -37,13 +38,14 @@ svg { display: block; width: 100%; overflow: hidden; }
  */
 export async function writeImportReport(sink: FileSink, folder: string, imported: ImportedCapture): Promise<void> {
   const report = await readCaptureReport(folder);
+  const photos = photosOf(report);
   const files: { readonly path: string }[] = [];
   const write = async (path: string, bytes: Uint8Array): Promise<void> => {
     await sink.write(path, bytes);
     files.push({ path });
   };
   const figures: string[] = [];
-  for (const photo of worstFirst(report)) {
+  for (const photo of worstFirst(photos)) {
     const { file } = photo.view;
     const path = `views/${String(photo.index).padStart(3, '0')}${extname(file)}`;
     await write(path, await readBytes(join(folder, file), MAX_PHOTO_BYTES));
@@ -55,7 +57,7 @@ export async function writeImportReport(sink: FileSink, folder: string, imported
 ${warnings.join('\n')}
 <h2>Cameras over the mesh</h2>
 <section class="places">
-${camerasFigures(report)}
+${camerasFigures(report, photos)}
 </section>
 <h2>Photographs</h2>
 ${imported.pointCount > 0 ? `<p>${MARKS_LEGEND}</p>\n` : ''}<section>
@@ -66,10 +68,10 @@ ${figures.join('\n')}
   await sink.write(IMPORT_MARK.file, new TextEncoder().encode(`${JSON.stringify(json, null, 1)}\n`));
 }
 
-function camerasFigures({ surface, views, record }: CaptureReport): string {
+function camerasFigures({ surface, views }: CaptureReport, photos: readonly ReportedPhoto[]): string {
   const figures = SIDES.map((side) => {
     const { viewBox, mesh, cameras } = camerasPicture(side, surface, views);
-    const drawn = cameras.map((d, i) => `<path class="camera" d="${d}"><title>${text(record?.views[i]?.photo ?? '')}</title></path>`);
+    const drawn = cameras.map((d, i) => `<path class="camera" d="${d}"><title>${text(photos[i]?.name ?? '')}</title></path>`);
     return `<figure><svg viewBox="${viewBox}" role="img" aria-label="${side.caption}"><path class="mesh" d="${mesh}"/>${drawn.join('')}</svg><figcaption>${side.caption}</figcaption></figure>`;
   });
   return figures.join('\n');

@@ -1,15 +1,13 @@
-import { dirname, join } from 'node:path';
+import { dirname } from 'node:path';
 import { DAMAGED_CAPTURE_FIX } from '../../../export/captures/file-faults.ts';
 import { type CaptureReport, reportOfCapture } from '../../../export/captures/report/capture-report.ts';
 import { IMPORT_FILE, readImportRecord } from '../../../export/captures/report/import-record.ts';
-import { CAPTURE_FILE, CaptureError, readCapture, readCaptureMesh } from '../../../nodes/kit/capture.ts';
+import { CaptureError } from '../../../nodes/kit/capture.ts';
 import type { HostOutput } from '../../contract/contract.ts';
 import { resolveInside } from '../confine.ts';
 import { errorCode, readRefusal, refusal } from '../file-errors.ts';
-import { readBytes, readText } from '../read-file.ts';
-
-const MAX_DOCUMENT_BYTES = 2 ** 24;
-const MAX_MESH_BYTES = 2 ** 28;
+import { MAX_CAPTURE_TEXT_BYTES, readCaptureWithMesh } from '../read-capture.ts';
+import { readText } from '../read-file.ts';
 
 /**
  * Reads what is known of a capture: what its import understood, its cameras and its mesh.
@@ -18,14 +16,13 @@ const MAX_MESH_BYTES = 2 ** 28;
  * @throws CaptureError if a file is damaged; SCR031; system errors if a file cannot be read.
  */
 export async function readCaptureReport(folder: string): Promise<CaptureReport> {
-  const { mesh, views } = readCapture(await readText(join(folder, CAPTURE_FILE), MAX_DOCUMENT_BYTES));
-  const { buffer } = await readBytes(await resolveInside(folder, mesh.file), MAX_MESH_BYTES);
+  const { document, mesh } = await readCaptureWithMesh(folder);
   const recordFile = await resolveInside(folder, IMPORT_FILE);
-  const record = await readText(recordFile, MAX_DOCUMENT_BYTES).catch((error: unknown) => {
+  const record = await readText(recordFile, MAX_CAPTURE_TEXT_BYTES).catch((error: unknown) => {
     if (errorCode(error) === 'ENOENT') return null;
     throw error;
   });
-  return reportOfCapture(views, readCaptureMesh(mesh, buffer), record === null ? null : readImportRecord(record, views.length));
+  return reportOfCapture(document.views, mesh, record === null ? null : readImportRecord(record, document.views.length));
 }
 
 /**

@@ -9,18 +9,15 @@ import {
   type CaptureView,
   captureMeshFile,
   meshCounts,
-  readCapture,
-  readCaptureMesh,
 } from '../../../nodes/kit/capture.ts';
 import { resolveInside } from '../confine.ts';
 import { errorCode, readRefusal, refusal } from '../file-errors.ts';
 import type { FileLayer } from '../file-layer.ts';
 import { writePageFolder } from '../page-folder.ts';
-import { readBytes, readText } from '../read-file.ts';
+import { readCaptureWithMesh } from '../read-capture.ts';
+import { readBytes } from '../read-file.ts';
 import { writeWhole } from '../write-whole.ts';
 
-const MAX_DOCUMENT_BYTES = 2 ** 24;
-const MAX_MESH_BYTES = 2 ** 28;
 const MAX_VIEW_BYTES = 2 ** 28;
 
 /** Triangles before and after. */
@@ -85,7 +82,7 @@ export async function copySimplified(folder: string, out: string, files: FileLay
 
 /** The mesh of a capture. @throws SCR004, SCR069 */
 export async function readMeshOfCapture(folder: string): Promise<CaptureMesh> {
-  return reading(folder, async () => (await readWhole(folder)).mesh);
+  return reading(folder, async () => (await readCaptureWithMesh(folder)).mesh);
 }
 
 function filesOf({ file, depth, depthMesh, hiddenMesh }: CaptureView): readonly string[] {
@@ -96,15 +93,9 @@ function documentBytes(document: CaptureDocument): Uint8Array {
   return new TextEncoder().encode(`${JSON.stringify(document, null, 1)}\n`);
 }
 
-async function readWhole(folder: string): Promise<{ readonly document: CaptureDocument; readonly mesh: CaptureMesh }> {
-  const document = readCapture(await readText(join(folder, CAPTURE_FILE), MAX_DOCUMENT_BYTES));
-  const { buffer } = await readBytes(await resolveInside(folder, document.mesh.file), MAX_MESH_BYTES);
-  return { document, mesh: readCaptureMesh(document.mesh, buffer) };
-}
-
 function simplerCapture(folder: string, simplify: Simplify): Promise<SimplerCapture> {
   return reading(folder, async () => {
-    const { document, mesh: before } = await readWhole(folder);
+    const { document, mesh: before } = await readCaptureWithMesh(folder);
     const mesh = await simplify(before);
     const counts = meshCounts(mesh);
     const old = document.mesh.file;

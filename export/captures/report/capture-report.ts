@@ -53,13 +53,17 @@ export interface ReportedPhoto {
   readonly name: string;
 }
 
-/** The photographs, those with the largest reprojection error first, then those without points. */
-export function worstFirst({ views, record }: Pick<CaptureReport, 'views' | 'record'>): readonly ReportedPhoto[] {
-  const photos = views.map((view, index): ReportedPhoto => {
+/** The photographs in the order of the capture. */
+export function photosOf({ views, record }: Pick<CaptureReport, 'views' | 'record'>): readonly ReportedPhoto[] {
+  return views.map((view, index) => {
     const about = record?.views[index] ?? null;
     return { index, view, about, name: about?.photo ?? view.file };
   });
-  return photos.sort((a, b) => (b.about?.errorPx ?? -1) - (a.about?.errorPx ?? -1));
+}
+
+/** Photographs with the largest reprojection error first, then those without points. */
+export function worstFirst(photos: readonly ReportedPhoto[]): readonly ReportedPhoto[] {
+  return [...photos].sort((a, b) => (b.about?.errorPx ?? -1) - (a.about?.errorPx ?? -1));
 }
 
 /** The reprojection error of a photograph in words. */

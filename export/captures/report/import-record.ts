@@ -47,6 +47,12 @@ export interface RecordedView {
   readonly places: readonly number[];
 }
 
+/** Writes `import.json`. */
+export function importRecordFile(record: Omit<ImportRecord, 'format' | 'version'>): Uint8Array {
+  const whole: ImportRecord = { format: 'scrim-import-record', version: 1, ...record };
+  return new TextEncoder().encode(`${JSON.stringify(whole)}\n`);
+}
+
 /**
  * Reads `import.json`.
  *

@@ -1,5 +1,6 @@
 import type { CaptureReport } from '../../../export/captures/report/capture-report.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+import { photoBlob } from '../../../nodes/kit/photo-blob.ts';
 import type { Editor } from '../editor/editor.ts';
 import { bytesOf } from '../files/base64.ts';
 import { asked } from './outside-run.ts';
@@ -11,9 +12,7 @@ export function readCaptureReport(editor: Editor, path: string): Promise<Capture
 
 /** Reads a photograph of a capture, or why it cannot be read. `path`: that in the project. */
 export function readPhotograph(editor: Editor, path: string): Promise<Blob | Diagnostic | null> {
-  // Browsers recognize the other formats by their content.
-  const type = path.endsWith('.avif') ? 'image/avif' : '';
-  return asked(editor, async (handle) => new Blob([bytesOf((await editor.host.call('asset.read', { handle, path })).base64)], { type }));
+  return asked(editor, async (handle) => photoBlob(path, bytesOf((await editor.host.call('asset.read', { handle, path })).base64)));
 }
 
 /** Shows what is known of a capture. `note` stands above it. */

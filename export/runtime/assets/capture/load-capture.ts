@@ -1,6 +1,7 @@
 import { CaptureError, type CaptureMeshFile, readCapture, readCaptureMesh } from '../../../../nodes/kit/capture.ts';
 import { type CaptureAsset, PHOTO_MISSING, PHOTO_REDUCED, PHOTO_WHOLE } from '../../../../nodes/kit/capture-asset.ts';
 import { captureSize } from '../../../../nodes/kit/capture-size.ts';
+import { photoBlob } from '../../../../nodes/kit/photo-blob.ts';
 import type { GlObjects } from '../../gl/gl-objects.ts';
 import { createCaptureTextures } from './capture-textures.ts';
 import { loadDepthMeshes } from './load-depth-meshes.ts';
@@ -69,9 +70,7 @@ export async function loadCapture(
     if (!view) return;
     const isReduced = view.reducedFile !== undefined && capture.loaded[index] === PHOTO_MISSING;
     const name = isReduced ? view.reducedFile : view.file;
-    // No standard tells browsers to recognize AVIF by its bytes.
-    const photo = new Blob([await file(name)], name.endsWith('.avif') ? { type: 'image/avif' } : {});
-    await textures.setPhoto(index, photo, isReduced ? PHOTO_REDUCED : PHOTO_WHOLE);
+    await textures.setPhoto(index, photoBlob(name, await file(name)), isReduced ? PHOTO_REDUCED : PHOTO_WHOLE);
   };
   const bake = (): void => {
     if (!isDisposed()) textures.bake();
