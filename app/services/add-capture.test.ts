@@ -85,6 +85,17 @@ test('warns of what it leaves out', async () => {
   expect(reportFacts(report)).toContainEqual({ label: 'Left out', text: 'd.jpg (no photograph); e.jpg (no camera)' });
 });
 
+test('finds photographs whose names in transforms.json lack the ending, and refuses one that two cameras have', async () => {
+  const transform_matrix = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 3], [0, 0, 0, 1]]; // biome-ignore format: rows
+  const cameras = (...paths: string[]) =>
+    put('transforms.json', JSON.stringify({ fl_x: 8, frames: paths.map((file_path) => ({ file_path, transform_matrix })) }));
+  for (const file of ['cameras.txt', 'images.txt']) await rm(join(source(), file));
+  await cameras('images/a', './images/b', 'images/c.jpg', 'd');
+  expect(await run()).toMatchObject({ views: [{}, {}, {}, {}], diagnostics: [] });
+  await cameras('images/a', './images/b', 'images/c.jpg', 'c');
+  await expect(run()).rejects.toMatchObject({ diagnostic: { message: expect.stringContaining('two cameras have the photograph c.') } });
+});
+
 test.each([
   ['images.txt', IMAGE(1, 'a.jpg') + IMAGE(2, 'a.jpg'), 'two cameras have the photograph a.jpg'],
   ['images.txt', IMAGE(1, '../a.jpg'), '"../a.jpg" is outside the folder'],

@@ -66,13 +66,15 @@ export async function readCaptureFolder(folder: string): Promise<FoundCapture> {
     checkPose(view.worldFromCamera, view.name);
     const file = await findPhoto(folder, view.name);
     if (file === null) missing.push(view.name);
+    // Names without their ending, or from another folder, may mean the same file.
+    else if (views.some((other) => other.file === file.path)) throw new CaptureError(`two cameras have the photograph ${view.name}`);
     else views.push({ view, file: file.path, lens: lensFor(view, file.bytes) });
   }
   if (views.length === 0) {
     throw new CaptureError(`none of its ${source.views.length} photographs is in the folder, such as ${missing[0] ?? 'any'}`);
   }
   if (missing.length > 0) warnings.push(`${counted(missing.length, 'camera has', 'cameras have')} no photograph, such as ${missing[0]}.`);
-  const without = await photosWithoutCamera(folder, source.views);
+  const without = await photosWithoutCamera(folder, views);
   if (without.length > 0)
     warnings.push(`${counted(without.length, 'photograph has', 'photographs have')} no camera, such as ${without[0]}.`);
   if (views.length < FEW_VIEWS && !views.some(({ lens }) => lens.projection === 'equirectangular'))
@@ -189,10 +191,10 @@ function lensFor(view: SourceView, bytes: Uint8Array): Lens {
   return { ...lens, widthPx, heightPx, fxPx: lens.fxPx * sx, fyPx: lens.fyPx * sy, cxPx: lens.cxPx * sx, cyPx: lens.cyPx * sy };
 }
 
-async function photosWithoutCamera(folder: string, views: readonly SourceView[]): Promise<readonly string[]> {
-  const known = new Set(views.map(({ name }) => name));
+async function photosWithoutCamera(folder: string, views: readonly FoundView[]): Promise<readonly string[]> {
+  const known = new Set(views.map(({ file }) => file));
   const names = await readdir(join(folder, 'images')).catch(() => []);
-  return names.filter((name) => PHOTO_ENDING.test(name) && !known.has(name) && !known.has(`images/${name}`)).sort();
+  return names.filter((name) => PHOTO_ENDING.test(name) && !known.has(join(folder, 'images', name))).sort();
 }
 
 /** Names of meshes that reconstructions write, the best first; then any other. */
