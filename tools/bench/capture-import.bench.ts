@@ -9,27 +9,36 @@ import { makeDepthMesh } from '../../export/captures/depth/depth-mesh.ts';
 import { pinholeRays } from '../../export/captures/depth/depth-rays.ts';
 import { thinDepthMesh } from '../../export/captures/depth/thin-depth-mesh.ts';
 import { type Bench, timeMs } from './bench.ts';
+import { machineLoad } from './machine-load.ts';
 
 const [WIDTH, HEIGHT] = [640, 480];
 const COUNTS = [2, 4, 8];
-/** Factors of that size. */
+/** How many photographs are imported in other sizes, and the factors of these sizes: 1.2, 4.9 and 19.7 megapixels. */
+const RESIZED_COUNT = 2;
+const RESIZED = [2, 4, 8];
+/** Factors of the size of depth maps. */
 const FACTORS = [0.5, 1, 2];
 const SAMPLES = 3;
 
-/** How the time of an import grows with its photographs, whose distortion is removed, and that of a depth mesh with the pixels of its map. */
+/**
+ * How the time of an import grows with the number and the size of its photographs, whose distortion is removed, and that of a depth mesh with
+ * the pixels of its map.
+ */
 export async function benches(): Promise<readonly Bench[]> {
-  return [...COUNTS.map(importOf), ...FACTORS.flatMap(depthMeshOf)];
+  const numbers = COUNTS.map((count) => importOf(count, 1));
+  const sizes = RESIZED.map((factor) => importOf(RESIZED_COUNT, factor));
+  return [...numbers, ...sizes, ...FACTORS.flatMap(depthMeshOf), machineLoad('imports of captures')];
 }
 
-function importOf(count: number): Bench {
+function importOf(count: number, factor: number): Bench {
   let base: Promise<string> | undefined;
   let taken = 0;
   return {
-    name: `import a capture, ${count} photographs, ${WIDTH} × ${HEIGHT}`,
+    name: `import a capture, ${count} photographs, ${WIDTH * factor} × ${HEIGHT * factor}`,
     unit: 'ms',
     samples: SAMPLES,
     sample: async () => {
-      base ??= writeScan(count);
+      base ??= writeScan(count, factor);
       const folder = await base;
       const root = join(folder, `project-${taken++}`);
       await mkdir(root);
@@ -42,20 +51,22 @@ function importOf(count: number): Bench {
 }
 
 /** Photographs from cameras in a row, of a wavy wall of 5,000 triangles. */
-async function writeScan(count: number): Promise<string> {
+async function writeScan(count: number, factor: number): Promise<string> {
   const base = await mkdtemp(join(tmpdir(), 'scrim-bench-import-'));
+  const [width, height] = [WIDTH * factor, HEIGHT * factor];
   await mkdir(join(base, 'scan/images'), { recursive: true });
   for (let i = 0; i < count; i++) {
     // Each is another one, because packed photographs are kept.
-    const data = Uint8Array.from({ length: 4 * WIDTH * HEIGHT }, (_, at) => (at * (37 + i)) % 251);
-    const raw = { width: WIDTH, height: HEIGHT, channels: 4 } as const;
+    const data = new Uint8Array(4 * width * height);
+    for (let at = 0; at < data.length; at++) data[at] = (at * (37 + i)) % 251;
+    const raw = { width, height, channels: 4 } as const;
     await sharp(data, { raw })
       .jpeg({ quality: 90 })
       .toFile(join(base, 'scan/images', `${i}.jpg`));
   }
   const images = Array.from({ length: count }, (_, i) => `${i + 1} 1 0 0 0 ${-0.1 * i} 0 0 1 ${i}.jpg\n\n`);
   await writeFile(join(base, 'scan/images.txt'), images.join(''));
-  await writeFile(join(base, 'scan/cameras.txt'), `1 SIMPLE_RADIAL ${WIDTH} ${HEIGHT} 520 ${WIDTH / 2} ${HEIGHT / 2} -0.05\n`);
+  await writeFile(join(base, 'scan/cameras.txt'), `1 SIMPLE_RADIAL ${width} ${height} ${520 * factor} ${width / 2} ${height / 2} -0.05\n`);
   const side = 51;
   const vertices = Array.from({ length: side * side }, (_, i) => {
     const [x, y] = [(i % side) / 10 - 2.5, Math.floor(i / side) / 10 - 2.5];

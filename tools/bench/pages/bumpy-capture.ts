@@ -7,17 +7,17 @@ import { PHOTO_WHOLE } from '../../../nodes/kit/capture-asset.ts';
 /** How far the cameras are from the middle of the ball, meters. */
 const AWAY_M = 3;
 const PHOTO_PX = 64;
-const FOCAL_PX = 80;
+/** The focal length, as a share of the width of a photograph. */
+const FOCAL = 1.25;
 
-/** The lens of each camera. */
-export const bumpyPinhole: Pinhole = {
-  widthPx: PHOTO_PX,
-  heightPx: PHOTO_PX,
-  fxPx: FOCAL_PX,
-  fyPx: FOCAL_PX,
-  cxPx: PHOTO_PX / 2,
-  cyPx: PHOTO_PX / 2,
-};
+/** The lens of each camera, with photographs of `sidePx` by `sidePx`. */
+export function bumpyLens(sidePx: number): Pinhole {
+  const [focalPx, middlePx] = [FOCAL * sidePx, sidePx / 2];
+  return { widthPx: sidePx, heightPx: sidePx, fxPx: focalPx, fyPx: focalPx, cxPx: middlePx, cyPx: middlePx };
+}
+
+/** The lens of each camera, with small photographs. */
+export const bumpyPinhole: Pinhole = bumpyLens(PHOTO_PX);
 
 /** Poses of cameras around the ball, on a Fibonacci lattice. */
 export function bumpyPoses(count: number): readonly (readonly number[])[] {
@@ -29,12 +29,22 @@ export function bumpyPoses(count: number): readonly (readonly number[])[] {
   });
 }
 
-/** A ball with bumps of about `vertexCount` vertices and a radius of about 1 m, photographed from all sides in a pattern per camera. */
-export async function bumpyCapture(gl: WebGL2RenderingContext, vertexCount: number, viewCount: number): Promise<CaptureTextures> {
+/**
+ * A ball with bumps of about `vertexCount` vertices and a radius of about 1 m, photographed from all sides in a pattern per camera.
+ *
+ * @param photoPx Width and height of photographs and depth maps.
+ */
+export async function bumpyCapture(
+  gl: WebGL2RenderingContext,
+  vertexCount: number,
+  viewCount: number,
+  photoPx = PHOTO_PX,
+): Promise<CaptureTextures> {
   const mesh = bumpyBall(vertexCount);
-  const views = bumpyPoses(viewCount).map((worldFromCamera, view) => ({ file: `${view}.png`, ...bumpyPinhole, worldFromCamera }));
+  const lens = bumpyLens(photoPx);
+  const views = bumpyPoses(viewCount).map((worldFromCamera, view) => ({ file: `${view}.png`, ...lens, worldFromCamera }));
   const document: CaptureDocument = { format: 'scrim-capture', version: 1, mesh: { file: 'mesh.bin', ...meshCounts(mesh) }, views };
-  const textures = createCaptureTextures(createGlObjects(gl), document, { photoPx: [PHOTO_PX, PHOTO_PX], depthPx: [PHOTO_PX, PHOTO_PX] });
+  const textures = createCaptureTextures(createGlObjects(gl), document, { photoPx: [photoPx, photoPx], depthPx: [photoPx, photoPx] });
   textures.setMesh(mesh);
   for (const view of views.keys()) await textures.setPhoto(view, new Blob([await pattern(view)]), PHOTO_WHOLE);
   textures.finish();
@@ -51,6 +61,18 @@ export function poseTowardsMiddle(position: readonly [number, number, number]): 
   const right = [back[2] / flat, 0, -back[0] / flat] as const;
   const up = [back[1] * right[2], back[2] * right[0] - back[0] * right[2], -back[1] * right[0]] as const;
   return Float32Array.of(...right, 0, ...up, 0, ...back, 0, ...position, 1);
+}
+
+/** The inverse of a rigid pose, column-major. */
+export function inverseOfRigid(rigid: Float32Array): Float32Array {
+  const at = (row: number, column: number): number => rigid[4 * column + row] ?? 0;
+  const inverse = new Float32Array(16);
+  for (let row = 0; row < 3; row++) {
+    for (let column = 0; column < 3; column++) inverse[4 * column + row] = at(column, row);
+    for (let i = 0; i < 3; i++) inverse[12 + row] = (inverse[12 + row] ?? 0) - at(i, row) * at(i, 3);
+  }
+  inverse[15] = 1;
+  return inverse;
 }
 
 /** Latitudes and longitudes; as many rows as columns over 2. */

@@ -2,7 +2,7 @@ import { createCaptureDrawing } from '../../../nodes/kit/capture-drawing/capture
 import { createWindowedDrawing } from '../../../nodes/kit/capture-drawing/windowed/windowed-drawing.ts';
 import { multiplyMatrices } from '../../../nodes/kit/matrices.ts';
 import { setPassState } from '../../../nodes/kit/pass-state.ts';
-import { bumpyCapture, poseTowardsMiddle } from './bumpy-capture.ts';
+import { bumpyCapture, inverseOfRigid, poseTowardsMiddle } from './bumpy-capture.ts';
 import { measureFrames } from './frame-ms.ts';
 
 /**
@@ -34,7 +34,7 @@ export async function open(vertexCount: number, viewCount: number, frames: numbe
       // In each frame, another eye needs other weights.
       if (weights !== 'kept') turn += 0.02;
       const pose = poseTowardsMiddle([2.4 * Math.sin(turn), 0.4, 2.4 * Math.cos(turn)]);
-      multiplyMatrices(clip, clipFromView, inverseOf(pose));
+      multiplyMatrices(clip, clipFromView, inverseOfRigid(pose));
       setPassState(gl, null, null, 0, 0, widthPx, heightPx);
       gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
       const [eye, forward] = [pose.slice(12, 15), pose.slice(8, 11).map((x) => -x)];
@@ -61,15 +61,4 @@ export async function open(vertexCount: number, viewCount: number, frames: numbe
 export function frame(weights: Weights): number {
   if (!frameMs) throw new Error('Nothing is open.');
   return frameMs(weights);
-}
-
-function inverseOf(rigid: Float32Array): Float32Array {
-  const at = (row: number, column: number): number => rigid[4 * column + row] ?? 0;
-  const inverse = new Float32Array(16);
-  for (let row = 0; row < 3; row++) {
-    for (let column = 0; column < 3; column++) inverse[4 * column + row] = at(column, row);
-    for (let i = 0; i < 3; i++) inverse[12 + row] = (inverse[12 + row] ?? 0) - at(i, row) * at(i, 3);
-  }
-  inverse[15] = 1;
-  return inverse;
 }
