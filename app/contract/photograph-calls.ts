@@ -8,13 +8,25 @@ const acquiredCamera = z.discriminatedUnion('projection', [
   z.object({ projection: z.literal('equirectangular'), widthPx: side, heightPx: side }),
 ]);
 
+/** `ScaleSource`. */
+const scaleSource = z.discriminatedUnion('from', [
+  z.object({ from: z.literal('given') }),
+  z.object({ from: z.literal('distance'), photo: z.string(), meters: z.number() }),
+  z.object({ from: z.literal('camera-height'), photo: z.string(), meters: z.number() }),
+  z.object({ from: z.literal('depth') }),
+  z.object({ from: z.literal('file'), file: z.string() }),
+  z.object({ from: z.literal('assumed') }),
+  z.object({ from: z.literal('guessed'), meters: z.number() }),
+]);
+
 /** What an import understood: `ImportRecord`. */
 const importRecord = z.object({
   format: z.literal('scrim-import-record'),
-  version: z.literal(1),
+  version: z.literal(2),
   form: z.string(),
   up: z.enum(['+x', '-x', '+y', '-y', '+z', '-z']),
   metersPerUnit: z.number(),
+  scale: scaleSource.nullable(),
   pointCount: z.number(),
   depth: z
     .object({
@@ -115,7 +127,7 @@ export const PHOTOGRAPH_CALLS = {
    * Imports a folder of photographs as the capture `assets/NAME.capture/`; COLMAP finds missing cameras. Reports progress and what COLMAP prints
    * as events, and is canceled by `tool.cancel`; what COLMAP has finished is kept for the next import of the folder. `path` is that of
    * `capture.json`, for the asset table, which the editor keeps; null if the import was canceled. `found`: the photographs that have cameras.
-   * `isRough`: the mesh is that of points. `start`: where an eye sees what a photograph shows.
+   * `isRough`: the mesh is that of points. `isScaleGuessed`: nothing says how large the place is. `start`: where an eye sees what a photograph shows.
    */
   'photographs.import': {
     input: z.object({
@@ -131,6 +143,7 @@ export const PHOTOGRAPH_CALLS = {
       photographs: z.number(),
       found: z.number(),
       isRough: z.boolean(),
+      isScaleGuessed: z.boolean(),
       start: z.object({ positionM: z.array(z.number()).length(3), yawRad: z.number() }).nullable(),
       diagnostics: z.array(diagnostic),
     }),

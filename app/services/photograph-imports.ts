@@ -103,7 +103,15 @@ function asRefusal(error: unknown, folder: string): unknown {
   return errorCode(error) === undefined ? error : writeRefusal(error, folder);
 }
 
-const CANCELED: HostOutput<'photographs.import'> = { path: null, photographs: 0, found: 0, isRough: false, start: null, diagnostics: [] };
+const CANCELED: HostOutput<'photographs.import'> = {
+  path: null,
+  photographs: 0,
+  found: 0,
+  isRough: false,
+  isScaleGuessed: false,
+  start: null,
+  diagnostics: [],
+};
 
 async function findCameras(
   folder: string,
@@ -144,6 +152,7 @@ async function pack(
     maxSidePx: MAX_SIDE_PX,
     up: null,
     metersPerUnit,
+    ...(made && { unitFrom: 'guess' as const }),
     known: UNKNOWN_SIZE,
     depth: { from: null, unit: null, kind: null },
     ...(made && { searched: made.names, warnings: made.diagnostics }),
@@ -157,6 +166,7 @@ async function pack(
     photographs: made?.photographs ?? packed.views.length,
     found: packed.views.length,
     isRough: made !== null && !made.isDense && made.mesh !== null,
+    isScaleGuessed: packed.scale.from === 'guessed',
     start: firstEye(views),
     diagnostics: [...packed.diagnostics],
   };

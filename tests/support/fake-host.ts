@@ -109,6 +109,7 @@ export function createFakeHost(
       photographs: 12,
       found: 12,
       isRough: true,
+      isScaleGuessed: true,
       start: { positionM: [1, 2, 3], yawRad: 0.5 },
       diagnostics: [],
     }),

@@ -46,7 +46,7 @@ export function importPhotographs(editor: Editor, { folder, name, colmap, oneCam
 async function show(
   editor: Editor,
   path: string,
-  { found, photographs, isRough, start, diagnostics }: HostOutput<'photographs.import'>,
+  { found, photographs, isRough, isScaleGuessed, start, diagnostics }: HostOutput<'photographs.import'>,
   place: Place,
 ): Promise<void> {
   await editor.fileWork(async () => {
@@ -59,12 +59,12 @@ async function show(
   const count =
     found === photographs ? `${found} photographs.` : `${found} of ${photographs} photographs: COLMAP found no cameras for the others.`;
   const text = `Added ${nameOf(path)}.`;
-  const detail = `${count}${isRough ? ' Its mesh is rough, because COLMAP needs CUDA for depth.' : ''} Set its true size in the inspector.`;
+  const detail = `${count}${isRough ? ' Its mesh is rough, because COLMAP needs CUDA for depth.' : ''}`;
   if (editor.ui.getState().dialog === null) {
-    // It shows the warnings, too.
+    // It shows the warnings and where the scale is from, too.
     showCaptureReport(editor, path, `${text} ${detail}`);
     return;
   }
   for (const warning of diagnostics as readonly Diagnostic[]) toastDiagnostic(editor.ui, warning);
-  addToast(editor.ui, { tone: 'success', text, detail });
+  addToast(editor.ui, { tone: 'success', text, detail: isScaleGuessed ? `${detail} Set its true size in the inspector.` : detail });
 }
