@@ -1,7 +1,7 @@
 import { randomInt } from 'node:crypto';
 import { basename, dirname, resolve } from 'node:path';
 import type { FileSink } from '../../export/bundle/bundle-page.ts';
-import type { DepthAnswers, DepthScale } from '../../export/captures/depth/depth-scale.ts';
+import type { DepthScale } from '../../export/captures/depth/depth-scale.ts';
 import { createDepthFusion } from '../../export/captures/depth/fuse-depth-meshes.ts';
 import { DOME_EYE_M, DOME_RADIUS_M, makeDomeMesh } from '../../export/captures/dome-mesh.ts';
 import { unitWarning } from '../../export/captures/plausible.ts';
@@ -25,11 +25,10 @@ import {
 } from '../../nodes/kit/capture.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { findDepths, readDepthM } from './capture-depths.ts';
-import { scaleOfCapture } from './capture-scale.ts';
+import { type ScaleJob, scaleOfCapture } from './capture-scale.ts';
 import { resolveInside } from './confine.ts';
 import { refusal } from './file-errors.ts';
 import { withFreeCapture } from './free-capture.ts';
-import type { KnownSize } from './measure-capture.ts';
 import { heightAboveFloorM, packDepthFiles } from './pack-depth.ts';
 import { type PackedPhotos, type PackingJob, withPackedPhotos } from './pack-photos.ts';
 import { writePageFolder } from './page-folder.ts';
@@ -38,23 +37,11 @@ import { type FoundCapture, type FoundView, PANORAMA_FORM, readCaptureFolder } f
 import { readConsistentFiles } from './recover-folder.ts';
 import { saveOver } from './save-over.ts';
 
-export interface CaptureJob extends PackingJob {
-  /** Folder with photographs, cameras and mesh. */
-  readonly folder: string;
+export interface CaptureJob extends PackingJob, ScaleJob {
   /** Name of the capture; null: that of the folder. */
   readonly name: string | null;
   /** The axis of the reconstruction that points up; null: estimated. */
   readonly up: Axis | null;
-  /** Meters per unit of the reconstruction, if `known` does not give it. */
-  readonly metersPerUnit: number;
-  /** Where `metersPerUnit` is from. Absent: the units of the files are taken as meters. */
-  readonly unitFrom?: 'given' | 'guess';
-  readonly known: KnownSize;
-  /** What depth meshes are made from, and what the depth files have. */
-  readonly depth: DepthAnswers & {
-    /** Null: depth files where they are, else the mesh. */
-    readonly from: 'files' | 'mesh' | 'none' | null;
-  };
   /** Makes the mesh of the folder smaller; absent: it stays as it is. */
   readonly simplify?: (mesh: CaptureMesh) => Promise<CaptureMesh>;
   /** Names of the photographs whose cameras were searched; absent: those in the folder. */

@@ -1,14 +1,29 @@
 import { lstat } from 'node:fs/promises';
 import { join } from 'node:path';
-import { type DepthScale, metersOf } from '../../export/captures/depth/depth-scale.ts';
+import { type DepthAnswers, type DepthScale, metersOf } from '../../export/captures/depth/depth-scale.ts';
 import type { ScaleSource } from '../../export/captures/report/scale-source.ts';
 import type { Axis } from '../../export/captures/upright.ts';
 import type { CaptureMesh } from '../../nodes/kit/capture.ts';
-import type { CaptureJob } from './add-capture.ts';
 import { readDepthScale } from './capture-depths.ts';
-import { type MeasuredSize, measureCapture } from './measure-capture.ts';
+import { type KnownSize, type MeasuredSize, measureCapture } from './measure-capture.ts';
 import { type FoundCapture, PANORAMA_FORM } from './read-capture-folder.ts';
 import { USUAL_DISTANCE_M } from './reconstruct/guessed-unit.ts';
+
+/** What an import says about the scale and the depth of a folder. */
+export interface ScaleJob {
+  /** Folder with photographs, cameras and mesh. */
+  readonly folder: string;
+  /** Meters per unit of the reconstruction, if `known` does not give it. */
+  readonly metersPerUnit: number;
+  /** Where `metersPerUnit` is from. Absent: the units of the files are taken as meters. */
+  readonly unitFrom?: 'given' | 'guess';
+  readonly known: KnownSize;
+  /** What depth meshes are made from, and what the depth files have. */
+  readonly depth: DepthAnswers & {
+    /** Null: depth files where they are, else the mesh. */
+    readonly from: 'files' | 'mesh' | 'none' | null;
+  };
+}
 
 /** The scale of a reconstruction, where it is from, and what its depth files mean. */
 export interface CaptureScale extends MeasuredSize {
@@ -30,13 +45,7 @@ const SAME_FACTOR = 1.05;
  * @throws CaptureError
  */
 export async function scaleOfCapture(
-  {
-    known,
-    metersPerUnit: given,
-    unitFrom,
-    depth: answers,
-    folder,
-  }: Pick<CaptureJob, 'known' | 'metersPerUnit' | 'unitFrom' | 'depth' | 'folder'>,
+  { known, metersPerUnit: given, unitFrom, depth: answers, folder }: ScaleJob,
   { views, source }: FoundCapture,
   depths: readonly (string | null)[],
   mesh: CaptureMesh | null,
@@ -60,7 +69,7 @@ export async function scaleOfCapture(
   return { ...measured, scale: { from: isMeasured ? 'depth' : 'assumed' }, depth };
 }
 
-function askedScale({ distance, floor, cameraHeightM }: CaptureJob['known'], unitFrom: CaptureJob['unitFrom']): ScaleSource | null {
+function askedScale({ distance, floor, cameraHeightM }: KnownSize, unitFrom: ScaleJob['unitFrom']): ScaleSource | null {
   if (distance) return { from: 'distance', photo: distance.from.photo, meters: distance.meters };
   if (floor && cameraHeightM !== null) return { from: 'camera-height', photo: floor.photo, meters: cameraHeightM };
   if (unitFrom === 'given') return { from: 'given' };
