@@ -8,18 +8,36 @@ const acquiredCamera = z.discriminatedUnion('projection', [
   z.object({ projection: z.literal('equirectangular'), widthPx: side, heightPx: side }),
 ]);
 
+/** `ScaleSource`. */
+const scaleSource = z.discriminatedUnion('from', [
+  z.object({ from: z.literal('given') }),
+  z.object({ from: z.literal('distance'), photo: z.string(), meters: z.number() }),
+  z.object({ from: z.literal('camera-height'), photo: z.string(), meters: z.number() }),
+  z.object({ from: z.literal('depth') }),
+  z.object({ from: z.literal('file'), file: z.string() }),
+  z.object({ from: z.literal('assumed') }),
+  z.object({ from: z.literal('guessed'), meters: z.number() }),
+]);
+
+/** `Axis`. */
+const axis = z.enum(['+x', '-x', '+y', '-y', '+z', '-z']);
+/** `DepthUnit`. */
+const depthUnit = z.union([z.literal('m'), z.literal('mm'), z.literal('reconstruction'), z.number().positive()]);
+const depthKind = z.enum(['z', 'ray']);
+
 /** What an import understood: `ImportRecord`. */
 const importRecord = z.object({
   format: z.literal('scrim-import-record'),
-  version: z.literal(1),
+  version: z.literal(2),
   form: z.string(),
-  up: z.enum(['+x', '-x', '+y', '-y', '+z', '-z']),
+  up: axis,
   metersPerUnit: z.number(),
+  scale: scaleSource.nullable(),
   pointCount: z.number(),
   depth: z
     .object({
-      unit: z.union([z.literal('m'), z.literal('mm'), z.literal('reconstruction'), z.number()]),
-      kind: z.enum(['z', 'ray']),
+      unit: depthUnit,
+      kind: depthKind,
       count: z.number(),
     })
     .nullable(),
@@ -40,6 +58,23 @@ const importRecord = z.object({
       }),
     )
     .readonly(),
+});
+
+/** A depth map of a few pixels, the same depth of the mesh or the points, and the camera of the pixels; 0: unknown. */
+const depthSample = z.object({
+  name: z.string(),
+  usualUnit: depthUnit,
+  pinhole: z.object({
+    widthPx: z.number(),
+    heightPx: z.number(),
+    fxPx: z.number(),
+    fyPx: z.number(),
+    cxPx: z.number(),
+    cyPx: z.number(),
+    isAround: z.boolean(),
+  }),
+  values: z.array(z.number()).readonly(),
+  surface: z.object({ kind: z.enum(['mesh', 'points']), values: z.array(z.number()).readonly() }).nullable(),
 });
 
 /** Calls that make captures: of photographs that the editor takes of a scene, and of those in a folder. */
@@ -112,10 +147,28 @@ export const PHOTOGRAPH_CALLS = {
     }),
   },
   /**
+   * Reads what the import of a folder must decide before. Without cameras, `form`, `up` and `mesh` are null. `isKept`: a JPEG file without
+   * distortion, whose pixels stay as they are if it is not reduced. SCR069 if the folder cannot be imported.
+   */
+  'photographs.survey': {
+    input: z.object({ handle, folder: z.string().min(1).max(4096) }),
+    output: z.object({
+      form: z.string().nullable(),
+      up: axis.nullable(),
+      mesh: z.object({ vertexCount: z.number(), triangleCount: z.number() }).nullable(),
+      warnings: z.array(z.string()),
+      photographs: z.array(
+        z.object({ widthPx: z.number(), heightPx: z.number(), bytes: z.number(), isKept: z.boolean(), isAround: z.boolean() }),
+      ),
+      /** Depth files by their form, such as `PNG`; null without them. Without cameras, `pinhole` is not that of the photographs. */
+      depth: z.object({ count: z.number(), files: z.string(), hasCameras: z.boolean(), samples: z.array(depthSample) }).nullable(),
+    }),
+  },
+  /**
    * Imports a folder of photographs as the capture `assets/NAME.capture/`; COLMAP finds missing cameras. Reports progress and what COLMAP prints
    * as events, and is canceled by `tool.cancel`; what COLMAP has finished is kept for the next import of the folder. `path` is that of
    * `capture.json`, for the asset table, which the editor keeps; null if the import was canceled. `found`: the photographs that have cameras.
-   * `isRough`: the mesh is that of points. `start`: where an eye sees what a photograph shows.
+   * `isRough`: the mesh is that of points. `isScaleGuessed`: nothing says how large the place is. `start`: where an eye sees what a photograph shows.
    */
   'photographs.import': {
     input: z.object({
@@ -125,12 +178,21 @@ export const PHOTOGRAPH_CALLS = {
       colmap: programPath,
       /** Whether one camera with one focal length took all. */
       oneCamera: z.boolean(),
+      /** Longest side of photographs. */
+      maxSidePx: z.number().int().min(64).max(8192),
+      /** Null: estimated. */
+      up: axis.nullable(),
+      /** Null: that of the files, or a guess. */
+      metersPerUnit: z.number().positive().nullable(),
+      /** As `CaptureJob.depth`. */
+      depth: z.object({ from: z.enum(['files', 'mesh', 'none']).nullable(), unit: depthUnit.nullable(), kind: depthKind.nullable() }),
     }),
     output: z.object({
       path: projectPath.nullable(),
       photographs: z.number(),
       found: z.number(),
       isRough: z.boolean(),
+      isScaleGuessed: z.boolean(),
       start: z.object({ positionM: z.array(z.number()).length(3), yawRad: z.number() }).nullable(),
       diagnostics: z.array(diagnostic),
     }),

@@ -182,7 +182,8 @@ test('takes the scale from two points whose distance is known, and puts the floo
   await put('images.txt', NAMES.map((name, i) => IMAGE(i + 1, `rig/${name}`)).join(''));
   for (const name of NAMES) await put(`images/rig/${name}`, photo(8, 6));
   const distance = { from: at(5, 4), to: at(6, 4, 'rig/b.jpg'), meters: 0.5 };
-  const { metersPerUnit, sizeM, path } = await sized({ distance, floor: at(5, 5) });
+  const { metersPerUnit, scale, sizeM, path } = await sized({ distance, floor: at(5, 5) });
+  expect(scale).toEqual({ from: 'distance', photo: 'a.jpg', meters: 0.5 });
   expect([metersPerUnit, sizeM]).toEqual([expect.closeTo(2, 5), [expect.closeTo(2, 5), expect.closeTo(2, 5), 0]]);
   // The y axis of the file points down.
   const { views } = readCapture(Buffer.from(await readBytes(join(project(), path), 1e6)).toString());
@@ -190,7 +191,8 @@ test('takes the scale from two points whose distance is known, and puts the floo
 });
 
 test('takes the scale from the height of a camera above the floor', async () => {
-  const { metersPerUnit, path } = await sized({ floor: at(5, 4), cameraHeightM: 1.5 });
+  const { metersPerUnit, scale, path } = await sized({ floor: at(5, 4), cameraHeightM: 1.5 });
+  expect(scale).toEqual({ from: 'camera-height', photo: 'a.jpg', meters: 1.5 });
   expect(metersPerUnit).toBeCloseTo(6, 5);
   const folder = join(project(), path, '..');
   const { views, mesh } = readCapture(Buffer.from(await readBytes(join(folder, 'capture.json'), 1e6)).toString());
@@ -223,8 +225,8 @@ test('stores the depth of photographs in meters, and warns of those without', as
   const png = { width: 4, height: 3, data: new Uint16Array(12).fill(2000), depth: 16, channels: 1 } as const;
   png.data[5] = 0;
   for (const name of ['a', 'b', 'c']) await put(`depth/${name}.png`, encodePng(png));
-  const { depth, diagnostics } = await run();
-  expect(depth).toEqual({ unit: 'mm', kind: 'z', count: 3 });
+  const { depth, scale, diagnostics } = await run();
+  expect([depth, scale]).toEqual([{ unit: 'mm', kind: 'z', count: 3 }, { from: 'depth' }]);
   expect(diagnostics.map(({ message }) => message)).toEqual(['1 photograph has no depth, such as d.jpg.']);
   const folder = join(project(), 'assets/scan.capture');
   const { version, views } = readCapture(Buffer.from(await readBytes(join(folder, 'capture.json'), 1e6)).toString());
@@ -241,7 +243,7 @@ test.each([
   ['depth/a.png', depthPng(8, 6, 0), 'the depth of a.jpg has no value above 0'],
   ['depth/a.png', depthPng(8, 6, 200, 8), 'has 8 bits, which are too few'],
   ['depth/a.png', depthPng(8, 6, 2000).subarray(0, 60), 'is not a whole PNG file'],
-  ['depth/a.png', depthPng(8, 6, 9), 'in any usual unit. Name another unit with --depth-unit'],
+  ['depth/a.png', depthPng(8, 6, 9), 'in any usual unit. Choose another unit (--depth-unit)'],
   ['depth/a.pfm', 'Pf\n8 6\n-1\nshort', 'a.jpg is incomplete'],
   ['stereo/depth_maps/a.jpg.geometric.bin', '8&6&3&', 'it is not a depth map'],
   ['depth/a.exr', 'no EXR', 'a.jpg is not an EXR file'],

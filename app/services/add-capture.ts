@@ -1,12 +1,13 @@
 import { randomInt } from 'node:crypto';
 import { basename, dirname, resolve } from 'node:path';
 import type { FileSink } from '../../export/bundle/bundle-page.ts';
-import type { DepthAnswers, DepthScale } from '../../export/captures/depth/depth-scale.ts';
+import type { DepthScale } from '../../export/captures/depth/depth-scale.ts';
 import { createDepthFusion } from '../../export/captures/depth/fuse-depth-meshes.ts';
 import { DOME_EYE_M, DOME_RADIUS_M, makeDomeMesh } from '../../export/captures/dome-mesh.ts';
 import { unitWarning } from '../../export/captures/plausible.ts';
 import { sizeOfMesh } from '../../export/captures/report/capture-report.ts';
 import { IMPORT_FILE, importRecordFile, MOST_PLACES, type RecordedView } from '../../export/captures/report/import-record.ts';
+import type { ScaleSource } from '../../export/captures/report/scale-source.ts';
 import { reprojectedPlaces, reprojectionErrorPx } from '../../export/captures/source-view.ts';
 import { type Axis, upAxis, uprightMesh, uprightPose } from '../../export/captures/upright.ts';
 import { putAsset } from '../../export/graph/commands/asset-commands.ts';
@@ -23,11 +24,11 @@ import {
   meshCounts,
 } from '../../nodes/kit/capture.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import { findDepths, readDepthM, readDepthScale } from './capture-depths.ts';
+import { findDepths, readDepthM } from './capture-depths.ts';
+import { type ScaleJob, scaleOfCapture } from './capture-scale.ts';
 import { resolveInside } from './confine.ts';
 import { refusal } from './file-errors.ts';
 import { withFreeCapture } from './free-capture.ts';
-import { type KnownSize, measureCapture } from './measure-capture.ts';
 import { heightAboveFloorM, packDepthFiles } from './pack-depth.ts';
 import { type PackedPhotos, type PackingJob, withPackedPhotos } from './pack-photos.ts';
 import { writePageFolder } from './page-folder.ts';
@@ -36,21 +37,11 @@ import { type FoundCapture, type FoundView, PANORAMA_FORM, readCaptureFolder } f
 import { readConsistentFiles } from './recover-folder.ts';
 import { saveOver } from './save-over.ts';
 
-export interface CaptureJob extends PackingJob {
-  /** Folder with photographs, cameras and mesh. */
-  readonly folder: string;
+export interface CaptureJob extends PackingJob, ScaleJob {
   /** Name of the capture; null: that of the folder. */
   readonly name: string | null;
   /** The axis of the reconstruction that points up; null: estimated. */
   readonly up: Axis | null;
-  /** Meters per unit of the reconstruction, if `known` does not give it. */
-  readonly metersPerUnit: number;
-  readonly known: KnownSize;
-  /** What depth meshes are made from, and what the depth files have. */
-  readonly depth: DepthAnswers & {
-    /** Null: depth files where they are, else the mesh. */
-    readonly from: 'files' | 'mesh' | 'none' | null;
-  };
   /** Makes the mesh of the folder smaller; absent: it stays as it is. */
   readonly simplify?: (mesh: CaptureMesh) => Promise<CaptureMesh>;
   /** Names of the photographs whose cameras were searched; absent: those in the folder. */
@@ -70,6 +61,7 @@ export interface PackedCapture {
   readonly up: Axis;
   /** Meters per unit of the reconstruction. */
   readonly metersPerUnit: number;
+  readonly scale: ScaleSource;
   readonly views: readonly ImportedView[];
   readonly pointCount: number;
   readonly vertexCount: number;
@@ -142,9 +134,8 @@ async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> 
   if (job.depth.from === 'files' && !hasDepth) throw new CaptureError('it has no depth files with the names of the photographs');
   if (hasDepth && missing.length > 0) diagnostics.push(withoutDepth(missing.length, missing[0]?.view.name ?? ''));
   const up = job.up ?? upAxis(views.map(({ view }) => view.worldFromCamera));
-  const { metersPerUnit, floorM: measuredM } = measureCapture(job.known, views, ownMesh, up, job.metersPerUnit);
+  const { metersPerUnit, floorM: measuredM, scale: scaleFrom, depth: scale } = await scaleOfCapture(job, found, depths, ownMesh, up);
   const floorM = isDome ? -DOME_EYE_M * metersPerUnit : measuredM;
-  const scale = hasDepth ? await readDepthScale(views, depths, ownMesh, job.depth, metersPerUnit) : null;
   if (ownMesh) uprightMesh(ownMesh, up, metersPerUnit, floorM);
   const depth = scale && { unit: scale.unit, kind: scale.kind, count: views.length - missing.length };
   let mesh = ownMesh;
@@ -195,7 +186,8 @@ async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> 
       views: packed,
     };
     const warnings = diagnostics.map(({ message }) => message);
-    const record = { ...leftOut(found, job), form: source.form, up, metersPerUnit, pointCount: source.pointCount, depth, depthTriangles };
+    const { form, pointCount } = source;
+    const record = { ...leftOut(found, job), form, up, metersPerUnit, scale: scaleFrom, pointCount, depth, depthTriangles };
     await write(IMPORT_FILE, importRecordFile({ ...record, warnings, views: recorded }));
     await write(CAPTURE_FILE, new TextEncoder().encode(`${JSON.stringify(document, null, 1)}\n`));
     return true;
@@ -207,6 +199,7 @@ async function packWhole(job: CaptureJob, path: string): Promise<PackedCapture> 
     form: source.form,
     up,
     metersPerUnit,
+    scale: scaleFrom,
     views: views.map(reportOf),
     pointCount: source.pointCount,
     vertexCount: mesh.positions.length / 3,

@@ -4,7 +4,9 @@ import { inflateSync } from 'node:zlib';
 import { decode as decodePng } from 'fast-png';
 import { depthSeen } from '../../export/captures/depth/depth-from-mesh.ts';
 import { checkDepthMap, type DepthMap, depthForPinhole, pinholeOfDepth } from '../../export/captures/depth/depth-map.ts';
-import { type DepthAnswers, type DepthScale, type DepthUnit, depthScaleOf } from '../../export/captures/depth/depth-scale.ts';
+import { depthOfPoints } from '../../export/captures/depth/depth-of-points.ts';
+import type { DepthAnswers, DepthSample, DepthScale, DepthUnit } from '../../export/captures/depth/depth-scale.ts';
+import { depthScaleOf } from '../../export/captures/depth/depth-scale.ts';
 import { readExr } from '../../export/captures/depth/exr.ts';
 import { checkSize, readColmapDepth, readPfm } from '../../export/captures/depth/read-depth.ts';
 import { pinholeFor } from '../../export/captures/undistort.ts';
@@ -85,10 +87,52 @@ function readPng(bytes: Uint8Array, name: string): DepthMap {
   return { widthPx, heightPx, values: Float32Array.from(data) };
 }
 
+/** A depth map of a few pixels, and the camera of its pixels. */
+export interface SampledDepth extends DepthSample {
+  readonly pinhole: Pinhole;
+}
+
+/**
+ * Reads some of the depth files, by which their unit and kind are found.
+ *
+ * @param mesh In units of the reconstruction; null if there is none.
+ * @param sidePx Longest side of the samples.
+ * @throws CaptureError
+ */
+export async function readDepthSamples(
+  views: readonly FoundView[],
+  depths: readonly (string | null)[],
+  mesh: CaptureMesh | null,
+  sidePx = SAMPLE_SIDE_PX,
+): Promise<readonly SampledDepth[]> {
+  const withDepth = [...views.keys()].filter((i) => depths[i] != null);
+  const step = Math.max(1, Math.floor(withDepth.length / SAMPLES));
+  const samples: SampledDepth[] = [];
+  for (const i of withDepth.filter((_, at) => at % step === 0).slice(0, SAMPLES)) {
+    const found = views[i];
+    const path = depths[i];
+    if (!found || !path) continue;
+    const { view, lens } = found;
+    const map = await readDepthFile(path, view.name);
+    checkDepthMap(map, view.name, lens);
+    const pinhole = pinholeFor(lens, sidePx);
+    const points = mesh ? null : depthOfPoints(view, pinhole);
+    samples.push({
+      name: view.name,
+      pinhole,
+      file: { z: depthForPinhole(map, lens, pinhole, 'z', 1), ray: depthForPinhole(map, lens, pinhole, 'ray', 1) },
+      surface: mesh ? { kind: 'mesh', map: depthSeen(mesh, pinhole, view.worldFromCamera) } : points && { kind: 'points', map: points },
+      usualUnit: usualUnit(path),
+    });
+  }
+  return samples;
+}
+
 /**
  * Finds out the unit and the kind of the depth files by some of them.
  *
  * @param mesh In units of the reconstruction; null if there is none.
+ * @param isGuess Whether `metersPerUnit` is a guess, which depth in meters corrects.
  * @throws CaptureError
  */
 export async function readDepthScale(
@@ -97,28 +141,15 @@ export async function readDepthScale(
   mesh: CaptureMesh | null,
   answers: DepthAnswers,
   metersPerUnit: number,
+  isGuess: boolean,
 ): Promise<DepthScale> {
-  const withDepth = [...views.keys()].filter((i) => depths[i] != null);
-  const step = Math.max(1, Math.floor(withDepth.length / SAMPLES));
-  const samples = [];
-  for (const i of withDepth.filter((_, at) => at % step === 0).slice(0, SAMPLES)) {
-    const found = views[i];
-    const path = depths[i];
-    if (!found || !path) continue;
-    const { view, lens } = found;
-    const map = await readDepthFile(path, view.name);
-    checkDepthMap(map, view.name, lens);
-    const pinhole = pinholeFor(lens, SAMPLE_SIDE_PX);
-    samples.push({
-      name: view.name,
-      file: { z: depthForPinhole(map, lens, pinhole, 'z', 1), ray: depthForPinhole(map, lens, pinhole, 'ray', 1) },
-      mesh: mesh && depthSeen(mesh, pinhole, view.worldFromCamera),
-      usualUnit: usualUnit(path),
-    });
-  }
-  // A 360° camera has no axis.
-  const isAround = withDepth.every((i) => views[i]?.lens.projection === 'equirectangular');
-  return depthScaleOf(samples, isAround ? { ...answers, kind: 'ray' } : answers, metersPerUnit);
+  const samples = await readDepthSamples(views, depths, mesh);
+  return depthScaleOf(samples, answersFor(samples, answers), metersPerUnit, isGuess);
+}
+
+/** A 360° camera has no axis: its depths are distances. */
+function answersFor(samples: readonly SampledDepth[], answers: DepthAnswers): DepthAnswers {
+  return samples.every(({ pinhole }) => pinhole.projection !== undefined) ? { ...answers, kind: 'ray' } : answers;
 }
 
 function usualUnit(path: string): DepthUnit {

@@ -250,6 +250,10 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       projects.rootOf(handle);
       return photographs.look({ colmap }, fullPath(folder, 'SCR004'));
     },
+    'photographs.survey': async ({ handle, folder }) => {
+      projects.rootOf(handle);
+      return photographs.survey(fullPath(folder, 'SCR004'));
+    },
     'photographs.import': ({ handle, folder, ...options }, client) =>
       photographs.run(handle, client, {
         ...options,

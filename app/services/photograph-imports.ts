@@ -17,11 +17,14 @@ import { openColmap } from './reconstruct/colmap.ts';
 import { guessedUnit } from './reconstruct/guessed-unit.ts';
 import { countPhotographs, isReconstructed, type Reconstruction, reconstruct } from './reconstruct/reconstruct-photographs.ts';
 import { ensureScrimFolder, SCRIM_FOLDER } from './scrim-folder.ts';
+import { surveyPhotographs } from './survey-photographs.ts';
 
 /** Imports of photographs in the editor. Cameras that are missing are found by COLMAP. */
 export interface PhotographImports {
   /** What is in a folder, and whether COLMAP is there. */
   look(input: Pick<HostInput<'photographs.look'>, 'colmap'>, folder: string): Promise<HostOutput<'photographs.look'>>;
+  /** Reads what an import must decide before. @throws SCR004, SCR060, SCR069 */
+  survey(folder: string): Promise<HostOutput<'photographs.survey'>>;
   /**
    * Imports a folder. `path` is null if it was canceled; what COLMAP has finished is kept for the next import of the same folder.
    *
@@ -37,7 +40,9 @@ export interface PhotographImports {
   stage(root: string, file: Omit<HostInput<'photographs.stage'>, 'handle'>): Promise<string>;
 }
 
-export interface PhotographJob extends Pick<HostInput<'photographs.import'>, 'name' | 'colmap' | 'oneCamera'>, ToolEvents {
+type PhotographOptions = Omit<HostInput<'photographs.import'>, 'handle' | 'folder'>;
+
+export interface PhotographJob extends PhotographOptions, ToolEvents {
   /** Absolute path of the folder. */
   readonly folder: string;
   /** Real path of the project. */
@@ -47,7 +52,6 @@ export interface PhotographJob extends Pick<HostInput<'photographs.import'>, 'na
 const STEPS = { features: 'features', matches: 'matches', sparse: 'cameras', dense: 'mesh', mesh: 'mesh' } as const;
 /** Folder of dropped photographs, in that of Scrim. */
 const STAGED = 'photographs';
-const MAX_SIDE_PX = 1600;
 
 /** @param sources Absolute path of the folder with Scrim's sources and `node_modules`. */
 export function createPhotographImports(files: FileLayer, tools: ToolJobs, sources: string): PhotographImports {
@@ -68,12 +72,26 @@ export function createPhotographImports(files: FileLayer, tools: ToolJobs, sourc
         return { photographs, hasCameras: false, colmap: null, diagnostic: error.diagnostic };
       }
     },
+    survey: async (typed) => {
+      const folder = await realFolder(typed);
+      try {
+        return await surveyPhotographs(folder, await hasOwnCameras(folder));
+      } catch (error) {
+        throw asRefusal(error, folder);
+      }
+    },
     run: (projectId, client, job) => {
       const task = async (interrupted: AbortSignal, onLine: (line: string) => void) => {
         try {
           const folder = await realFolder(job.folder);
-          const isMade = (await hasCameras(folder)) && !(await isReconstructed(folder));
-          return await pack(folder, isMade ? null : await findCameras(folder, job, interrupted, onLine), job, files, sources, interrupted);
+          return await pack(
+            folder,
+            (await hasOwnCameras(folder)) ? null : await findCameras(folder, job, interrupted, onLine),
+            job,
+            files,
+            sources,
+            interrupted,
+          );
         } catch (error) {
           interrupted.throwIfAborted();
           throw asRefusal(error, job.folder);
@@ -97,13 +115,26 @@ export function createPhotographImports(files: FileLayer, tools: ToolJobs, sourc
   };
 }
 
+/** Whether a folder has cameras that Scrim did not make. */
+async function hasOwnCameras(folder: string): Promise<boolean> {
+  return (await hasCameras(folder)) && !(await isReconstructed(folder));
+}
+
 /** The error as one of the host. */
 function asRefusal(error: unknown, folder: string): unknown {
   if (error instanceof CaptureError) return refusal('SCR069', `${folder} cannot be imported: ${error.message}.`);
   return errorCode(error) === undefined ? error : writeRefusal(error, folder);
 }
 
-const CANCELED: HostOutput<'photographs.import'> = { path: null, photographs: 0, found: 0, isRough: false, start: null, diagnostics: [] };
+const CANCELED: HostOutput<'photographs.import'> = {
+  path: null,
+  photographs: 0,
+  found: 0,
+  isRough: false,
+  isScaleGuessed: false,
+  start: null,
+  diagnostics: [],
+};
 
 async function findCameras(
   folder: string,
@@ -125,14 +156,15 @@ async function findCameras(
 async function pack(
   asked: string,
   made: Reconstruction | null,
-  { root, name, onProgress }: PhotographJob,
+  { root, name, maxSidePx, up, metersPerUnit: given, depth, onProgress }: PhotographJob,
   files: FileLayer,
   sources: string,
   interrupted: AbortSignal,
 ): Promise<HostOutput<'photographs.import'>> {
   const folder = made?.isDense ? join(asked, 'dense/0') : asked;
   // COLMAP does not know how large a place is: a guess that is near enough to be seen, until “True size”.
-  const metersPerUnit = made === null ? 1 : guessedUnit((await readCameras(folder)).views);
+  const guessed = made === null ? 1 : guessedUnit((await readCameras(folder)).views);
+  const unitFrom = given === null ? made && ('guess' as const) : ('given' as const);
   const packed = await packCapture({
     folder,
     root,
@@ -141,11 +173,12 @@ async function pack(
     files,
     say: (text) => onProgress({ step: 'pack', text }),
     interrupted,
-    maxSidePx: MAX_SIDE_PX,
-    up: null,
-    metersPerUnit,
+    maxSidePx,
+    up,
+    metersPerUnit: given ?? guessed,
+    ...(unitFrom && { unitFrom }),
     known: UNKNOWN_SIZE,
-    depth: { from: null, unit: null, kind: null },
+    depth,
     ...(made && { searched: made.names, warnings: made.diagnostics }),
   });
   const { views } = await readCaptureDocument(dirname(await resolveInside(root, packed.path)));
@@ -157,6 +190,7 @@ async function pack(
     photographs: made?.photographs ?? packed.views.length,
     found: packed.views.length,
     isRough: made !== null && !made.isDense && made.mesh !== null,
+    isScaleGuessed: packed.scale.from === 'guessed',
     start: firstEye(views),
     diagnostics: [...packed.diagnostics],
   };

@@ -76,18 +76,18 @@ export function reprojectionErrorPx(view: SourceView, lens: Lens): number | null
 
 /**
  * Calls `visit` for each point in front of a camera, with the column and row where it was seen, and its direction: right and down over its
- * depth.
+ * depth, and the depth.
  */
-function eachPointAhead(
+export function eachPointAhead(
   { worldFromCamera: m, observations }: SourceView,
-  visit: (column: number, row: number, x: number, y: number) => void,
+  visit: (column: number, row: number, x: number, y: number, depth: number) => void,
 ): void {
   for (let i = 0; i + 4 < observations.length; i += 5) {
     const [column = 0, row = 0, x = 0, y = 0, z = 0] = observations.subarray(i, i + 5);
     const d = [x - (m[12] ?? 0), y - (m[13] ?? 0), z - (m[14] ?? 0)];
     const along = (axis: number): number => d.reduce((total, value, c) => total + value * (m[4 * axis + c] ?? 0), 0);
     const depth = -along(2);
-    if (depth > 0) visit(column, row, along(0) / depth, -along(1) / depth);
+    if (depth > 0) visit(column, row, along(0) / depth, -along(1) / depth, depth);
   }
 }
 

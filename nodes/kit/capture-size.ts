@@ -89,17 +89,27 @@ export function captureSize(document: CaptureDocument, { maxSidePx, depthMeshes:
 }
 
 /**
- * What a capture of a project takes on the GPU of a phone or headset, in a page of several files.
+ * The size of a capture of a project on the GPU of a phone or headset, in a page of several files.
  *
  * @param document That of the project, which has no coarse mesh yet.
  * @param depthMeshes Whether its depth meshes are drawn.
  *
  * @example
- * const bytes = phoneCaptureBytes(readCapture(text), false);
+ * const { photoPx, gpuBytes } = phoneCaptureSize(readCapture(text), false);
  */
-export function phoneCaptureBytes(document: CaptureDocument, depthMeshes: boolean): number {
+export function phoneCaptureSize(document: CaptureDocument, depthMeshes: boolean): CaptureSize {
   const coarse = { file: '', triangleCount: COARSE_CAPTURE_TRIANGLES, vertexCount: COARSE_CAPTURE_TRIANGLES / 2 };
   const isCoarser = document.mesh.triangleCount >= 2 * COARSE_CAPTURE_TRIANGLES;
   const inPage = isCoarser ? { coarseMesh: coarse, ...document } : document;
-  return captureSize(inPage, { maxSidePx: PHONE_TEXTURE_PX, depthMeshes, mostBytes: PHONE_CAPTURE_GPU_BYTES }).gpuBytes;
+  return captureSize(inPage, { maxSidePx: PHONE_TEXTURE_PX, depthMeshes, mostBytes: PHONE_CAPTURE_GPU_BYTES });
+}
+
+/**
+ * What a capture of a project takes on the GPU of a phone or headset, in a page of several files.
+ *
+ * @example
+ * const bytes = phoneCaptureBytes(readCapture(text), false);
+ */
+export function phoneCaptureBytes(document: CaptureDocument, depthMeshes: boolean): number {
+  return phoneCaptureSize(document, depthMeshes).gpuBytes;
 }

@@ -6,6 +6,7 @@ import {
   photosOf,
   type ReportedPhoto,
   reportFacts,
+  scaleAdvice,
   worstFirst,
 } from '../../export/captures/report/capture-report.ts';
 import { MARKS_LEGEND, photoMarks } from '../../export/captures/report/photo-marks.ts';
@@ -77,6 +78,8 @@ function Report({ report, folder }: { readonly report: CaptureReport; readonly f
   const [index, setIndex] = useState(worst[0]?.index ?? 0);
   const chosen = photos[index];
   const warnings = report.record?.warnings ?? [NO_RECORD];
+  const advice = scaleAdvice(report.record);
+  const isGuess = report.record?.scale?.from === 'guessed';
   return (
     <>
       <dl className="capture-facts">
@@ -87,6 +90,7 @@ function Report({ report, folder }: { readonly report: CaptureReport; readonly f
           </div>
         ))}
       </dl>
+      {advice !== null && <p className={isGuess ? 'capture-warning' : 'capture-advice'}>{advice}</p>}
       {warnings.map((warning) => (
         <p key={warning} className="capture-warning">
           {warning}

@@ -45,14 +45,18 @@ test('an import says what it understood, and so does the asset later', async () 
   await form.getByRole('button', { name: 'Import', exact: true }).click();
 
   const dialog = page.getByRole('dialog', { name: 'wall.capture: what was understood' });
-  await dialog.getByText('Added wall.capture. 2 photographs. Set its true size in the inspector.').waitFor();
+  await dialog.getByText('Added wall.capture. 2 photographs.').waitFor();
   await dialog.getByText('It has 2 photographs only, so most sides are seen once or never.').waitFor();
+  await dialog
+    .getByText('Its units are taken as meters. If the size is wrong, select its node and press “Set scale by two points”')
+    .waitFor();
   const facts = await dialog.locator('.capture-facts > div').allInnerTexts();
   expect(facts.map((fact) => fact.replace(/\s*\n\s*/, ': '))).toEqual(
     expect.arrayContaining([
       'Files: COLMAP (text)',
       'Cameras: 2 × PINHOLE',
       'Points: 1, mean reprojection error 0.50 px',
+      'Scale: 1 unit of the reconstruction is 1 m, assumed: the files do not say it',
       'Left out: nothing',
     ]),
   );

@@ -104,11 +104,13 @@ export function createFakeHost(
     'capture.cancel': () => ({}),
     'capture.report': () => ({ record: null, views: [], vertexCount: 0, triangleCount: 0, sizeM: [0, 0, 0], surface: [] }),
     'photographs.look': () => ({ photographs: 12, hasCameras: false, colmap: '3.8 (/usr/bin/colmap)', diagnostic: null }),
+    'photographs.survey': () => ({ form: null, up: null, mesh: null, warnings: [], photographs: [], depth: null }),
     'photographs.import': () => ({
       path: 'assets/kitchen.capture/capture.json',
       photographs: 12,
       found: 12,
       isRough: true,
+      isScaleGuessed: true,
       start: { positionM: [1, 2, 3], yawRad: 0.5 },
       diagnostics: [],
     }),

@@ -1,6 +1,7 @@
 import { dirname, join } from 'node:path';
 import type { DepthKind } from '../../../export/captures/depth/depth-map.ts';
 import type { DepthUnit } from '../../../export/captures/depth/depth-scale.ts';
+import { scaleWords } from '../../../export/captures/report/scale-source.ts';
 import { AXES, type Axis } from '../../../export/captures/upright.ts';
 import { type CaptureJob, type ImportedCapture, importCapture } from '../../services/add-capture.ts';
 import { NODE_FILES } from '../../services/file-layer.ts';
@@ -107,6 +108,7 @@ export const importCaptureCommand: Command = {
       name: call.text('name'),
       maxSidePx: positive(call, 'size', DEFAULT_SIDE_PX),
       metersPerUnit: positive(call, 'unit', 1),
+      ...(call.text('unit') !== null && { unitFrom: 'given' as const }),
       known: readKnownSize(call),
       up: axis(call),
       depth: { from: depthSource(call), unit: depthUnit(call), kind: depthKind(call) },
@@ -185,16 +187,19 @@ function textOf({
   depth,
   depthTriangles,
   metersPerUnit,
+  scale,
   sizeM,
   fileBytes,
 }: ImportedCapture): string {
   const errors = views.flatMap(({ errorPx }) => errorPx ?? []);
   const mean = errors.reduce((sum, error) => sum + error, 0) / errors.length;
+  const { text: scaleText, advice } = scaleWords(scale);
   const lines = [
     `Imported ${path} from ${form}, ${(fileBytes / 1e6).toFixed(1)} MB.`,
     `${views.length === 1 ? '1 photograph' : `${views.length} photographs`}, ${pointCount} points, a mesh of ${vertexCount} vertices and ${triangleCount} triangles.`,
-    `The mesh is ${sizeM.map((m) => m.toFixed(2)).join(' × ')} m; up is the ${up} axis of the reconstruction, whose unit is ${Number(metersPerUnit.toPrecision(4))} m.`,
+    `The mesh is ${sizeM.map((m) => m.toFixed(2)).join(' × ')} m; up is the ${up} axis of the reconstruction, whose unit is ${Number(metersPerUnit.toPrecision(4))} m (${scaleText}).`,
   ];
+  if (advice !== null) lines.push(`${advice} Or import it again with --unit, --distance or --camera-height.`);
   if (depth !== null) {
     const unit = typeof depth.unit === 'number' ? `${depth.unit} m` : depth.unit;
     lines.push(

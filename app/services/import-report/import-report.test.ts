@@ -40,10 +40,11 @@ test('shows the cameras over the mesh, and in each photograph where points were 
     'Mesh: 4 vertices, 2 triangles',
     expect.stringMatching(/^Depth: depth meshes of \d+ triangles, from the mesh$/),
     'Size: 5.00 × 2.00 × 0.00 m',
-    'Scale: 1 unit of the reconstruction is 1 m',
+    'Scale: 1 unit of the reconstruction is 1 m, assumed: the files do not say it',
     'Up: -y axis of the reconstruction',
     'Left out: nothing',
   ]);
+  expect(html).toContain('Its units are taken as meters. If the size is wrong, select its node and press “Set scale by two points”');
   expect(html).toContain('a&#38;b.jpg: 0.00 px over 1 point');
   expect(html).toContain('c.jpg: 1.00 px over 1 point');
   expect((await readdir(join(out, 'views'))).map((name) => `views/${name}`).reverse()).toEqual(

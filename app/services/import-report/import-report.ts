@@ -7,6 +7,7 @@ import {
   photosOf,
   type ReportedPhoto,
   reportFacts,
+  scaleAdvice,
   worstFirst,
 } from '../../../export/captures/report/capture-report.ts';
 import { MARKS_LEGEND, photoMarks } from '../../../export/captures/report/photo-marks.ts';
@@ -52,7 +53,8 @@ export async function writeImportReport(sink: FileSink, folder: string, imported
     figures.push(photoFigure(path, photo));
   }
   const facts = reportFacts(report).map(({ label, text: words }) => `<tr><td>${label}</td><td>${text(words)}</td></tr>`);
-  const warnings = (report.record?.warnings ?? []).map((warning) => `<p>${text(warning)}</p>`);
+  const advice = scaleAdvice(report.record);
+  const warnings = [...(advice === null ? [] : [advice]), ...(report.record?.warnings ?? [])].map((warning) => `<p>${text(warning)}</p>`);
   const body = `<table>${facts.join('\n')}</table>
 ${warnings.join('\n')}
 <h2>Cameras over the mesh</h2>

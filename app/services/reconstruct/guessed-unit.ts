@@ -1,7 +1,7 @@
 import type { SourceView } from '../../../export/captures/source-view.ts';
 
 /** What a room or an object is mostly away from who photographs it. */
-const USUAL_DISTANCE_M = 2;
+export const USUAL_DISTANCE_M = 2;
 
 /** Meters per unit of a reconstruction without scale, so that the points that a photograph shows are 2 m away in the median. 1 without points. */
 export function guessedUnit(views: readonly SourceView[]): number {

@@ -200,6 +200,12 @@ export async function countPhotographs(folder: string): Promise<number> {
   return (await photographsIn(await folderOfImages(folder))).length;
 }
 
+/** The names of the photographs in a folder, and where they are. */
+export async function photographsOf(folder: string): Promise<{ readonly place: string; readonly names: readonly string[] }> {
+  const place = await folderOfImages(folder);
+  return { place, names: await photographsIn(place) };
+}
+
 async function folderOfImages(folder: string): Promise<string> {
   return (await isFolder(join(folder, 'images'))) ? join(folder, 'images') : folder;
 }

@@ -7,6 +7,7 @@ import { checkLens } from '../lens.ts';
 import { pinholeFor } from '../undistort.ts';
 import { depthFromMesh } from './depth-from-mesh.ts';
 import { type DepthMap, depthForPinhole } from './depth-map.ts';
+import { depthOfPoints } from './depth-of-points.ts';
 import { type DepthAnswers, depthScaleOf } from './depth-scale.ts';
 import { readExr } from './exr.ts';
 import { readColmapDepth, readPfm } from './read-depth.ts';
@@ -96,15 +97,15 @@ test('draws the depth of a mesh, also of triangles that are partly behind the ca
 const mesh = depthFromMesh(ROOM, PINHOLE, IDENTITY);
 const changed = (map: DepthMap, change: (depth: number, i: number) => number): DepthMap => ({ ...map, values: map.values.map(change) });
 const alongRay = changed(mesh, (depth, i) => depth * Math.hypot(((i % 40) + 0.5 - 20) / 30, (Math.floor(i / 40) + 0.5 - 15) / 30, 1));
-const scaleOf = (map: DepthMap, answers: Partial<DepthAnswers> = {}, metersPerUnit = 1, withMesh = true) => {
+const scaleOf = (map: DepthMap, answers: Partial<DepthAnswers> = {}, metersPerUnit = 1, withMesh = true, isGuess = false) => {
   const file = { z: depthForPinhole(map, LENS, PINHOLE, 'z', 1), ray: depthForPinhole(map, LENS, PINHOLE, 'ray', 1) };
-  const sample = { name: 'a.jpg', file, mesh: withMesh ? mesh : null, usualUnit: 'mm' } as const;
-  return depthScaleOf([sample], { unit: null, kind: null, ...answers }, metersPerUnit);
+  const sample = { name: 'a.jpg', file, surface: withMesh ? { kind: 'mesh' as const, map: mesh } : null, usualUnit: 'mm' } as const;
+  return depthScaleOf([sample], { unit: null, kind: null, ...answers }, metersPerUnit, isGuess);
 };
 
 test('finds the unit and the kind of depth by the mesh', () => {
-  expect(scaleOf(changed(mesh, (depth) => depth * 1000))).toEqual({ unit: 'mm', kind: 'z', scale: 0.001 });
-  expect(scaleOf(alongRay)).toEqual({ unit: 'm', kind: 'ray', scale: 1 });
+  expect(scaleOf(changed(mesh, (depth) => depth * 1000))).toMatchObject({ unit: 'mm', kind: 'z', scale: 0.001 });
+  expect(scaleOf(alongRay)).toMatchObject({ unit: 'm', kind: 'ray', scale: 1 });
   // A reconstruction of 0.25 m per unit, and a sensor that measures in millimeters.
   expect(
     scaleOf(
@@ -112,11 +113,44 @@ test('finds the unit and the kind of depth by the mesh', () => {
       {},
       0.25,
     ),
-  ).toEqual({ unit: 'mm', kind: 'z', scale: 0.004 });
+  ).toMatchObject({ unit: 'mm', kind: 'z', scale: 0.004 });
   expect(scaleOf(mesh, {}, 0.25)).toMatchObject({ unit: 'reconstruction', scale: 1 });
   // Unknown values and infinities take no part.
   const holes = changed(mesh, (depth, i) => [depth, Number.NaN, Infinity, -1, 1e10][i % 5] ?? 0);
   expect(scaleOf(holes)).toMatchObject({ unit: 'm', kind: 'z' });
+});
+
+test('finds units of sensors that are not millimeters, if they fit', () => {
+  const units = [5000, 4000, 10_000, 100].map((perMeter) => scaleOf(changed(mesh, (depth) => depth * perMeter * 1.03)).unit);
+  expect(units).toEqual([0.0002, 0.00025, 0.0001, 0.01]);
+  // Twice as far as the mesh is not a rare unit.
+  expect(scaleOf(changed(mesh, (depth) => depth * 1000 * 1.9))).toMatchObject({ unit: 'mm', timesSurface: expect.closeTo(1.9, 3) });
+});
+
+test('depth in meters corrects a guessed scale, and no other', () => {
+  const map = changed(mesh, (depth) => depth * 700);
+  expect(scaleOf(map, {}, 3, true, true)).toMatchObject({
+    unit: 'mm',
+    kind: 'z',
+    scale: expect.closeTo(1 / 700, 6),
+    metersPerUnit: expect.closeTo(0.7, 4),
+  });
+  expect(scaleOf(map, { unit: 0.0002 }, 3, true, true).metersPerUnit).toBeCloseTo(0.14, 4);
+  expect(scaleOf(mesh, { unit: 'reconstruction' }, 3, false, true).metersPerUnit).toBe(3);
+  expect(scaleOf(map, {}, 0.7).metersPerUnit).toBe(0.7);
+});
+
+test('finds the depth of points at their pixels, the nearest of each', () => {
+  // Of a camera at height 2: a point 4 m ahead, one behind it, one at the left, one outside, and one behind the camera.
+  const observations = [0, 2, -4, 0.001, 2, -5, -1, 2, -3, -9, 2, -4, 0, 2, 4];
+  const view = { name: 'a.jpg', model: 'PINHOLE', lens: () => LENS, sizePx: null, depthName: null };
+  const seen = Float64Array.from({ length: 25 }, (_, i) => (i % 5 < 2 ? 0 : (observations[3 * Math.floor(i / 5) + (i % 5) - 2] ?? 0)));
+  const map = depthOfPoints({ ...view, worldFromCamera: [...IDENTITY.slice(0, 12), 0, 2, 0, 1], observations: seen }, PINHOLE);
+  const found = [...(map?.values ?? [])].flatMap((depth, i) => (depth > 0 ? [[i % 40, Math.floor(i / 40), depth]] : []));
+  expect(found).toEqual([
+    [10, 15, 3],
+    [20, 15, 4],
+  ]);
 });
 
 test('refuses a unit that neither the mesh nor a place allows', () => {

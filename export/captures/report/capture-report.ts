@@ -1,6 +1,7 @@
 import type { CaptureMesh, CaptureView } from '../../../nodes/kit/capture.ts';
 import { sampleSurface } from '../points/sample-surface.ts';
 import type { ImportRecord, RecordedView } from './import-record.ts';
+import { scaleWords } from './scale-source.ts';
 
 /** What is known of a capture: what its import understood, and its cameras over its mesh. */
 export interface CaptureReport {
@@ -93,7 +94,7 @@ export function reportFacts({ record, views, vertexCount, triangleCount, sizeM }
     ...fact('Mesh', `${whole(vertexCount)} vertices, ${whole(triangleCount)} triangles`),
     ...fact('Depth', record && depthWords(record)),
     ...fact('Size', `${sizeM.map((m) => m.toFixed(2)).join(' × ')} m`),
-    ...fact('Scale', record && `1 unit of the reconstruction is ${Number(record.metersPerUnit.toPrecision(4))} m`),
+    ...fact('Scale', record && unitWords(record)),
     ...fact('Up', record && `${record.up} axis of the reconstruction`),
     ...fact('Left out', record && leftOutWords(record)),
   ];
@@ -106,6 +107,16 @@ function whole(count: number): string {
 function rangeOfSizes(sizes: readonly { readonly widthPx: number; readonly heightPx: number }[]): string {
   const texts = new Set(sizes.map(({ widthPx, heightPx }) => `${widthPx} × ${heightPx}`));
   return texts.size <= 2 ? `${[...texts].join(' and ')} px` : `of ${texts.size} sizes`;
+}
+
+function unitWords({ metersPerUnit, scale }: ImportRecord): string {
+  const unit = `1 unit of the reconstruction is ${Number(metersPerUnit.toPrecision(4))} m`;
+  return scale === null ? unit : `${unit}, ${scaleWords(scale).text}`;
+}
+
+/** What is to be done about the scale; null if it is known, or if nothing was recorded of it. */
+export function scaleAdvice(record: ImportRecord | null): string | null {
+  return record?.scale ? scaleWords(record.scale).advice : null;
 }
 
 /** Each word with its number, the most frequent first. */

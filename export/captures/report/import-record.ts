@@ -2,6 +2,7 @@ import { CaptureError } from '../../../nodes/kit/capture.ts';
 import type { DepthKind } from '../depth/depth-map.ts';
 import type { DepthUnit } from '../depth/depth-scale.ts';
 import { AXES, type Axis } from '../upright.ts';
+import { isScaleSource, type ScaleSource } from './scale-source.ts';
 
 /** The name of the record in the folder of a capture. Pages do not contain it. */
 export const IMPORT_FILE = 'import.json';
@@ -12,12 +13,14 @@ export const MOST_PLACES = 300;
 /** What an import understood of the files that it read. Afterwards, these may be gone. */
 export interface ImportRecord {
   readonly format: 'scrim-import-record';
-  readonly version: 1;
+  readonly version: 2;
   /** What the files were, such as `COLMAP (text)`. */
   readonly form: string;
   readonly up: Axis;
   /** Meters per unit of the reconstruction. */
   readonly metersPerUnit: number;
+  /** Where the scale is from; null for records of version 1, which do not say it. */
+  readonly scale: ScaleSource | null;
   readonly pointCount: number;
   /** What the depth files have, and how many there were; null without them. */
   readonly depth: { readonly unit: DepthUnit; readonly kind: DepthKind; readonly count: number } | null;
@@ -49,7 +52,7 @@ export interface RecordedView {
 
 /** Writes `import.json`. */
 export function importRecordFile(record: Omit<ImportRecord, 'format' | 'version'>): Uint8Array {
-  const whole: ImportRecord = { format: 'scrim-import-record', version: 1, ...record };
+  const whole: ImportRecord = { format: 'scrim-import-record', version: 2, ...record };
   return new TextEncoder().encode(`${JSON.stringify(whole)}\n`);
 }
 
@@ -66,21 +69,29 @@ export function readImportRecord(text: string, views: number): ImportRecord {
   } catch {
     throw new CaptureError(`its ${IMPORT_FILE} is not valid JSON`);
   }
-  if (!isRecord(json)) throw new CaptureError(`its ${IMPORT_FILE} does not say what an import understood`);
-  if (json.views.length !== views)
-    throw new CaptureError(`its ${IMPORT_FILE} has ${json.views.length} views, but ${views} are in the capture`);
-  return json;
+  const record = upgraded(json);
+  if (!isRecord(record)) throw new CaptureError(`its ${IMPORT_FILE} does not say what an import understood`);
+  if (record.views.length !== views)
+    throw new CaptureError(`its ${IMPORT_FILE} has ${record.views.length} views, but ${views} are in the capture`);
+  return record;
+}
+
+/** Version 1 does not say where the scale is from. */
+function upgraded(json: unknown): unknown {
+  const fields = fieldsOf(json);
+  return fields.version === 1 ? { ...fields, version: 2, scale: null } : json;
 }
 
 function isRecord(json: unknown): json is ImportRecord {
-  const { format, version, form, up, metersPerUnit, pointCount, depth, depthTriangles, withoutPhotograph, withoutCamera, warnings, views } =
-    fieldsOf(json);
+  const { format, version, form, up, metersPerUnit, scale, pointCount, depth, depthTriangles, views, ...lists } = fieldsOf(json);
+  const { withoutPhotograph, withoutCamera, warnings } = lists;
   return (
     format === 'scrim-import-record' &&
-    version === 1 &&
+    version === 2 &&
     typeof form === 'string' &&
     AXES.some((axis) => axis === up) &&
     [metersPerUnit, pointCount, depthTriangles].every(Number.isFinite) &&
+    (scale === null || isScaleSource(fieldsOf(scale))) &&
     (depth === null || isDepth(fieldsOf(depth))) &&
     [withoutPhotograph, withoutCamera, warnings].every(areTexts) &&
     Array.isArray(views) &&

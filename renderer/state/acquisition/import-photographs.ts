@@ -1,4 +1,4 @@
-import type { HostOutput } from '../../../app/contract/contract.ts';
+import type { HostInput, HostOutput } from '../../../app/contract/contract.ts';
 import { makeAssetId } from '../../../export/graph/document-names.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { Place } from '../editor/canvas-state.ts';
@@ -10,13 +10,13 @@ import { placeAsset } from '../graph/place-asset.ts';
 import { showCaptureReport } from './capture-report.ts';
 import { asked, runOutside } from './outside-run.ts';
 
-export interface PhotographsRequest {
+export interface PhotographsRequest
+  extends Pick<HostInput<'photographs.import'>, 'oneCamera' | 'maxSidePx' | 'up' | 'metersPerUnit' | 'depth'> {
   /** Absolute path. */
   readonly folder: string;
   readonly name: string;
   /** Path of COLMAP; empty: that of the host. */
   readonly colmap: string;
-  readonly oneCamera: boolean;
 }
 
 /** What is in a folder of photographs, or why it cannot be read. */
@@ -33,12 +33,12 @@ export function lookIntoFolder(editor: Editor, folder: string, colmap: string): 
  * @param place Position of the new node in canvas units.
  * @returns Whether the capture was added.
  */
-export function importPhotographs(editor: Editor, { folder, name, colmap, oneCamera }: PhotographsRequest, place: Place): Promise<boolean> {
+export function importPhotographs(editor: Editor, { colmap, ...request }: PhotographsRequest, place: Place): Promise<boolean> {
   return runOutside(editor, {
     dialog: 'photographs',
     begin: { step: 'features', text: 'Reading photographs…' },
     canceled: { text: 'Import of photographs canceled.', detail: 'Importing the same folder continues where it was.' },
-    run: (handle) => editor.host.call('photographs.import', { handle, folder, name, colmap: colmap || null, oneCamera }),
+    run: (handle) => editor.host.call('photographs.import', { handle, ...request, colmap: colmap || null }),
     show: (path, done) => show(editor, path, done, place),
   });
 }
@@ -46,7 +46,7 @@ export function importPhotographs(editor: Editor, { folder, name, colmap, oneCam
 async function show(
   editor: Editor,
   path: string,
-  { found, photographs, isRough, start, diagnostics }: HostOutput<'photographs.import'>,
+  { found, photographs, isRough, isScaleGuessed, start, diagnostics }: HostOutput<'photographs.import'>,
   place: Place,
 ): Promise<void> {
   await editor.fileWork(async () => {
@@ -59,12 +59,12 @@ async function show(
   const count =
     found === photographs ? `${found} photographs.` : `${found} of ${photographs} photographs: COLMAP found no cameras for the others.`;
   const text = `Added ${nameOf(path)}.`;
-  const detail = `${count}${isRough ? ' Its mesh is rough, because COLMAP needs CUDA for depth.' : ''} Set its true size in the inspector.`;
+  const detail = `${count}${isRough ? ' Its mesh is rough, because COLMAP needs CUDA for depth.' : ''}`;
   if (editor.ui.getState().dialog === null) {
-    // It shows the warnings, too.
+    // It shows the warnings and where the scale is from, too.
     showCaptureReport(editor, path, `${text} ${detail}`);
     return;
   }
   for (const warning of diagnostics as readonly Diagnostic[]) toastDiagnostic(editor.ui, warning);
-  addToast(editor.ui, { tone: 'success', text, detail });
+  addToast(editor.ui, { tone: 'success', text, detail: isScaleGuessed ? `${detail} Set its true size in the inspector.` : detail });
 }
