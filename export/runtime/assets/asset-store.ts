@@ -175,7 +175,7 @@ async function load(asset: ProgramAsset, means: AssetMeans, show: (value: Loaded
 }
 
 function decode(
-  { kind, path, lamps, depthMeshes }: ProgramAsset,
+  { kind, path, lamps, depthMeshes, phoneGpuBytes }: ProgramAsset,
   bytes: ArrayBuffer,
   { objects, source, scenes, delay }: AssetMeans,
   show: (value: Loaded) => void,
@@ -190,7 +190,7 @@ function decode(
     case 'capture':
       return loadCapture(objects, bytes, path, source.load, depthMeshes === true, show);
     case 'splats':
-      return loadSplats(objects, bytes, path);
+      return loadSplats(objects, bytes, path, phoneGpuBytes);
     case 'model':
       return scenes().loadModel(bytes, path, source.load);
     case 'environment':
