@@ -7,9 +7,13 @@ export interface GlCounts {
   readonly shaders: number;
   readonly samplers: number;
   readonly vertexArrays: number;
+  readonly buffers: number;
 }
 
-/** Creates and deletes GPU objects and counts them. The player creates its own objects with it; nodes that draw themselves use `gl`. */
+/**
+ * Creates and deletes GPU objects and counts them. The player creates its own objects and those of assets with it. Nodes that draw themselves
+ * use `gl`; `OwnedObjects` follows them.
+ */
 export interface GlObjects {
   readonly gl: WebGL2RenderingContext;
   readonly limits: GlLimits;
@@ -27,6 +31,8 @@ export interface GlObjects {
   deleteSampler(sampler: WebGLSampler): void;
   createVertexArray(): WebGLVertexArrayObject;
   deleteVertexArray(vertexArray: WebGLVertexArrayObject): void;
+  createBuffer(): WebGLBuffer;
+  deleteBuffer(buffer: WebGLBuffer): void;
   counts(): GlCounts;
 }
 
@@ -45,7 +51,7 @@ export interface GlLimits {
 }
 
 export function createGlObjects(gl: WebGL2RenderingContext): GlObjects {
-  const counts = { textures: 0, framebuffers: 0, renderbuffers: 0, programs: 0, shaders: 0, samplers: 0, vertexArrays: 0 };
+  const counts = { textures: 0, framebuffers: 0, renderbuffers: 0, programs: 0, shaders: 0, samplers: 0, vertexArrays: 0, buffers: 0 };
   const count = <T>(kind: keyof GlCounts, object: T): T => {
     if (object !== null) counts[kind]++;
     return object;
@@ -95,6 +101,11 @@ export function createGlObjects(gl: WebGL2RenderingContext): GlObjects {
     deleteVertexArray: (vertexArray) => {
       counts.vertexArrays--;
       gl.deleteVertexArray(vertexArray);
+    },
+    createBuffer: () => count('buffers', gl.createBuffer()),
+    deleteBuffer: (buffer) => {
+      counts.buffers--;
+      gl.deleteBuffer(buffer);
     },
     counts: () => ({ ...counts }),
   };
