@@ -7,6 +7,7 @@ import type { Diagnostic } from '../nodes/kit/diagnostics.ts';
 import type { FrameTimes } from '../nodes/kit/frame-times.ts';
 import type { Handle } from '../nodes/kit/handles.ts';
 import type { PosterFraming, ViewTangents } from '../nodes/kit/poster-framing.ts';
+import type { MemoryCost, OperationCost } from './preview-costs.ts';
 
 /*
  * Messages between the editor and its preview page, sent over one MessagePort. The editor transfers the port to the preview’s origin
@@ -326,7 +327,7 @@ export type FromPreview =
   /** The answer to `take-panorama`. `text` is a sentence for the user. */
   | { readonly kind: 'panorama'; readonly state: 'taken' | 'failed'; readonly text: string }
   /** Sent twice a second while measuring is on. */
-  | { readonly kind: 'costs'; readonly costs: readonly OperationCost[] }
+  | { readonly kind: 'costs'; readonly costs: readonly OperationCost[]; readonly memory: readonly MemoryCost[] }
   /** The answer to `poster`. `bytes`: the JPEG; null if nothing is shown. */
   | { readonly kind: 'poster'; readonly request: number; readonly bytes: Uint8Array<ArrayBuffer> | null };
 
@@ -343,14 +344,6 @@ export interface RecordedFiles {
   readonly files: readonly { readonly path: string; readonly bytes: number }[];
   /** The bytes of all images, one after another. */
   readonly content: Uint8Array<ArrayBuffer>;
-}
-
-/** Cost of one operation of the program in one frame, all views together. */
-export interface OperationCost {
-  readonly id: string;
-  readonly draws: number;
-  /** GPU time. Null if the browser does not support `EXT_disjoint_timer_query_webgl2`, or has no result yet. */
-  readonly gpuMs: number | null;
 }
 
 export interface PreviewProbe {

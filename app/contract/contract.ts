@@ -69,7 +69,23 @@ const exportReport = z.object({
   files: z.number(),
   bytes: sizes,
   /** Sizes of assets by project path, after compression. `gpuBytes` is an estimate. */
-  assets: z.array(z.object({ path: z.string(), bytes: z.number(), gpuBytes: z.number() })),
+  assets: z.array(
+    z.object({
+      path: z.string(),
+      bytes: z.number(),
+      gpuBytes: z.number(),
+      /** On phones and headsets; null for assets without a limit there. */
+      phoneGpuBytes: z.number().nullable(),
+      /** What phones and headsets show less of it. */
+      reducedOnPhones: z.array(z.string()),
+    }),
+  ),
+  /** What all assets take on the GPU; `places`: captures and splats, null if there are none. */
+  gpuBytes: z.object({
+    assets: z.number(),
+    onPhones: z.number(),
+    places: z.object({ onComputers: z.number(), onPhones: z.number(), phoneLimit: z.number() }).nullable(),
+  }),
   /** Sizes by kind of file, largest first. */
   parts: z.array(z.object({ kind: z.string(), ...sizes.shape })),
   /** Why the page offers no session to enter, or would offer none with other files; null if neither. */

@@ -40,12 +40,19 @@ export function createExportJobs(): ExportJobs {
   };
 }
 
-function extractOf({ files, bytes, assets, note, devices }: ExportReport): ExportedReport {
+function extractOf({ files, bytes, assets, gpuBytes: pageGpuBytes, note, devices }: ExportReport): ExportedReport {
   const { byKind, raw, gzip } = bytes;
   return {
     files: files.length,
     bytes: { raw, gzip },
-    assets: assets.map(({ source, fileBytes, gpuBytes }) => ({ path: source, bytes: fileBytes.after, gpuBytes: gpuBytes.after })),
+    assets: assets.map(({ source, fileBytes, gpuBytes, reducedOnPhones = [] }) => ({
+      path: source,
+      bytes: fileBytes.after,
+      gpuBytes: gpuBytes.after,
+      phoneGpuBytes: gpuBytes.onPhones ?? null,
+      reducedOnPhones: [...reducedOnPhones],
+    })),
+    gpuBytes: pageGpuBytes,
     parts: Object.entries(byKind)
       .map(([kind, sizes]) => ({ kind, ...sizes }))
       .sort((a, b) => b.gzip - a.gzip),

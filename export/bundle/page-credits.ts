@@ -1,6 +1,6 @@
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { ProgramCredit } from '../program/program-credit.ts';
-import type { PreparedAsset } from './assets/prepare-assets.ts';
+import type { PreparedAsset } from './assets/prepared-asset.ts';
 
 /** A work on the page and its license. */
 export type PageCredit = Omit<ProgramCredit, 'nodes'>;

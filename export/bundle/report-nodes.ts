@@ -1,5 +1,5 @@
 import type { Operation, Program } from '../program/program.ts';
-import type { ReportedAsset } from './assets/prepare-assets.ts';
+import type { ReportedAsset } from './assets/prepared-asset.ts';
 
 /** What a node costs, in bytes before gzip. Passes that are drawn by one shader are one entry with several nodes. */
 export interface ReportedNode {

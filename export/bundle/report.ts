@@ -4,7 +4,8 @@ import { fixedImageNote } from '../program/fixed-image.ts';
 import type { ProgramNeed, Tier } from '../program/needs.ts';
 import type { Program, ProgramAsset } from '../program/program.ts';
 import type { WebXrFeatures } from '../program/webxr-features.ts';
-import type { ReportedAsset } from './assets/prepare-assets.ts';
+import { type PageGpuBytes, pageGpuBytes } from './assets/page-memory.ts';
+import type { ReportedAsset } from './assets/prepared-asset.ts';
 import type { Scripts } from './bundle-page-script.ts';
 import type { PageCredit } from './page-credits.ts';
 import { nodeBytes, type ReportedNode } from './report-nodes.ts';
@@ -33,6 +34,8 @@ export interface ExportReport {
   readonly features: WebXrFeatures;
   /** Result of the export for each asset, with sizes before and after compression. */
   readonly assets: readonly ReportedAsset[];
+  /** What the assets take on the GPU together. */
+  readonly gpuBytes: PageGpuBytes;
   /** Authors and licenses of the page's works. */
   readonly credits: readonly PageCredit[];
   readonly needs: readonly ProgramNeed[];
@@ -86,6 +89,7 @@ export function makeReport({ program, generator, files, scripts, features, asset
     nodes: nodeBytes(program, scripts.page.parts, assets),
     features,
     assets,
+    gpuBytes: pageGpuBytes(assets),
     credits,
     needs: program.needs,
     tiers: program.tiers,

@@ -196,11 +196,10 @@ interface OperationBase {
 
 /**
  * An operation that the node type's `runtime.ts` plays. A type `part/NAME` writes one output of a node that draws (`OutputPort.part`). Two
- * more types are not nodes but bindings of params, and write the param's slot.
- * `binding/expression` has the config `postfix` (see `nodes/kit/expression.ts`) and `otherwise`, the numbers for a result that is not
- * finite. `binding/track` has `times` (seconds, ascending), `values` (all numbers of the first key first), `easings` (one word per key for
- * the interpolation to the next, or control points separated by commas), optional `limits` (lowest and highest value of each number, if the
- * curve overshoots) and `repeat`.
+ * more types are not nodes but bindings of params, and write the param's slot. `binding/expression` has the config `postfix` (see
+ * `nodes/kit/expression.ts`) and `otherwise`, the numbers for a result that is not finite. `binding/track` has `times` (seconds, ascending),
+ * `values` (all numbers of the first key first), `easings` (one word per key for the interpolation to the next, or control points separated
+ * by commas), optional `limits` (lowest and highest value of each number, if the curve overshoots) and `repeat`.
  */
 export interface NodeOperation extends OperationBase {
   readonly kind: 'value' | 'source' | 'behavior' | 'geometry' | 'draw' | 'cpu';
@@ -396,4 +395,6 @@ export interface ProgramAsset {
   readonly lamps?: Readonly<Record<string, FoundLamps>>;
   /** For a capture: whether its depth meshes are drawn. */
   readonly depthMeshes?: true;
+  /** For splats in an export: the most bytes that they take on the GPU of a phone or headset. A capture has it in its document. */
+  readonly phoneGpuBytes?: number;
 }

@@ -8,6 +8,7 @@ import type { DiagnosticsBoard } from './diagnostics-board.ts';
 import { COPY_SHADER } from './gl/copy-shader.ts';
 import { createGlObjects, type GlCounts, type GlObjects } from './gl/gl-objects.ts';
 import { createImageStore, type ImageStore } from './gl/image-store.ts';
+import type { OwnedObjects } from './gl/owned-objects.ts';
 import { createPassDrawer, type PassDrawer } from './gl/pass-drawer.ts';
 import { createProgramCache, type GlProgram, type ProgramCache } from './gl/program-cache.ts';
 import { type CameraMean, createCameraMean } from './light/camera-mean.ts';
@@ -65,6 +66,7 @@ export interface EngineOptions {
   readonly held?: boolean;
   readonly startWorker?: StartWorker;
   readonly monitor?: OperationMonitor;
+  readonly owned?: OwnedObjects;
 }
 
 export function createEngine(options: EngineOptions): Engine {
@@ -87,7 +89,7 @@ export function createEngine(options: EngineOptions): Engine {
   let cameraMean: CameraMean | null = null;
   let nearestDepth: NearestDepth | null = null;
   let multisampling: Multisampling | null = null;
-  const assets = createAssetStore({ objects, source: options.assets, scenes, delay: clock.delay });
+  const assets = createAssetStore({ objects, source: options.assets, scenes, delay: clock.delay, owned: options.owned ?? null });
   const tool = (shader: LinkedShader): GlProgram => {
     const made = tools.get(shader.id) ?? programs.acquire(shader);
     tools.set(shader.id, made);
@@ -166,6 +168,7 @@ export function createEngine(options: EngineOptions): Engine {
       },
       assets,
       board: options.board,
+      owned: options.owned ?? null,
       cpu: { objects, drawer, copy, clock, startWorker: options.startWorker ?? startBlobWorker },
       startWorker: options.startWorker ?? startBlobWorker,
       scenes,

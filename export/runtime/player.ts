@@ -9,6 +9,7 @@ import { createBrowserClock, type FrameClock } from './clock.ts';
 import type { StartWorker } from './cpu/worker-source.ts';
 import { createDiagnosticsBoard } from './diagnostics-board.ts';
 import { createEngine, type Engine, type PlayerCounts } from './engine.ts';
+import type { OwnedObjects } from './gl/owned-objects.ts';
 import type { ShaderError } from './gl/program-cache.ts';
 import type { Inspected } from './inspected.ts';
 import { type Loading, loadProgram } from './loading.ts';
@@ -45,6 +46,8 @@ export interface PlayerOptions {
   readonly startWorker?: StartWorker;
   /** Follows every operation that draws; absent in pages. */
   readonly monitor?: OperationMonitor;
+  /** Follows the GPU objects of nodes that draw themselves and of assets; absent in pages. */
+  readonly owned?: OwnedObjects;
   /**
    * Creates what watches bounded loops: `createLoopGuard`, in hosts that compile with a loop budget. If it is absent, bounded loops are not
    * watched.

@@ -1,4 +1,5 @@
 import type { CaptureDocument, CaptureMeshFile } from './capture.ts';
+import { PHONE_GPU_BYTES } from './phone-memory.ts';
 
 /** Memory for photographs on the GPU, with mip levels. Larger photographs are all reduced to fit. */
 const MAX_PHOTO_GPU_BYTES = 128 * 2 ** 20;
@@ -15,8 +16,6 @@ const WEIGHT_BYTES = 4 + 2 * 16;
 /** The camera of a view. */
 const VIEW_BYTES = 64;
 
-/** The most that a capture takes of the GPU of a phone or headset in a page. */
-export const PHONE_CAPTURE_GPU_BYTES = 128e6;
 /** The largest texture of most phones. */
 export const PHONE_TEXTURE_PX = 4096;
 /** The mesh takes at most this part of it, else the coarse one stays; with depth meshes this part, else they are left out. */
@@ -57,26 +56,21 @@ export interface CaptureUse {
  * const { gpuBytes } = captureSize(document, { maxSidePx: 4096, depthMeshes: false });
  */
 export function captureSize(document: CaptureDocument, { maxSidePx, depthMeshes: drawn, mostBytes }: CaptureUse): CaptureSize {
-  const { views, mesh, coarseMesh } = document;
+  const { views, coarseMesh } = document;
   const widthPx = Math.max(...views.map((view) => view.widthPx));
   const heightPx = Math.max(...views.map((view) => view.heightPx));
   const reduce = (scale: number) => [Math.max(1, Math.floor(widthPx * scale)), Math.max(1, Math.floor(heightPx * scale))] as const;
-  const perVertex = VERTEX_BYTES + (mostBytes === undefined ? 0 : WEIGHT_BYTES);
-  const bytesOf = (one: CaptureMeshFile, vertexBytes: number): number => one.vertexCount * vertexBytes + one.triangleCount * TRIANGLE_BYTES;
   const limit = mostBytes ?? Infinity;
-  const wholeMesh = coarseMesh === undefined || bytesOf(mesh, perVertex) <= MOST_MESH * limit;
-  const meshBytes = bytesOf(wholeMesh ? mesh : coarseMesh, perVertex);
-  const sumOf = (bytes: (view: CaptureDocument['views'][number]) => number): number => views.reduce((sum, view) => sum + bytes(view), 0);
-  const depthMeshBytes =
-    sumOf(({ depthMesh }) => (depthMesh ? bytesOf(depthMesh, DEPTH_VERTEX_BYTES) : 0)) +
-    sumOf(({ hiddenMesh }) => (hiddenMesh ? bytesOf(hiddenMesh, HIDDEN_VERTEX_BYTES) : 0));
-  const depthMeshes = drawn && depthMeshBytes > 0 && meshBytes + depthMeshBytes <= MOST_MESHES * limit;
-  const geometryBytes = meshBytes + (depthMeshes ? depthMeshBytes : 0) + (mostBytes === undefined ? 0 : VIEW_BYTES * views.length);
+  const bytes = geometryBytes(document, mostBytes !== undefined);
+  const wholeMesh = coarseMesh === undefined || bytes.mesh <= MOST_MESH * limit;
+  const meshBytes = wholeMesh ? bytes.mesh : bytes.coarseMesh;
+  const depthMeshes = drawn && bytes.depthMeshes > 0 && meshBytes + bytes.depthMeshes <= MOST_MESHES * limit;
+  const fixedBytes = meshBytes + (depthMeshes ? bytes.depthMeshes : 0) + (mostBytes === undefined ? 0 : VIEW_BYTES * views.length);
   const sizeAt = (scale: number) => {
     const photoPx = reduce(scale);
     const depthPx = reduce(Math.min(MAX_DEPTH_SIDE_PX, Math.max(...photoPx)) / Math.max(widthPx, heightPx));
     const perView = photoPx[0] * photoPx[1] * PHOTO_BYTES_PER_PIXEL + depthPx[0] * depthPx[1] * DEPTH_BYTES_PER_PIXEL;
-    return { photoPx, depthPx, wholeMesh, depthMeshes, gpuBytes: Math.round(views.length * perView + geometryBytes) };
+    return { photoPx, depthPx, wholeMesh, depthMeshes, gpuBytes: Math.round(views.length * perView + fixedBytes) };
   };
   const photosFit = Math.sqrt(MAX_PHOTO_GPU_BYTES / (views.length * widthPx * heightPx * PHOTO_BYTES_PER_PIXEL));
   let scale = Math.min(1, photosFit, maxSidePx / Math.max(widthPx, heightPx));
@@ -89,27 +83,44 @@ export function captureSize(document: CaptureDocument, { maxSidePx, depthMeshes:
 }
 
 /**
+ * The least limit at which nothing of a capture is left out on a phone or headset, bytes.
+ *
+ * @example
+ * const needs = captureNeed(document, { maxSidePx: 4096, depthMeshes: false });
+ */
+export function captureNeed(document: CaptureDocument, use: Omit<CaptureUse, 'mostBytes'>): number {
+  const { gpuBytes } = captureSize(document, { ...use, mostBytes: Infinity });
+  const { mesh, depthMeshes } = geometryBytes(document, true);
+  const forMesh = document.coarseMesh === undefined ? 0 : mesh / MOST_MESH;
+  return Math.ceil(Math.max(gpuBytes, forMesh, use.depthMeshes ? (mesh + depthMeshes) / MOST_MESHES : 0));
+}
+
+/** What the meshes of a capture take; with a limit, room for the weights of vertices, too. */
+function geometryBytes({ mesh, coarseMesh, views }: CaptureDocument, isLimited: boolean) {
+  const perVertex = VERTEX_BYTES + (isLimited ? WEIGHT_BYTES : 0);
+  const bytesOf = (one: CaptureMeshFile | undefined, vertexBytes: number): number =>
+    one ? one.vertexCount * vertexBytes + one.triangleCount * TRIANGLE_BYTES : 0;
+  const depthMeshes = views.map((view) => bytesOf(view.depthMesh, DEPTH_VERTEX_BYTES) + bytesOf(view.hiddenMesh, HIDDEN_VERTEX_BYTES));
+  return {
+    mesh: bytesOf(mesh, perVertex),
+    coarseMesh: bytesOf(coarseMesh, perVertex),
+    depthMeshes: depthMeshes.reduce((sum, bytes) => sum + bytes, 0),
+  };
+}
+
+/**
  * The size of a capture of a project on the GPU of a phone or headset, in a page of several files.
  *
  * @param document That of the project, which has no coarse mesh yet.
  * @param depthMeshes Whether its depth meshes are drawn.
+ * @param mostBytes Its share of the memory. Default: all of it.
  *
  * @example
- * const { photoPx, gpuBytes } = phoneCaptureSize(readCapture(text), false);
+ * const { gpuBytes } = phoneCaptureSize(readCapture(text), false);
  */
-export function phoneCaptureSize(document: CaptureDocument, depthMeshes: boolean): CaptureSize {
+export function phoneCaptureSize(document: CaptureDocument, depthMeshes: boolean, mostBytes = PHONE_GPU_BYTES): CaptureSize {
   const coarse = { file: '', triangleCount: COARSE_CAPTURE_TRIANGLES, vertexCount: COARSE_CAPTURE_TRIANGLES / 2 };
   const isCoarser = document.mesh.triangleCount >= 2 * COARSE_CAPTURE_TRIANGLES;
   const inPage = isCoarser ? { coarseMesh: coarse, ...document } : document;
-  return captureSize(inPage, { maxSidePx: PHONE_TEXTURE_PX, depthMeshes, mostBytes: PHONE_CAPTURE_GPU_BYTES });
-}
-
-/**
- * What a capture of a project takes on the GPU of a phone or headset, in a page of several files.
- *
- * @example
- * const bytes = phoneCaptureBytes(readCapture(text), false);
- */
-export function phoneCaptureBytes(document: CaptureDocument, depthMeshes: boolean): number {
-  return phoneCaptureSize(document, depthMeshes).gpuBytes;
+  return captureSize(inPage, { maxSidePx: PHONE_TEXTURE_PX, depthMeshes, mostBytes });
 }

@@ -14,6 +14,3 @@ export interface SplatAsset {
   /** x, y, z of each splat. */
   readonly positions: Float32Array<ArrayBuffer>;
 }
-
-/** Splats per row of the textures. */
-export const SPLATS_PER_ROW = 1024;

@@ -1,7 +1,18 @@
 import { Panel } from '@xyflow/react';
 import { createContext, type ReactNode, useContext, useMemo } from 'react';
 import { useStore } from 'zustand';
-import { BUDGETS, type Cost, costAt, costsOf, costWords, type Device, megabytes, overBudget, totalOf } from '../state/editor/cost-state.ts';
+import {
+  BUDGETS,
+  type Cost,
+  costAt,
+  costsOf,
+  costWords,
+  type Device,
+  leftObjects,
+  megabytes,
+  overBudget,
+  totalOf,
+} from '../state/editor/cost-state.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { nodePath } from '../state/editor/layer-names.ts';
 import { Icon } from '../ui/icon.tsx';
@@ -18,8 +29,9 @@ export function CostsProvider({ children }: { readonly children: ReactNode }) {
   const on = useStore(costs, (state) => state.on);
   const device = useStore(costs, (state) => state.device);
   const measured = useStore(costs, (state) => state.measured);
+  const memory = useStore(costs, (state) => state.memory);
   const program = useStore(compile, (state) => (on ? state.program : null));
-  const all = useMemo(() => program && costsOf(program, measured, device), [program, measured, device]);
+  const all = useMemo(() => program && costsOf(program, { measured, memory, device }), [program, measured, memory, device]);
   return <CostsContext value={all}>{children}</CostsContext>;
 }
 
@@ -33,7 +45,7 @@ function CostLine({ costs, id }: { readonly costs: ReadonlyMap<string, Cost>; re
   const path = useDocument((state) => nodePath(state, id));
   const cost = costAt(costs, path);
   if (!cost) return null;
-  const isFree = cost.passes === 0 && cost.draws === 0 && cost.targets === 0;
+  const isFree = cost.passes === 0 && cost.draws === 0 && cost.bytes === 0;
   return <span className={isFree ? 'node-cost node-cost-free' : 'node-cost'}>{costWords(cost)}</span>;
 }
 
@@ -42,6 +54,7 @@ export function PerformancePanel() {
   const editor = useEditor();
   const costs = useContext(CostsContext);
   const device = useStore(editor.costs, (state) => state.device);
+  const memory = useStore(editor.costs, (state) => state.memory);
   if (!costs) return null;
   const total = totalOf(costs.values());
   return (
@@ -63,7 +76,7 @@ export function PerformancePanel() {
           <Figure label="Memory" value={megabytes(total.bytes)} of={megabytes(BUDGETS[device].bytes)} />
           <Figure label="GPU time" value={total.gpuMs === null ? 'not reported' : `${total.gpuMs.toFixed(2)} ms`} />
         </dl>
-        {overBudget(total, device).map((problem) => (
+        {[...overBudget(total, device), ...leftObjects(memory)].map((problem) => (
           <p key={problem} className="cost-warning">
             <Icon name="warning" size={14} />
             {problem}

@@ -1,6 +1,7 @@
 import type { Operation } from '../../export/program/program.ts';
 import type { FrameClock } from '../../export/runtime/clock.ts';
-import type { FromPreview, OperationCost } from '../preview-protocol.ts';
+import type { MemoryCost, OperationCost } from '../preview-costs.ts';
+import type { FromPreview } from '../preview-protocol.ts';
 
 /** Measures operations: number of draw calls, and GPU time if the browser supports timer queries. */
 export interface CostMeter {
@@ -28,6 +29,7 @@ export function createCostMeter(
   gl: WebGL2RenderingContext,
   clock: Pick<FrameClock, 'nowS'>,
   send: (message: FromPreview) => void,
+  owners: () => readonly MemoryCost[],
 ): CostMeter {
   const timer = gl.getExtension('EXT_disjoint_timer_query_webgl2') as TimerQuery | null;
   let on = false;
@@ -102,7 +104,7 @@ export function createCostMeter(
       if (nowS - sentS >= INTERVAL_S) {
         sentS = nowS;
         const costs = [...counts].map(([id, { draws }]): OperationCost => ({ id, draws, gpuMs: gpuMsById.get(id) ?? null }));
-        send({ kind: 'costs', costs });
+        send({ kind: 'costs', costs, memory: owners() });
       }
       counts.clear();
     },

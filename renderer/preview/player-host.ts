@@ -3,6 +3,7 @@ import { findingsOf } from '../../export/gltf/findings.ts';
 import type { Program } from '../../export/program/program.ts';
 import { createFetchAssetSource } from '../../export/runtime/assets/asset-source.ts';
 import type { FrameClock } from '../../export/runtime/clock.ts';
+import { createGlLedger } from '../../export/runtime/gl/gl-ledger.ts';
 import { createPlayer, type Player } from '../../export/runtime/player.ts';
 import { createLoopGuard } from '../../export/runtime/program-instance/loop-watch.ts';
 import type { OperationMonitor } from '../../export/runtime/program-instance/step.ts';
@@ -77,9 +78,11 @@ export function createPlayerHost(options: PlayerHostOptions): PlayerHost {
     readRadiance: readRadianceInWorker(decodeRadiance),
     createGlass,
   });
-  const meter = createCostMeter(gl, clock, send);
+  const ledger = createGlLedger(gl);
+  const meter = createCostMeter(gl, clock, send, ledger.owners);
   const player = createPlayer({
     monitor: monitorOf(meter, gate),
+    owned: ledger,
     createLoopGuard,
     gl,
     canvas,
@@ -112,6 +115,7 @@ export function createPlayerHost(options: PlayerHostOptions): PlayerHost {
       canvas.removeEventListener('webglcontextrestored', restored);
       meter.dispose();
       player.dispose();
+      ledger.dispose();
       return () => {
         // Browsers limit the number of contexts and drop the oldest. Garbage collection would release this one too late.
         gl.getExtension('WEBGL_lose_context')?.loseContext();

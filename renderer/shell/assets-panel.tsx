@@ -1,5 +1,6 @@
 import { type DragEvent, useEffect, useMemo, useRef } from 'react';
 import { useStore } from 'zustand';
+import type { ExportedReport } from '../../app/contract/contract.ts';
 import { ASSET_WORDS } from '../../nodes/kit/asset-words.ts';
 import type { AssetKind } from '../../nodes/kit/definition.ts';
 import { showCaptureReport } from '../state/acquisition/capture-report.ts';
@@ -48,7 +49,7 @@ export function AssetsPanel() {
     if (!isListed) void refreshAssetFiles(editor);
   }, [editor, isListed]);
   const unused = rows.filter(isUnused);
-  const inPage = (path: string) => exported?.report.assets.find((asset) => asset.path === path)?.bytes;
+  const inPage = (path: string) => exported?.report.assets.find((asset) => asset.path === path);
   if (rows.length === 0) {
     return <p className="assets-none">This project has no assets. Drop images, models, videos, sounds or panoramas on the graph.</p>;
   }
@@ -76,7 +77,7 @@ export function AssetsPanel() {
         </thead>
         <tbody>
           {rows.map((row) => (
-            <Row key={row.id ?? row.path} row={row} pageBytes={inPage(row.path)} />
+            <Row key={row.id ?? row.path} row={row} inPage={inPage(row.path)} />
           ))}
         </tbody>
       </table>
@@ -93,13 +94,17 @@ function othersText(others: readonly { readonly bytes: number }[]): string {
 
 interface RowProps {
   readonly row: AssetRow;
-  /** Size in the last exported page; undefined if it is not known. */
-  readonly pageBytes: number | undefined;
+  /** The asset in the last exported page; undefined if it is not known. */
+  readonly inPage: ExportedReport['assets'][number] | undefined;
 }
 
-function Row({ row, pageBytes }: RowProps) {
+function Row({ row, inPage }: RowProps) {
   const { path, kind, bytes, id } = row;
-  const { picture, gpuBytes, phoneGpuBytes } = useAssetFacts(row);
+  const facts = useAssetFacts(row);
+  const gpuBytes = facts.gpuBytes ?? (kind === 'splats' && inPage ? inPage.gpuBytes : null);
+  // In a page, other captures and splats have their share.
+  const phoneGpuBytes = inPage?.phoneGpuBytes ?? facts.phoneGpuBytes;
+  const reduced = inPage?.reducedOnPhones.join(', ') ?? '';
   const onDragStart = (event: DragEvent) => {
     event.dataTransfer.setData(ASSET_DRAG, id ?? '');
     event.dataTransfer.effectAllowed = 'copy';
@@ -108,7 +113,7 @@ function Row({ row, pageBytes }: RowProps) {
     <tr draggable={id !== null} onDragStart={onDragStart}>
       <th scope="row">
         <span className="asset-name">
-          <AssetPicture picture={picture} kind={kind} missing={bytes === null} />
+          <AssetPicture picture={facts.picture} kind={kind} missing={bytes === null} />
           <span className="asset-text">
             <span className="asset-file">{nameOf(path)}</span>
             <span className="asset-kind">{ASSET_WORDS[kind]}</span>
@@ -116,11 +121,14 @@ function Row({ row, pageBytes }: RowProps) {
         </span>
       </th>
       <td>{bytes === null ? <span className="asset-missing">Missing</span> : byteText(bytes)}</td>
-      <td>{pageBytes === undefined ? '–' : byteText(pageBytes)}</td>
+      <td>{inPage === undefined ? '–' : byteText(inPage.bytes)}</td>
       <td>
         {gpuBytes === null ? '–' : byteText(gpuBytes)}
         {phoneGpuBytes !== null && (
-          <span className="asset-phones" data-tip="Pages reduce captures on phones and headsets to 128 MB">
+          <span
+            className="asset-phones"
+            data-tip={`Captures and splats of a page share 128 MB on phones and headsets${reduced && `. There, this one ${reduced}`}`}
+          >
             {byteText(phoneGpuBytes)} on phones
           </span>
         )}

@@ -20,6 +20,7 @@ const PARTS: Readonly<Record<string, string>> = {
   audio: 'Sounds',
   environment: 'Panoramas',
   capture: 'Captures',
+  splats: 'Splats',
 };
 
 interface ReportProps {
@@ -45,6 +46,34 @@ export function ExportSizes({ report: { bytes, parts, files } }: ReportProps) {
           </li>
         ))}
       </ul>
+    </section>
+  );
+}
+
+/** What captures and splats take on the GPU, and what phones and headsets show less of them; nothing if the page has none. */
+export function ExportMemory({ report: { assets, gpuBytes } }: ReportProps) {
+  const { places } = gpuBytes;
+  if (places === null) return null;
+  const reduced = assets.flatMap(({ path, reducedOnPhones }) => reducedOnPhones.map((what) => `${path} ${what}.`));
+  return (
+    <section className="exported-section" aria-labelledby="exported-memory">
+      <h3 id="exported-memory">Graphics memory of captures and splats</h3>
+      <p className="exported-total">
+        <strong>{byteText(places.onPhones)}</strong> of {byteText(places.phoneLimit)} on phones and headsets, {byteText(places.onComputers)}{' '}
+        on computers
+      </p>
+      {reduced.length > 0 && (
+        <>
+          <p>On phones and headsets:</p>
+          <ul>
+            {reduced.map((line) => (
+              <li key={line} className="exported-note">
+                {line}
+              </li>
+            ))}
+          </ul>
+        </>
+      )}
     </section>
   );
 }

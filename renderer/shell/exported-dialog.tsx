@@ -8,7 +8,7 @@ import { Dialog } from '../ui/dialog.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { ExportProgress } from './export-dialog.tsx';
 import { ExportErrors } from './export-errors.tsx';
-import { ExportDevices, ExportSizes, NoSizes } from './export-report.tsx';
+import { ExportDevices, ExportMemory, ExportSizes, NoSizes } from './export-report.tsx';
 import { PublishedAddress } from './published-address.tsx';
 import './export-dialog.css';
 
@@ -65,6 +65,7 @@ export function ExportedDialog({ onClose }: { readonly onClose: () => void }) {
         </div>
         <div className="exported-column">
           {isOld ? <NoSizes busy={busy} /> : <ExportSizes report={exported.report} />}
+          {!isOld && <ExportMemory report={exported.report} />}
           <ExportDevices report={exported.report} />
         </div>
       </div>

@@ -1,9 +1,16 @@
+import { type Place, phoneShares } from '../../export/bundle/assets/phone-shares.ts';
 import { type LoadedCapture, loadCapture } from '../../export/runtime/assets/capture/load-capture.ts';
+import { loadSplats } from '../../export/runtime/assets/splats/load-splats.ts';
 import { createGlObjects } from '../../export/runtime/gl/gl-objects.ts';
 import { type CaptureDocument, captureMeshFile, meshCounts } from '../../nodes/kit/capture.ts';
 import { createDepthMeshDrawing } from '../../nodes/kit/capture-drawing/depth-meshes/depth-mesh-drawing.ts';
 import { createWindowedDrawing } from '../../nodes/kit/capture-drawing/windowed/windowed-drawing.ts';
-import { type CaptureSize, captureSize, PHONE_CAPTURE_GPU_BYTES } from '../../nodes/kit/capture-size.ts';
+import { type CaptureSize, captureSize } from '../../nodes/kit/capture-size.ts';
+import { PHONE_GPU_BYTES } from '../../nodes/kit/phone-memory.ts';
+import type { SplatAsset } from '../../nodes/kit/splat-asset.ts';
+import { createSplatDrawing } from '../../nodes/kit/splat-drawing/splat-drawing.ts';
+import { writeSplatFile } from '../../nodes/kit/splats/splat-file.ts';
+import { HARMONICS_WORDS, WORDS } from '../../nodes/kit/splats/splats.ts';
 import { bumpyBall, pattern, poseTowardsMiddle } from '../../tools/bench/pages/bumpy-capture.ts';
 import { createGpuBytes } from '../../tools/bench/pages/gpu-bytes.ts';
 import { createGl } from './scenes-kit.ts';
@@ -23,12 +30,12 @@ export interface Budget {
 const VIEWS = 40;
 const MAP = { widthPx: 1600, heightPx: 1200 };
 
-/** Loads a capture of a page with 40 photographs of 2 megapixels, and draws it for two eyes. */
-export async function load(vertexCount: number, depthTriangles: number, isWindowed: boolean): Promise<Budget> {
+/** A capture of a page with photographs of 2 megapixels, and the files beside its document. */
+async function captureOf(vertexCount: number, depthTriangles: number, viewCount: number) {
   const mesh = bumpyBall(vertexCount);
   const coarse = bumpyBall(2000);
   const grid = depthGrid(depthTriangles);
-  const views = Array.from({ length: VIEWS }, (_, view) => ({
+  const views = Array.from({ length: viewCount }, (_, view) => ({
     file: `${view}.png`,
     ...MAP,
     fxPx: 1400,
@@ -44,12 +51,18 @@ export async function load(vertexCount: number, depthTriangles: number, isWindow
     mesh: { file: 'mesh.bin', ...meshCounts(mesh) },
     views,
     coarseMesh: { file: 'coarse.bin', ...meshCounts(coarse) },
-    phoneGpuBytes: PHONE_CAPTURE_GPU_BYTES,
+    phoneGpuBytes: PHONE_GPU_BYTES,
   };
   const photo = await pattern(1);
   const files: Readonly<Record<string, Uint8Array>> = { 'mesh.bin': captureMeshFile(mesh), 'coarse.bin': captureMeshFile(coarse) };
   const read = async (path: string): Promise<ArrayBuffer> =>
     Uint8Array.from(files[path] ?? (path.endsWith('.bin') ? grid.bytes : new Uint8Array(photo))).buffer;
+  return { document, read };
+}
+
+/** Loads a capture of a page with 40 photographs, and draws it for two eyes. */
+export async function load(vertexCount: number, depthTriangles: number, isWindowed: boolean): Promise<Budget> {
+  const { document, read } = await captureOf(vertexCount, depthTriangles, VIEWS);
   const gl = createGl(64, 48);
   const counted = createGpuBytes(gl);
   const objects = createGlObjects(gl);
@@ -71,7 +84,7 @@ export async function load(vertexCount: number, depthTriangles: number, isWindow
   const result = {
     isCoarsePointer: matchMedia('(pointer: coarse)').matches,
     bytes: counted.textures() + counted.buffers(),
-    estimated: { phones: captureSize(document, { ...use, mostBytes: PHONE_CAPTURE_GPU_BYTES }), others: captureSize(document, use) },
+    estimated: { phones: captureSize(document, { ...use, mostBytes: PHONE_GPU_BYTES }), others: captureSize(document, use) },
     photoPx: sizeOfPhotos(gl, capture.photos),
     triangles: capture.indexCount / 3,
     hasDepthMeshes: capture.depthMeshes !== null,
@@ -82,6 +95,59 @@ export async function load(vertexCount: number, depthTriangles: number, isWindow
   if (counted.textures() + counted.buffers() !== 0) throw new Error('The capture left textures or buffers.');
   gl.getExtension('WEBGL_lose_context')?.loseContext();
   return result;
+}
+
+export interface Together {
+  readonly isCoarsePointer: boolean;
+  /** What the textures and buffers of both captures and of the splats take. */
+  readonly bytes: number;
+  readonly photosPx: readonly (readonly [number, number])[];
+  readonly splats: Pick<SplatAsset, 'count' | 'degree'>;
+  readonly error: number;
+}
+
+const SPLATS = 700_000;
+
+/** Loads two captures and splats that share the memory of a phone as in an exported page. */
+export async function loadTogether(): Promise<Together> {
+  const captures = await Promise.all([captureOf(20_000, 2, 8), captureOf(30_000, 2, 8)]);
+  const places: readonly Place[] = [
+    ...captures.map(({ document }, i): Place => ({ asset: { id: `${i}`, kind: 'capture', path: `${i}.json` }, capture: document })),
+    { asset: { id: 'splats', kind: 'splats', path: 'splats' }, capture: null, splats: { count: SPLATS, degree: 3 } },
+  ];
+  const shares = [...phoneShares(places).values()];
+  const gl = createGl(64, 48);
+  const counted = createGpuBytes(gl);
+  const objects = createGlObjects(gl);
+  const loaded: LoadedCapture[] = [];
+  for (const [i, { document, read }] of captures.entries()) {
+    const limited: CaptureDocument = { ...document, phoneGpuBytes: shares[i] ?? 0 };
+    loaded.push(await loadCapture(objects, new TextEncoder().encode(JSON.stringify(limited)).buffer, 'c.json', read, false));
+  }
+  const splats = await loadSplats(objects, await splatFile(), 'garden.splats', shares[2]);
+  const drawing = createSplatDrawing(gl, splats, false, null);
+  const result = {
+    isCoarsePointer: matchMedia('(pointer: coarse)').matches,
+    bytes: counted.textures() + counted.buffers(),
+    photosPx: loaded.map(({ photos }) => {
+      gl.bindTexture(gl.TEXTURE_2D_ARRAY, photos);
+      return sizeOfPhotos(gl, photos);
+    }),
+    splats: { count: splats.count, degree: splats.degree },
+    error: gl.getError(),
+  };
+  for (const one of [drawing, splats, ...loaded]) one.dispose();
+  if (counted.textures() + counted.buffers() !== 0) throw new Error('The places left textures or buffers.');
+  gl.getExtension('WEBGL_lose_context')?.loseContext();
+  return result;
+}
+
+/** A file of equal splats with all harmonics, in the form of pages. */
+async function splatFile(): Promise<ArrayBuffer> {
+  const words = new Uint32Array(SPLATS * WORDS).fill(0x3c003c00);
+  const harmonics = new Uint32Array(SPLATS * HARMONICS_WORDS[3]).fill(0x80808080);
+  const content = writeSplatFile({ count: SPLATS, degree: 3, antialiased: false, words, harmonics, ranges: [1, 1, 1], invalid: 0 });
+  return new Response(new Blob([content]).stream().pipeThrough(new CompressionStream('gzip'))).arrayBuffer();
 }
 
 /** The size of a texture array, which only a shader knows. */

@@ -37,10 +37,10 @@ export async function draw(programs: readonly Program[]): Promise<Drawn> {
     const pixels = new Uint8Array(WIDTH * HEIGHT * 4);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.readPixels(0, 0, WIDTH, HEIGHT, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-    const { textures, framebuffers, renderbuffers, programs: linked, shaders, samplers, vertexArrays } = player.counts();
+    const { textures, framebuffers, renderbuffers, programs: linked, shaders, samplers, vertexArrays, buffers } = player.counts();
     played.push({
       pixels: [...pixels],
-      counts: { textures, framebuffers, renderbuffers, programs: linked, shaders, samplers, vertexArrays },
+      counts: { textures, framebuffers, renderbuffers, programs: linked, shaders, samplers, vertexArrays, buffers },
     });
   };
   show();

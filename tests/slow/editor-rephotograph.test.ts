@@ -18,6 +18,13 @@ test('an imported capture is shown by one press of its button, and undone by one
   await row.getByText('on phones').waitFor();
   await row.getByRole('button', { name: 'Add a node with ball.capture' }).click();
   await editor.imageOtherThan(before, 500);
+  // The performance overlay counts what the capture has on the GPU.
+  await page.locator('.canvas').focus();
+  await page.keyboard.press('k');
+  await page
+    .locator('.node-cost')
+    .getByText(/^1 draw · \d\.\d MB/)
+    .waitFor();
   if (process.env.SHOT) await page.screenshot({ path: `${process.env.SHOT}-shown.png` });
   await page.keyboard.press('Control+z');
   await eventually(async () => expect(await page.locator('.react-flow__node').count()).toBe(2));

@@ -87,6 +87,7 @@ export function createFakeHost(
         files: 1,
         bytes: { raw: 2000, gzip: 1000 },
         assets: [],
+        gpuBytes: { assets: 0, onPhones: 0, places: null },
         parts: [{ kind: 'page', raw: 2000, gzip: 1000 }],
         note: null,
         devices: [],

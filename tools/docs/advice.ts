@@ -38,7 +38,7 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
   SCR032: 'Open the file in the program that made it and save it again: images as PNG, JPEG or WebP, models as glTF 2.0 (.glb).',
   SCR033: 'Choose a file of the kind that the parameter needs.',
   SCR034:
-    'Reduce its triangles or textures in the program that made it; the message says which and by how much. The model works unchanged, but slowly or not at all on some phones.',
+    'Reduce its triangles or textures in the program that made it; the message says which and by how much. A model works unchanged, but slowly or not at all on some phones. Captures and splats that need more memory than phones have are reduced there; the message says what they lose.',
   SCR035:
     'Close the holes in a 3D program where visitors can see into them. Hidden objects and shadows show through the holes of a phantom. Other models are not checked.',
   SCR036:

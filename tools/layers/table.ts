@@ -51,7 +51,7 @@ export const LAYERS: readonly Layer[] = [
     name: 'kit',
     files: [
       'nodes/kit/{panorama,splats}/**',
-      'nodes/kit/{arithmetic,asset-words,capture,capture-size,categories,choice-options,color-math,curve,definition,diagnostics,drawing-options,ease,expression,facts,frame-times,glyphs,gradient,hand-joints,handles,light-params,material-params,photo-blob,play-expression,play-size,pointer-params,poster-framing,room-depth-glsl,pose-params,surface-params,track-time,wire-types}.ts',
+      'nodes/kit/{arithmetic,asset-words,capture,capture-size,categories,choice-options,color-math,curve,definition,diagnostics,drawing-options,ease,expression,facts,frame-times,glyphs,gradient,hand-joints,handles,light-params,material-params,phone-memory,photo-blob,play-expression,play-size,pointer-params,poster-framing,room-depth-glsl,pose-params,surface-params,track-time,wire-types}.ts',
     ],
   },
   { name: 'kit with three', files: ['nodes/kit/three/**'], imports: EXPORT_KIT, packages: ['three'] },
@@ -163,7 +163,7 @@ export const LAYERS: readonly Layer[] = [
   // The preview is a page of its own, without the editor's host: messages are all they share.
   {
     name: 'preview protocol',
-    files: ['renderer/preview-protocol.ts', 'renderer/keybinding.ts', 'renderer/drag-watch.ts', 'renderer/drag-keys.ts'],
+    files: ['renderer/preview-{costs,protocol}.ts', 'renderer/keybinding.ts', 'renderer/drag-watch.ts', 'renderer/drag-keys.ts'],
     imports: ['kit', 'program'],
     types: ['captures'],
   },

@@ -89,7 +89,7 @@ function readAddress(text: string | null): string | null {
   return url.href.endsWith('/') ? url.href : `${url.href}/`;
 }
 
-function summary(out: string, { files, bytes, features, assets }: ExportReport): string {
+function summary(out: string, { files, bytes, features, assets, gpuBytes }: ExportReport): string {
   const kinds = Object.entries(bytes.byKind).map(
     ([kind, { raw, gzip }]) => `  ${kind.padEnd(8)} ${kilobytes(raw)}, ${kilobytes(gzip)} gzip`,
   );
@@ -98,6 +98,7 @@ function summary(out: string, { files, bytes, features, assets }: ExportReport):
     `${files.length} files in ${out}: ${kilobytes(bytes.raw)}, ${kilobytes(bytes.gzip)} gzip`,
     ...kinds,
     ...compressionLines(assets),
+    ...placeLines(gpuBytes),
     `Asks the browser for ${asked.join(', ')}.`,
   ].join('\n');
 }
@@ -109,6 +110,17 @@ function compressionLines(assets: ExportReport['assets']): string[] {
     kilobytes(compressed.reduce((total, asset) => total + of(asset), 0));
   const [file, gpu] = (['fileBytes', 'gpuBytes'] as const).map((what) => `${sum((a) => a[what].before)} → ${sum((a) => a[what].after)}`);
   return [`Compressed ${compressed.length === 1 ? 'one model' : `${compressed.length} models`}: ${file}; in graphics memory about ${gpu}.`];
+}
+
+function placeLines({ places }: ExportReport['gpuBytes']): string[] {
+  if (places === null) return [];
+  const { onPhones, phoneLimit, onComputers } = places;
+  const there = `${megabytes(onPhones)} of ${megabytes(phoneLimit)} MB on phones and headsets`;
+  return [`Captures and splats in graphics memory: about ${there}, ${megabytes(onComputers)} MB on computers.`];
+}
+
+function megabytes(bytes: number): string {
+  return (bytes / 1e6).toFixed(1);
 }
 
 function kilobytes(bytes: number): string {

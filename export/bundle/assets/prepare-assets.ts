@@ -2,7 +2,6 @@ import { readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import {
-  CAPTURE_LIMITS,
   type CaptureDocument,
   CaptureError,
   type CaptureView,
@@ -11,12 +10,12 @@ import {
   readCapture,
   readCaptureMesh,
 } from '../../../nodes/kit/capture.ts';
-import { captureSize, PHONE_CAPTURE_GPU_BYTES } from '../../../nodes/kit/capture-size.ts';
 import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
+import { PHONE_GPU_BYTES } from '../../../nodes/kit/phone-memory.ts';
 import { openSog } from '../../../nodes/kit/splats/sog-archive.ts';
 import { SPLAT_FILE_ENDING, writeSplatFile } from '../../../nodes/kit/splats/splat-file.ts';
 import { readSplatPly } from '../../../nodes/kit/splats/splat-ply.ts';
-import { SplatError, splatGpuBytes } from '../../../nodes/kit/splats/splats.ts';
+import { SplatError, type Splats } from '../../../nodes/kit/splats/splats.ts';
 import { DECODER_FILES, DECODER_FILES_FOLDER, DECODERS, type DecoderFile, type DecoderName, neededDecoders } from '../../gltf/decoders.ts';
 import { ModelError } from '../../gltf/document.ts';
 import { imageSize } from '../../gltf/image-size.ts';
@@ -32,6 +31,9 @@ import { createPhotoWorkers } from '../photos/photo-workers.ts';
 import { chooseForms, type Form, gpuBytesOf } from './choose-forms.ts';
 import { coarseMesh, reducedPhoto } from './coarse-capture.ts';
 import { type AssetCache, remembered } from './model-cache.ts';
+import { phoneReductions, reducedPlaces } from './page-memory.ts';
+import { phoneShares, sizeOfCapture, sizeOfSplats } from './phone-shares.ts';
+import type { PreparedAsset } from './prepared-asset.ts';
 
 export interface AssetOptions {
   /** Absolute path of the folder with Scrim's sources and `node_modules`. */
@@ -47,36 +49,6 @@ export interface AssetOptions {
   readonly findsBorders?: boolean;
   /** Receives progress texts. */
   readonly say: (text: string) => void;
-}
-
-export interface PreparedAsset {
-  readonly asset: ProgramAsset;
-  /** Path in the page. */
-  readonly path: string;
-  readonly bytes: Uint8Array;
-  /** The other files of a capture, with their paths in the page. */
-  readonly others: readonly { readonly path: string; readonly bytes: Uint8Array }[];
-  /** Author and license of a model (glTF's `asset.copyright`); otherwise empty. */
-  readonly copyright: string;
-  readonly report: ReportedAsset;
-}
-
-/** Result of the export for an asset. Bytes on the GPU are estimated: vertices, indices, and images with their mipmaps. */
-export interface ReportedAsset {
-  /** Path in the project. */
-  readonly source: string;
-  /** Path in the page. */
-  readonly path: string;
-  readonly kind: ProgramAsset['kind'];
-  readonly form: Form;
-  readonly fileBytes: BeforeAfter;
-  /** `onPhones`: what a capture takes on phones and headsets, where it has a limit. */
-  readonly gpuBytes: BeforeAfter & { readonly onPhones?: number };
-}
-
-export interface BeforeAfter {
-  readonly before: number;
-  readonly after: number;
 }
 
 export interface PreparedAssets {
@@ -97,8 +69,8 @@ interface ReadAsset {
   readonly others: PreparedAsset['others'];
   /** The document of a capture. */
   readonly capture: CaptureDocument | null;
-  /** Bytes on the GPU and the ending of the file in the page, of splats. */
-  readonly splats?: { readonly gpuBytes: number; readonly ending: string };
+  /** What a file of splats has, and its ending in the page. */
+  readonly splats?: Pick<Splats, 'count' | 'degree'> & { readonly ending: string };
 }
 
 /** Smaller models are not compressed, because the decoder would cost more. */
@@ -106,7 +78,7 @@ const MIN_MODEL_BYTES = 16_000;
 
 /**
  * Reads the assets of a page and compresses its models without visible loss. SCR030 for an unreadable file, SCR032 for an invalid model,
- * SCR036 (warning) for a model that cannot be compressed and is used as it is.
+ * SCR036 (warning) for a model that cannot be compressed and is used as it is, SCR034 (info) for what phones show less of a place.
  */
 export async function prepareAssets(assets: readonly ProgramAsset[], options: AssetOptions): Promise<Result<PreparedAssets>> {
   const read: ReadAsset[] = [];
@@ -119,8 +91,11 @@ export async function prepareAssets(assets: readonly ProgramAsset[], options: As
     }
   }
   if (diagnostics.length > 0) return { output: null, diagnostics };
-  const forms = await formsOf(read, options, diagnostics);
-  const prepared = read.map((one) => prepare(one, forms.get(one) ?? { form: 'original', bytes: one.bytes }));
+  const shares = phoneShares(read);
+  const limited = read.map((one) => withLimit(one, shares.get(one)));
+  const forms = await formsOf(limited, options, diagnostics);
+  const prepared = limited.map((one) => prepare(one, forms.get(one) ?? { form: 'original', bytes: one.bytes }));
+  diagnostics.push(...reducedPlaces(prepared));
   const models = prepared.filter(({ asset }) => asset.kind === 'model');
   const documents = models.map(({ bytes }) => readGltf(bytes).document);
   const needed = new Set(documents.flatMap(neededDecoders));
@@ -194,9 +169,17 @@ async function readCaptureFiles(asset: ProgramAsset, bytes: Uint8Array, options:
   const mesh = { ...document.mesh, file: put(document.mesh.file, meshBytes) };
   const coarse = isStreamed ? await coarseMesh(whole) : null;
   const first = coarse ? { ...meshCounts(coarse), file: put('coarse-mesh.bin', captureMeshFile(coarse)) } : mesh;
-  const limit = { phoneGpuBytes: PHONE_CAPTURE_GPU_BYTES };
+  const limit = { phoneGpuBytes: PHONE_GPU_BYTES };
   const renamed: CaptureDocument = { ...document, ...limit, mesh, views, ...(isStreamed ? { coarseMesh: first } : {}) };
   return { asset, bytes: new TextEncoder().encode(JSON.stringify(renamed)), fileBytes, others, capture: renamed };
+}
+
+/** Writes the memory on phones and headsets to the document of a capture, or to the asset of splats. */
+function withLimit(read: ReadAsset, phoneGpuBytes: number | undefined): ReadAsset {
+  if (phoneGpuBytes === undefined) return read;
+  if (!read.capture) return { ...read, asset: { ...read.asset, phoneGpuBytes } };
+  const capture = { ...read.capture, phoneGpuBytes };
+  return { ...read, capture, bytes: new TextEncoder().encode(JSON.stringify(capture)) };
 }
 
 async function reduceAll(path: string, photos: readonly Uint8Array[], views: readonly CaptureView[], { root, cache, say }: AssetOptions) {
@@ -220,11 +203,11 @@ async function readSplats(asset: ProgramAsset, bytes: Uint8Array<ArrayBuffer>): 
   const base = { asset, fileBytes: bytes.length, others: [], capture: null };
   if (asset.path.toLowerCase().endsWith('.sog')) {
     const { count, harmonics } = (await openSog(bytes)).meta;
-    return { ...base, bytes, splats: { gpuBytes: splatGpuBytes(count, harmonics?.degree ?? 0), ending: '.sog' } };
+    return { ...base, bytes, splats: { count, degree: harmonics?.degree ?? 0, ending: '.sog' } };
   }
   const splats = readSplatPly(bytes);
   const packed = gzipSync(writeSplatFile(splats), { level: 9 });
-  return { ...base, bytes: packed, splats: { gpuBytes: splatGpuBytes(splats.count, splats.degree), ending: SPLAT_FILE_ENDING } };
+  return { ...base, bytes: packed, splats: { count: splats.count, degree: splats.degree, ending: SPLAT_FILE_ENDING } };
 }
 
 /** `room` for `assets/room.capture/capture.json`. */
@@ -260,20 +243,17 @@ async function formsOf(read: readonly ReadAsset[], { root, compress, cache, say 
 
 const NOTHING: CompressedModel = { meshopt: null, ktx2: null };
 
-function prepare(
-  { asset, bytes: original, fileBytes, others, capture, splats }: ReadAsset,
-  { form, bytes }: { readonly form: Form; readonly bytes: Uint8Array },
-): PreparedAsset {
+function prepare(read: ReadAsset, { form, bytes }: { readonly form: Form; readonly bytes: Uint8Array }): PreparedAsset {
+  const { asset, bytes: original, fileBytes, others, capture, splats } = read;
   const plain = fileName(asset.path).replace(/\.gltf$/i, '.glb');
   const name = capture ? `${captureName(asset.path)}.json` : splats ? plain.replace(/\.\w+$/, splats.ending) : plain;
   const path = hashedName(`assets/${name}`, bytes);
-  const captureGpu = (mostBytes: number | undefined): number => {
-    const use = { maxSidePx: CAPTURE_LIMITS.sidePx, depthMeshes: asset.depthMeshes === true, mostBytes };
-    return capture ? captureSize(capture, use).gpuBytes : 0;
-  };
+  const sizeOf = (mostBytes: number | undefined) => sizeOfCapture(read, mostBytes) ?? sizeOfSplats(read, mostBytes);
+  const limit = capture?.phoneGpuBytes ?? asset.phoneGpuBytes;
+  const reduced = limit === undefined ? [] : phoneReductions(read, limit);
   const gpu = (content: Uint8Array) => {
-    if (splats) return splats.gpuBytes;
-    if (capture) return captureGpu(undefined);
+    const size = sizeOf(undefined);
+    if (size) return size.gpuBytes;
     return asset.kind === 'model' ? gpuBytesOf(content) : imagesGpuBytes(content);
   };
   const report = {
@@ -285,8 +265,9 @@ function prepare(
     gpuBytes: {
       before: gpu(original),
       after: gpu(bytes),
-      ...(capture ? { onPhones: captureGpu(capture.phoneGpuBytes) } : {}),
+      ...(limit === undefined ? {} : { onPhones: sizeOf(limit)?.gpuBytes ?? 0 }),
     },
+    ...(reduced.length > 0 ? { reducedOnPhones: reduced } : {}),
   };
   const copyright = asset.kind === 'model' ? (readGltf(original).document.asset?.copyright ?? '') : '';
   return { asset, path, bytes, others, copyright, report };

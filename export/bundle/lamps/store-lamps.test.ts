@@ -9,7 +9,7 @@ import { merge } from '../../../nodes/source/panorama-exposures/worker.ts';
 import { compileExample } from '../../../tests/support/compile-project.ts';
 import { decodePanorama } from '../../../tests/support/decode-panorama.ts';
 import type { Program } from '../../program/program.ts';
-import type { PreparedAsset } from '../assets/prepare-assets.ts';
+import type { PreparedAsset } from '../assets/prepared-asset.ts';
 import { bundleScripts } from '../bundle-page-script.ts';
 import { programUse } from '../program-use.ts';
 import { storeLamps } from './store-lamps.ts';

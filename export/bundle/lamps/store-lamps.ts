@@ -2,7 +2,7 @@ import { Worker } from 'node:worker_threads';
 import type { FoundLamps } from '../../../nodes/kit/panorama/found-lamps.ts';
 import { type Exposures, exposuresKey, type LampOptions, lampKey, lampOptionsOf } from '../../../nodes/kit/panorama/lamp-options.ts';
 import type { Operation, Program } from '../../program/program.ts';
-import type { PreparedAsset } from '../assets/prepare-assets.ts';
+import type { PreparedAsset } from '../assets/prepared-asset.ts';
 import { bundleWorker } from '../bundle-worker.ts';
 import type { LampWork } from './lamp-thread.ts';
 

@@ -8,6 +8,7 @@ import type { SplatAsset } from '../../../nodes/kit/splat-asset.ts';
 import type { ProgramAsset } from '../../program/program.ts';
 import type { FrameClock } from '../clock.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
+import type { OwnedObjects } from '../gl/owned-objects.ts';
 import type { LoadedEnvironment, LoadedModel, SceneBackend } from '../scene-backend.ts';
 import { missing, wrongKind } from './asset-mistakes.ts';
 import type { AssetSource } from './asset-source.ts';
@@ -43,6 +44,8 @@ interface Entry {
   failure: Omit<Diagnostic, 'nodeId'> | null;
   readonly usable: Promise<void>;
   readonly settled: Promise<void>;
+  /** Called when the value has been disposed. */
+  end?(): void;
 }
 
 /** What the store needs to load and decode files. */
@@ -51,6 +54,8 @@ export interface AssetMeans {
   readonly source: AssetSource;
   readonly scenes: () => SceneBackend;
   readonly delay: FrameClock['delay'];
+  /** Follows the GPU objects of assets, in the preview. */
+  readonly owned: OwnedObjects | null;
 }
 
 export function createAssetStore(means: AssetMeans): AssetStore {
@@ -69,8 +74,7 @@ export function createAssetStore(means: AssetMeans): AssetStore {
   const release = (entry: Entry): void => {
     if (--entry.users > 0) return;
     entries.delete(keyOf(entry.asset));
-    entry.value?.dispose();
-    entry.value = null;
+    drop(entry);
   };
   const start = (asset: ProgramAsset): Entry => {
     let isUsable = (): void => {};
@@ -80,7 +84,10 @@ export function createAssetStore(means: AssetMeans): AssetStore {
     const show = (value: Loaded): void => {
       // All users may have released it while it was loading.
       if (entry.users > 0) entry.value = value;
-      else value.dispose();
+      else {
+        value.dispose();
+        entry.end?.();
+      }
       isUsable();
     };
     const finish = (result: LoadResult): void => {
@@ -88,7 +95,16 @@ export function createAssetStore(means: AssetMeans): AssetStore {
       else show(result.value);
       isUsable();
     };
-    const entry: Entry = { asset, users: 0, value: null, failure: null, usable, settled: load(asset, means, show).then(finish) };
+    const followed = means.owned?.followAsset(asset.path, means.objects);
+    const entry: Entry = {
+      asset,
+      users: 0,
+      value: null,
+      failure: null,
+      usable,
+      settled: load(asset, followed ? { ...means, objects: followed.objects } : means, show).then(finish),
+    };
+    if (followed) entry.end = followed.end;
     return entry;
   };
   const handle = <T>(kind: AssetKind, asset: ProgramAsset, report: (d: Omit<Diagnostic, 'nodeId'>) => void): AssetHandle<T> => {
@@ -142,12 +158,19 @@ export function createAssetStore(means: AssetMeans): AssetStore {
     dispose: () => {
       for (const entry of entries.values()) {
         entry.users = 0;
-        entry.value?.dispose();
-        entry.value = null;
+        drop(entry);
       }
       entries.clear();
     },
   };
+}
+
+/** Disposes what is loaded. What still loads is disposed when it arrives. */
+function drop(entry: Entry): void {
+  if (!entry.value) return;
+  entry.value.dispose();
+  entry.value = null;
+  entry.end?.();
 }
 
 /** Users that need other parts of a file do not share it. */
@@ -175,7 +198,7 @@ async function load(asset: ProgramAsset, means: AssetMeans, show: (value: Loaded
 }
 
 function decode(
-  { kind, path, lamps, depthMeshes }: ProgramAsset,
+  { kind, path, lamps, depthMeshes, phoneGpuBytes }: ProgramAsset,
   bytes: ArrayBuffer,
   { objects, source, scenes, delay }: AssetMeans,
   show: (value: Loaded) => void,
@@ -190,7 +213,7 @@ function decode(
     case 'capture':
       return loadCapture(objects, bytes, path, source.load, depthMeshes === true, show);
     case 'splats':
-      return loadSplats(objects, bytes, path);
+      return loadSplats(objects, bytes, path, phoneGpuBytes);
     case 'model':
       return scenes().loadModel(bytes, path, source.load);
     case 'environment':

@@ -7,9 +7,13 @@ export interface GlCounts {
   readonly shaders: number;
   readonly samplers: number;
   readonly vertexArrays: number;
+  readonly buffers: number;
 }
 
-/** Creates and deletes GPU objects and counts them. The player creates its own objects with it; nodes that draw themselves use `gl`. */
+/**
+ * Creates and deletes GPU objects and counts them. The player creates its own objects and those of assets with it. Nodes that draw themselves
+ * use `gl`; `OwnedObjects` follows them.
+ */
 export interface GlObjects {
   readonly gl: WebGL2RenderingContext;
   readonly limits: GlLimits;
@@ -27,6 +31,8 @@ export interface GlObjects {
   deleteSampler(sampler: WebGLSampler): void;
   createVertexArray(): WebGLVertexArrayObject;
   deleteVertexArray(vertexArray: WebGLVertexArrayObject): void;
+  createBuffer(): WebGLBuffer;
+  deleteBuffer(buffer: WebGLBuffer): void;
   counts(): GlCounts;
 }
 
@@ -44,12 +50,32 @@ export interface GlLimits {
   readonly parallelCompile: KHR_parallel_shader_compile | null;
 }
 
+/** Kinds of objects, as functions of the context name them. */
+const KINDS = ['Texture', 'Framebuffer', 'Renderbuffer', 'Program', 'Shader', 'Sampler', 'VertexArray', 'Buffer'] as const;
+
+type Functions = Record<string, (argument?: unknown) => unknown>;
+
 export function createGlObjects(gl: WebGL2RenderingContext): GlObjects {
-  const counts = { textures: 0, framebuffers: 0, renderbuffers: 0, programs: 0, shaders: 0, samplers: 0, vertexArrays: 0 };
-  const count = <T>(kind: keyof GlCounts, object: T): T => {
-    if (object !== null) counts[kind]++;
-    return object;
+  const context = gl as unknown as Functions;
+  const functions: Functions = {};
+  const counts: Record<string, number> = {};
+  const count = (plural: string, change: number): void => {
+    counts[plural] = (counts[plural] ?? 0) + change;
   };
+  // Written out, the functions would take 80 bytes more of each page.
+  for (const kind of KINDS) {
+    const plural = `${kind.charAt(0).toLowerCase()}${kind.slice(1)}s`;
+    count(plural, 0);
+    functions[`create${kind}`] = (type) => {
+      const object = context[`create${kind}`]?.(type);
+      if (object !== null) count(plural, 1);
+      return object;
+    };
+    functions[`delete${kind}`] = (object) => {
+      count(plural, -1);
+      context[`delete${kind}`]?.(object);
+    };
+  }
   const floatTargets = gl.getExtension('EXT_color_buffer_float') !== null;
   return {
     gl,
@@ -61,41 +87,7 @@ export function createGlObjects(gl: WebGL2RenderingContext): GlObjects {
       halfFloatTargets: floatTargets || gl.getExtension('EXT_color_buffer_half_float') !== null,
       parallelCompile: gl.getExtension('KHR_parallel_shader_compile'),
     },
-    createTexture: () => count('textures', gl.createTexture()),
-    deleteTexture: (texture) => {
-      counts.textures--;
-      gl.deleteTexture(texture);
-    },
-    createFramebuffer: () => count('framebuffers', gl.createFramebuffer()),
-    deleteFramebuffer: (framebuffer) => {
-      counts.framebuffers--;
-      gl.deleteFramebuffer(framebuffer);
-    },
-    createRenderbuffer: () => count('renderbuffers', gl.createRenderbuffer()),
-    deleteRenderbuffer: (renderbuffer) => {
-      counts.renderbuffers--;
-      gl.deleteRenderbuffer(renderbuffer);
-    },
-    createProgram: () => count('programs', gl.createProgram()),
-    deleteProgram: (program) => {
-      counts.programs--;
-      gl.deleteProgram(program);
-    },
-    createShader: (type) => count('shaders', gl.createShader(type)),
-    deleteShader: (shader) => {
-      counts.shaders--;
-      gl.deleteShader(shader);
-    },
-    createSampler: () => count('samplers', gl.createSampler()),
-    deleteSampler: (sampler) => {
-      counts.samplers--;
-      gl.deleteSampler(sampler);
-    },
-    createVertexArray: () => count('vertexArrays', gl.createVertexArray()),
-    deleteVertexArray: (vertexArray) => {
-      counts.vertexArrays--;
-      gl.deleteVertexArray(vertexArray);
-    },
+    ...functions,
     counts: () => ({ ...counts }),
-  };
+  } as unknown as GlObjects;
 }

@@ -7,6 +7,7 @@ import type { AssetStore } from '../assets/asset-store.ts';
 import { type CpuMeans, createCpuFilter } from '../cpu/run-cpu-filter.ts';
 import type { StartWorker } from '../cpu/worker-source.ts';
 import type { DiagnosticsBoard } from '../diagnostics-board.ts';
+import type { OwnedObjects } from '../gl/owned-objects.ts';
 import { createRandom } from '../random.ts';
 import type { LiveResources } from '../resources/resources.ts';
 import type { SceneBackend, ShadowMaps } from '../scene-backend.ts';
@@ -43,6 +44,8 @@ export interface NodeHost {
   readonly session: SessionService;
   readonly assets: AssetStore;
   readonly board: DiagnosticsBoard;
+  /** Follows the GPU objects of nodes that draw themselves, in the preview. */
+  readonly owned: OwnedObjects | null;
   readonly cpu: CpuMeans;
   readonly startWorker: StartWorker;
   /** Creates the backend at the first call. */
@@ -98,7 +101,8 @@ export function createNodeInstance(
     report,
   } satisfies Record<keyof NodeContext<NodeDefinition>, unknown>;
   reportOverflows(ports.pulseOutputs, report);
-  const runtime = create(module);
+  const drawsItself = isDraw(operation) && operation.ownDrawing;
+  const runtime = drawsItself && host.owned ? host.owned.followNode(node, () => create(module)) : create(module);
 
   function create(played: PlayedModule): NodeRuntime {
     if ('create' in played) return played.create(context as unknown as NodeContext<NodeDefinition>);

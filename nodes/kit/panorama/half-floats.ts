@@ -24,6 +24,18 @@ export function halfBits(value: number): number {
 }
 
 /**
+ * The number of a half float that is not negative and finite.
+ *
+ * @example
+ * fromHalfBits(0x3c00); // 1
+ */
+export function fromHalfBits(bits: number): number {
+  if (bits < 0x400) return bits * 2 ** -24;
+  scratchBits[0] = (bits << 13) + ((127 - 15) << 23);
+  return scratchFloat[0] ?? 0;
+}
+
+/**
  * Converts linear radiance with three channels to half floats with four, of which the last is 1.
  *
  * @param radiance Three numbers per pixel.

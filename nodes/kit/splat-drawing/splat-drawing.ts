@@ -1,7 +1,8 @@
 import type { OcclusionView } from '../early-occlusion.ts';
 import { setPassState, setSampler } from '../pass-state.ts';
 import type { DrawView } from '../runtime.ts';
-import { SPLATS_PER_ROW, type SplatAsset } from '../splat-asset.ts';
+import type { SplatAsset } from '../splat-asset.ts';
+import { SPLATS_PER_ROW } from '../splats/splats.ts';
 import { createColorTarget } from './color-target.ts';
 import { createDepthTargets, type DepthTargets } from './depth-targets.ts';
 import { createSplatProgram, SPLAT_UNITS, type SplatProgram } from './splat-program.ts';

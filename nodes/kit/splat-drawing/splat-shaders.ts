@@ -1,6 +1,5 @@
 import { OCCLUSION_GLSL } from '../early-occlusion.ts';
-import { SPLATS_PER_ROW } from '../splat-asset.ts';
-import { HARMONICS_WORDS, type Splats } from '../splats/splats.ts';
+import { HARMONICS_WORDS, SPLATS_PER_ROW, type Splats } from '../splats/splats.ts';
 import { harmonicsGlsl } from './harmonics-glsl.ts';
 
 /**

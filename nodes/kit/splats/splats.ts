@@ -22,6 +22,8 @@ export interface Splats {
 export const WORDS = 8;
 /** Words per splat of the harmonics by degree. */
 export const HARMONICS_WORDS = [0, 4, 8, 12] as const;
+/** Splats per row of the textures. */
+export const SPLATS_PER_ROW = 1024;
 /** Coefficients above degree 0 by degree; there are three numbers for each. */
 export const COEFFICIENTS = [0, 3, 8, 15] as const;
 

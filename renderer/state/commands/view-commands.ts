@@ -92,7 +92,7 @@ export const VIEW_COMMANDS = {
     keywords: ['costs', 'passes', 'memory'],
     keys: ['K'],
     enabled: isOpen,
-    run: ({ costs }) => costs.setState(({ on }) => ({ on: !on, measured: [] })),
+    run: ({ costs }) => costs.setState(({ on }) => ({ on: !on, measured: [], memory: [] })),
   },
   'view.code': {
     label: 'Shader source',

@@ -1,13 +1,16 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { type ReferenceSize, targetBytes } from '../../../export/compiler/target-bytes.ts';
 import type { Program } from '../../../export/program/program.ts';
-import type { OperationCost } from '../../preview-protocol.ts';
+import { memoryShares, PHONE_GPU_BYTES } from '../../../nodes/kit/phone-memory.ts';
+import type { MemoryCost, OperationCost } from '../../preview-costs.ts';
 
 /** State of the performance overlay: its target device and the measurements of the preview. */
 export interface CostState {
   readonly on: boolean;
   readonly device: Device;
   readonly measured: readonly OperationCost[];
+  /** The GPU objects of nodes that draw themselves and of their assets. */
+  readonly memory: readonly MemoryCost[];
 }
 
 export type CostStore = StoreApi<CostState>;
@@ -35,7 +38,7 @@ export const BUDGETS: Readonly<Record<Device, Budget>> = {
 };
 
 export function createCostState(): CostStore {
-  return createStore<CostState>(() => ({ on: false, device: 'phone', measured: [] }));
+  return createStore<CostState>(() => ({ on: false, device: 'phone', measured: [], memory: [] }));
 }
 
 /** Cost of a node per frame. */
@@ -44,7 +47,7 @@ export interface Cost {
   readonly passes: number;
   /** Render targets besides the output. */
   readonly targets: number;
-  /** Texture memory of the render targets on the target device. */
+  /** Memory on the target device: render targets, and what nodes that draw themselves have on the GPU with their assets. */
   readonly bytes: number;
   readonly draws: number;
   /** GPU time on this computer at the size of the preview; null if not measured. */
@@ -54,7 +57,10 @@ export interface Cost {
 export const NO_COST: Cost = { passes: 0, targets: 0, bytes: 0, draws: 0, gpuMs: null };
 
 /** Costs by node id of the program (`outer/inner`). Nodes without a cost are absent. */
-export function costsOf(program: Program, measured: readonly OperationCost[], device: Device): ReadonlyMap<string, Cost> {
+export function costsOf(
+  program: Program,
+  { measured, memory, device }: Pick<CostState, 'measured' | 'memory' | 'device'>,
+): ReadonlyMap<string, Cost> {
   const byId = new Map(measured.map((cost) => [cost.id, cost]));
   const bytes = targetBytes(program, BUDGETS[device].size);
   const views = device === 'headset' ? 2 : 1;
@@ -73,7 +79,40 @@ export function costsOf(program: Program, measured: readonly OperationCost[], de
       gpuMs: seen?.gpuMs ?? null,
     });
   }
+  for (const { node, bytes } of memoryOf(program, memory)) add(node, { bytes });
   return costs;
+}
+
+/** Memory by node. The first node that uses an asset has all of it. Assets are reduced to their shares, as pages do on phones and headsets. */
+function memoryOf({ assets, operations }: Program, memory: readonly MemoryCost[]): { readonly node: string; readonly bytes: number }[] {
+  const living = memory.filter(({ isLeft }) => !isLeft);
+  const places = assets.filter(({ kind }) => kind === 'capture' || kind === 'splats');
+  const files = living.filter(({ kind, name }) => kind === 'asset' && places.some(({ path }) => path === name));
+  const shares = memoryShares(
+    files.map(({ bytes }) => bytes),
+    PHONE_GPU_BYTES,
+  );
+  const firstUser = (path: string): string | undefined => {
+    const ids = new Set(places.filter((place) => place.path === path).map(({ id }) => id));
+    return operations.find((operation) => 'assets' in operation && Object.values(operation.assets).some((id) => id !== null && ids.has(id)))
+      ?.node;
+  };
+  return living.flatMap(({ kind, name, bytes }) => {
+    if (kind === 'node') return operations.some(({ node }) => node === name) ? [{ node: name, bytes }] : [];
+    const node = firstUser(name);
+    const share = shares[files.findIndex((file) => file.kind === kind && file.name === name)] ?? bytes;
+    return node === undefined ? [] : [{ node, bytes: Math.min(bytes, share) }];
+  });
+}
+
+/** Messages about GPU objects that remain of removed nodes and assets; empty if there are none. */
+export function leftObjects(memory: readonly MemoryCost[]): readonly string[] {
+  return memory
+    .filter(({ isLeft }) => isLeft)
+    .map(({ kind, name, objects, bytes }) => {
+      const of = kind === 'node' ? 'removed node' : 'removed file';
+      return `${counted(objects, 'GPU object', 'GPU objects')} (${megabytes(bytes)}) of the ${of} ${name} remain. This is a mistake of the node type.`;
+    });
 }
 
 export function sumOf(a: Cost, b: Cost): Cost {
@@ -100,11 +139,11 @@ export function costAt(costs: ReadonlyMap<string, Cost>, path: string): Cost | n
 }
 
 /** Text of a cost on a node, such as `2 passes · 9.9 MB`. */
-export function costWords({ passes, targets, bytes, draws, gpuMs }: Cost): string {
+export function costWords({ passes, bytes, draws, gpuMs }: Cost): string {
   const parts = [
     passes > 0 ? counted(passes, 'pass', 'passes') : '',
     draws > 0 && passes === 0 ? counted(draws, 'draw', 'draws') : '',
-    targets > 0 ? megabytes(bytes) : '',
+    bytes > 0 ? megabytes(bytes) : '',
     gpuMs === null ? '' : `${gpuMs.toFixed(2)} ms`,
   ].filter(Boolean);
   return parts.length === 0 ? 'free' : parts.join(' · ');
@@ -117,7 +156,7 @@ export function overBudget(total: Cost, device: Device): readonly string[] {
   return [
     total.passes > budget.passes ? `${total.passes} passes per frame exceed the budget of about ${budget.passes} for ${where}.` : '',
     total.bytes > budget.bytes
-      ? `${megabytes(total.bytes)} of render targets exceed the budget of ${megabytes(budget.bytes)} for ${where}.`
+      ? `${megabytes(total.bytes)} of graphics memory exceed the budget of ${megabytes(budget.bytes)} for ${where}.`
       : '',
     total.draws > budget.draws ? `${total.draws} draw calls per frame exceed the budget of about ${budget.draws} for ${where}.` : '',
   ].filter(Boolean);

@@ -1,6 +1,6 @@
 import { imageSize } from '../../../export/gltf/image-size.ts';
 import { readCapture } from '../../../nodes/kit/capture.ts';
-import { captureSize, PHONE_TEXTURE_PX, phoneCaptureBytes } from '../../../nodes/kit/capture-size.ts';
+import { captureSize, PHONE_TEXTURE_PX, phoneCaptureSize } from '../../../nodes/kit/capture-size.ts';
 import type { AssetKind } from '../../../nodes/kit/definition.ts';
 import type { Editor } from '../editor/editor.ts';
 import { bytesOf } from './base64.ts';
@@ -89,7 +89,7 @@ async function captureFacts(editor: Editor, place: AssetPlace): Promise<AssetFac
   return {
     picture: view ? await drawImage(await readFile(editor, place, folder + view.file)) : null,
     gpuBytes,
-    phoneGpuBytes: phoneCaptureBytes(capture, depthMeshes),
+    phoneGpuBytes: phoneCaptureSize(capture, depthMeshes).gpuBytes,
   };
 }
 

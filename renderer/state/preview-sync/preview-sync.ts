@@ -217,7 +217,7 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
         addToast(editor.ui, { tone: message.state === 'taken' ? 'success' : 'error', text: message.text });
         return;
       case 'costs':
-        editor.costs.setState({ measured: message.costs });
+        editor.costs.setState({ measured: message.costs, memory: message.memory });
         return;
       case 'probed':
         editor.viewer.setState({ probed: message.probe });

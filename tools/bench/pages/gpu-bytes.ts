@@ -1,43 +1,17 @@
+import { createTexelBytes } from '../../../export/runtime/gl/texel-bytes.ts';
+
 /** Bytes of all textures and buffers of a context, updated as they are created and deleted. */
 export interface GpuBytes {
   textures(): number;
   buffers(): number;
 }
 
-/** Bytes per texel of the used formats. */
-const TEXEL_BYTES: Readonly<Record<string, number>> = {
-  R8: 1,
-  RG8: 2,
-  RGB8: 3,
-  RGBA8: 4,
-  SRGB8: 3,
-  SRGB8_ALPHA8: 4,
-  R16F: 2,
-  RG16F: 4,
-  RGBA16F: 8,
-  R32F: 4,
-  RGBA32F: 16,
-  R11F_G11F_B10F: 4,
-  RGB10_A2: 4,
-  DEPTH_COMPONENT16: 2,
-  DEPTH_COMPONENT24: 4,
-  DEPTH_COMPONENT32F: 4,
-  DEPTH24_STENCIL8: 4,
-  RGB: 3,
-  RGBA: 4,
-};
-
 const TARGET_OF_FACE = (gl: WebGL2RenderingContext, target: number): number =>
   target >= gl.TEXTURE_CUBE_MAP_POSITIVE_X && target <= gl.TEXTURE_CUBE_MAP_NEGATIVE_Z ? gl.TEXTURE_CUBE_MAP : target;
 
 /** Starts to count the bytes of a context. Must be called before the context creates objects. */
 export function createGpuBytes(gl: WebGL2RenderingContext): GpuBytes {
-  const names = new Map(Object.keys(TEXEL_BYTES).map((name) => [(gl as unknown as Record<string, number>)[name], name]));
-  const texel = (format: number): number => {
-    const name = names.get(format);
-    if (name === undefined) throw new Error(`The texel size of the format 0x${format.toString(16)} is unknown.`);
-    return TEXEL_BYTES[name] ?? 0;
-  };
+  const texel = createTexelBytes(gl);
   /** Bytes of each texture, by face and level. */
   const textures = new Map<WebGLTexture, Map<string, number>>();
   const buffers = new Map<WebGLBuffer, number>();

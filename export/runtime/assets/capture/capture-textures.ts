@@ -39,7 +39,7 @@ export function createCaptureTextures(
   const depths = objects.createTexture();
   const cameras = objects.createTexture();
   const vertexArray = objects.createVertexArray();
-  const buffers = { positions: gl.createBuffer(), colors: gl.createBuffer(), indices: gl.createBuffer() };
+  const buffers = { positions: objects.createBuffer(), colors: objects.createBuffer(), indices: objects.createBuffer() };
   let isDisposed = false;
   const asset = {
     vertexArray,
@@ -145,7 +145,7 @@ export function createCaptureTextures(
       isDisposed = true;
       for (const texture of [photos, depths, cameras]) objects.deleteTexture(texture);
       objects.deleteVertexArray(vertexArray);
-      for (const buffer of Object.values(buffers)) gl.deleteBuffer(buffer);
+      for (const buffer of Object.values(buffers)) objects.deleteBuffer(buffer);
     },
   };
 }

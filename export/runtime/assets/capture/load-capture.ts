@@ -3,6 +3,7 @@ import { type CaptureAsset, PHOTO_MISSING, PHOTO_REDUCED, PHOTO_WHOLE } from '..
 import { captureSize } from '../../../../nodes/kit/capture-size.ts';
 import { photoBlob } from '../../../../nodes/kit/photo-blob.ts';
 import type { GlObjects } from '../../gl/gl-objects.ts';
+import { limitHere } from '../on-phone.ts';
 import { createCaptureTextures } from './capture-textures.ts';
 import { loadDepthMeshes } from './load-depth-meshes.ts';
 
@@ -10,8 +11,6 @@ export interface LoadedCapture extends CaptureAsset {
   dispose(): void;
 }
 
-/** Devices whose first pointer is a finger or a controller, and whose GPUs share their memory with all else. */
-const PHONES = '(pointer: coarse)';
 /** Photographs that are loaded before the mesh: as many as most pixels of an image need. */
 const VIEWS_BEFORE_MESH = 4;
 
@@ -21,7 +20,7 @@ const VIEWS_BEFORE_MESH = 4;
  * A capture with a coarse mesh is shown as soon as that and one photograph are there. The other photographs follow, those that suit the eye
  * best first, each reduced at first. The mesh comes after the first few. In the end, the capture is the same as one that is loaded whole.
  *
- * On phones and headsets, a capture of a page takes at most `phoneGpuBytes`: photographs are smaller, depth meshes left out, or the mesh stays
+ * On phones and headsets, a capture of a page takes at most its share, `phoneGpuBytes`: photographs are smaller, depth meshes left out, or the mesh stays
  * the coarse one.
  *
  * @param bytes `capture.json`.
@@ -46,12 +45,8 @@ export async function loadCapture(
   if (views.length > layers) throw new CaptureError(`it has ${views.length} views, but the graphics of this device hold ${layers}`);
   const folder = path.slice(0, path.lastIndexOf('/') + 1);
   const file = (name: string): Promise<ArrayBuffer> => load(folder + name);
-  const isOnPhone = document.phoneGpuBytes !== undefined && globalThis.matchMedia(PHONES).matches;
-  const size = captureSize(document, {
-    maxSidePx: objects.limits.maxTextureSizePx,
-    depthMeshes,
-    mostBytes: isOnPhone ? document.phoneGpuBytes : undefined,
-  });
+  const mostBytes = limitHere(document.phoneGpuBytes);
+  const size = captureSize(document, { maxSidePx: objects.limits.maxTextureSizePx, depthMeshes, mostBytes });
   const textures = createCaptureTextures(objects, document, size);
   const disposals = [textures.dispose];
   let isShown = false;
@@ -95,7 +90,7 @@ export async function loadCapture(
     textures.finish();
     textures.bake();
     // Without any, it says so.
-    if (depthMeshes && (size.depthMeshes || !isOnPhone)) {
+    if (depthMeshes && (size.depthMeshes || mostBytes === undefined)) {
       const meshes = await loadDepthMeshes(objects, views, file);
       if (isDisposed()) meshes.dispose();
       else {

@@ -17,18 +17,20 @@ function meshOf({ depth = 2, column = 1, corner = 2 } = {}): ArrayBuffer {
   return data.buffer;
 }
 
-/** GL that accepts everything, and counts vertex arrays. */
+/** GL that accepts everything, and counts vertex arrays and buffers. */
 function fakeObjects() {
   const log: number[][] = [];
-  let arrays = 0;
+  let living = 0;
   const gl = new Proxy({} as WebGL2RenderingContext, {
     get: (_, name) => (target: number, at: number, data: Uint32Array) => {
       if (name === 'bufferSubData' && data instanceof Uint32Array) log.push([at, ...data]);
       return { target };
     },
   });
-  const objects = { gl, createVertexArray: () => ({ id: ++arrays }), deleteVertexArray: () => arrays-- };
-  return { objects: objects as unknown as GlObjects, log, count: () => arrays };
+  const create = () => ({ id: ++living });
+  const remove = () => living--;
+  const objects = { gl, createVertexArray: create, deleteVertexArray: remove, createBuffer: create, deleteBuffer: remove };
+  return { objects: objects as unknown as GlObjects, log, count: () => living };
 }
 
 test('joins the meshes of all views into one', async () => {
@@ -54,7 +56,8 @@ test('loads what is hidden into an array of its own, whose files have a color pe
   const load = (colors: number) => async (file: string) => (file === hidden.file ? colored(meshOf(), colors) : meshOf());
   const loaded = await loadDepthMeshes(objects, views, load(12));
   expect(loaded.hidden?.views.map((each) => each && [each.firstIndex, each.indexCount])).toEqual([null, [0, 3]]);
-  expect(count()).toBe(2);
+  // Two vertex arrays, and five buffers.
+  expect(count()).toBe(7);
   loaded.dispose();
   expect(count()).toBe(0);
   await expect(loadDepthMeshes(objects, views, load(8))).rejects.toThrow('hidden-meshes/001.bin has 44 bytes instead of 48');

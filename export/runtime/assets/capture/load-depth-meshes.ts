@@ -57,10 +57,10 @@ async function loadMeshes(
   const total = (count: (file: CaptureDepthMeshFile) => number): number => files.reduce((sum, file) => sum + (file ? count(file) : 0), 0);
   const vertexTotal = total(({ vertexCount }) => vertexCount);
   const vertexArray = objects.createVertexArray();
-  const [vertices, indices, colors] = [gl.createBuffer(), gl.createBuffer(), colored ? gl.createBuffer() : null];
+  const [vertices, indices, colors] = [objects.createBuffer(), objects.createBuffer(), colored ? objects.createBuffer() : null];
   const dispose = (): void => {
     objects.deleteVertexArray(vertexArray);
-    for (const buffer of [vertices, indices, colors]) gl.deleteBuffer(buffer);
+    for (const buffer of [vertices, indices, colors]) if (buffer) objects.deleteBuffer(buffer);
   };
   const fill = (buffer: WebGLBuffer | null, at: number, data: ArrayBufferView): void => {
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);

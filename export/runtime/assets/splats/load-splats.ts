@@ -1,8 +1,11 @@
 import type { Diagnostic } from '../../../../nodes/kit/diagnostics.ts';
-import { SPLATS_PER_ROW, type SplatAsset } from '../../../../nodes/kit/splat-asset.ts';
-import { HARMONICS_WORDS, type Splats, WORDS } from '../../../../nodes/kit/splats/splats.ts';
+import type { SplatAsset } from '../../../../nodes/kit/splat-asset.ts';
+import { reduceSplats } from '../../../../nodes/kit/splats/reduce-splats.ts';
+import { splatSize } from '../../../../nodes/kit/splats/splat-size.ts';
+import { HARMONICS_WORDS, SPLATS_PER_ROW, type Splats, WORDS } from '../../../../nodes/kit/splats/splats.ts';
 import type { GlObjects } from '../../gl/gl-objects.ts';
 import { prepareUpload } from '../../gl/upload.ts';
+import { limitHere } from '../on-phone.ts';
 import { readSplatBytes } from './read-splat-bytes.ts';
 
 export interface LoadedSplats extends SplatAsset {
@@ -14,10 +17,12 @@ export interface LoadedSplats extends SplatAsset {
  * Loads splats: PLY, SOG, or the form of pages.
  *
  * @param path Path of the file, whose ending tells the format.
+ * @param phoneGpuBytes What they may take on phones and headsets: fewer harmonics are uploaded there, and then fewer splats.
  * @throws SplatError
  */
-export async function loadSplats(objects: GlObjects, bytes: ArrayBuffer, path: string): Promise<LoadedSplats> {
-  const splats = await readSplatBytes(objects, path, new Uint8Array(bytes));
+export async function loadSplats(objects: GlObjects, bytes: ArrayBuffer, path: string, phoneGpuBytes?: number): Promise<LoadedSplats> {
+  const all = await readSplatBytes(objects, path, new Uint8Array(bytes));
+  const splats = reduceSplats(all, splatSize(all.count, all.degree, limitHere(phoneGpuBytes)));
   const { count, degree, antialiased, words, harmonics, ranges, invalid } = splats;
   const positions = new Float32Array(3 * count);
   const floats = new Float32Array(words.buffer, words.byteOffset, words.length);
