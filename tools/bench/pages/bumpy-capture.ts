@@ -1,5 +1,6 @@
 import { type CaptureTextures, createCaptureTextures } from '../../../export/runtime/assets/capture/capture-textures.ts';
 import { createGlObjects } from '../../../export/runtime/gl/gl-objects.ts';
+import { workAtOnce } from '../../../export/runtime/gl/spread-work.ts';
 import type { CaptureDocument, CaptureMesh, Pinhole } from '../../../nodes/kit/capture.ts';
 import { meshCounts } from '../../../nodes/kit/capture.ts';
 import { PHOTO_WHOLE } from '../../../nodes/kit/capture-asset.ts';
@@ -34,11 +35,12 @@ export async function bumpyCapture(gl: WebGL2RenderingContext, vertexCount: numb
   const mesh = bumpyBall(vertexCount);
   const views = bumpyPoses(viewCount).map((worldFromCamera, view) => ({ file: `${view}.png`, ...bumpyPinhole, worldFromCamera }));
   const document: CaptureDocument = { format: 'scrim-capture', version: 1, mesh: { file: 'mesh.bin', ...meshCounts(mesh) }, views };
-  const textures = createCaptureTextures(createGlObjects(gl), document, { photoPx: [PHOTO_PX, PHOTO_PX], depthPx: [PHOTO_PX, PHOTO_PX] });
-  textures.setMesh(mesh);
+  const size = { photoPx: [PHOTO_PX, PHOTO_PX], depthPx: [PHOTO_PX, PHOTO_PX] } as const;
+  const textures = createCaptureTextures(createGlObjects(gl), document, size, async (work) => workAtOnce(work));
+  await textures.setMesh(mesh);
   for (const view of views.keys()) await textures.setPhoto(view, new Blob([await pattern(view)]), PHOTO_WHOLE);
   textures.finish();
-  textures.bake();
+  await textures.bake();
   return textures;
 }
 
