@@ -1,18 +1,23 @@
 import type { FileHandle } from 'node:fs/promises';
-import { imageFault, sizeFault } from '../../export/gltf/image-faults.ts';
+import { checkImageFile, sizeFault } from '../../export/gltf/image-faults.ts';
 
 /** Maximum size of an image file. Larger files are rejected, because no browser decodes them. */
 const MAX_IMAGE_BYTES = 256 * 2 ** 20;
+/** Number of bytes that are read from the start of an image: almost always all that says how large it is. */
+const IMAGE_HEAD_BYTES = 2 ** 20;
 /** Number of bytes that are read from the start of a panorama. Both formats store their size in the header. */
 const PANORAMA_HEAD_BYTES = 64 * 2 ** 10;
 
 const NO_SIZE = 'is broken: it does not say how large it is.';
 
-/** Checks an image after its signature. Returns the predicate of a message; null if the file is valid. */
+/** Checks an image after its signature, of which little is read. Returns the predicate of a message; null if the file is valid. */
 export async function imageFileFault(file: FileHandle, size: number): Promise<string | null> {
-  return size > MAX_IMAGE_BYTES
-    ? `is a file of ${Math.round(size / 2 ** 20)} MB, which no browser decodes.`
-    : imageFault(await readHead(file, size));
+  if (size > MAX_IMAGE_BYTES) return `is a file of ${Math.round(size / 2 ** 20)} MB, which no browser decodes.`;
+  const check = checkImageFile(await readHead(file, Math.min(size, IMAGE_HEAD_BYTES)), size);
+  for (let step = check.next(); ; ) {
+    if (step.done) return step.value;
+    step = check.next(await readPart(file, ...step.value));
+  }
 }
 
 /** Checks a Radiance file: the line with the resolution ends its header ("-Y 1024 +X 2048"). */
@@ -33,8 +38,12 @@ export async function exrFault(file: FileHandle, size: number): Promise<string |
   return sizeFault([right - left + 1, bottom - top + 1]);
 }
 
-async function readHead(file: FileHandle, length: number): Promise<Buffer> {
+function readHead(file: FileHandle, length: number): Promise<Buffer> {
+  return readPart(file, 0, length);
+}
+
+async function readPart(file: FileHandle, at: number, length: number): Promise<Buffer> {
   const bytes = Buffer.alloc(length);
-  const { bytesRead } = await file.read(bytes, 0, length, 0);
+  const { bytesRead } = await file.read(bytes, 0, length, at);
   return bytes.subarray(0, bytesRead);
 }

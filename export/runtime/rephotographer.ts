@@ -6,6 +6,7 @@ import { setPassState } from '../../nodes/kit/pass-state.ts';
 import { bakeColors } from './assets/capture/bake-colors.ts';
 import { loadCapture } from './assets/capture/load-capture.ts';
 import { createGlObjects } from './gl/gl-objects.ts';
+import { workAtOnce } from './gl/spread-work.ts';
 import { readScreen } from './readback.ts';
 
 /** A method of the node Capture. */
@@ -57,7 +58,7 @@ export async function createRephotographer(
       return pixelsOf(await load(view.file), view);
     },
     leaveOut: (index) => {
-      const baked = bakeColors(gl, capture, mesh, index);
+      const baked = workAtOnce(bakeColors(gl, capture, mesh, index));
       const before = colors;
       colors = gl.createBuffer();
       gl.bindVertexArray(capture.vertexArray);

@@ -28,7 +28,7 @@ export interface CaptureAsset extends CaptureFacts {
   /** The mesh: attribute 0 is the position, attribute 1 the plain color (RGBA in [0, 1], alpha 1). The indices are 32-bit. */
   readonly vertexArray: WebGLVertexArrayObject;
   readonly indexCount: number;
-  /** The buffers of the mesh, for vertex arrays with more attributes. Their contents change with `mesh`, the buffers do not. */
+  /** The buffers of the mesh, for vertex arrays with more attributes. Another `mesh` has other ones. */
   readonly buffers: { readonly positions: WebGLBuffer; readonly colors: WebGLBuffer; readonly indices: WebGLBuffer };
   /** The photographs: a 2D array with mip levels, one layer per view, each stretched to the size of the array; v up. */
   readonly photos: WebGLTexture;

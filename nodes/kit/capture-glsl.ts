@@ -103,6 +103,9 @@ float seenBy(int view, vec2 uv, float z) {
 }
 `;
 
+/** What a program that contains `CAPTURE_GLSL` reads of a capture. */
+export type CaptureUsed = Pick<CaptureAsset, 'cameras' | 'photos' | 'depths' | 'farM' | 'panoramas'>;
+
 /**
  * Prepares a program that contains `CAPTURE_GLSL`.
  *
@@ -113,7 +116,7 @@ float seenBy(int view, vec2 uv, float z) {
  * const use = createCaptureUse(gl, program);
  * use(capture);
  */
-export function createCaptureUse(gl: WebGL2RenderingContext, program: WebGLProgram): (capture: CaptureAsset) => void {
+export function createCaptureUse(gl: WebGL2RenderingContext, program: WebGLProgram): (capture: CaptureUsed) => void {
   const units = ['cameras', 'photos', 'depths'].map((name) => gl.getUniformLocation(program, name));
   const far = gl.getUniformLocation(program, 'farM');
   const around = gl.getUniformLocation(program, 'hasPanoramas');

@@ -70,7 +70,7 @@ export function createPlayerHost(options: PlayerHostOptions): PlayerHost {
   const { antialias } = program.presentation;
   const gl = canvas.getContext('webgl2', { alpha: true, antialias, depth: true, stencil: false, powerPreference: 'high-performance' });
   if (!gl) throw new Error('This browser has no WebGL 2.');
-  const assets = withCheckedCaptures(createFetchAssetSource(assetBaseUrl, pageFetch));
+  const assets = withCheckedCaptures(createFetchAssetSource(assetBaseUrl, pageFetch), clock.delay);
   const createScenes = createScenesWith({
     decoders: ALL_DECODERS,
     files: previewDecoderFile,

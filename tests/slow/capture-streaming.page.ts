@@ -1,6 +1,7 @@
 import { compareImages } from '../../export/captures/evaluate/image-quality.ts';
 import { createFetchAssetSource } from '../../export/runtime/assets/asset-source.ts';
 import { type LoadedCapture, loadCapture } from '../../export/runtime/assets/capture/load-capture.ts';
+import { createBrowserClock } from '../../export/runtime/clock.ts';
 import { createGlObjects } from '../../export/runtime/gl/gl-objects.ts';
 import { readCapture } from '../../nodes/kit/capture.ts';
 import { createGl } from '../browser/scenes-kit.ts';
@@ -22,10 +23,12 @@ export interface Streamed {
   readonly totalBytes: number;
   /** Whether the final image is that of a capture that was loaded whole, byte for byte. */
   readonly equalsWhole: boolean;
-  /** Whether a capture that is disposed while it loads leaves GL objects. */
+  /** Whether a capture that is disposed while it loads leaves GL objects: between two files, or between two parts of work of the GPU. */
   readonly leaks: boolean;
   readonly error: number;
 }
+
+const { delay } = createBrowserClock();
 
 /** Loads a capture of a page as the page does, and draws it from the camera of a view before each file that it requests. */
 export async function stream(baseUrl: string, file: string, view: number): Promise<Streamed> {
@@ -61,9 +64,10 @@ export async function stream(baseUrl: string, file: string, view: number): Promi
     return content;
   };
   startMs = performance.now();
-  const capture = await loadCapture(objects, bytes, file, load, false, (early) => {
+  const show = (early: LoadedCapture): void => {
     shown = early;
-  });
+  };
+  const capture = await loadCapture(objects, bytes, file, load, false, show, delay);
   const equalsWhole = image(capture).every((value, i) => value === truth[i]);
   capture.dispose();
 
@@ -73,9 +77,18 @@ export async function stream(baseUrl: string, file: string, view: number): Promi
     if (++requested === 4) early?.dispose();
     return source.load(path);
   };
-  await loadCapture(objects, bytes, file, interrupted, false, (value) => {
+  const keep = (value: LoadedCapture): void => {
     early = value;
-  });
+  };
+  await loadCapture(objects, bytes, file, interrupted, false, keep, delay);
+  early = null;
+  let waits = 0;
+  const disposing = async (delayS: number): Promise<void> => {
+    if (early && ++waits === 3) early.dispose();
+    await delay(delayS);
+  };
+  await loadCapture(objects, bytes, file, source.load, false, keep, disposing);
+  if (waits < 3) throw new Error('The capture was not disposed between two parts.');
   const leaks = JSON.stringify(objects.counts()) !== before;
   const error = gl.getError();
   gl.getExtension('WEBGL_lose_context')?.loseContext();

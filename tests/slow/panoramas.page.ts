@@ -8,10 +8,10 @@ import {
   type Texture,
   type WebGLCubeRenderTarget,
 } from 'three';
+import { workAtOnce } from '../../export/runtime/gl/spread-work.ts';
 import { loadPanorama } from '../../export/runtime/scenes/environments/load-panorama.ts';
 import { prefilter } from '../../export/runtime/scenes/environments/prefilter.ts';
 import { readRadiance } from '../../export/runtime/scenes/environments/read-radiance.ts';
-import { workAtOnce } from '../../export/runtime/scenes/environments/spread-work.ts';
 import { createSceneRenderer } from '../../export/runtime/scenes/scene-renderer.ts';
 import { createGl, HEIGHT, lookingAt, readPixels, WIDTH } from '../browser/scenes-kit.ts';
 

@@ -211,7 +211,7 @@ function decode(
     case 'audio':
       return loadAudio(bytes);
     case 'capture':
-      return loadCapture(objects, bytes, path, source.load, depthMeshes === true, show);
+      return loadCapture(objects, bytes, path, source.load, depthMeshes === true, show, delay);
     case 'splats':
       return loadSplats(objects, bytes, path, phoneGpuBytes);
     case 'model':

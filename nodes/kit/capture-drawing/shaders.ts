@@ -3,8 +3,8 @@ import { CAPTURE_GLSL } from '../capture-glsl.ts';
 /** How a capture is drawn: the param of the node Capture. */
 export type Method = 'plain' | 'nearest' | 'lumigraph';
 
-/** Number of photographs that each pixel tests. */
-export const MOST_VIEWS = 16;
+/** Number of photographs that each pixel tests. Of measured captures, all that any pixel needs are among them, but for one in 4,000. */
+export const MOST_VIEWS = 24;
 
 /** The vertex shader of all methods. */
 export const VERTEX = /* glsl */ `#version 300 es
@@ -19,18 +19,20 @@ void main() {
   gl_Position = clipFromCapture * vec4(position, 1.0);
 }`;
 
-/** What all shaders know that read photographs. */
-export const VIEWS_HEAD = /* glsl */ `#version 300 es
+/** What all shaders know that read up to `most` photographs. */
+export function headOf(most: number): string {
+  return /* glsl */ `#version 300 es
 precision highp float;
 precision highp int;
 precision highp sampler2DArray;
 ${CAPTURE_GLSL}
 uniform vec3 eye;
-uniform int views[${MOST_VIEWS}];
+uniform int views[${most}];
 uniform int viewCount;
 `;
+}
 
-const HEAD = /* glsl */ `${VIEWS_HEAD}
+const HEAD = /* glsl */ `${headOf(MOST_VIEWS)}
 in vec3 point;
 in vec3 plainColor;
 out vec4 color;
@@ -104,14 +106,16 @@ void chooseViews(vec3 point, vec3 normal, vec3 toEye, out int best[BLENDED + 1],
   }
   for (int i = 0; i < viewCount; i++) {
     int view = views[i];
+    vec3 toCamera = cameraAt(view) - point;
+    if (dot(normal, toCamera) <= 0.0) continue;
+    // The cost first: it rejects most views, and reads least.
+    float cost = costOf(toEye, toCamera);
+    if (cost >= costs[BLENDED]) continue;
     vec3 p = projectInto(view, point);
     if (p.z <= 0.0) continue;
     vec2 uv = p.xy / p.z;
     float weight = edgeOf(view, uv);
-    vec3 toCamera = cameraAt(view) - point;
-    if (weight <= 0.0 || dot(normal, toCamera) <= 0.0) continue;
-    float cost = costOf(toEye, toCamera);
-    if (cost >= costs[BLENDED]) continue;
+    if (weight <= 0.0) continue;
     weight ${feathers ? '*' : ''}= seenBy(view, uv, p.z);
     if (weight <= 0.0) continue;
     int at = BLENDED;

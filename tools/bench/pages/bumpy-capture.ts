@@ -1,5 +1,6 @@
 import { type CaptureTextures, createCaptureTextures } from '../../../export/runtime/assets/capture/capture-textures.ts';
 import { createGlObjects } from '../../../export/runtime/gl/gl-objects.ts';
+import { workAtOnce } from '../../../export/runtime/gl/spread-work.ts';
 import type { CaptureDocument, CaptureMesh, Pinhole } from '../../../nodes/kit/capture.ts';
 import { meshCounts } from '../../../nodes/kit/capture.ts';
 import { PHOTO_WHOLE } from '../../../nodes/kit/capture-asset.ts';
@@ -44,11 +45,12 @@ export async function bumpyCapture(
   const lens = bumpyLens(photoPx);
   const views = bumpyPoses(viewCount).map((worldFromCamera, view) => ({ file: `${view}.png`, ...lens, worldFromCamera }));
   const document: CaptureDocument = { format: 'scrim-capture', version: 1, mesh: { file: 'mesh.bin', ...meshCounts(mesh) }, views };
-  const textures = createCaptureTextures(createGlObjects(gl), document, { photoPx: [photoPx, photoPx], depthPx: [photoPx, photoPx] });
-  textures.setMesh(mesh);
+  const size = { photoPx: [photoPx, photoPx], depthPx: [photoPx, photoPx] } as const;
+  const textures = createCaptureTextures(createGlObjects(gl), document, size, async (work) => workAtOnce(work));
+  await textures.setMesh(mesh);
   for (const view of views.keys()) await textures.setPhoto(view, new Blob([await pattern(view)]), PHOTO_WHOLE);
   textures.finish();
-  textures.bake();
+  await textures.bake();
   return textures;
 }
 

@@ -2,49 +2,55 @@ import type { CaptureDocument, CaptureMesh, CaptureView } from '../../../../node
 import { type CaptureAsset, type CaptureDepthMeshes, PHOTO_MISSING, PHOTO_WHOLE } from '../../../../nodes/kit/capture-asset.ts';
 import type { CaptureSize } from '../../../../nodes/kit/capture-size.ts';
 import type { GlObjects } from '../../gl/gl-objects.ts';
+import type { PartedWork } from '../../gl/spread-work.ts';
 import { prepareUpload } from '../../gl/upload.ts';
 import { bakeColors } from './bake-colors.ts';
-import { drawDepths } from './draw-depths.ts';
-import { drawPanoramaDepths } from './draw-panorama-depths.ts';
+import { createDepthDrawing, type DepthDrawing, type DrawnMesh } from './draw-depths.ts';
+import { createPanoramaDepthDrawing } from './draw-panorama-depths.ts';
+import { createGpuMesh, deleteGpuMesh, setColors } from './gpu-mesh.ts';
 
 /** A capture on the GPU whose mesh and photographs are set one by one. */
 export interface CaptureTextures {
   /** Valid from the first `setMesh` on. */
   readonly asset: CaptureAsset;
-  /** Sets or replaces the mesh, and draws its depth maps. */
-  setMesh(mesh: CaptureMesh): void;
   /**
-   * Sets or replaces a photograph. Its mip levels are made by `finish`.
+   * Sets or replaces the mesh. If photographs are there, their depth maps and the colors of the mesh are made first, and the mesh before stays
+   * until then.
+   */
+  setMesh(mesh: CaptureMesh): Promise<void>;
+  /**
+   * Sets or replaces a photograph, after the depth map of its view. Its mip levels are made by `finish`.
    *
    * @param form `PHOTO_REDUCED` or `PHOTO_WHOLE`.
    */
   setPhoto(view: number, photo: Blob, form: number): Promise<void>;
   setDepthMeshes(meshes: CaptureDepthMeshes): void;
   /** Computes the colors of the mesh from the photographs that are there. */
-  bake(): void;
+  bake(): Promise<void>;
   /** Makes the mip levels of all photographs, which are drawn with them from then on. */
   finish(): void;
   dispose(): void;
 }
+
+/** Does work with the GPU, at once or between frames; null if it ended early, because the capture was disposed. */
+export type DoWork = <T>(work: PartedWork<T>) => Promise<T | null>;
 
 /** Allocates the textures of a capture: photographs, depth maps, cameras. */
 export function createCaptureTextures(
   objects: GlObjects,
   { views }: CaptureDocument,
   { photoPx, depthPx }: Pick<CaptureSize, 'photoPx' | 'depthPx'>,
+  doWork: DoWork,
 ): CaptureTextures {
   const { gl } = objects;
   const [widthPx, heightPx] = photoPx;
   const photos = objects.createTexture();
   const depths = objects.createTexture();
   const cameras = objects.createTexture();
-  const vertexArray = objects.createVertexArray();
-  const buffers = { positions: objects.createBuffer(), colors: objects.createBuffer(), indices: objects.createBuffer() };
+  const depthMaps = createDepthMaps(objects, depthPx);
   let isDisposed = false;
   const asset = {
-    vertexArray,
-    buffers,
-    indexCount: 0,
+    ...createGpuMesh(objects, null),
     mesh: null as CaptureMesh | null,
     photos,
     depths,
@@ -78,26 +84,31 @@ export function createCaptureTextures(
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, row, 4, 1, gl.RGBA, gl.FLOAT, texels);
   };
   views.forEach(setCamera);
-  const setAttribute = (place: number, buffer: WebGLBuffer, data: ArrayBufferView): void => {
-    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-    gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
-    gl.enableVertexAttribArray(place);
-    if (place === 0) gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
-    else gl.vertexAttribPointer(1, 4, gl.UNSIGNED_BYTE, true, 0, 0);
-  };
+  /** Whether the depth map of a view is that of the mesh. */
+  const isDrawn = new Uint8Array(views.length);
+  function* prepareMesh(mesh: CaptureMesh, next: DrawnMesh): PartedWork<Uint8Array<ArrayBuffer> | null> {
+    const loaded = [...views.keys()].filter((view) => asset.loaded[view] !== PHOTO_MISSING);
+    isDrawn.fill(0);
+    for (const view of loaded) {
+      yield* depthMaps.draw(next, view);
+      isDrawn[view] = 1;
+    }
+    return loaded.length === 0 ? null : yield* bakeColors(gl, { ...asset, ...next }, mesh);
+  }
   return {
     asset,
-    setMesh: (next) => {
-      Object.assign(asset, extentOf(next, views), { indexCount: next.indices.length, mesh: next });
+    setMesh: async (mesh) => {
+      const gpuMesh = createGpuMesh(objects, mesh);
+      const extent = extentOf(mesh, views);
+      const colors = await doWork(prepareMesh(mesh, { ...asset, ...gpuMesh, ...extent }));
+      if (isDisposed) {
+        deleteGpuMesh(objects, gpuMesh);
+        return;
+      }
+      if (colors) setColors(gl, gpuMesh, colors);
+      deleteGpuMesh(objects, asset);
+      Object.assign(asset, gpuMesh, extent, { mesh });
       asset.version++;
-      gl.bindVertexArray(vertexArray);
-      setAttribute(0, buffers.positions, next.positions);
-      setAttribute(1, buffers.colors, new Uint8Array((4 * next.positions.length) / 3));
-      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffers.indices);
-      gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, next.indices, gl.STATIC_DRAW);
-      drawDepths(objects, asset, depthPx);
-      if (asset.panoramas.size > 0) drawPanoramaDepths(objects, asset, depthPx);
-      gl.bindVertexArray(null);
     },
     setPhoto: async (index, photo, form) => {
       const bitmap = await createImageBitmap(photo, {
@@ -108,6 +119,10 @@ export function createCaptureTextures(
         resizeHeight: heightPx,
         resizeQuality: 'high',
       });
+      if (!isDisposed && asset.mesh && isDrawn[index] === 0) {
+        await doWork(depthMaps.draw(asset, index));
+        isDrawn[index] = 1;
+      }
       if (!isDisposed) {
         gl.activeTexture(gl.TEXTURE0);
         gl.bindTexture(gl.TEXTURE_2D_ARRAY, photos);
@@ -124,15 +139,15 @@ export function createCaptureTextures(
       asset.depthMeshes = meshes;
       asset.version++;
     },
-    bake: () => {
+    bake: async () => {
       if (!asset.mesh) return;
-      const baked = bakeColors(gl, asset, asset.mesh);
-      gl.bindVertexArray(vertexArray);
-      setAttribute(1, buffers.colors, baked);
+      const colors = await doWork(bakeColors(gl, asset, asset.mesh));
+      if (isDisposed || !colors) return;
+      setColors(gl, asset, colors);
       asset.version++;
-      gl.bindVertexArray(null);
     },
     finish: () => {
+      depthMaps.dispose();
       gl.activeTexture(gl.TEXTURE0);
       gl.bindTexture(gl.TEXTURE_2D_ARRAY, photos);
       gl.generateMipmap(gl.TEXTURE_2D_ARRAY);
@@ -143,9 +158,31 @@ export function createCaptureTextures(
     dispose: () => {
       if (isDisposed) return;
       isDisposed = true;
+      depthMaps.dispose();
       for (const texture of [photos, depths, cameras]) objects.deleteTexture(texture);
-      objects.deleteVertexArray(vertexArray);
-      for (const buffer of Object.values(buffers)) objects.deleteBuffer(buffer);
+      deleteGpuMesh(objects, asset);
+    },
+  };
+}
+
+/** Draws the depth maps of all kinds of cameras. */
+function createDepthMaps(objects: GlObjects, depthPx: readonly [number, number]) {
+  let pinholes: DepthDrawing | null = null;
+  let panoramas: DepthDrawing | null = null;
+  return {
+    draw: (mesh: DrawnMesh, view: number): PartedWork => {
+      const isPanorama = mesh.panoramas.has(view);
+      const create = isPanorama ? createPanoramaDepthDrawing : createDepthDrawing;
+      const drawing = (isPanorama ? panoramas : pinholes) ?? create(objects, depthPx);
+      if (isPanorama) panoramas = drawing;
+      else pinholes = drawing;
+      return drawing.draw(mesh, view);
+    },
+    /** It may be drawn again afterwards. */
+    dispose: (): void => {
+      for (const drawing of [pinholes, panoramas]) drawing?.dispose();
+      pinholes = null;
+      panoramas = null;
     },
   };
 }

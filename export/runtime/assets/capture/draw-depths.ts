@@ -1,8 +1,9 @@
 import type { CaptureAsset } from '../../../../nodes/kit/capture-asset.ts';
-import { CAPTURE_GLSL, createCaptureUse } from '../../../../nodes/kit/capture-glsl.ts';
+import { CAPTURE_GLSL, type CaptureUsed, createCaptureUse } from '../../../../nodes/kit/capture-glsl.ts';
 import { linkProgram } from '../../../../nodes/kit/link-program.ts';
 import { setPassState } from '../../../../nodes/kit/pass-state.ts';
 import type { GlObjects } from '../../gl/gl-objects.ts';
+import type { PartedWork } from '../../gl/spread-work.ts';
 
 const VERTEX = /* glsl */ `#version 300 es
 precision highp float;
@@ -24,35 +25,77 @@ uniform float farM;
 in float depthM;
 void main() { gl_FragDepth = depthM / farM; }`;
 
-/** Draws the depth of the mesh from each pinhole camera, over `farM`, which is even over all distances. */
-export function drawDepths(objects: GlObjects, capture: CaptureAsset, [widthPx, heightPx]: readonly [number, number]): void {
+/** Triangles of a part: about 30 ms without a GPU. */
+export const TRIANGLES_PER_PART = 100_000;
+
+/** The mesh whose depth maps are drawn, with what their shaders read. */
+export type DrawnMesh = CaptureUsed & Pick<CaptureAsset, 'vertexArray' | 'indexCount'>;
+
+/** Draws depth maps of single views. */
+export interface DepthDrawing {
+  /** Draws the depth of a mesh from the camera of a view, over `farM`, which is even over all distances. */
+  draw(mesh: DrawnMesh, view: number): PartedWork;
+  dispose(): void;
+}
+
+/** Creates the drawing of depth maps of pinhole cameras. */
+export function createDepthDrawing(objects: GlObjects, [widthPx, heightPx]: readonly [number, number]): DepthDrawing {
   const { gl } = objects;
-  const { vertexArray, indexCount, depths, viewCount, panoramas } = capture;
   const program = linkProgram(gl, VERTEX, FRAGMENT);
   const use = createCaptureUse(gl, program);
+  const index = gl.getUniformLocation(program, 'view');
   const framebuffer = objects.createFramebuffer();
+  return {
+    draw: function* (mesh, view) {
+      const { indexCount } = mesh;
+      for (let first = 0; first < indexCount; first += 3 * TRIANGLES_PER_PART) {
+        const count = Math.min(3 * TRIANGLES_PER_PART, indexCount - first);
+        beginDepth(gl, framebuffer, mesh.vertexArray, widthPx, heightPx);
+        gl.drawBuffers([gl.NONE]);
+        gl.readBuffer(gl.NONE);
+        gl.framebufferTextureLayer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, mesh.depths, 0, view);
+        if (first === 0) gl.clear(gl.DEPTH_BUFFER_BIT);
+        use(mesh);
+        drawDepthPart(gl, index, view, first, count);
+        yield count / (3 * TRIANGLES_PER_PART);
+      }
+    },
+    dispose: () => {
+      objects.deleteFramebuffer(framebuffer);
+      gl.deleteProgram(program);
+    },
+  };
+}
+
+/** Sets what drawing nearest depths to a framebuffer depends on. */
+export function beginDepth(
+  gl: WebGL2RenderingContext,
+  framebuffer: WebGLFramebuffer,
+  vertexArray: WebGLVertexArrayObject,
+  widthPx: number,
+  heightPx: number,
+): void {
   setPassState(gl, framebuffer, vertexArray, 0, 0, widthPx, heightPx);
   gl.enable(gl.DEPTH_TEST);
   gl.depthFunc(gl.LESS);
   gl.depthMask(true);
   gl.depthRange(0, 1);
   gl.clearDepth(1);
-  use(capture);
-  // The depth maps are written, not read.
+}
+
+/** Draws indices by the active program, then leaves the state as other drawings expect it. The depth maps are written, not read. */
+export function drawDepthPart(
+  gl: WebGL2RenderingContext,
+  viewIndex: WebGLUniformLocation | null,
+  view: number,
+  first: number,
+  count: number,
+): void {
   gl.activeTexture(gl.TEXTURE2);
   gl.bindTexture(gl.TEXTURE_2D_ARRAY, null);
-  const view = gl.getUniformLocation(program, 'view');
-  gl.drawBuffers([gl.NONE]);
-  gl.readBuffer(gl.NONE);
-  for (let layer = 0; layer < viewCount; layer++) {
-    if (panoramas.has(layer)) continue;
-    gl.framebufferTextureLayer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, depths, 0, layer);
-    gl.clear(gl.DEPTH_BUFFER_BIT);
-    gl.uniform1i(view, layer);
-    gl.drawElements(gl.TRIANGLES, indexCount, gl.UNSIGNED_INT, 0);
-  }
+  gl.uniform1i(viewIndex, view);
+  gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 4 * first);
   gl.disable(gl.DEPTH_TEST);
+  gl.bindVertexArray(null);
   gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-  objects.deleteFramebuffer(framebuffer);
-  gl.deleteProgram(program);
 }

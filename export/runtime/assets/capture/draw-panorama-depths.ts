@@ -1,8 +1,8 @@
-import type { CaptureAsset } from '../../../../nodes/kit/capture-asset.ts';
 import { CAPTURE_GLSL, createCaptureUse } from '../../../../nodes/kit/capture-glsl.ts';
 import { linkProgram } from '../../../../nodes/kit/link-program.ts';
 import { setPassState } from '../../../../nodes/kit/pass-state.ts';
 import type { GlObjects } from '../../gl/gl-objects.ts';
+import { beginDepth, type DepthDrawing, drawDepthPart, TRIANGLES_PER_PART } from './draw-depths.ts';
 
 const HEAD = `#version 300 es
 precision highp float;
@@ -57,17 +57,16 @@ const FACES = [
   [1, 0, 0, 0, 0, -1, 0, 1, 0],
 ].map((axes) => Float32Array.from(axes));
 
-/** Draws the distance of the mesh from each 360° camera over `farM`, by the faces of a cube. */
-export function drawPanoramaDepths(objects: GlObjects, capture: CaptureAsset, [widthPx, heightPx]: readonly [number, number]): void {
+/** Creates the drawing of depth maps of 360° cameras, which are distances, by the faces of a cube. */
+export function createPanoramaDepthDrawing(objects: GlObjects, [widthPx, heightPx]: readonly [number, number]): DepthDrawing {
   const { gl } = objects;
-  const { vertexArray, indexCount, depths, panoramas } = capture;
   const sidePx = Math.ceil(widthPx / 3);
   const face = objects.createTexture();
   const faceTarget = objects.createFramebuffer();
   const target = objects.createFramebuffer();
   const drawing = linkProgram(gl, FACE_VERTEX, FACE_FRAGMENT);
-  const activate = createCaptureUse(gl, drawing);
-  const view = gl.getUniformLocation(drawing, 'view');
+  const use = createCaptureUse(gl, drawing);
+  const index = gl.getUniformLocation(drawing, 'view');
   const faceAxes = gl.getUniformLocation(drawing, 'faceFromCamera');
   const copying = createCopying(gl, face);
   gl.activeTexture(gl.TEXTURE0);
@@ -76,35 +75,37 @@ export function drawPanoramaDepths(objects: GlObjects, capture: CaptureAsset, [w
   for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
   for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
   attach(gl, faceTarget, () => gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, face, 0));
-  for (const layer of panoramas) {
-    attach(gl, target, () => gl.framebufferTextureLayer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, depths, 0, layer));
-    for (const axes of FACES) {
-      setPassState(gl, faceTarget, vertexArray, 0, 0, sidePx, sidePx);
-      gl.enable(gl.DEPTH_TEST);
-      gl.depthFunc(gl.LESS);
-      gl.depthMask(true);
-      gl.clearDepth(1);
-      gl.clear(gl.DEPTH_BUFFER_BIT);
-      activate(capture);
-      // The depth maps are written, not read.
-      gl.activeTexture(gl.TEXTURE2);
-      gl.bindTexture(gl.TEXTURE_2D_ARRAY, null);
-      gl.uniform1i(view, layer);
-      gl.uniformMatrix3fv(faceAxes, false, axes);
-      gl.drawElements(gl.TRIANGLES, indexCount, gl.UNSIGNED_INT, 0);
-
-      setPassState(gl, target, null, 0, 0, widthPx, heightPx);
-      gl.enable(gl.DEPTH_TEST);
-      gl.depthFunc(gl.ALWAYS);
-      copying.copy(axes);
-    }
-  }
-  gl.depthFunc(gl.LESS);
-  gl.disable(gl.DEPTH_TEST);
   gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-  for (const framebuffer of [faceTarget, target]) objects.deleteFramebuffer(framebuffer);
-  objects.deleteTexture(face);
-  for (const program of [drawing, copying.program]) gl.deleteProgram(program);
+  return {
+    draw: function* (mesh, view) {
+      const { indexCount } = mesh;
+      for (const axes of FACES) {
+        for (let first = 0; first < indexCount; first += 3 * TRIANGLES_PER_PART) {
+          const count = Math.min(3 * TRIANGLES_PER_PART, indexCount - first);
+          beginDepth(gl, faceTarget, mesh.vertexArray, sidePx, sidePx);
+          if (first === 0) gl.clear(gl.DEPTH_BUFFER_BIT);
+          use(mesh);
+          gl.uniformMatrix3fv(faceAxes, false, axes);
+          drawDepthPart(gl, index, view, first, count);
+          yield count / (3 * TRIANGLES_PER_PART);
+        }
+        attach(gl, target, () => gl.framebufferTextureLayer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, mesh.depths, 0, view));
+        setPassState(gl, target, null, 0, 0, widthPx, heightPx);
+        gl.enable(gl.DEPTH_TEST);
+        gl.depthMask(true);
+        gl.depthFunc(gl.ALWAYS);
+        copying.copy(axes);
+        gl.depthFunc(gl.LESS);
+        gl.disable(gl.DEPTH_TEST);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+      }
+    },
+    dispose: () => {
+      for (const framebuffer of [faceTarget, target]) objects.deleteFramebuffer(framebuffer);
+      objects.deleteTexture(face);
+      for (const program of [drawing, copying.program]) gl.deleteProgram(program);
+    },
+  };
 }
 
 /** Copies what a face shows to the bound framebuffer. */

@@ -1,5 +1,10 @@
+import type { PartedWork } from '../../gl/spread-work.ts';
+
 /** Rings of neighbors that are filled, so that a large capture is not searched endlessly. */
 const MAX_RINGS = 64;
+
+/** Vertices of a part: about 5 ms. */
+const VERTICES_PER_PART = 50_000;
 
 /**
  * Gives each vertex with alpha 0 the mean color of its neighbors, ring by ring. What stays without a colored neighbor is gray.
@@ -10,7 +15,7 @@ const MAX_RINGS = 64;
  * @param colors RGBA, 8 bits; changed in place.
  * @param indices Three vertices per triangle.
  */
-export function fillUnseen(colors: Uint8Array, indices: Uint32Array): void {
+export function* fillUnseen(colors: Uint8Array, indices: Uint32Array): PartedWork {
   const { starts, triangles } = trianglesOfUnseen(colors, indices);
   const isAsked = new Uint8Array(colors.length / 4);
   let ring = firstRing(colors, indices, isAsked);
@@ -22,6 +27,7 @@ export function fillUnseen(colors: Uint8Array, indices: Uint32Array): void {
     ring.forEach((vertex, i) => {
       colors.set(means.subarray(4 * i, 4 * i + 4), 4 * vertex);
     });
+    yield ring.length / VERTICES_PER_PART;
     ring = nextRing(ring);
   }
   for (let at = 0; at < colors.length; at += 4) if (colors[at + 3] === 0) colors.set([128, 128, 128, 255], at);

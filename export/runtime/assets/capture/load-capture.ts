@@ -1,10 +1,12 @@
-import { CaptureError, type CaptureMeshFile, readCapture, readCaptureMesh } from '../../../../nodes/kit/capture.ts';
+import { CaptureError, type CaptureMesh, type CaptureMeshFile, readCapture, readCaptureMesh } from '../../../../nodes/kit/capture.ts';
 import { type CaptureAsset, PHOTO_MISSING, PHOTO_REDUCED, PHOTO_WHOLE } from '../../../../nodes/kit/capture-asset.ts';
 import { captureSize } from '../../../../nodes/kit/capture-size.ts';
 import { photoBlob } from '../../../../nodes/kit/photo-blob.ts';
+import type { FrameClock } from '../../clock.ts';
 import type { GlObjects } from '../../gl/gl-objects.ts';
+import { workAtOnce, workInTurns } from '../../gl/spread-work.ts';
 import { limitHere } from '../on-phone.ts';
-import { createCaptureTextures } from './capture-textures.ts';
+import { createCaptureTextures, type DoWork } from './capture-textures.ts';
 import { loadDepthMeshes } from './load-depth-meshes.ts';
 
 export interface LoadedCapture extends CaptureAsset {
@@ -27,6 +29,7 @@ const VIEWS_BEFORE_MESH = 4;
  * @param path Its path, to which the other files are relative.
  * @param depthMeshes Whether its depth meshes are drawn.
  * @param show Receives the capture when it can be drawn, at the latest before the promise resolves.
+ * @param delay Waits between parts of the work of the GPU, so that frames are drawn meanwhile. Absent: the work is done at once.
  * @returns The complete capture: the object that `show` received.
  * @throws CaptureError if a file is invalid. A capture that was shown stays as far as it is loaded, and is disposed by who received it.
  */
@@ -37,6 +40,7 @@ export async function loadCapture(
   load: (path: string) => Promise<ArrayBuffer>,
   depthMeshes: boolean,
   show: (capture: LoadedCapture) => void = () => {},
+  delay?: FrameClock['delay'],
 ): Promise<LoadedCapture> {
   const document = readCapture(new TextDecoder().decode(bytes));
   const { gl } = objects;
@@ -47,7 +51,9 @@ export async function loadCapture(
   const file = (name: string): Promise<ArrayBuffer> => load(folder + name);
   const mostBytes = limitHere(document.phoneGpuBytes);
   const size = captureSize(document, { maxSidePx: objects.limits.maxTextureSizePx, depthMeshes, mostBytes });
-  const textures = createCaptureTextures(objects, document, size);
+  const isDisposed = (): boolean => disposals.length === 0;
+  const doWork: DoWork = async (work) => (delay ? workInTurns(work, { gl, delay, isOver: isDisposed }) : workAtOnce(work));
+  const textures = createCaptureTextures(objects, document, size, doWork);
   const disposals = [textures.dispose];
   let isShown = false;
   const capture: LoadedCapture = Object.assign(textures.asset, {
@@ -55,10 +61,9 @@ export async function loadCapture(
       for (const release of disposals.splice(0)) release();
     },
   });
-  const isDisposed = (): boolean => disposals.length === 0;
-  const setMesh = async (one: CaptureMeshFile): Promise<void> => {
-    const read = readCaptureMesh(one, await file(one.file));
-    if (!isDisposed()) textures.setMesh(read);
+  const readMesh = async (one: CaptureMeshFile): Promise<CaptureMesh> => readCaptureMesh(one, await file(one.file));
+  const setMesh = async (mesh: CaptureMesh): Promise<void> => {
+    if (!isDisposed()) await textures.setMesh(mesh);
   };
   const setPhoto = async (index: number): Promise<void> => {
     const view = views[index];
@@ -67,28 +72,26 @@ export async function loadCapture(
     const name = isReduced ? view.reducedFile : view.file;
     await textures.setPhoto(index, photoBlob(name, await file(name)), isReduced ? PHOTO_REDUCED : PHOTO_WHOLE);
   };
-  const bake = (): void => {
-    if (!isDisposed()) textures.bake();
+  const bake = async (): Promise<void> => {
+    if (!isDisposed()) await textures.bake();
   };
   try {
     if (coarseMesh) {
-      await Promise.all([setMesh(coarseMesh), setPhoto(mostCentral(capture))]);
-      bake();
+      const [coarse] = await Promise.all([readMesh(coarseMesh), setPhoto(mostCentral(capture))]);
+      await setMesh(coarse);
       isShown = true;
       show(capture);
       for (let i = 1; i < VIEWS_BEFORE_MESH && !isDisposed(); i++) {
         await setPhoto(nextView(capture));
-        bake();
+        await bake();
       }
     }
-    if (coarseMesh?.file !== mesh.file && size.wholeMesh) {
-      await setMesh(mesh);
-      if (isShown) bake();
-    }
+    if (coarseMesh?.file !== mesh.file && size.wholeMesh) await setMesh(await readMesh(mesh));
     for (let next = nextView(capture); next >= 0 && !isDisposed(); next = nextView(capture)) await setPhoto(next);
     if (isDisposed()) return capture;
     textures.finish();
-    textures.bake();
+    await bake();
+    if (isDisposed()) return capture;
     // Without any, it says so.
     if (depthMeshes && (size.depthMeshes || mostBytes === undefined)) {
       const meshes = await loadDepthMeshes(objects, views, file);

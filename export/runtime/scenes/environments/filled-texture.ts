@@ -1,7 +1,7 @@
 import { DataTexture, DataUtils, HalfFloatType, RGBAFormat, SRGBColorSpace, type Texture } from 'three';
 import { type FillTarget, fillLamps } from '../../../../nodes/kit/panorama/fill-lamps.ts';
 import { type PanoramaPixels, startOfRow } from '../../../../nodes/kit/panorama/pixels.ts';
-import type { PartedWork } from './spread-work.ts';
+import type { PartedWork } from '../../gl/spread-work.ts';
 
 type Size = Pick<PanoramaPixels, 'widthPx' | 'heightPx'>;
 

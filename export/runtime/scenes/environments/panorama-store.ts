@@ -4,13 +4,13 @@ import type { FoundLamps } from '../../../../nodes/kit/panorama/found-lamps.ts';
 import type { LampOptions } from '../../../../nodes/kit/panorama/lamp-options.ts';
 import type { PanoramaPixels } from '../../../../nodes/kit/panorama/pixels.ts';
 import type { FrameClock } from '../../clock.ts';
+import { type PartedWork, workAtOnce, workInTurns } from '../../gl/spread-work.ts';
 import type { LoadedEnvironment } from '../../scene-backend.ts';
 import type { SceneRenderer } from '../scene-renderer.ts';
 import { bytesTexture, filledTexture, ownPixels } from './filled-texture.ts';
 import { type LoadedPanorama, loadPanorama, panoramaOf, radianceTexture } from './load-panorama.ts';
 import { type Prefiltered, prefilter } from './prefilter.ts';
 import type { HalfPixels, ReadRadiance } from './read-radiance.ts';
-import { type PartedWork, workAtOnce, workInTurns } from './spread-work.ts';
 import { uploadPanorama } from './upload-panorama.ts';
 
 /** Loaded panoramas with their prefiltered environments, shared by all scenes. */

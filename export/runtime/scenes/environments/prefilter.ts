@@ -1,9 +1,9 @@
 import { BoxGeometry, CubeCamera, Mesh, type ShaderMaterial, type Texture, type WebGLCubeRenderTarget, type WebGLRenderer } from 'three';
 import type { EnvironmentAsset } from '../../../../nodes/kit/assets.ts';
+import type { PartedWork } from '../../gl/spread-work.ts';
 import type { SceneRenderer } from '../scene-renderer.ts';
 import { createCubeMaterial, createCubeTarget, createPmremTarget, faceCamera } from './pmrem-target.ts';
 import { SAMPLED_FRAGMENT, SAMPLES, SUMMED_FRAGMENT, UNFOLD_FRAGMENT } from './prefilter-shader.ts';
-import type { PartedWork } from './spread-work.ts';
 
 /** A panorama convolved for rough surfaces, one level per roughness; the last level is for matte surfaces. */
 export interface Prefiltered {

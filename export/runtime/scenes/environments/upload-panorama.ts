@@ -1,8 +1,8 @@
 import { HalfFloatType, RedFormat, type Texture } from 'three';
+import type { PartedWork } from '../../gl/spread-work.ts';
 import { prepareUpload } from '../../gl/upload.ts';
 import type { SceneRenderer } from '../scene-renderer.ts';
 import { createMipDrawer, type MipDrawer } from './mip-drawer.ts';
-import type { PartedWork } from './spread-work.ts';
 
 /** Pixels that one turn uploads, or draws of the smaller levels: 128 rows of the largest panorama, 8 MB in half floats. */
 export const UPLOADED_PX = 2 ** 20;

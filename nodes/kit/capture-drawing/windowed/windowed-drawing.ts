@@ -5,10 +5,9 @@ import { linkProgram } from '../../link-program.ts';
 import type { Clock } from '../../runtime.ts';
 import { type CaptureDrawing, drawTriangles } from '../capture-drawing.ts';
 import { createNearestViews } from '../nearest-views.ts';
-import { MOST_VIEWS } from '../shaders.ts';
 import { vertexNormals } from './vertex-normals.ts';
 import { createVertexWindow, type VertexWindow } from './vertex-window.ts';
-import { LIST_BYTES, UPDATE_FRAGMENT, updateVertex, WINDOWED_FRAGMENT, WINDOWED_VERTEX } from './windowed-shaders.ts';
+import { LIST_BYTES, MOST_KEPT_VIEWS, UPDATE_FRAGMENT, updateVertex, WINDOWED_FRAGMENT, WINDOWED_VERTEX } from './windowed-shaders.ts';
 
 export interface WindowedDrawing extends CaptureDrawing {
   /** How many vertices got their weights in the last `draw`. */
@@ -53,7 +52,7 @@ export function createWindowedDrawing(
     views: gl.getUniformLocation(one, 'views'),
     viewCount: gl.getUniformLocation(one, 'viewCount'),
   }));
-  const nearest = createNearestViews(capture, MOST_VIEWS);
+  const nearest = createNearestViews(capture, MOST_KEPT_VIEWS);
   const feedback = gl.createTransformFeedback();
   const normals = gl.createBuffer();
   const vertices = gl.createVertexArray();
@@ -67,10 +66,20 @@ export function createWindowedDrawing(
     gl.uniform1i(at?.viewCount ?? null, nearest.count);
   };
   const countOf = (of: CaptureMesh): number => of.positions.length / 3;
-  /** Makes room for the weights of a mesh, which must be computed then. */
-  const makeRoom = (weights: KeptWeights, of: CaptureMesh): void => {
+  /** Gives weights the attributes of a mesh, and makes room for those of its vertices, which must be computed then. */
+  const attach = (weights: KeptWeights, of: CaptureMesh): void => {
+    const { positions, colors, indices } = capture.buffers;
+    gl.bindVertexArray(weights.vertexArray);
+    for (const place of [0, 1, 2]) gl.enableVertexAttribArray(place);
+    gl.bindBuffer(gl.ARRAY_BUFFER, positions);
+    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
+    gl.bindBuffer(gl.ARRAY_BUFFER, colors);
+    gl.vertexAttribPointer(1, 4, gl.UNSIGNED_BYTE, true, 0, 0);
     gl.bindBuffer(gl.ARRAY_BUFFER, weights.lists);
     gl.bufferData(gl.ARRAY_BUFFER, LIST_BYTES * countOf(of), gl.DYNAMIC_COPY);
+    gl.vertexAttribIPointer(2, 4, gl.UNSIGNED_INT, 0, 0);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, indices);
+    gl.bindVertexArray(null);
     weights.window = createVertexWindow(countOf(of), frames);
   };
   const add = (of: CaptureMesh): KeptWeights => {
@@ -79,20 +88,10 @@ export function createWindowedDrawing(
       vertexArray: gl.createVertexArray(),
       window: createVertexWindow(1, 1),
       eye: new Float32Array(3).fill(Number.NaN),
-      views: new Int32Array(MOST_VIEWS),
+      views: new Int32Array(MOST_KEPT_VIEWS),
       viewCount: 0,
     };
-    const { positions, colors, indices } = capture.buffers;
-    gl.bindVertexArray(weights.vertexArray);
-    for (const place of [0, 1, 2]) gl.enableVertexAttribArray(place);
-    gl.bindBuffer(gl.ARRAY_BUFFER, positions);
-    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
-    gl.bindBuffer(gl.ARRAY_BUFFER, colors);
-    gl.vertexAttribPointer(1, 4, gl.UNSIGNED_BYTE, true, 0, 0);
-    makeRoom(weights, of);
-    gl.vertexAttribIPointer(2, 4, gl.UNSIGNED_INT, 0, 0);
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, indices);
-    gl.bindVertexArray(null);
+    attach(weights, of);
     kept.push(weights);
     return weights;
   };
@@ -106,7 +105,7 @@ export function createWindowedDrawing(
     gl.bufferData(gl.ARRAY_BUFFER, vertexNormals(of), gl.STATIC_DRAW);
     gl.vertexAttribPointer(1, 3, gl.BYTE, true, 4, 0);
     gl.bindVertexArray(null);
-    for (const weights of kept) makeRoom(weights, of);
+    for (const weights of kept) attach(weights, of);
   };
   /** Computes the weights of the vertices in the window, if any. */
   const update = (weights: KeptWeights, eye: Float32Array): void => {

@@ -1,5 +1,7 @@
-import { choiceOfViews, MOST_VIEWS, VIEWS_HEAD } from '../shaders.ts';
+import { choiceOfViews, headOf } from '../shaders.ts';
 
+/** Number of photographs that each vertex tests, and that have a part of a varying each. */
+export const MOST_KEPT_VIEWS = 16;
 /** The most photographs that a vertex has weights of: what its list holds. */
 export const MOST_BLENDED = 4;
 /** A list: four views and their weights, 16 bits each. */
@@ -7,7 +9,7 @@ export const LIST_BYTES = 16;
 
 /** Computes the list of each vertex, for transform feedback. Weights add up to 1; all are 0 where no photograph sees the vertex. */
 export function updateVertex(blended: number): string {
-  return /* glsl */ `${VIEWS_HEAD}${choiceOfViews(blended, false)}
+  return /* glsl */ `${headOf(MOST_KEPT_VIEWS)}${choiceOfViews(blended, false)}
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 flat out highp uvec4 list;
@@ -46,33 +48,33 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 color;
 layout(location = 2) in uvec4 list;
 uniform mat4 clipFromCapture;
-uniform int views[${MOST_VIEWS}];
+uniform int views[${MOST_KEPT_VIEWS}];
 uniform int viewCount;
 out vec3 point;
 out vec3 plainColor;
-out vec4 shares[${MOST_VIEWS / 4}];
+out vec4 shares[${MOST_KEPT_VIEWS / 4}];
 void main() {
   point = position;
   plainColor = color.rgb;
   gl_Position = clipFromCapture * vec4(position, 1.0);
   ivec4 chosen = ivec4(list.x & 65535u, list.x >> 16, list.y & 65535u, list.y >> 16);
   vec4 weights = vec4(unpackUnorm2x16(list.z), unpackUnorm2x16(list.w));
-  float spread[${MOST_VIEWS}];
+  float spread[${MOST_KEPT_VIEWS}];
   float sum = 0.0;
-  for (int i = 0; i < ${MOST_VIEWS}; i++) {
+  for (int i = 0; i < ${MOST_KEPT_VIEWS}; i++) {
     // A vertex has each view once, and an empty place has the weight 0.
     spread[i] = i < viewCount ? dot(weights, vec4(equal(chosen, ivec4(views[i])))) : 0.0;
     sum += spread[i];
   }
   float kept = sum > 0.0 ? dot(weights, vec4(1.0)) / sum : 0.0;
-  for (int i = 0; i < ${MOST_VIEWS / 4}; i++) shares[i] = kept * vec4(spread[4 * i], spread[4 * i + 1], spread[4 * i + 2], spread[4 * i + 3]);
+  for (int i = 0; i < ${MOST_KEPT_VIEWS / 4}; i++) shares[i] = kept * vec4(spread[4 * i], spread[4 * i + 1], spread[4 * i + 2], spread[4 * i + 3]);
 }`;
 
 /** Blends the photographs by the weights of the vertices; the colors of the mesh take what no photograph sees. */
-export const WINDOWED_FRAGMENT = /* glsl */ `${VIEWS_HEAD}
+export const WINDOWED_FRAGMENT = /* glsl */ `${headOf(MOST_KEPT_VIEWS)}
 in vec3 point;
 in vec3 plainColor;
-in vec4 shares[${MOST_VIEWS / 4}];
+in vec4 shares[${MOST_KEPT_VIEWS / 4}];
 out vec4 color;
 void main() {
   vec3 dx = dFdx(point);

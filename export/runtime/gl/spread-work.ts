@@ -1,4 +1,4 @@
-import type { FrameClock } from '../../clock.ts';
+import type { FrameClock } from '../clock.ts';
 
 /**
  * GPU work in parts. Each part yields its cost; parts with a sum of 1 are about as much as a frame can take beside its own work, also without
