@@ -6,8 +6,8 @@ import process from 'node:process';
 // NODE_OPTIONS=--experimental-vm-modules; see tools/test.
 process.env.SCRIM_PROJECTS ??= join(tmpdir(), `scrim-projects-${process.pid}`);
 
-/** Packages that compute much, as modules. */
-const COMPUTING = 'three|three-mesh-bvh|fast-png|iobuffer|fflate|@gltf-transform|property-graph|cannon-es|pixelmatch';
+/** Packages that compute much. */
+const COMPUTING = 'three|three-mesh-bvh|fast-png|iobuffer|fflate|@gltf-transform|property-graph|cannon-es|pixelmatch|playwright-core';
 
 const base = {
   testEnvironment: 'node',

@@ -35,7 +35,10 @@ const NAMES = [
  */
 export function keepGlobals(code) {
   const used = NAMES.filter((name) => new RegExp(`\\b${name}\\b`).test(code) && !isDeclared(name, code));
-  return used.length === 0 ? code : `const { ${used.join(', ')} } = globalThis; ${code}`;
+  if (used.length === 0) return code;
+  // A directive stays the first.
+  const [directive] = /^(['"])use strict\1;/.exec(code) ?? [''];
+  return `${directive} const { ${used.join(', ')} } = globalThis; ${code.slice(directive.length)}`;
 }
 
 /** Whether a module has a variable or an import of that name, perhaps in a function only. */
