@@ -6,9 +6,16 @@ import process from 'node:process';
 // NODE_OPTIONS=--experimental-vm-modules; see tools/test.
 process.env.SCRIM_PROJECTS ??= join(tmpdir(), `scrim-projects-${process.pid}`);
 
+/** Packages that compute much. */
+const COMPUTING = 'three|three-mesh-bvh|fast-png|iobuffer|fflate|@gltf-transform|property-graph|cannon-es|pixelmatch|playwright-core';
+
 const base = {
   testEnvironment: 'node',
-  transform: { '\\.(ts|tsx|fs|vs|glsl)$': '<rootDir>/tests/support/transform.mjs' },
+  transform: {
+    '\\.(ts|tsx|fs|vs|glsl)$': '<rootDir>/tests/support/transform.mjs',
+    [`/node_modules/(?:${COMPUTING})/.*\\.m?js$`]: '<rootDir>/tests/support/transform.mjs',
+  },
+  transformIgnorePatterns: [`/node_modules/(?!(?:${COMPUTING})/)`],
   extensionsToTreatAsEsm: ['.ts', '.tsx', '.fs', '.vs', '.glsl'],
   modulePathIgnorePatterns: ['<rootDir>/dist', '<rootDir>/tests/output'],
 };

@@ -15,7 +15,12 @@ export interface DepthPixels {
 }
 
 /** Encodes an RGBA PNG with straight alpha. Transparent pixels become black. */
-export function encodeLayer({ widthPx, heightPx, pixels }: LayerPixels): Uint8Array {
+export function encodeLayer(layer: LayerPixels): Uint8Array {
+  return encode({ width: layer.widthPx, height: layer.heightPx, data: straightAlpha(layer), channels: 4, depth: 8 });
+}
+
+/** The pixels of a layer with straight alpha. */
+export function straightAlpha({ pixels }: LayerPixels): Uint8Array {
   const straight = new Uint8Array(pixels);
   for (let i = 0; i < straight.length; i += 4) {
     const alpha = pixels[i + 3] ?? 0;
@@ -24,7 +29,7 @@ export function encodeLayer({ widthPx, heightPx, pixels }: LayerPixels): Uint8Ar
       straight[channel] = Math.min(255, Math.round(((pixels[channel] ?? 0) * 255) / alpha));
     }
   }
-  return encode({ width: widthPx, height: heightPx, data: straight, channels: 4, depth: 8 });
+  return straight;
 }
 
 const MAX_MM = 65_535;

@@ -1,4 +1,4 @@
-import { mkdtemp, readdir, readFile, rm } from 'node:fs/promises';
+import { mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
@@ -6,9 +6,10 @@ import { encode } from 'fast-png';
 import { Matrix4, PerspectiveCamera, Vector3 } from 'three';
 import { PAGE } from '../../tools/examples/paper/book.ts';
 import { BOOK_AT, LYING, NEARING } from '../../tools/examples/paper/book-recipe.ts';
-import { decodeImage, pixelAt, type RgbaImage } from '../support/image.ts';
+import { useBrowser } from '../support/browser.ts';
+import { pixelAt, type RgbaImage } from '../support/image.ts';
 import { writeProject } from '../support/project-kit.ts';
-import { succeed } from '../support/scrim.ts';
+import { renderLayers } from '../support/render-layers.ts';
 
 const BOOK = resolve(import.meta.dirname, '../../examples/the-world-in-the-book');
 const [WIDTH, HEIGHT, FOCAL_PX] = [160, 120, 133];
@@ -16,6 +17,7 @@ const GRAY = 128;
 /** Distances of the eyes from the middle of the book, in meters: a walk towards it in steps of 5 cm. */
 const WALK = Array.from({ length: 26 }, (_, i) => 1.55 - 0.05 * i);
 
+const chromium = useBrowser();
 let base = '';
 const frames: Record<'inside' | 'open' | 'night' | 'enter', RgbaImage[]> = { inside: [], open: [], night: [], enter: [] };
 
@@ -23,14 +25,12 @@ beforeAll(async () => {
   base = await mkdtemp(join(tmpdir(), 'scrim-book-'));
   const session = join(base, 'session');
   await writeProject(session, { 'session.json': JSON.stringify(walk()), 'gray.png': grayImage() });
-  for (const layer of ['inside', 'open', 'night', 'enter'] as const) {
-    const out = join(base, layer);
-    const range = `0..${WALK.length - 1}`;
-    const size = `${WIDTH}x${HEIGHT}`;
-    await succeed('render', BOOK, '--session', session, '--frames', range, '--size', size, '--layer', `${layer}-f13.layer`, '--out', out);
-    for (const name of (await readdir(out)).sort()) frames[layer].push(decodeImage(await readFile(join(out, name))));
-  }
-}, 240_000);
+  const layers = await renderLayers(chromium.browser, {
+    ...{ project: BOOK, session, widthPx: WIDTH, heightPx: HEIGHT, frames: WALK.length },
+    layers: Object.keys(frames).map((name) => `${name}-f13.layer`),
+  });
+  for (const name of Object.keys(frames) as (keyof typeof frames)[]) frames[name].push(...(layers.get(`${name}-f13.layer`) ?? []));
+});
 afterAll(() => rm(base, { recursive: true, force: true }));
 
 function grayImage(): Uint8Array {

@@ -3,6 +3,8 @@ import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { afterAll, beforeAll, beforeEach, describe, expect, test } from '@jest/globals';
 import { decode, encode } from 'fast-png';
+import { decodeImage } from '../support/image.ts';
+import { countColors } from '../support/pixels.ts';
 import { type ProjectText, projectText, writeProject } from '../support/project-kit.ts';
 import { scrim } from '../support/scrim.ts';
 
@@ -137,6 +139,16 @@ describe('scrim render', () => {
     expect(Buffer.compare(first as Buffer, again as Buffer)).toBe(0);
     const png = await readPng(join(out, '000003.png'));
     expect(png.at(1, 2)).toEqual([...colorAt(3, 1, 2), 255]);
+  });
+
+  test('draws a capture the same each time, to the byte', async () => {
+    const args = [resolve('nodes/source/capture/example'), '--size', '160x120', '--frames', '1..2'];
+    for (const to of [out, `${out}-again`]) expect(await render(...args, '--out', to)).toMatchObject({ status: 0 });
+    for (const name of ['000001.png', '000002.png']) {
+      const once = await readFile(join(out, name));
+      expect(countColors(decodeImage(once))).toBeGreaterThan(100);
+      expect(once.equals(await readFile(join(`${out}-again`, name)))).toBe(true);
+    }
   });
 
   test('renders the last frame of a range as it is after all frames before, where nodes keep state', async () => {

@@ -1,14 +1,15 @@
-import { copyFile, mkdir, mkdtemp, readFile, rm } from 'node:fs/promises';
+import { copyFile, mkdir, mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import sharp from 'sharp';
 import { measureModel } from '../../tools/contact-sheets/measure-model.ts';
-import { AWAY_M, CELL_M, CELL_PX, LIGHTS, sheetProject, sheetSession } from '../../tools/contact-sheets/sheet-project.ts';
-import { decodeImage, encodeImage, type RgbaImage } from '../support/image.ts';
+import { AWAY_M, CELL_M, CELL_PX, LIGHTS, type SheetModel, sheetProject, sheetSession } from '../../tools/contact-sheets/sheet-project.ts';
+import { useBrowser } from '../support/browser.ts';
+import { encodeImage, type RgbaImage } from '../support/image.ts';
 import { LIBRARY } from '../support/library.ts';
 import { writeProject } from '../support/project-kit.ts';
-import { succeed } from '../support/scrim.ts';
+import { renderLayers } from '../support/render-layers.ts';
 import { describeWithData } from '../support/shared-data.ts';
 
 const MODELS = ['Fox.glb', 'LeePerrySmith.glb'] as const;
@@ -38,16 +39,20 @@ const MOVES = [
   [7, -15],
 ] as const;
 
-let base = '';
+const SHEET = `over${LIGHTS.length - 1}-s.layer`;
+const layerOf = (drawing: string) => `${drawing}-s.layer`;
 
 describeWithData('drawings of a fox and a head', 'models', (models) => {
-  let session = '';
-  let size = '';
+  const chromium = useBrowser();
+  let base = '';
+  let layers: ReadonlyMap<string, readonly RgbaImage[]>;
+  /** The models without style, which are the same for each style: where they are, and their tones. */
+  let plain: RgbaImage;
+  let asked: Uint8Array;
+
   beforeAll(async () => {
     base = await mkdtemp(join(tmpdir(), 'scrim-drawn-'));
     const { session: file, widthPx, heightPx } = sheetSession(MODELS.length);
-    size = `${widthPx}x${heightPx}`;
-    session = join(base, 'session');
     const wall = encodeImage({
       width: widthPx,
       height: heightPx,
@@ -59,38 +64,29 @@ describeWithData('drawings of a fox and a head', 'models', (models) => {
       // The picture moves against the camera; its y axis points down.
       worldFromCamera: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, (-x / CELL_PX) * CELL_M, (y / CELL_PX) * CELL_M, AWAY_M, 1],
     }));
+    const [project, session] = [join(base, 'project'), join(base, 'session')];
     await writeProject(session, { 'session.json': JSON.stringify({ ...file, frames }), 'wall.png': wall });
+    const measured = await Promise.all(MODELS.map((model) => measureModel(join(models, model))));
+    await writeProject(project, { 'project.scrim.json': allDrawings(measured) });
+    await mkdir(join(project, 'assets'), { recursive: true });
+    for (const [i, model] of measured.entries()) await copyFile(model.file, join(project, 'assets', `${i}.glb`));
+    layers = await renderLayers(chromium.browser, {
+      ...{ project, session, widthPx, heightPx, frames: MOVES.length },
+      layers: [SHEET, ...DRAWINGS.map(([drawing]) => layerOf(drawing))],
+    });
+    plain = shotsOf(SHEET)[0] as RgbaImage;
+    asked = await averaged(shotsOf(SHEET));
   });
   afterAll(() => rm(base, { recursive: true, force: true }));
 
-  /** The models without style, which is the same for each style. */
-  let plain: readonly Buffer[] | null = null;
-
-  async function shotsOf(folder: string, layer: string): Promise<readonly Buffer[]> {
-    const out = join(folder, layer);
-    const frames = `0..${MOVES.length - 1}`;
-    await succeed('render', folder, '--session', session, '--size', size, '--layer', layer, '--frames', frames, '--out', out);
-    return Promise.all(MOVES.map((_, i) => readFile(join(out, `00000${i}.png`))));
-  }
+  const shotsOf = (layer: string): readonly RgbaImage[] => layers.get(layer) ?? [];
 
   test.each(DRAWINGS)('%s keeps the tones of each model in each light', async (name, least) => {
-    const folder = join(base, name);
-    await mkdir(join(folder, 'assets'), { recursive: true });
-    const measured = await Promise.all(MODELS.map((model) => measureModel(join(models, model))));
-    for (const [i, { file }] of measured.entries()) await copyFile(file, join(folder, 'assets', `${i}.glb`));
-    const style = { name, type: `filter/${name}` };
-    const project = sheetProject(measured, style, (type) => LIBRARY.definition(type)?.version ?? 1);
-    await writeProject(folder, { 'project.scrim.json': JSON.stringify(project) });
-    plain ??= await shotsOf(folder, `over${LIGHTS.length - 1}-s.layer`);
-    const drawn = await shotsOf(folder, 'style-s.layer');
-    const [still] = plain;
-    if (!still) throw new Error('There is a frame.');
-    const cover = decodeImage(still);
-    const [asked, got] = await Promise.all([averaged(plain), averaged(drawn)]);
+    const got = await averaged(shotsOf(layerOf(name)));
     const low: string[] = [];
     LIGHTS.forEach((light, row) => {
       MODELS.forEach((model, column) => {
-        const at = pixelsOf(cover, column, row);
+        const at = pixelsOf(plain, column, row);
         expect(at.length).toBeGreaterThan(3000);
         const kept = correlation(
           at.map((i) => asked[i] ?? 0),
@@ -103,17 +99,41 @@ describeWithData('drawings of a fox and a head', 'models', (models) => {
   });
 });
 
+/** A sheet with all drawings over the same models. */
+function allDrawings(measured: readonly SheetModel[]): string {
+  const version = (type: string): number => LIBRARY.definition(type)?.version ?? 1;
+  const [[first]] = DRAWINGS;
+  const sheet = sheetProject(measured, { name: first, type: `filter/${first}` }, version) as SheetProject;
+  const { nodes, wires } = sheet.graphs.main;
+  for (const [drawing] of DRAWINGS) {
+    nodes[`${drawing}-s`] = { type: `filter/${drawing}`, version: version(`filter/${drawing}`), params: {} };
+    wires.push(`${SHEET} -> ${drawing}-s.inputImage`);
+  }
+  return JSON.stringify(sheet);
+}
+
+interface SheetProject {
+  readonly graphs: { readonly main: { readonly nodes: Record<string, object>; readonly wires: string[] } };
+}
+
 /** Luma, averaged over strokes and over all moves. */
-async function averaged(shots: readonly Buffer[]): Promise<Uint8Array> {
-  const sums: number[] = [];
+async function averaged(shots: readonly RgbaImage[]): Promise<Uint8Array> {
+  let sums = new Float64Array();
   let size = { width: 0, height: 0 };
-  for (const [i, png] of shots.entries()) {
-    const { data, info } = await sharp(png).flatten({ background: '#fff' }).toColorspace('b-w').raw().toBuffer({ resolveWithObject: true });
+  for (const [i, { width, height, data: pixels }] of shots.entries()) {
+    const raw = { width, height, channels: 4 } as const;
+    const { data, info } = await sharp(pixels, { raw })
+      .flatten({ background: '#fff' })
+      .toColorspace('b-w')
+      .raw()
+      .toBuffer({ resolveWithObject: true });
     size = info;
+    if (sums.length === 0) sums = new Float64Array(data.length);
     const [x, y] = MOVES[i] ?? [0, 0];
     const inside = (at: number, end: number): number => Math.min(Math.max(at, 0), end - 1);
     for (let at = 0; at < data.length; at++) {
-      const [column, row] = [inside((at % info.width) + x, info.width), inside(Math.floor(at / info.width) + y, info.height)];
+      const column = inside((at % info.width) + x, info.width);
+      const row = inside(Math.floor(at / info.width) + y, info.height);
       sums[at] = (sums[at] ?? 0) + (data[row * info.width + column] ?? 0) / shots.length;
     }
   }

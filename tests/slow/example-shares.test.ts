@@ -2,27 +2,30 @@ import { cp, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
-import { decodeImage } from '../support/image.ts';
-import { succeed } from '../support/scrim.ts';
+import { useBrowser } from '../support/browser.ts';
+import { renderLayers } from '../support/render-layers.ts';
 
 const EXAMPLES = resolve(import.meta.dirname, '../../examples');
 /** A quarter of the gallery's size: the shares of areas stay the same. */
-const SIZE = '320x240';
+const [WIDTH, HEIGHT] = [320, 240];
 /** An alpha that one can see. */
 const SEEN = 25;
 
+const chromium = useBrowser();
 let base = '';
 beforeAll(async () => {
   base = await mkdtemp(join(tmpdir(), 'scrim-shares-'));
 });
 afterAll(() => rm(base, { recursive: true, force: true }));
 
-/** Whether each pixel of a layer is visible, in the view of the gallery. */
-async function seen(project: string, layer: string): Promise<readonly boolean[]> {
-  const out = join(base, `${layer}.png`);
-  await succeed('render', project, '--session', join(EXAMPLES, 'sessions/studio'), '--size', SIZE, '--layer', layer, '--out', out);
-  const { width, height, data } = decodeImage(await readFile(out));
-  return Array.from({ length: width * height }, (_, i) => (data[4 * i + 3] ?? 0) > SEEN);
+/** Whether each pixel of layers is visible, in the view of the gallery. */
+async function seen(project: string, ...layers: readonly string[]): Promise<readonly (readonly boolean[])[]> {
+  const session = join(EXAMPLES, 'sessions/studio');
+  const images = await renderLayers(chromium.browser, { project, session, layers, frames: 1, widthPx: WIDTH, heightPx: HEIGHT });
+  return layers.map((layer) => {
+    const data = images.get(layer)?.[0]?.data ?? [];
+    return Array.from({ length: WIDTH * HEIGHT }, (_, i) => (data[4 * i + 3] ?? 0) > SEEN);
+  });
 }
 
 const share = (pixels: readonly boolean[]) => pixels.filter((isIn) => isIn).length / pixels.length;
@@ -32,11 +35,13 @@ test.each([
   ['built-of-bricks', 'scene-f12b.layer'],
   ['pen-strokes', 'scene-f12c.layer'],
 ])('the style of %s fills a third of the image', async (example, layer) => {
-  expect(share(await seen(join(EXAMPLES, example), layer))).toBeGreaterThan(1 / 3);
+  const [style = []] = await seen(join(EXAMPLES, example), layer);
+  expect(share(style)).toBeGreaterThan(1 / 3);
 });
 
 test('the book and its lectern fill a third of the image', async () => {
-  expect(share(await seen(join(EXAMPLES, 'the-world-in-the-book'), 'reading-f13.layer'))).toBeGreaterThan(1 / 3);
+  const [book = []] = await seen(join(EXAMPLES, 'the-world-in-the-book'), 'reading-f13.layer');
+  expect(share(book)).toBeGreaterThan(1 / 3);
 });
 
 test('sketched shadows fill a third of the image, beside the models', async () => {
@@ -48,6 +53,6 @@ test('sketched shadows fill a third of the image, beside the models', async () =
   const even = text.replace('"drawing": "strokes"', '"drawing": "even"');
   expect(even).not.toBe(text);
   await writeFile(file, even);
-  const [models, shadows] = [await seen(project, 'scene-f11.layer'), await seen(project, 'shadow-f11.layer')];
+  const [models = [], shadows = []] = await seen(project, 'scene-f11.layer', 'shadow-f11.layer');
   expect(share(shadows.map((isIn, i) => isIn && !models[i]))).toBeGreaterThan(1 / 3);
 });

@@ -48,6 +48,8 @@ declare global {
   var testIwer: TestIwer | undefined;
 }
 
+let injected: Promise<string> | undefined;
+
 /** Puts a Quest 3 of two eyes into the page before the page's own scripts. */
 export async function openIwerPage(
   browser: Browser,
@@ -56,11 +58,12 @@ export async function openIwerPage(
   viewport: { readonly width: number; readonly height: number },
 ): Promise<IwerPage> {
   const room = options.room && JSON.parse(await readFile(resolve(ROOT, `node_modules/@iwer/sem/captures/${options.room}.json`), 'utf8'));
+  injected ??= bundleIwer();
   const context = await browser.newContext({ viewport });
   const page = await context.newPage();
   const errors = collectErrors(page);
   await drawPageSeldom(page);
-  await page.addInitScript({ content: `globalThis.testIwerOptions = ${JSON.stringify({ ...options, room })};\n${await bundleIwer()}` });
+  await page.addInitScript({ content: `globalThis.testIwerOptions = ${JSON.stringify({ ...options, room })};\n${await injected}` });
   await page.goto(url);
   return { page, errors, nextFrame: () => readFrame(page), close: () => context.close() };
 }

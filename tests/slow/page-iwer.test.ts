@@ -5,7 +5,7 @@ import { afterAll, afterEach, beforeAll, describe, expect, test } from '@jest/gl
 import { useBrowser } from '../support/browser.ts';
 import { decodeImage, pixelAt, type RgbaImage } from '../support/image.ts';
 import type { ProjectText } from '../support/project-kit.ts';
-import { serveProject, serveProjectText } from '../support/project-page.ts';
+import { type ServedExport, serveProject, serveProjectText } from '../support/project-page.ts';
 import { openXrPage, type XrPage } from '../xr/xr-page.ts';
 import { type IwerOptions, type IwerPage, type IwerView, openIwerPage } from './iwer-page.ts';
 
@@ -22,7 +22,12 @@ let base = '';
 beforeAll(async () => {
   base = await mkdtemp(join(tmpdir(), 'scrim-iwer-'));
 });
-afterAll(() => rm(base, { recursive: true, force: true }));
+/** Addresses of the exported examples, each exported once. */
+const exported = new Map<string, Promise<ServedExport>>();
+afterAll(async () => {
+  for (const served of exported.values()) await (await served).close();
+  await rm(base, { recursive: true, force: true });
+});
 
 const closing: (() => Promise<unknown>)[] = [];
 afterEach(async () => {
@@ -31,6 +36,12 @@ afterEach(async () => {
 
 /** The example with its models at rest, so that two devices show the same at any time. */
 async function exportAtRest(example: string): Promise<string> {
+  const served = exported.get(example) ?? serveAtRest(example);
+  exported.set(example, served);
+  return (await served).url;
+}
+
+async function serveAtRest(example: string): Promise<ServedExport> {
   const folder = join(base, example);
   await cp(join(EXAMPLES, example), folder, { recursive: true });
   const path = join(folder, 'project.scrim.json');
@@ -41,9 +52,7 @@ async function exportAtRest(example: string): Promise<string> {
     if (node.type === 'source/model') node.params = { ...node.params, playing: false };
   }
   await writeFile(path, JSON.stringify(project));
-  const served = await serveProject(folder);
-  closing.push(served.close);
-  return served.url;
+  return serveProject(folder);
 }
 
 async function openIwer(url: string, more: Partial<IwerOptions> = {}): Promise<IwerPage> {

@@ -9,7 +9,7 @@ import { chooseOption } from '../support/choose-option.ts';
 import { EditorDriver, FLAG_PX } from '../support/editor-driver.ts';
 import { decodeImage, type RgbaImage } from '../support/image.ts';
 import { countDifferent, expectSamePixels } from '../support/pixels.ts';
-import { serveProject } from '../support/project-page.ts';
+import { type ServedExport, serveProject } from '../support/project-page.ts';
 import { openXrPage } from '../xr/xr-page.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
@@ -27,11 +27,23 @@ let base = '';
 beforeAll(async () => {
   base = await mkdtemp(join(tmpdir(), 'scrim-parity-'));
 });
-afterAll(() => rm(base, { recursive: true, force: true }));
+afterAll(async () => {
+  for (const served of exported.values()) await served.close();
+  await rm(base, { recursive: true, force: true });
+});
+
+/** Pages by their project. Compression rounds what a model is made of; what is compared here is how it is played. */
+const exported = new Map<string, ServedExport>();
+async function pageUrlOf(project: string): Promise<string> {
+  const served = exported.get(project) ?? (await serveProject(project, { compress: false }));
+  exported.set(project, served);
+  return served.url;
+}
 
 /** The example by itself has a filter over everything; without it, its layers go straight to the device. */
-async function copyExample(name: string, forward: boolean): Promise<string> {
-  const project = join(base, name);
+async function copyExample(forward: boolean): Promise<string> {
+  const project = join(base, forward ? 'forward' : 'filtered');
+  if (exported.has(project)) return project;
   await cp(join(ROOT, 'examples/first-light'), project, { recursive: true });
   if (!forward) return project;
   const file = join(project, 'project.scrim.json');
@@ -75,8 +87,6 @@ async function pageOf(
   views: 1 | 2,
   size: { width: number; height: number },
 ): Promise<{ readonly first: RgbaImage; readonly later: RgbaImage }> {
-  // Compression rounds what a model is made of; what is compared here is how it is played.
-  const served = await serveProject(project, { compress: false });
   const options = {
     room: 'studio',
     device: views === 2 ? 'headset' : 'phone',
@@ -84,7 +94,7 @@ async function pageOf(
     sizePx: [size.width, size.height],
     antialias: true,
   } as const;
-  const xr = await openXrPage(chromium.browser, served.url, options, size);
+  const xr = await openXrPage(chromium.browser, await pageUrlOf(project), options, size);
   await xr.setPose(START);
   await xr.enter();
   await xr.page.getByRole('button', { name: 'Leave AR' }).evaluate((button) => {
@@ -97,7 +107,6 @@ async function pageOf(
   const later = await screenshot();
   expect(xr.errors).toEqual([]);
   await xr.close();
-  await served.close();
   return { first, later };
 }
 
@@ -108,7 +117,7 @@ describe.each([
   ['layers drawn straight to the device', true, 1, 0],
 ] as const)('%s', (name, forward, views, mostDifferent) => {
   test('is the same in the running editor’s preview and in the served page, except where a fused pass rounds differently', async () => {
-    const project = await copyExample(name.replaceAll(' ', '-'), forward);
+    const project = await copyExample(forward);
     const { still, size } = await previewOf(project, views);
     const { first, later } = await pageOf(project, views, size);
     await expectSamePixels(`parity-${name.replaceAll(' ', '-')}`, first, still, { tolerance: mostDifferent === 0 ? 0 : 1 });

@@ -1,12 +1,13 @@
-import { mkdtemp, readFile, rm } from 'node:fs/promises';
+import { mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { decode, encode } from 'fast-png';
+import { encode } from 'fast-png';
 import { flickerBetween, type Shot } from '../../export/score/flicker.ts';
 import { meanOf } from '../../export/score/mean-of.ts';
+import { useBrowser } from '../support/browser.ts';
 import { type ProjectText, projectText, writeProject } from '../support/project-kit.ts';
-import { succeed } from '../support/scrim.ts';
+import { renderLayers } from '../support/render-layers.ts';
 
 const [WIDTH, HEIGHT] = [320, 240];
 const FOCAL_PX = 320;
@@ -26,6 +27,7 @@ const [BOARDS, APART_M] = [8, 2];
 const heightM = (board: number): number => APART_M * (board - BOARDS / 2);
 const FRAMES = 2 * BOARDS;
 
+const chromium = useBrowser();
 let base = '';
 const layers: Record<'cut' | 'sketched', Uint8Array[]> = { cut: [], sketched: [] };
 
@@ -95,26 +97,12 @@ beforeAll(async () => {
     ],
   };
   await writeProject(join(base, 'project'), { 'project.scrim.json': projectText(graph) });
-  for (const [name, node] of [
-    ['cut', 'cut-a1b2'],
-    ['sketched', 'sketch-a1b2'],
-  ] as const) {
-    const out = join(base, name);
-    await succeed(
-      'render',
-      join(base, 'project'),
-      '--session',
-      join(base, 'session'),
-      '--layer',
-      `${node}.layer`,
-      '--out',
-      out,
-      '--frames',
-      `0..${FRAMES - 1}`,
-    );
-    for (let i = 0; i < FRAMES; i++)
-      layers[name].push(Uint8Array.from(decode(await readFile(join(out, `${String(i).padStart(6, '0')}.png`))).data));
-  }
+  const images = await renderLayers(chromium.browser, {
+    ...{ project: join(base, 'project'), session: join(base, 'session'), widthPx: WIDTH, heightPx: HEIGHT, frames: FRAMES },
+    layers: ['cut-a1b2.layer', 'sketch-a1b2.layer'],
+  });
+  layers.cut.push(...(images.get('cut-a1b2.layer') ?? []).map(({ data }) => data));
+  layers.sketched.push(...(images.get('sketch-a1b2.layer') ?? []).map(({ data }) => data));
 });
 afterAll(() => rm(base, { recursive: true, force: true }));
 

@@ -1,6 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { compile } from '../../export/compiler/compile.ts';
+import type { CompileOptions } from '../../export/compiler/compile-options.ts';
 import { loadProject } from '../../export/graph/load.ts';
 import type { Program } from '../../export/program/program.ts';
 import { LIBRARY } from './library.ts';
@@ -10,9 +11,9 @@ import { LIBRARY } from './library.ts';
  *
  * @throws If there is any diagnostic.
  */
-export function compileText(project: string): Program {
+export function compileText(project: string, options: CompileOptions = {}): Program {
   const loaded = loadProject({ project, layout: null, sources: {} });
-  const compiled = loaded.output ? compile({ project: loaded.output, library: LIBRARY }) : null;
+  const compiled = loaded.output ? compile({ project: loaded.output, library: LIBRARY, options }) : null;
   if (!compiled?.output) throw new Error(JSON.stringify([loaded.diagnostics, compiled?.diagnostics]));
   return compiled.output;
 }

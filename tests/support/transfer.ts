@@ -19,7 +19,7 @@ interface Packed {
   readonly $undefined?: true;
   readonly $number?: string;
   readonly $typed?: keyof typeof TYPED;
-  readonly values?: unknown;
+  readonly base64?: string;
 }
 
 function pack(value: unknown): unknown {
@@ -29,18 +29,32 @@ function pack(value: unknown): unknown {
   if (typeof value !== 'object' || value === null) return value;
   if (Array.isArray(value)) return value.every(isPlain) ? value : value.map(pack);
   const { name } = value.constructor ?? Object;
-  if (name in TYPED) return { $typed: name as keyof typeof TYPED, values: pack(Array.from(value as Iterable<number>)) } satisfies Packed;
+  if (name in TYPED) return { $typed: name as keyof typeof TYPED, base64: base64Of(value as Uint8Array) } satisfies Packed;
   return Object.fromEntries(Object.entries(value).map(([key, inner]) => [key, pack(inner)]));
 }
 
 function unpack(value: unknown): unknown {
   if (typeof value !== 'object' || value === null) return value;
   if (Array.isArray(value)) return value.every(isPlain) ? value : value.map(unpack);
-  const { $undefined, $number, $typed, values } = value as Packed;
+  const { $undefined, $number, $typed, base64 } = value as Packed;
   if ($undefined) return undefined;
   if ($number !== undefined) return Number($number);
-  if ($typed !== undefined) return TYPED[$typed].from(unpack(values) as number[]);
+  if ($typed !== undefined) return new TYPED[$typed](bytesOf(base64 ?? ''));
   return Object.fromEntries(Object.entries(value).map(([key, inner]) => [key, unpack(inner)]));
+}
+
+/** The bytes of a typed array as text: as a list of numbers an image takes ten times as long. */
+function base64Of({ buffer, byteOffset, byteLength }: ArrayBufferView): string {
+  if (typeof Buffer !== 'undefined') return Buffer.from(buffer as ArrayBuffer, byteOffset, byteLength).toString('base64');
+  const bytes = new Uint8Array(buffer, byteOffset, byteLength);
+  let text = '';
+  for (let i = 0; i < bytes.length; i += 8192) text += String.fromCharCode(...bytes.subarray(i, i + 8192));
+  return btoa(text);
+}
+
+function bytesOf(base64: string): ArrayBuffer {
+  if (typeof Buffer !== 'undefined') return Uint8Array.from(Buffer.from(base64, 'base64')).buffer;
+  return Uint8Array.from(atob(base64), (character) => character.charCodeAt(0)).buffer;
 }
 
 function isPlain(value: unknown): boolean {
