@@ -303,6 +303,13 @@ test('puts a 360° photograph without depth onto a floor and a dome', async () =
   ]);
 });
 
+test('refuses a capture', async () => {
+  await put('capture.json', '{}');
+  await expect(run()).rejects.toMatchObject({
+    diagnostic: { message: expect.stringContaining('it is a capture already; import the folder of photographs') },
+  });
+});
+
 test('refuses what only looks like a 360° photograph, and one whose depth is asked for but missing', async () => {
   await onlyPanorama();
   await expect(run(undefined, undefined, { from: 'files', unit: null, kind: null })).rejects.toMatchObject({

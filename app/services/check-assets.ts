@@ -41,7 +41,8 @@ async function problemOf(root: string, { path, kind }: Asset): Promise<AssetProb
       const head = Buffer.alloc(HEAD_BYTES);
       await file.read(head, 0, HEAD_BYTES, 0);
       const wrong = WRONG[kind](head, size) ?? (await contentFault(file, kind, head, size));
-      if (wrong !== null) return { code: 'SCR032', message: `${path} ${wrong}`, fix: 'Export it again, or choose another file.' };
+      const fix = kind === 'capture' ? 'Import its photographs again.' : 'Export it again, or choose another file.';
+      if (wrong !== null) return { code: 'SCR032', message: `${path} ${wrong}`, fix };
       if (kind === 'capture') return await captureProblem(root, path, await file.readFile('utf8'));
       if (kind === 'splats') return await splatProblem(file, path, size);
       return tooLarge(path, kind, size);

@@ -11,7 +11,7 @@ import { readTransforms } from '../../export/captures/transforms-json.ts';
 import { ModelError } from '../../export/gltf/document.ts';
 import { imageSize } from '../../export/gltf/image-size.ts';
 import { readWholeModel } from '../../export/gltf/whole-model.ts';
-import { CAPTURE_LIMITS, CaptureError, type CaptureMesh, isInside } from '../../nodes/kit/capture.ts';
+import { CAPTURE_FILE, CAPTURE_LIMITS, CaptureError, type CaptureMesh, isInside } from '../../nodes/kit/capture.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { errorCode } from './file-errors.ts';
 import { readSource } from './read-source.ts';
@@ -108,7 +108,11 @@ export async function readCameras(folder: string): Promise<SourceCapture> {
   throw new CaptureError('it has no cameras: neither cameras.txt and images.txt (or .bin) of COLMAP nor transforms.json');
 }
 
+/** @throws CaptureError if they are damaged, or if the folder is no folder of photographs but a capture */
 async function findCameras(folder: string): Promise<SourceCapture | null> {
+  if (await readIfThere(join(folder, CAPTURE_FILE))) {
+    throw new CaptureError('it is a capture already; import the folder of photographs that it was made from');
+  }
   for (const place of CAMERA_FOLDERS) {
     const read = (name: string) => readIfThere(join(folder, place, name));
     for (const [ending, reader] of [

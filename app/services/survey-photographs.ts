@@ -24,8 +24,7 @@ const MAX_PHOTO_BYTES = 256 * 2 ** 20;
  */
 export async function surveyPhotographs(folder: string, hasCameras: boolean): Promise<Survey> {
   if (!hasCameras) {
-    const views = await viewsWithoutCameras(folder);
-    const photographs = await Promise.all(views.map(({ file }) => sizeOf(file, true)));
+    const { views, photographs } = await readWithoutCameras(folder);
     return { form: null, up: null, mesh: null, warnings: [], photographs, depth: await depthOf(folder, views, null, false) };
   }
   const found = await readCaptureFolder(resolve(folder));
@@ -44,23 +43,27 @@ export async function surveyPhotographs(folder: string, hasCameras: boolean): Pr
   };
 }
 
+/** 0 × 0 pixels if the file does not say how large it is. */
 async function sizeOf(file: string, isStraight: boolean): Promise<Survey['photographs'][number]> {
   const bytes = await readSource(file, MAX_PHOTO_BYTES);
   const size = imageSize(bytes) ?? { widthPx: 0, heightPx: 0 };
   return { widthPx: size.widthPx, heightPx: size.heightPx, bytes: bytes.length, isKept: isStraight && isJpeg(bytes), isAround: false };
 }
 
-/** Photographs whose cameras are not known yet. */
-async function viewsWithoutCameras(folder: string): Promise<readonly FoundView[]> {
+/** Photographs whose cameras are not known yet, one after the other: together they may not fit into memory. */
+async function readWithoutCameras(folder: string) {
   const { place, names } = await photographsOf(folder);
   const views: FoundView[] = [];
+  const photographs: Survey['photographs'] = [];
   for (const name of names) {
     const file = join(place, name);
-    const size = imageSize(await readSource(file, MAX_PHOTO_BYTES));
+    const photograph = await sizeOf(file, true);
     // COLMAP leaves out what it cannot read.
-    if (size) views.push({ view: { name, ...UNKNOWN_VIEW }, file, lens: wideLens(size.widthPx, size.heightPx) });
+    if (photograph.widthPx === 0) continue;
+    views.push({ view: { name, ...UNKNOWN_VIEW }, file, lens: wideLens(photograph.widthPx, photograph.heightPx) });
+    photographs.push(photograph);
   }
-  return views;
+  return { views, photographs };
 }
 
 const UNKNOWN_VIEW = {

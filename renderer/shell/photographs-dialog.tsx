@@ -42,6 +42,7 @@ export function PhotographsDialog({ folder: given, onClose }: { readonly folder:
   const found = look !== null && 'photographs' in look ? look : null;
   const surveyed = useAnswer(found === null ? null : asked.folder, () => surveyPhotographs(editor, asked.folder));
   const survey = surveyed !== null && 'photographs' in surveyed ? surveyed : null;
+  const problem = [look, surveyed].find((answer) => answer !== null && 'code' in answer);
   const [form, setForm] = useState(FORM);
   const { maxSidePx, metersPerUnit } = readForm(form);
   const judged = useMemo(() => judgedDepth(survey, form), [survey, form]);
@@ -68,7 +69,7 @@ export function PhotographsDialog({ folder: given, onClose }: { readonly folder:
       action="Import"
       again="Continue"
       program="COLMAP"
-      steps={STEPS}
+      steps={found?.hasCameras ? STEPS.slice(-1) : STEPS}
       ready={canRun && isNamed}
       onGo={go}
       onClose={onClose}
@@ -92,8 +93,8 @@ export function PhotographsDialog({ folder: given, onClose }: { readonly folder:
         {!found?.hasCameras && <ChoiceField label="Taken with" value={lenses} options={LENSES} onChoose={setLenses} />}
       </div>
       {!found?.hasCameras && <ProgramField title="COLMAP" preference="colmap" problem={found?.diagnostic} />}
-      <p className="dialog-note" role="status">
-        {surveyed !== null && 'code' in surveyed ? problemText(surveyed) : lookWords(look, survey)}
+      <p className={problem ? 'form-error' : 'dialog-note'} role="status">
+        {problem ? problemText(problem) : lookWords(found, survey)}
       </p>
       {survey !== null && found !== null && (
         <>
@@ -177,10 +178,9 @@ function megabytes(bytes: number): string {
   return `${Number((bytes / 1e6).toPrecision(2))} MB`;
 }
 
-function lookWords(look: FolderLook | null, survey: FolderSurvey | null): string {
+function lookWords(look: Extract<FolderLook, { photographs: number }> | null, survey: FolderSurvey | null): string {
   if (look === null)
     return 'A folder of photographs of a room or an object, from many places. Cameras that are missing are found by COLMAP.';
-  if (!('photographs' in look)) return problemText(look);
   // A file of depth beside a 360° photograph is none.
   const photographs = look.hasCameras && survey ? survey.photographs.length : look.photographs;
   const count = photographs === 1 ? '1 photograph' : `${photographs} photographs`;

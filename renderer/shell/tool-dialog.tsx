@@ -91,7 +91,9 @@ function Progress({ of: { step, lines, error }, steps, program }: ProgressProps)
           </li>
         ))}
       </ol>
-      <textarea ref={log} className="field scroll" aria-label={`Output of ${program}`} readOnly value={lines.join('\n')} />
+      {lines.length > 0 && (
+        <textarea ref={log} className="field scroll" aria-label={`Output of ${program}`} readOnly value={lines.join('\n')} />
+      )}
       {error !== null && (
         <div role="alert">
           <ErrorText text={error.message} detail={error.fix} />

@@ -46,7 +46,8 @@ export async function rephotograph(
   const objects = createGlObjects(gl);
   const before = objects.counts();
   const start = performance.now();
-  const capture = await loadCapture(objects, new TextEncoder().encode(JSON.stringify(others)).buffer, 'capture.json', source.load, true);
+  const document = new TextEncoder().encode(JSON.stringify(others)).buffer;
+  const capture = await loadCapture(objects, document, 'capture.json', source.load, methods.includes('depth-meshes'));
   gl.finish();
   const loadMs = performance.now() - start;
   const truth = await photoPixels(await source.load(target.file), widthPx, heightPx);

@@ -1,12 +1,15 @@
-import { mkdtemp, open as openFile, rm } from 'node:fs/promises';
+import { cp, mkdtemp, open as openFile, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, afterEach, beforeAll, expect, test } from '@jest/globals';
+import { decode, encode } from 'fast-png';
 import { axeFindings } from '../support/axe.ts';
 import { withBall } from '../support/ball-project.ts';
 import { useBrowser } from '../support/browser.ts';
+import { chooseOption } from '../support/choose-option.ts';
 import { type EditorPageOptions, type GraphText, type OpenEditor, openEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
+import { describeWithData } from '../support/shared-data.ts';
 import { writeTwoCameraScan } from '../support/two-camera-scan.ts';
 
 const GRAPH: GraphText = {
@@ -145,3 +148,47 @@ function withNaN(mesh: Uint8Array): Uint8Array {
   damaged.set(new Uint8Array(Float32Array.of(Number.NaN).buffer), 12 * 17 + 4);
   return damaged;
 }
+
+describeWithData('depth of a room in an unusual unit', 'captures/icl-livingroom', (room) => {
+  test('is detected, can be told otherwise, and a wrong unit is refused before the import', async () => {
+    const folder = join(base, 'room');
+    await cp(room, folder, { recursive: true });
+    await rm(join(folder, 'sparse_bin'), { recursive: true });
+    // 1/5000 m, as in the recordings of TUM, instead of millimeters.
+    for (const name of await readdir(join(folder, 'depth'))) {
+      const file = join(folder, 'depth', name);
+      const { width, height, data } = decode(await readFile(file));
+      await writeFile(
+        file,
+        encode({ width, height, channels: 1, depth: 16, data: Uint16Array.from(data, (mm) => Math.min(5 * mm, 65535)) }),
+      );
+    }
+    const { page, editor } = await open(GRAPH, { size: { width: 1024, height: 900 } });
+    await editor.settled();
+    await page.keyboard.press('Control+Alt+i');
+    const form = page.getByRole('dialog', { name: 'Import photographs' });
+    await form.getByRole('textbox', { name: 'Folder', exact: true }).fill(folder);
+    const go = form.getByRole('button', { name: 'Import', exact: true });
+    const unit = form.getByRole('combobox', { name: 'Unit' });
+    await unit.filter({ hasText: 'Detected: 0.2 mm' }).waitFor();
+    await form.getByText('1 unit = 0.2 mm, distance along the view axis; detected by the mesh.').waitFor();
+    await form.getByText('1.75 m away in the median, 2.81 m at most.').waitFor();
+    expect(await form.getByText(/in the page; .* of 128 MB on the GPU of a phone/).count()).toBe(1);
+    expect(await go.isEnabled()).toBe(true);
+    expect(await axeFindings(page)).toEqual([]);
+
+    await chooseOption(unit, '0.001');
+    await form.getByText('8.77 m away in the median').waitFor();
+    await form.getByText('5 times that of the mesh').waitFor();
+    expect(await go.isDisabled()).toBe(true);
+    await chooseOption(unit, '0.0002');
+    await form.getByText('It differs from the mesh by 0.15 % in the median.').waitFor();
+    await form.getByRole('textbox', { name: 'Longest side (px)' }).fill('320');
+    await go.click();
+
+    const report = page.getByRole('dialog', { name: 'room.capture: what was understood' });
+    await report.getByText('18 files, along the axes of the cameras, unit 0.0002 m').waitFor();
+    await report.getByText('18, 320 × 240 px').waitFor();
+    await report.getByText('read from the depth files').waitFor();
+  });
+});

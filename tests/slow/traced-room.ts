@@ -14,20 +14,21 @@ const FOV_DEG = 55;
 type Box = readonly [low: readonly number[], high: readonly number[], gray: number];
 
 /** A room from inside, a table and a box on it. */
-const BOXES: readonly Box[] = [
+export const BOXES: readonly Box[] = [
   [[-2.5, 0, -3], [2.5, 2.6, 2], 0.75],
   [[-0.6, 0, -1.7], [0.5, 0.7, -0.9], 0.55],
   [[-0.1, 0.7, -1.5], [0.15, 1.0, -1.25], 0.35],
 ];
 const LIGHT = new Vector3(0.4, 0.8, 0.45).normalize();
 
-interface Hit {
+export interface Hit {
   /** Along the ray, whose z is -1 in view space: meters of depth. */
   readonly m: number;
   readonly gray: number;
 }
 
-function trace(eye: Vector3, ray: Vector3): Hit {
+/** What a ray meets first. */
+export function trace(eye: Vector3, ray: Vector3): Hit {
   let best: Hit = { m: Infinity, gray: 0 };
   BOXES.forEach(([low, high, gray], i) => {
     const [e, r] = [eye.toArray(), ray.toArray()];
