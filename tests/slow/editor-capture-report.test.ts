@@ -188,7 +188,7 @@ describeWithData('depth of a room in an unusual unit', 'captures/icl-livingroom'
 
     const report = page.getByRole('dialog', { name: 'room.capture: what was understood' });
     await report.getByText('18 files, along the axes of the cameras, unit 0.0002 m').waitFor();
-    await report.getByText('18, 320 × 240 px').waitFor();
+    await report.getByText('18, 640 × 480 px, packed as 320 × 240 px').waitFor();
     await report.getByText('read from the depth files').waitFor();
   });
 });

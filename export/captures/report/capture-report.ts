@@ -83,12 +83,17 @@ export interface ReportFact {
 
 const DEPTH_WORDS = { z: 'along the axes of the cameras', ray: 'along the rays of pixels' } as const;
 
+interface Size {
+  readonly widthPx: number;
+  readonly heightPx: number;
+}
+
 /** What was understood, in words. */
 export function reportFacts({ record, views, vertexCount, triangleCount, sizeM }: CaptureReport): readonly ReportFact[] {
   const fact = (label: string, text: string | null | undefined): ReportFact[] => (text == null ? [] : [{ label, text }]);
   return [
     ...fact('Files', record?.form),
-    ...fact('Photographs', `${views.length}, ${rangeOfSizes(record?.views ?? views)}`),
+    ...fact('Photographs', `${views.length}, ${photographSizes(record?.views ?? views, views)}`),
     ...fact('Cameras', record && counts(record.views.map(({ model }) => model))),
     ...fact('Points', record && pointWords(record)),
     ...fact('Mesh', `${whole(vertexCount)} vertices, ${whole(triangleCount)} triangles`),
@@ -104,7 +109,12 @@ function whole(count: number): string {
   return count.toLocaleString('en-US');
 }
 
-function rangeOfSizes(sizes: readonly { readonly widthPx: number; readonly heightPx: number }[]): string {
+function photographSizes(taken: readonly Size[], packed: readonly Size[]): string {
+  const [before, after] = [rangeOfSizes(taken), rangeOfSizes(packed)];
+  return before === after ? before : `${before}, packed as ${after}`;
+}
+
+function rangeOfSizes(sizes: readonly Size[]): string {
   const texts = new Set(sizes.map(({ widthPx, heightPx }) => `${widthPx} × ${heightPx}`));
   return texts.size <= 2 ? `${[...texts].join(' and ')} px` : `of ${texts.size} sizes`;
 }
