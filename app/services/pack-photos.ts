@@ -1,6 +1,6 @@
 import { createPhotoWorkers } from '../../export/bundle/photos/photo-workers.ts';
+import { packedSidePx } from '../../export/captures/packed-side.ts';
 import type { Photo } from '../../export/captures/undistort.ts';
-import { CAPTURE_LIMITS } from '../../nodes/kit/capture.ts';
 import { createAssetCache } from './asset-cache-folder.ts';
 import type { FileLayer } from './file-layer.ts';
 import { type PackedPhoto, packPhoto, workOn } from './pack-photo.ts';
@@ -27,8 +27,6 @@ export interface PackedPhotos {
 }
 
 const MAX_PHOTO_BYTES = 256 * 2 ** 20;
-/** A 360° photograph may be larger by this factor, because it shows more. */
-const AROUND = 2.5;
 
 /**
  * Runs a task with the photographs of an import. Threads pack those that are next, one each, so memory does not grow with the number of views.
@@ -43,7 +41,7 @@ export async function withPackedPhotos<T>(
   const workers = createPhotoWorkers(sources, largest);
   const cache = createAssetCache(root, files);
   const pack = async ({ file, lens, view }: FoundView): Promise<PackedPhoto> => {
-    const side = lens.projection === 'equirectangular' ? Math.min(AROUND * maxSidePx, CAPTURE_LIMITS.sidePx) : maxSidePx;
+    const side = packedSidePx(maxSidePx, lens.projection === 'equirectangular');
     return packPhoto(await readSource(file, MAX_PHOTO_BYTES), view.name, lens, side, { cache, workers });
   };
   const started: Promise<PackedPhoto>[] = [];

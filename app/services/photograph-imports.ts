@@ -84,14 +84,8 @@ export function createPhotographImports(files: FileLayer, tools: ToolJobs, sourc
       const task = async (interrupted: AbortSignal, onLine: (line: string) => void) => {
         try {
           const folder = await realFolder(job.folder);
-          return await pack(
-            folder,
-            (await hasOwnCameras(folder)) ? null : await findCameras(folder, job, interrupted, onLine),
-            job,
-            files,
-            sources,
-            interrupted,
-          );
+          const found = (await hasOwnCameras(folder)) ? null : await findCameras(folder, job, interrupted, onLine);
+          return await pack(folder, found, job, files, sources, interrupted);
         } catch (error) {
           interrupted.throwIfAborted();
           throw asRefusal(error, job.folder);

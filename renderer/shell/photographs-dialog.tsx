@@ -2,11 +2,13 @@ import { useId, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import { type JudgedDepth, judgeDepth } from '../../export/captures/depth/judge-depth.ts';
 import { AXES } from '../../export/captures/upright.ts';
+import { PHONE_GPU_BYTES } from '../../nodes/kit/phone-memory.ts';
 import { type FolderLook, importPhotographs, lookIntoFolder } from '../state/acquisition/import-photographs.ts';
 import { estimatePacked, type FolderSurvey, type PackedEstimate, surveyPhotographs } from '../state/acquisition/survey-photographs.ts';
 import { canvasCenter } from '../state/commands/command-actions.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 import type { ToolStep } from '../state/editor/ui.ts';
+import { byteText } from '../state/files/byte-text.ts';
 import { ChoiceField, TextField } from '../ui/form-fields.tsx';
 import type { SelectOption } from '../ui/select-field.tsx';
 import { DepthSection } from './depth-section.tsx';
@@ -171,11 +173,7 @@ function estimateWords({ pageBytes, phone, sidePx }: PackedEstimate, hasNoMesh: 
   const [width, height] = phone.photoPx;
   const reduced = Math.max(width, height) < sidePx ? `, where photographs are reduced to ${width} × ${height} px` : '';
   const mesh = hasNoMesh ? ', without the mesh' : '';
-  return `About ${megabytes(pageBytes)} in the page; ${megabytes(phone.gpuBytes)} of 128 MB on the GPU of a phone${reduced}${mesh}.`;
-}
-
-function megabytes(bytes: number): string {
-  return `${Number((bytes / 1e6).toPrecision(2))} MB`;
+  return `About ${byteText(pageBytes)} in the page; ${byteText(phone.gpuBytes)} of ${byteText(PHONE_GPU_BYTES)} on the GPU of a phone${reduced}${mesh}.`;
 }
 
 function lookWords(look: Extract<FolderLook, { photographs: number }> | null, survey: FolderSurvey | null): string {

@@ -9,12 +9,10 @@ import type { ToolContext } from '../lib/tool.ts';
 import { BARE_HTML, bundleBarePage } from './bare-page.ts';
 import { type Bench, quantile } from './bench.ts';
 import { startBenchBrowser } from './open-page.ts';
+import { visitSlowly } from './slow-visit.ts';
 import { hostFolder, type StaticHost } from './static-host.ts';
 
-/** A slow phone network: 1.6 Mbit/s down, 0.75 up, 150 ms from request to answer. */
-const NETWORK = { offline: false, latency: 150, downloadThroughput: 1.6e6 / 8, uploadThroughput: 0.75e6 / 8 };
 const CPU_SLOWNESS = 4;
-const SIZE_PX = { width: 400, height: 300 };
 const SAMPLES = 7;
 
 /** Times since the start of the navigation, milliseconds. */
@@ -34,8 +32,8 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
   const race = async (): Promise<void> => {
     opened ??= openStage(root);
     const { browser, ours, bare } = await opened;
-    seen.ours.push(await visit(browser, ours.url));
-    seen.bare.push(await visit(browser, bare.url));
+    seen.ours.push(await visitSlowly<Shown>(browser, ours.url, CPU_SLOWNESS, watchImages));
+    seen.bare.push(await visitSlowly<Shown>(browser, bare.url, CPU_SLOWNESS, watchImages));
   };
   const median = (times: readonly Shown[], of: (shown: Shown) => number): number =>
     quantile(
@@ -117,21 +115,6 @@ async function posterImage(root: string): Promise<Uint8Array<ArrayBuffer>> {
   return Uint8Array.from(await picture.jpeg({ quality: 82 }).toBuffer());
 }
 
-async function visit(browser: Browser, url: string): Promise<Shown> {
-  const context = await browser.newContext({ viewport: SIZE_PX, serviceWorkers: 'block' });
-  const page = await context.newPage();
-  const client = await context.newCDPSession(page);
-  await client.send('Network.enable');
-  await client.send('Network.setCacheDisabled', { cacheDisabled: true });
-  await client.send('Network.emulateNetworkConditions', NETWORK);
-  await client.send('Emulation.setCPUThrottlingRate', { rate: CPU_SLOWNESS });
-  await page.addInitScript(watchImages);
-  await page.goto(url, { waitUntil: 'commit' });
-  const shown = await page.evaluate(() => (globalThis as unknown as { readonly shown: Promise<Shown> }).shown);
-  await context.close();
-  return shown;
-}
-
 /** Page code: finds out when the poster is loaded, and when the canvas shows a frame without it. */
 function watchImages(): void {
   let drawn = false;
@@ -146,7 +129,7 @@ function watchImages(): void {
     });
   }
   let poster = Number.NaN;
-  const shown = new Promise((resolve) => {
+  const seen = new Promise((resolve) => {
     const look = (timeMs: number): void => {
       const image = document.querySelector<HTMLImageElement>('img.poster');
       if (Number.isNaN(poster) && image?.complete && image.naturalWidth > 0) poster = timeMs;
@@ -156,5 +139,5 @@ function watchImages(): void {
     };
     requestAnimationFrame(look);
   });
-  Object.assign(globalThis, { shown });
+  Object.assign(globalThis, { seen });
 }

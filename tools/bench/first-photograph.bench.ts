@@ -9,11 +9,9 @@ import type { ToolContext } from '../lib/tool.ts';
 import { type Bench, quantile } from './bench.ts';
 import { machineLoad } from './machine-load.ts';
 import { startBenchBrowser } from './open-page.ts';
+import { visitSlowly } from './slow-visit.ts';
 import { hostFolder, type StaticHost } from './static-host.ts';
 
-/** A slow phone network: 1.6 Mbit/s down, 0.75 up, 150 ms from request to answer. */
-const NETWORK = { offline: false, latency: 150, downloadThroughput: 1.6e6 / 8, uploadThroughput: 0.75e6 / 8 };
-const SIZE_PX = { width: 400, height: 300 };
 const SAMPLES = 5;
 /** Factors by which the processor is slowed down: as it is, and as a phone's. */
 const SLOWNESS = [1, 4] as const;
@@ -50,7 +48,7 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
   const take = async (slowness: number): Promise<Visit> => {
     opened ??= openStage(root, source);
     const { browser, host } = await opened;
-    const seen = await visit(browser, host.url, slowness);
+    const seen = await visitSlowly<Visit>(browser, host.url, slowness, watchPixels);
     visits.get(slowness)?.push(seen);
     return seen;
   };
@@ -127,23 +125,6 @@ async function openStage(root: string, source: string): Promise<Stage> {
       await rm(base, { recursive: true, force: true });
     },
   };
-}
-
-async function visit(browser: Browser, url: string, slowness: number): Promise<Visit> {
-  const context = await browser.newContext({ viewport: SIZE_PX, serviceWorkers: 'block' });
-  const page = await context.newPage();
-  const client = await context.newCDPSession(page);
-  await client.send('Network.enable');
-  await client.send('Network.setCacheDisabled', { cacheDisabled: true });
-  await client.send('Network.emulateNetworkConditions', NETWORK);
-  await client.send('Emulation.setCPUThrottlingRate', { rate: slowness });
-  await page.addInitScript(watchPixels);
-  await page.goto(url, { waitUntil: 'commit' });
-  const seen = await page.evaluate(() => (globalThis as unknown as { readonly seen: Promise<Visit> }).seen);
-  const picture = process.env.SCRIM_FIRST_PHOTOGRAPH;
-  if (picture !== undefined) await page.screenshot({ path: picture });
-  await context.close();
-  return seen;
 }
 
 /** Page code: finds out when the canvas, without the poster over it, first shows a photograph: at least a quarter is drawn, in many colors. */

@@ -1,18 +1,12 @@
+import type { Pinhole } from '../../../nodes/kit/capture.ts';
 import { type DepthMap, isKnown } from './depth-map.ts';
 import { panoramaRays, pinholeRays } from './depth-rays.ts';
 
 /** A point seen from above, meters: to the right of the camera, and ahead of it. */
 export type DepthPoint = readonly [rightM: number, aheadM: number];
 
-interface PlanCamera {
-  readonly widthPx: number;
-  readonly heightPx: number;
-  readonly fxPx: number;
-  readonly fyPx: number;
-  readonly cxPx: number;
-  readonly cyPx: number;
-  readonly isAround: boolean;
-}
+/** The camera of a depth map; `isAround`: of a 360° photograph. */
+export type PlanCamera = Omit<Pinhole, 'projection'> & { readonly isAround: boolean };
 
 /** The rows around the middle that a plan shows, as a share of all: walls are lines then. */
 const ROWS = 0.2;

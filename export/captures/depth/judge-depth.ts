@@ -1,13 +1,13 @@
-import { CaptureError, type Pinhole } from '../../../nodes/kit/capture.ts';
+import { CaptureError } from '../../../nodes/kit/capture.ts';
 import { type DepthKind, type DepthMap, isKnown } from './depth-map.ts';
-import { type DepthPoint, depthPoints2d } from './depth-plan.ts';
+import { type DepthPoint, depthPoints2d, type PlanCamera } from './depth-plan.ts';
 import { type DepthAnswers, type DepthSample, type DepthScale, type DepthUnit, depthScaleOf, metersOf } from './depth-scale.ts';
 
 /** A depth map of a few pixels as the host sends it; values of 0 are unknown. */
 export interface SentDepth {
   readonly name: string;
   readonly usualUnit: DepthUnit;
-  readonly pinhole: Omit<Pinhole, 'projection'> & { readonly isAround: boolean };
+  readonly pinhole: PlanCamera;
   readonly values: readonly number[];
   readonly surface: { readonly kind: 'mesh' | 'points'; readonly values: readonly number[] } | null;
 }

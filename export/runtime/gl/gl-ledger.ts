@@ -1,7 +1,7 @@
 import type { NodeRuntime } from '../../../nodes/kit/runtime.ts';
 import type { GlObjects } from './gl-objects.ts';
 import type { OwnedMemory, OwnedObjects } from './owned-objects.ts';
-import { createTexelBytes } from './texel-bytes.ts';
+import { createTexelBytes, mipTexels } from './texel-bytes.ts';
 
 /** Lists the GPU objects of nodes that draw themselves and of their assets, with what they take. */
 export interface GlLedger extends OwnedObjects {
@@ -65,11 +65,6 @@ export function createGlLedger(gl: WebGL2RenderingContext): GlLedger {
   };
   const textureBinding = (target: unknown): GLenum =>
     target === gl.TEXTURE_2D_ARRAY ? gl.TEXTURE_BINDING_2D_ARRAY : gl.TEXTURE_BINDING_2D;
-  const texels = (levels: number, widthPx: number, heightPx: number): number => {
-    let sum = 0;
-    for (let level = 0; level < levels; level++) sum += Math.max(1, widthPx >> level) * Math.max(1, heightPx >> level);
-    return sum;
-  };
   for (const kind of KINDS) {
     replace(`create${kind}`, (_, object) => {
       if (owner !== null && object !== null) living.set(object, { owner, bytes: 0 });
@@ -78,11 +73,11 @@ export function createGlLedger(gl: WebGL2RenderingContext): GlLedger {
   }
   replace('texStorage2D', (args) => {
     const [target, levels = 0, format = 0, widthPx = 0, heightPx = 0] = args as number[];
-    setBytes(textureBinding(target), () => texels(levels, widthPx, heightPx) * texelBytes(format));
+    setBytes(textureBinding(target), () => mipTexels(levels, widthPx, heightPx) * texelBytes(format));
   });
   replace('texStorage3D', (args) => {
     const [target, levels = 0, format = 0, widthPx = 0, heightPx = 0, layers = 0] = args as number[];
-    setBytes(textureBinding(target), () => texels(levels, widthPx, heightPx) * layers * texelBytes(format));
+    setBytes(textureBinding(target), () => mipTexels(levels, widthPx, heightPx) * layers * texelBytes(format));
   });
   replace('texImage2D', (args) => {
     // The shorter form has an image.

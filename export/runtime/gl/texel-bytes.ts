@@ -23,6 +23,13 @@ const TEXEL_BYTES: Readonly<Record<string, number>> = {
   RGBA: 4,
 };
 
+/** The number of texels of an image with mip levels. */
+export function mipTexels(levels: number, widthPx: number, heightPx: number): number {
+  let sum = 0;
+  for (let level = 0; level < levels; level++) sum += Math.max(1, widthPx >> level) * Math.max(1, heightPx >> level);
+  return sum;
+}
+
 /**
  * The bytes per texel of a format, by its number. Tools count memory with it; pages do not.
  *

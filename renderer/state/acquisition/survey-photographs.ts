@@ -1,4 +1,5 @@
 import type { HostOutput } from '../../../app/contract/contract.ts';
+import { packedSidePx } from '../../../export/captures/packed-side.ts';
 import type { CaptureDocument } from '../../../nodes/kit/capture.ts';
 import { type CaptureSize, phoneCaptureSize } from '../../../nodes/kit/capture-size.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
@@ -23,11 +24,8 @@ export interface PackedEstimate {
 
 /** Of photographs that are encoded anew as AVIF files: 0.23 at 320 × 240 pixels of a room, less in larger ones. */
 const AVIF_BYTES_PER_PIXEL = 0.17;
-/** 360° photographs may be larger by this factor. */
-const AROUND = 2.5;
 /** Position of a vertex, and three indices of a triangle. */
 const MESH_BYTES = 12;
-const MAX_SIDE_PX = 8192;
 
 /** Estimates what photographs take if their longest side is reduced to `maxSidePx`. Null without photographs. */
 export function estimatePacked(
@@ -37,7 +35,7 @@ export function estimatePacked(
   if (photographs.length === 0) return null;
   let photoBytes = 0;
   const views = photographs.map(({ widthPx, heightPx, bytes, isKept, isAround }) => {
-    const factor = Math.min(1, (isAround ? Math.min(AROUND * maxSidePx, MAX_SIDE_PX) : maxSidePx) / Math.max(widthPx, heightPx, 1));
+    const factor = Math.min(1, packedSidePx(maxSidePx, isAround) / Math.max(widthPx, heightPx, 1));
     const [width, height] = [Math.max(1, Math.round(widthPx * factor)), Math.max(1, Math.round(heightPx * factor))];
     photoBytes += isKept && factor === 1 ? bytes : width * height * AVIF_BYTES_PER_PIXEL;
     return { file: '', widthPx: width, heightPx: height, fxPx: 1, fyPx: 1, cxPx: 0, cyPx: 0, worldFromCamera: [] };

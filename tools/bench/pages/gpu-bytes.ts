@@ -1,4 +1,4 @@
-import { createTexelBytes } from '../../../export/runtime/gl/texel-bytes.ts';
+import { createTexelBytes, mipTexels } from '../../../export/runtime/gl/texel-bytes.ts';
 
 /** Bytes of all textures and buffers of a context, updated as they are created and deleted. */
 export interface GpuBytes {
@@ -41,14 +41,12 @@ export function createGpuBytes(gl: WebGL2RenderingContext): GpuBytes {
     note(target ?? 0, `${target}/${level}`, width * height * texel(format ?? 0));
   });
   after(gl, 'texStorage2D', ([target, levels, format, width, height]) => {
-    let bytes = 0;
-    for (let i = 0; i < (levels as number); i++) bytes += Math.max(1, (width as number) >> i) * Math.max(1, (height as number) >> i);
-    note(target as number, 'storage', bytes * texel(format as number) * (target === gl.TEXTURE_CUBE_MAP ? 6 : 1));
+    const texels = mipTexels(levels as number, width as number, height as number);
+    note(target as number, 'storage', texels * texel(format as number) * (target === gl.TEXTURE_CUBE_MAP ? 6 : 1));
   });
   after(gl, 'texStorage3D', ([target, levels, format, width, height, depth]) => {
-    let bytes = 0;
-    for (let i = 0; i < (levels as number); i++) bytes += Math.max(1, (width as number) >> i) * Math.max(1, (height as number) >> i);
-    note(target as number, 'storage', bytes * (depth as number) * texel(format as number));
+    const texels = mipTexels(levels as number, width as number, height as number);
+    note(target as number, 'storage', texels * (depth as number) * texel(format as number));
   });
   after(gl, 'texImage3D', ([target, level, format, width, height, depth]) =>
     note(target as number, `${level}`, (width as number) * (height as number) * (depth as number) * texel(format as number)),
