@@ -243,7 +243,7 @@ test.each([
   ['depth/a.png', depthPng(8, 6, 0), 'the depth of a.jpg has no value above 0'],
   ['depth/a.png', depthPng(8, 6, 200, 8), 'has 8 bits, which are too few'],
   ['depth/a.png', depthPng(8, 6, 2000).subarray(0, 60), 'is not a whole PNG file'],
-  ['depth/a.png', depthPng(8, 6, 9), 'in any usual unit. Choose another unit (--depth-unit)'],
+  ['depth/a.png', depthPng(8, 6, 9), 'in any usual unit. Choose another unit of depth'],
   ['depth/a.pfm', 'Pf\n8 6\n-1\nshort', 'a.jpg is incomplete'],
   ['stereo/depth_maps/a.jpg.geometric.bin', '8&6&3&', 'it is not a depth map'],
   ['depth/a.exr', 'no EXR', 'a.jpg is not an EXR file'],

@@ -77,7 +77,7 @@ export function depthScaleOf(samples: readonly DepthSample[], answers: DepthAnsw
     const said = answers.unit === null ? 'in any usual unit' : `with the unit ${depthUnitWord(unit)}`;
     const surface = surfaceWord(samples);
     throw new CaptureError(
-      `the depth of ${samples[0]?.name} is ${times} times that of the ${surface} ${said}. Choose another unit (--depth-unit), or import it without depth`,
+      `the depth of ${samples[0]?.name} is ${times} times that of the ${surface} ${said}. Choose another unit of depth, or import it without depth`,
     );
   }
   return { unit, kind: best.kind, scale: scaleOf(unit), metersPerUnit, timesSurface };
@@ -133,7 +133,7 @@ function checkMiddle(samples: readonly DepthSample[], unit: DepthUnit, meters: n
   const middle = median(samples.flatMap(({ file }) => [...file.z.values].filter(isKnown))) * meters;
   if (Number.isFinite(middle) && (middle < LEAST_M || middle > MOST_M)) {
     throw new CaptureError(
-      `the depth of ${samples[0]?.name} is ${Number(middle.toPrecision(2))} m in the middle, if its unit is ${unit === 'reconstruction' ? 'that ' : ''}${depthUnitWord(unit)}. Choose another unit (--depth-unit)`,
+      `the depth of ${samples[0]?.name} is ${Number(middle.toPrecision(2))} m in the middle, if its unit is ${unit === 'reconstruction' ? 'that ' : ''}${depthUnitWord(unit)}. Choose another unit of depth`,
     );
   }
 }

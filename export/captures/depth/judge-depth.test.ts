@@ -24,7 +24,7 @@ test('shows a wrong unit by its distance and a wrong kind by a bent wall', () =>
   const wrongUnit = judgeDepth([WALL], { unit: 'mm', kind: 'z' }, 1, false);
   expect([wrongUnit.scale, wrongUnit.medianM]).toEqual([null, 10]);
   expect(wrongUnit.problem).toBe(
-    'The depth of a.jpg is 5 times that of the mesh with the unit mm. Choose another unit, or import it without depth.',
+    'The depth of a.jpg is 5 times that of the mesh with the unit mm. Choose another unit of depth, or import it without depth.',
   );
   const wrongKind = judgeDepth([WALL], { unit: 0.0002, kind: 'ray' }, 1, false);
   expect(wrongKind.offSurface).toBeGreaterThan(0.1);

@@ -44,8 +44,7 @@ export function judgeDepth(sent: readonly SentDepth[], answers: DepthAnswers, me
     scale = depthScaleOf(samples, isAround ? { ...answers, kind: 'ray' } : answers, metersPerUnit, isGuess);
   } catch (error) {
     if (!(error instanceof CaptureError)) throw error;
-    const text = error.message.replace(' (--depth-unit)', '');
-    problem = `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
+    problem = `${error.message.charAt(0).toUpperCase()}${error.message.slice(1)}.`;
   }
   const kind: DepthKind = scale?.kind ?? answers.kind ?? 'z';
   const meters = scale ? scale.scale * scale.metersPerUnit : (metersOf(answers.unit ?? samples[0]?.usualUnit ?? 'm') ?? metersPerUnit);
