@@ -4,7 +4,7 @@ import type { Program } from '../../export/program/program.ts';
 import { createFetchAssetSource } from '../../export/runtime/assets/asset-source.ts';
 import type { FrameClock } from '../../export/runtime/clock.ts';
 import { createGlLedger } from '../../export/runtime/gl/gl-ledger.ts';
-import { createPlayer, type Player } from '../../export/runtime/player.ts';
+import { createPlayer, type Player, type PlayResult } from '../../export/runtime/player.ts';
 import { createLoopGuard } from '../../export/runtime/program-instance/loop-watch.ts';
 import type { OperationMonitor } from '../../export/runtime/program-instance/step.ts';
 import { createScenesWith } from '../../export/runtime/scenes/create-scenes.ts';
@@ -43,7 +43,8 @@ export interface PlayerHostOptions {
   readonly assetBaseUrl: string;
   readonly clock: FrameClock;
   readonly onDiagnostics: (diagnostics: readonly Diagnostic[]) => void;
-  readonly onContext: (state: 'lost' | 'restored') => void;
+  /** Called when the context is lost, with null, and when it is restored, with the result of playing the newest program again. */
+  readonly onContext: (played: PlayResult | null) => void;
   readonly send: (message: FromPreview) => void;
   readonly gate: Pick<LayerGate, 'isDrawn'>;
 }
@@ -99,9 +100,9 @@ export function createPlayerHost(options: PlayerHostOptions): PlayerHost {
     // Without this the browser never restores the context.
     event.preventDefault();
     player.contextLost();
-    onContext('lost');
+    onContext(null);
   };
-  const restored = () => void player.restore().then(() => onContext('restored'));
+  const restored = () => void player.restore().then(onContext);
   canvas.addEventListener('webglcontextlost', lost);
   canvas.addEventListener('webglcontextrestored', restored);
   return {

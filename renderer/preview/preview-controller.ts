@@ -77,6 +77,8 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
   let shown = false;
   /** The revision whose program plays from the next frame on. */
   let arriving: number | null = null;
+  /** The last revision whose result the editor knows. */
+  let reported: number | null = null;
   const problems = createProblemReport(send);
   const posters = createPosters(send, () => clock.wake());
   const captures = createCaptures(send, () => clock.wake());
@@ -133,6 +135,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
   };
   const report = (revision: number, { outcome, shaderErrors }: PlayResult) => {
     if (outcome === 'superseded') return;
+    reported = revision;
     send({ kind: 'shader-errors', revision, errors: shaderErrors.map(({ shaderId, stage, log }) => ({ shaderId, stage, log })) });
     if (outcome === 'playing') {
       plays = true;
@@ -170,9 +173,11 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
       send,
       gate,
       onDiagnostics: problems.setPlayer,
-      onContext: (state) => {
-        lost = state === 'lost';
+      onContext: (played) => {
+        lost = played === null;
         updateState();
+        // A program that was loading when the context was lost plays only now.
+        if (played && wanted && wanted.revision !== reported) report(wanted.revision, played);
       },
     });
     host = made;
