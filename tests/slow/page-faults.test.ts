@@ -17,6 +17,7 @@ const FRAMES_PER_SECOND = 5;
 const ROOM: EmulatorOptions = {
   room: { boxes: [FLOOR, BOARD] },
   framesPerSecond: FRAMES_PER_SECOND,
+  display: false,
   // The filters of depth take most of a frame.
   depth: { sizePx: [80, 60] },
 };

@@ -145,7 +145,7 @@ describe('an exported page in plain iwer, on a Quest 3', () => {
       // Its session would draw on, beside ours.
       await iwer.close();
 
-      const ours = await openXrPage(chromium.browser, url, { device: 'headset', room: null, fovYRad: FOV_Y_RAD }, VIEWPORT);
+      const ours = await openXrPage(chromium.browser, url, { device: 'headset', room: null, fovYRad: FOV_Y_RAD, display: false }, VIEWPORT);
       closing.push(ours.close);
       await ours.enter();
       await ours.setPose(POSE);

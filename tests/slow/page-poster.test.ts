@@ -10,7 +10,7 @@ import { compileProject } from '../../app/services/compile-project.ts';
 import { installationAt } from '../../app/services/installation.ts';
 import { readProjectFiles } from '../../app/services/project-files.ts';
 import type { PosterFraming } from '../../nodes/kit/poster-framing.ts';
-import { collectErrors, useBrowser } from '../support/browser.ts';
+import { collectErrors, drawPageSeldom, useBrowser } from '../support/browser.ts';
 import { type ServedExport, serveProject } from '../support/project-page.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
@@ -128,6 +128,7 @@ describe('the poster of a page', () => {
       await held;
       await route.continue();
     });
+    await drawPageSeldom(page);
     await page.goto(served.url);
     const poster = page.getByRole('img', { name: 'First light', exact: true });
     await poster.waitFor();
