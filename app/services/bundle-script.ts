@@ -1,8 +1,21 @@
 import { join } from 'node:path';
 import { build } from 'esbuild';
 
-/** Bundles a page script from Scrim’s sources. Its exports become properties of `globalName`. */
-export async function bundleScript(root: string, entry: string, globalName: string): Promise<string> {
+/** Scripts by what they are made of. */
+const bundled = new Map<string, Promise<string>>();
+
+/**
+ * Bundles a page script from Scrim’s sources, once in a process. Its exports become properties of `globalName`.
+ */
+export function bundleScript(root: string, entry: string, globalName: string): Promise<string> {
+  const key = JSON.stringify([root, entry, globalName]);
+  const script = bundled.get(key) ?? bundle(root, entry, globalName);
+  bundled.set(key, script);
+  script.catch(() => bundled.delete(key));
+  return script;
+}
+
+async function bundle(root: string, entry: string, globalName: string): Promise<string> {
   const { outputFiles } = await build({
     entryPoints: [join(root, entry)],
     absWorkingDir: root,

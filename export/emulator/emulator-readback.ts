@@ -25,7 +25,7 @@ export function createReadback(world: SessionWorld): Pick<Emulator, 'readLayer' 
     const rgba = new Uint8Array(widthPx * heightPx * 4);
     const { display } = world.settings;
     // With `display`, the canvas contains room and layer: draw the room alone, then restore the layer.
-    if (display) roomServices.view.drawRoom(session[P_SESSION].mode === 'immersive-ar' ? eyes : []);
+    if (display) roomServices.view.aimRoom(session[P_SESSION].mode === 'immersive-ar' ? eyes : []);
     roomServices.view.readPixels(rgba);
     if (display) showPresentation(session, shown);
     return turnRows(rgba, widthPx, heightPx);

@@ -27,6 +27,7 @@ import type { EmulatedSession } from './session/emulated-session.ts';
 import { checkModes, grantSession, type SessionWorld } from './session/grant-session.ts';
 import { createPersistentAnchors } from './session/persistent-anchors.ts';
 import type { EmulatedRenderState } from './session/render-state.ts';
+import { showLastFrame } from './session/run-frame.ts';
 import type { Drift, WorldSettings } from './world.ts';
 
 const STEADY: Drift = { offsetM: [0, 0, 0], yawRad: 0 };
@@ -213,6 +214,7 @@ function createStepping(world: SessionWorld): Pick<Emulator, 'frameRequested' | 
         world.frames.step();
         await nextTask();
       }
+      if (world.session) showLastFrame(world.session);
     },
   };
 }

@@ -104,8 +104,18 @@ export function compileElsewhere(fragment: string): string {
 /** A unit where there is nothing: the first may still hold what is drawn into. */
 const NO_TEXTURE = 15;
 
+/** Programs that have drawn, by the text of their shaders: most tests draw with one shader several times. A draw sets all uniforms. */
+const linked = new Map<string, { program: WebGLProgram; log: string }>();
+
+function linkOnce(shader: LinkedShader): { program: WebGLProgram; log: string } {
+  const text = `${shader.vertex}\0${shader.fragment}`;
+  const known = linked.get(text) ?? link(shader);
+  linked.set(text, known);
+  return known;
+}
+
 export function draw(job: DrawJob): Drawing {
-  const programs = job.passes.map((pass) => link(pass.shader));
+  const programs = job.passes.map((pass) => linkOnce(pass.shader));
   const logs = programs.map(({ log }) => log);
   if (logs.some((log) => log !== '')) return { rgba: '', floats: [], glError: 0, logs };
   const textures = new Map<string, WebGLTexture>();
@@ -130,7 +140,13 @@ export function draw(job: DrawJob): Drawing {
       if (pass.target.kind === 'output') output = target;
     });
   }
-  return { ...read(output, job.passes.at(-1)), glError: gl.getError(), logs };
+  const drawing = { ...read(output, job.passes.at(-1)), glError: gl.getError(), logs };
+  for (const texture of textures.values()) gl.deleteTexture(texture);
+  for (const { textures: own, framebuffers } of buffers.values()) {
+    for (const texture of own) gl.deleteTexture(texture);
+    for (const framebuffer of framebuffers) gl.deleteFramebuffer(framebuffer);
+  }
+  return drawing;
 }
 
 /** The author's line that a probe of the loop budget finds, as `export/program/loop-budget.ts` describes it, or null. */

@@ -3,6 +3,7 @@ import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { readIsf } from '../../export/glsl/isf/read-isf.ts';
 import { linkIsf } from '../../export/glsl/link/link-isf.ts';
+import type { LinkedPass } from '../../export/glsl/link/linked-pass.ts';
 import type { PageModule } from '../support/browser.ts';
 import { decodeImage, pixelAt, type RgbaImage } from '../support/image.ts';
 import { drawPicture, made, paint, toPage } from './glsl-kit.ts';
@@ -21,6 +22,24 @@ export const SHADERS: Readonly<Record<string, string>> = Object.fromEntries(
 
 export type Params = Readonly<Record<string, number | readonly number[]>>;
 
+interface LibraryShader {
+  readonly defaults: Params;
+  readonly passes: readonly LinkedPass[];
+}
+
+/** Linked shaders, by their path: tests draw with one several times. */
+const linked = new Map<string, LibraryShader>();
+
+function linkedOf(file: string): LibraryShader {
+  const known = linked.get(file);
+  if (known) return known;
+  const shader = made(readIsf(SHADERS[file] ?? '', file));
+  const defaults = Object.fromEntries(shader.inputs.map((input) => [input.name, input.default]));
+  const found = { defaults, passes: made(linkIsf(shader, { node: 'test' })) };
+  linked.set(file, found);
+  return found;
+}
+
 /** Draws a library shader with its defaults, except for `params`, in the size of the first picture. */
 export async function applyShader(
   page: PageModule,
@@ -29,13 +48,12 @@ export async function applyShader(
   params: Params = {},
   size: Pick<RgbaImage, 'width' | 'height'> | undefined = Object.values(pictures)[0],
 ): Promise<RgbaImage> {
-  const shader = made(readIsf(SHADERS[file] ?? '', file));
-  const defaults = Object.fromEntries(shader.inputs.map((input) => [input.name, input.default]));
+  const { defaults, passes } = linkedOf(file);
   if (size === undefined) throw new Error('A filter needs a picture.');
   return drawPicture(page, {
     width: size.width,
     height: size.height,
-    passes: made(linkIsf(shader, { node: 'test' })),
+    passes,
     pictures: Object.fromEntries(Object.entries(pictures).map(([name, picture]) => [name, toPage(picture)])),
     params: { ...defaults, ...params },
   });

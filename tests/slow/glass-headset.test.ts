@@ -37,7 +37,7 @@ test('both eyes of a headset see a box through a ball of glass before it', async
   const xr = await openXrPage(
     chromium.browser,
     served.url,
-    { room: livingRoom, device: 'headset', extra: ['camera-access'] },
+    { room: livingRoom, device: 'headset', extra: ['camera-access'], display: false },
     { width: 640, height: 480 },
   );
   await xr.enter();
@@ -101,7 +101,7 @@ const IN_ESTIMATE: ProjectText = {
 /** What the ball mirrors from each side of the room. */
 async function mirroredOnPhone(options: EmulatorOptions, name: string) {
   const served = await serveProjectText(IN_ESTIMATE, {});
-  const xr = await openXrPage(chromium.browser, served.url, { room: ROOM, device: 'phone', ...options });
+  const xr = await openXrPage(chromium.browser, served.url, { room: ROOM, device: 'phone', display: false, ...options });
   await xr.enter();
   await xr.setPose({ position: [0, CENTER[1], 0.8], quaternion: [0, 0, 0, 1] });
   await xr.step(6);

@@ -56,7 +56,9 @@ async function keep(name: string, { data, width, height }: RgbaImage): Promise<v
 
 /** Looks straight down at the robot, and from the side. A phone uses the panorama file too, because the visitor skips the photos. */
 async function see(device: DeviceName): Promise<{ layer: RgbaImage; errors: readonly string[]; controls: readonly string[] }> {
-  const xr = await openXrPage(chromium.browser, served.url, { room: 'studio', device, views: 1, fovYRad: EYE.fovYRad, sizePx: [320, 320] });
+  const xr = await openXrPage(chromium.browser, served.url, {
+    ...{ room: 'studio', device, views: 1, fovYRad: EYE.fovYRad, sizePx: [320, 320], display: false },
+  });
   try {
     const controls = await xr.page.locator('#controls-body label').allTextContents();
     await xr.enter();
@@ -155,7 +157,7 @@ async function setView(xr: XrPage, fovYRad: number, sizePx: readonly [number, nu
 }
 
 test('a phone takes the panorama, and takes it again after the lamp was moved: the shadow is where the lamp throws it', async () => {
-  const options = { room: 'studio', device: 'phone', framesPerSecond: 4, sizePx: [200, 150] } as const;
+  const options = { room: 'studio', device: 'phone', framesPerSecond: 4, sizePx: [200, 150], display: false } as const;
   const xr = await openXrPage(chromium.browser, served.url, options);
   try {
     const lamps: Direction[] = [];

@@ -1,7 +1,7 @@
 import { afterAll, afterEach, beforeAll, describe, expect, test } from '@jest/globals';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import { DISC, type ServedPage, servePage } from '../browser/page-kit.ts';
-import { collectErrors, useBrowser } from '../support/browser.ts';
+import { collectErrors, drawPageSeldom, useBrowser } from '../support/browser.ts';
 import { decodeImage, pixelAt, type RgbaImage } from '../support/image.ts';
 
 // Chromium's own fake camera, green with a pie that fills; and its visitor, who says yes to everything, or no.
@@ -29,6 +29,7 @@ async function open(
   const page = await context.newPage();
   opened.push(page);
   const errors = collectErrors(page);
+  await drawPageSeldom(page);
   await prepare(page);
   await page.goto(url);
   const use = page.getByRole('button', { name: 'Use the camera' });

@@ -10,7 +10,7 @@ import { compileProject } from '../../app/services/compile-project.ts';
 import { installationAt } from '../../app/services/installation.ts';
 import { readProjectFiles } from '../../app/services/project-files.ts';
 import type { PosterFraming } from '../../nodes/kit/poster-framing.ts';
-import { collectErrors, useBrowser } from '../support/browser.ts';
+import { collectErrors, drawPageSeldom, useBrowser } from '../support/browser.ts';
 import { type ServedExport, serveProject } from '../support/project-page.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
@@ -28,10 +28,16 @@ void main() {
 
 const chromium = useBrowser();
 let served: ServedExport;
+/** What the posters of the export frame. */
+const framings: (PosterFraming | null)[] = [];
+const exportedName = async () => (await readdir(served.folder)).find((file) => file.startsWith('poster-'));
 beforeAll(async () => {
   served = await serveProject(PROJECT, {
     address: 'https://example.org/robots/',
-    drawPoster: (program, framing) => drawPoster({ program, framing, projectRoot: PROJECT, installation: installationAt(ROOT, '0.0.0') }),
+    drawPoster: (program, framing) => {
+      framings.push(framing);
+      return drawPoster({ program, framing, projectRoot: PROJECT, installation: installationAt(ROOT, '0.0.0') });
+    },
   });
 });
 afterAll(() => served.close());
@@ -83,7 +89,7 @@ describe('the poster of a page', () => {
   });
 
   test('is a frame of it in a room, found by those who link to the page', async () => {
-    const name = (await readdir(served.folder)).find((file) => file.startsWith('poster-'));
+    const name = await exportedName();
     expect(name).toMatch(/\.jpg$/);
     const html = await readFile(join(served.folder, 'index.html'), 'utf8');
     expect(html).toContain(`<meta property="og:image" content="https://example.org/robots/${name}">`);
@@ -100,7 +106,10 @@ describe('the poster of a page', () => {
       fold: true,
     }));
     if (program === null) throw new Error('The example does not compile.');
-    const redOf = async (framing: PosterFraming | null) => {
+    // That of the example, which frames nothing.
+    expect(framings).toEqual([null]);
+    const exported = await colorsOf(`${served.url}${await exportedName()}`);
+    const redOf = async (framing: PosterFraming) => {
       const poster = await drawPoster({ program, framing, projectRoot: PROJECT, installation: installationAt(ROOT, '0.0.0') });
       const colors = await colorsOf(`data:image/jpeg;base64,${Buffer.from(poster?.bytes ?? []).toString('base64')}`);
       expect(colors).toMatchObject({ width: 1200, height: 630 });
@@ -108,7 +117,7 @@ describe('the poster of a page', () => {
     };
     const whole = await redOf({ center: [0, 0], height: 100 });
     expect(whole).toBeGreaterThan(1000);
-    expect(await redOf(null)).toBeGreaterThan(whole * 0.95);
+    expect(exported?.red).toBeGreaterThan(whole * 0.95);
     // The larger robot, at half the height of the view.
     expect(await redOf({ center: [-0.13, -0.05], height: 0.55 })).toBeGreaterThan(whole * 1.25);
     // The smaller robot, below what a poster in the middle of the view shows.
@@ -128,6 +137,7 @@ describe('the poster of a page', () => {
       await held;
       await route.continue();
     });
+    await drawPageSeldom(page);
     await page.goto(served.url);
     const poster = page.getByRole('img', { name: 'First light', exact: true });
     await poster.waitFor();

@@ -34,6 +34,9 @@ const CLOCK: Program = {
   ],
 };
 
+/** Few, so that seconds of waiting are few frames. */
+const FRAMES_PER_SECOND = 30;
+
 /** Of the frame that is shown, at a pixel of the lamp. */
 const secondsOf = ([, green = 0, blue = 0]: readonly number[]) => green + blue / 256;
 const moodOf = ([red = 0]: readonly number[]) => (red > 128 ? 'warm' : 'cold');
@@ -56,8 +59,8 @@ afterEach(async () => {
   for (const page of opened.splice(0)) await page.close();
 });
 
-async function open(options: EmulatorOptions, url = served.url): Promise<XrPage> {
-  const xr = await openXrPage(chromium.browser, url, options);
+async function open(options: EmulatorOptions, url = served.url, viewport?: { width: number; height: number }): Promise<XrPage> {
+  const xr = await openXrPage(chromium.browser, url, options, viewport);
   opened.push(xr);
   return xr;
 }
@@ -89,7 +92,9 @@ describe.each([
   ['phone', 1],
   ['headset', 2],
 ] as const)('a session of an exported page on a %s', (device, views) => {
-  const options: EmulatorOptions = { device, room: livingRoom };
+  const options: EmulatorOptions = { device, room: livingRoom, framesPerSecond: FRAMES_PER_SECOND };
+  /** Seconds of the device's time. */
+  const wait = (xr: XrPage, seconds: number) => xr.step(seconds * FRAMES_PER_SECOND);
 
   test('goes on where it was when the device was lost for a while, or the session hidden', async () => {
     const xr = await open(options);
@@ -99,8 +104,8 @@ describe.each([
     await xr.page.evaluate(() => scrimEmulator?.current?.setTracked(false));
     await xr.step(2);
     await xr.page.getByRole('status').getByText('Looking for the room').waitFor();
-    // Four seconds of the device's time, of which half a one counts.
-    await xr.step(240);
+    // Of which half a second counts.
+    await wait(xr, 4);
     await xr.page.evaluate(() => scrimEmulator?.current?.setTracked(true));
     await xr.step(2);
     await xr.page.getByText('Looking for the room').waitFor({ state: 'detached' });
@@ -110,11 +115,11 @@ describe.each([
 
     // Behind a menu of the system it is still seen, and goes on.
     await xr.page.evaluate(() => scrimEmulator?.current?.setVisibility('visible-blurred'));
-    await xr.step(30);
+    await wait(xr, 0.5);
     const blurred = await now();
     expect(blurred - found).toBeCloseTo(0.5, 1);
     await xr.page.evaluate(() => scrimEmulator?.current?.setVisibility('hidden'));
-    await xr.step(240);
+    await wait(xr, 4);
     await xr.page.evaluate(() => scrimEmulator?.current?.setVisibility('visible'));
     await xr.step(2);
     expect((await now()) - blurred).toBeLessThan(0.6);
@@ -156,7 +161,7 @@ describe.each([
     for (let i = 0; i < 2; i++) {
       await graphics(xr.page, 'loseContext');
       await xr.page.getByRole('alert').getByText('Graphics were interrupted').waitFor();
-      await xr.step(120);
+      await wait(xr, 2);
       await graphics(xr.page, 'restoreContext');
       await xr.page.getByText('Graphics were interrupted').waitFor({ state: 'detached' });
       await xr.step(3);
@@ -196,7 +201,7 @@ describe('a page with models', () => {
   });
 
   test('holds as many GPU objects after eight AR sessions as after one, whether page or device ended them', async () => {
-    const xr = await open({ device: 'phone', room: livingRoom }, robots.url);
+    const xr = await open({ device: 'phone', room: livingRoom }, robots.url, { width: 240, height: 180 });
     await xr.page.getByRole('button', { name: 'Enter AR' }).waitFor();
     await watchGl(xr.page);
     const alive: number[] = [];

@@ -74,7 +74,7 @@ const MIDDLE = [0, EYES_M - 0.5, -AHEAD_M] as const;
 const UP = [0, AHEAD_M / 0.9, -0.5 / 0.9] as const;
 
 async function enter(): Promise<{ readonly xr: XrPage; readonly layout: PanelLayout }> {
-  const xr = await openXrPage(chromium.browser, served.url, { device: 'headset' }, { width: 1200, height: 640 });
+  const xr = await openXrPage(chromium.browser, served.url, { device: 'headset', display: false }, { width: 1200, height: 640 });
   opened.push(xr);
   await xr.setPose({ position: [0, EYES_M, 0] });
   await point(xr, [0.3, 1.2, -0.2], [0, 0, 0, 1]);

@@ -36,7 +36,7 @@ describe.each(ROOMS)('in the scanned room %s', (name, place) => {
     const xr = await openXrPage(
       chromium.browser,
       served.url,
-      { room: await readCapture(name), sizePx: [WIDTH, HEIGHT], ...options },
+      { room: await readCapture(name), sizePx: [WIDTH, HEIGHT], display: false, ...options },
       viewport,
     );
     await xr.enter();

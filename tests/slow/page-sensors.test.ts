@@ -110,7 +110,7 @@ describe.each(CASES)(
     afterAll(() => served?.close());
 
     test('is hidden and throws its shadow as the rays say', async () => {
-      const given: EmulatorOptions = { room: await readCapture(room.name), sizePx: [WIDTH, HEIGHT], ...options };
+      const given: EmulatorOptions = { room: await readCapture(room.name), sizePx: [WIDTH, HEIGHT], display: false, ...options };
       const xr = await openXrPage(chromium.browser, served.url, given, { width: WIDTH, height: HEIGHT }, script);
       await xr.enter();
       const sums: Record<string, number> = {};

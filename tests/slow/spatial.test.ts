@@ -56,14 +56,19 @@ interface Phone extends Counted {
 }
 
 describe('hit tests of a phone', () => {
-  test('meet the floor of the room to a millimeter, by the device itself', async () => {
-    const { center, before, error } = await page.call<Phone>('phone', ['hit-test', 'anchors']);
+  let able: Phone;
+  beforeAll(async () => {
+    able = await page.call<Phone>('phone', ['hit-test', 'anchors']);
+  });
+
+  test('meet the floor of the room to a millimeter, by the device itself', () => {
+    const { center, before, error } = able;
     expect(center).toMatchObject({ ...FLOOR_HIT, source: 'session', anchorable: true });
     expect([before, error]).toEqual([NOTHING_OPEN, 0]);
   });
 
-  test('follow a finger from its start to its end, with one tap', async () => {
-    const { seen } = await page.call<Phone>('phone', ['hit-test', 'anchors']);
+  test('follow a finger from its start to its end, with one tap', () => {
+    const { seen } = able;
     const pressed = seen.filter(({ phases }) => phases.length > 0);
     expect(pressed.map(({ phases }) => phases)).toEqual(
       [['screen start'], ['screen hold'], ['screen hold'], ['screen end']].slice(-pressed.length),

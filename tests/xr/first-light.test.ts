@@ -67,7 +67,7 @@ async function makeVariant(variant: Variant): Promise<string> {
 /** What a visitor in the studio sees, and the room without the page. */
 async function see(variant: Variant, options: EmulatorOptions): Promise<{ readonly seen: RgbaImage; readonly room: RgbaImage }> {
   const { url } = await serveVariant(variant);
-  const xr = await openXrPage(chromium.browser, url, { room: 'studio', ...options }, { width: 320, height: 240 });
+  const xr = await openXrPage(chromium.browser, url, { room: 'studio', display: false, ...options }, { width: 320, height: 240 });
   await xr.enter();
   // Down to the table: a turn of -0.34 rad about x.
   await xr.setPose({ position: [0.2, 1.5, 1.6], quaternion: [-0.17, 0, 0, 0.985] });

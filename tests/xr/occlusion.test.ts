@@ -131,7 +131,7 @@ async function tally(xr: XrPage, eye: Eye, layer: RgbaImage, silhouette: RgbaIma
 }
 
 async function tallies(options: EmulatorOptions, eyeHeightM: number): Promise<Tally[]> {
-  const given: EmulatorOptions = { room: livingRoom, ...options };
+  const given: EmulatorOptions = { room: livingRoom, display: false, ...options };
   const viewport = { width: WIDTH, height: HEIGHT };
   const bare = await openXrPage(chromium.browser, plain.url, given, viewport);
   await bare.enter();

@@ -16,7 +16,8 @@ const NODES: ProjectText['nodes'] = {
   'box-0000': ['objects/primitive', { sizeM: [2 * BOX_HALF_M, BOX_HEIGHT_M, 2 * BOX_HALF_M], color: [0.9, 0.9, 0.9, 1] }],
   'floor-0000': ['objects/primitive', { shape: 'plane', sizeM: [5, 0, 5] }],
   'real-0000': 'objects/phantom',
-  'light-0000': ['world/light-estimate', { smoothingS: 0 }],
+  // A map of 2048 pixels, the default, takes most of a frame without a GPU.
+  'light-0000': ['world/light-estimate', { smoothingS: 0, mapSize: '512' }],
   'depth-0000': 'world/depth',
   'scene-0000': 'layer/scene',
   'hide-0000': 'layer/depth-occlusion',

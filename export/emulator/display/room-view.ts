@@ -19,12 +19,18 @@ import { aimCamera, createEyeCamera, type Eye } from './eye.ts';
 
 /** Draws the room on its own canvas and composites the page's layer over it: the image that the user of the device sees. */
 export interface RoomView {
+  /** For its size and place in the page; `image` has the current image. */
   readonly canvas: HTMLCanvasElement;
   readonly renderer: WebGLRenderer;
   readonly scene: Scene;
   resize(widthPx: number, heightPx: number): void;
-  /** Draws the room alone, for every eye, as the device's cameras see it. */
-  drawRoom(eyes: readonly Eye[]): void;
+  /**
+   * Makes the room alone the current image, for every eye, as the device's cameras see it. It is drawn when the image is used, because of
+   * most frames that a test steps nobody sees the room.
+   */
+  aimRoom(eyes: readonly Eye[]): void;
+  /** The canvas with the current image. */
+  image(): HTMLCanvasElement;
   /** Composites a layer over the current image; `gain` is that of additive displays. `rgba` is premultiplied, rows from the bottom, of the canvas size. */
   drawLayer(rgba: Uint8Array, blend: BlendMode, gain: number): void;
   /** Reads the current image, rows from the bottom. */
@@ -52,29 +58,41 @@ export function createRoomView(room: Room | null, antialias: boolean): RoomView 
   }
   const camera = createEyeCamera();
   const overlay = createOverlay();
+  let aimed: readonly Eye[] | null = null;
+  const drawRoom = (): void => {
+    if (!aimed) return;
+    renderer.setRenderTarget(null);
+    renderer.setScissorTest(false);
+    renderer.setClearColor(0x000000, 1);
+    renderer.clear();
+    for (const { clipFromView, worldFromView, viewport } of aimed) {
+      renderer.setViewport(viewport.x, viewport.y, viewport.widthPx, viewport.heightPx);
+      aimCamera(camera, clipFromView, worldFromView);
+      renderer.render(scene, camera);
+    }
+    aimed = null;
+  };
 
   return {
     canvas: renderer.domElement,
     renderer,
     scene,
     resize: (widthPx, heightPx) => renderer.setSize(widthPx, heightPx, false),
-    drawRoom: (eyes) => {
-      renderer.setRenderTarget(null);
-      renderer.setScissorTest(false);
-      renderer.setClearColor(0x000000, 1);
-      renderer.clear();
-      for (const { clipFromView, worldFromView, viewport } of eyes) {
-        renderer.setViewport(viewport.x, viewport.y, viewport.widthPx, viewport.heightPx);
-        aimCamera(camera, clipFromView, worldFromView);
-        renderer.render(scene, camera);
-      }
+    aimRoom: (eyes) => {
+      aimed = eyes;
+    },
+    image: () => {
+      drawRoom();
+      return renderer.domElement;
     },
     drawLayer: (rgba, blend, gain) => {
+      drawRoom();
       renderer.setRenderTarget(null);
       renderer.setViewport(0, 0, renderer.domElement.width, renderer.domElement.height);
       overlay.draw(renderer, rgba, blend, gain);
     },
     readPixels: (out) => {
+      drawRoom();
       renderer.setRenderTarget(null);
       gl.readPixels(0, 0, renderer.domElement.width, renderer.domElement.height, gl.RGBA, gl.UNSIGNED_BYTE, out);
     },

@@ -52,8 +52,8 @@ export function createRoomFilm(room: Room, camera: FilmCamera): RoomFilm {
   return {
     shoot: async (worldFromCamera) => {
       const worldFromView = new Float32Array(worldFromCamera);
-      view.drawRoom([{ name: 'none', clipFromView, worldFromView, viewport }]);
-      context.drawImage(view.canvas, 0, 0, camera.widthPx, camera.heightPx);
+      view.aimRoom([{ name: 'none', clipFromView, worldFromView, viewport }]);
+      context.drawImage(view.image(), 0, 0, camera.widthPx, camera.heightPx);
       const jpeg = await image.convertToBlob({ type: 'image/jpeg', quality: camera.jpegQuality });
       const meters = depth.measure({ worldFromDepth: worldFromView, clipFromDepth: clipFromView });
       return { jpeg: new Uint8Array(await jpeg.arrayBuffer()), meters };

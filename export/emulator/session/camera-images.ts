@@ -1,4 +1,5 @@
 import { type Gl, isWebGl2 } from '../display/app-gl.ts';
+import type { RoomView } from '../display/room-view.ts';
 import { P_EYE } from '../private.ts';
 import type { EmulatedView } from './emulated-view.ts';
 
@@ -14,7 +15,7 @@ export class CameraImages {
     this.#gl = gl;
   }
 
-  update(canvas: HTMLCanvasElement, view: EmulatedView): WebGLTexture {
+  update(room: RoomView, view: EmulatedView): WebGLTexture {
     const gl = this.#gl;
     const { eye, index, frame } = view[P_EYE];
     const { x, widthPx, heightPx } = eye.viewport;
@@ -24,6 +25,7 @@ export class CameraImages {
     if (known && !fits) gl.deleteTexture(known.texture);
     const texture = fits ? known.texture : this.#create(widthPx, heightPx);
     this.#textures.set(index, { texture, widthPx, heightPx, of: frame });
+    const canvas = room.image();
     gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, 1);
     // Views are side by side and have the height of the canvas, so only columns are skipped.

@@ -141,7 +141,7 @@ export class EmulatedBinding {
   getCameraImage(camera: EmulatedCamera): WebGLTexture {
     const view = camera[P_EYE];
     this.#checkView(view);
-    return borrowGl(this.#gl, () => this.#images.update(this.#session[P_EMULATED].roomServices.view.canvas, view));
+    return borrowGl(this.#gl, () => this.#images.update(this.#session[P_EMULATED].roomServices.view, view));
   }
 
   /** `getReflectionCubeMap` of WebXR Lighting Estimation §5.1. Each call creates a texture. */

@@ -37,6 +37,8 @@ export interface EmulatedSessionState {
   eyes: readonly Eye[];
   /** Time of the last frame; null before the first. */
   lastFrameS: number | null;
+  /** Whether the screen shows the last frame. */
+  isShown: boolean;
   /** Origin of `local` spaces: the viewer's pose when the session started or was re-centered. */
   localOrigin: Float32Array;
   /** One per eye. */
@@ -74,6 +76,7 @@ export class EmulatedSession extends XRSession {
       disposers: [],
       eyes: [],
       lastFrameS: null,
+      isShown: true,
       localOrigin: levelPose(world.device[P_DEVICE].viewerSpace[P_SPACE].offsetMatrix),
       viewportScales: [createViewportScale(), createViewportScale()],
     };

@@ -41,7 +41,7 @@ export function runFrame(session: EmulatedSession, timeS: number): boolean {
   }
 
   shown.clear();
-  roomServices.view.drawRoom(state.mode === 'immersive-ar' ? session[P_EMULATED].eyes : []);
+  roomServices.view.aimRoom(state.mode === 'immersive-ar' ? session[P_EMULATED].eyes : []);
   if (state.hasAnchors) state.updateTrackedAnchors();
   if (state.hasPlanes) session[P_EMULATED].surfaces.addPlanes(frame);
   if (state.hasMeshes) session[P_EMULATED].surfaces.addMeshes(frame);
@@ -50,8 +50,19 @@ export function runFrame(session: EmulatedSession, timeS: number): boolean {
   frame.beginAnimation();
   runCallbacks(session, frame, timeS * 1000);
   frame[P_FRAME].active = false;
-  if (!state.ended && world.settings.display) showPresentation(session, shown);
+  session[P_EMULATED].isShown = false;
+  // Who steps frames sees the last one only.
+  if (!world.frames.manual) showLastFrame(session);
   return true;
+}
+
+/** Shows the last frame on the device's screen, unless that shows it or nothing. */
+export function showLastFrame(session: EmulatedSession): void {
+  const { world, isShown } = session[P_EMULATED];
+  const shown = session[P_SESSION].ended || isShown || !world.settings.display ? null : presentationOf(session);
+  if (!shown) return;
+  session[P_EMULATED].isShown = true;
+  showPresentation(session, shown);
 }
 
 /** Composites the page's layers over the room on the device's screen. */

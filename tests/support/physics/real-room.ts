@@ -15,21 +15,29 @@ export interface EqualToRays {
 
 /** Visits the voxels along a ray, up to a part of it (Amanatides and Woo, “A Fast Voxel Traversal Algorithm for Ray Tracing”, 1987). */
 function traverse(from: Vector3, to: Vector3, most: number, edgeM: number, visit: (x: number, y: number, z: number) => void): void {
-  const cell = from.toArray().map((v) => Math.floor(v / edgeM));
-  const next = [0, 0, 0];
-  const stride = [0, 0, 0];
-  to.toArray().forEach((v, k) => {
-    stride[k] = edgeM / Math.abs(v);
-    next[k] = ((cell[k] ?? 0) + (v > 0 ? 1 : 0) - from.getComponent(k) / edgeM) * Math.sign(v) * (stride[k] ?? 0);
-  });
+  // Numbers instead of arrays: this runs for millions of voxels.
+  let [x, y, z] = [Math.floor(from.x / edgeM), Math.floor(from.y / edgeM), Math.floor(from.z / edgeM)];
+  const [signX, signY, signZ] = [Math.sign(to.x), Math.sign(to.y), Math.sign(to.z)];
+  const [strideX, strideY, strideZ] = [edgeM / Math.abs(to.x), edgeM / Math.abs(to.y), edgeM / Math.abs(to.z)];
+  const first = (cell: number, at: number, sign: number, stride: number) => (cell + (sign > 0 ? 1 : 0) - at / edgeM) * sign * stride;
+  let nextX = first(x, from.x, signX, strideX);
+  let nextY = first(y, from.y, signY, strideY);
+  let nextZ = first(z, from.z, signZ, strideZ);
   for (let s = 0; s < most; ) {
-    const [x = 0, y = 0, z = 0] = cell;
     visit(x, y, z);
-    const [p = 0, q = 0, r = 0] = next;
-    const k = p < q && p < r ? 0 : q < r ? 1 : 2;
-    s = next[k] ?? 0;
-    cell[k] = (cell[k] ?? 0) + Math.sign(to.getComponent(k));
-    next[k] = s + (stride[k] ?? 0);
+    if (nextX < nextY && nextX < nextZ) {
+      s = nextX;
+      x += signX;
+      nextX += strideX;
+    } else if (nextY < nextZ) {
+      s = nextY;
+      y += signY;
+      nextY += strideY;
+    } else {
+      s = nextZ;
+      z += signZ;
+      nextZ += strideZ;
+    }
   }
 }
 
