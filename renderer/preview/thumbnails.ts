@@ -20,8 +20,10 @@ export interface Thumbnails {
   /**
    * Returns the layers that this frame must draw for their thumbnails. The list is valid until the next call. A frame of another time, size
    * or pose than the last one outdates the thumbnails, also of the last frame before a pause.
+   *
+   * @param quiet Whether nothing changes by itself, so that thumbnails that are not outdated are not read again.
    */
-  beforeFrame(frame: ShownFrame): readonly string[];
+  beforeFrame(frame: ShownFrame, quiet?: boolean): readonly string[];
   /** Reads those layers. Returns the seconds until another frame is needed for outdated thumbnails; null if none is. */
   afterFrame(player: Pick<Player, 'inspect'>): number | null;
 }
@@ -77,12 +79,12 @@ export function createThumbnails(clock: Pick<FrameClock, 'nowS'>, send: Send, re
       markAll();
       if (seen.size === ports.length) restUntilS = Math.max(restUntilS, clock.nowS() + PAUSE_S);
     },
-    beforeFrame: (frame) => {
+    beforeFrame: (frame, quiet = false) => {
       // Layers without an image are not asked for it again.
       if (isOther(frame)) left = ports.length;
       const nowS = clock.nowS();
       drawn.length = 0;
-      if (nowS < restUntilS) return drawn;
+      if (nowS < restUntilS || (quiet && left === 0)) return drawn;
       for (const port of fresh) if (drawn.length < FIRST_AT_ONCE) drawn.push(port);
       if (drawn.length > 0) return drawn;
       const port = ports[(next + 1) % ports.length];

@@ -47,7 +47,10 @@ test('held, a step moves time on once, and a wake asks for a frame without movin
   base.advance(0.01);
   base.advance(0.01);
   expect(times).toEqual([0.04]);
+  expect([clock.asked, clock.idle]).toEqual([true, false]);
   clock.wake();
   base.advance(0.01);
   expect(times).toEqual([0.04, 0.04]);
+  base.advance(1);
+  expect([times.length, clock.asked, clock.idle]).toEqual([3, false, true]);
 });

@@ -3,6 +3,10 @@ import type { FrameClock } from '../../export/runtime/clock.ts';
 /** A clock that can be paused. Sessions and nodes use it, so that a pause affects all of them. */
 export interface TransportClock extends FrameClock {
   readonly playing: boolean;
+  /** Whether the frame whose callbacks run was asked for, by `wake` for example, so that it is drawn even if nothing seems to have changed. */
+  readonly asked: boolean;
+  /** Whether that frame was not asked for, and time stands. */
+  readonly idle: boolean;
   setPlaying(playing: boolean): void;
   /** While paused: advances the time once. */
   step(deltaS: number): void;
@@ -31,6 +35,8 @@ export function createTransportClock(base: FrameClock, beforeFrame: () => void):
   const callbacks = new Map<number, (timeS: number) => void>();
   let scheduled = false;
   let woken = false;
+  let asked = false;
+  let idle = false;
   let lastFrameS = base.nowS();
 
   const advance = () => {
@@ -41,8 +47,10 @@ export function createTransportClock(base: FrameClock, beforeFrame: () => void):
   const tick = () => {
     scheduled = false;
     advance();
-    const idle = !playing && !woken && baseS - lastFrameS < IDLE_S;
-    if (!idle) {
+    const rests = !playing && !woken;
+    if (!rests || baseS - lastFrameS >= IDLE_S) {
+      idle = rests;
+      asked = woken;
       woken = false;
       lastFrameS = baseS;
       beforeFrame();
@@ -60,6 +68,12 @@ export function createTransportClock(base: FrameClock, beforeFrame: () => void):
   return {
     get playing() {
       return playing;
+    },
+    get asked() {
+      return asked;
+    },
+    get idle() {
+      return idle;
     },
     nowS: () => {
       advance();

@@ -17,6 +17,8 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   let gpu: Gpu | null = null;
   let check: RegistrationCheck | null = null;
   let jumps = 0;
+  let version = 0;
+  let lastVersion: number | undefined;
   const forget = (): void => {
     for (const refiner of gpu?.refiners ?? []) refiner.forget();
   };
@@ -39,7 +41,14 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     return gpu.imageDepth.read(image, view, index, params.nearM.value, params.farM.value);
   };
   return {
+    get version() {
+      return version;
+    },
     update: (frame) => {
+      // A painted depth may arrive late, and a smoothed one goes on approaching what is measured.
+      const isSteady = config.source === 'device' && frame.version !== undefined && params.smoothingS.value <= 0;
+      if (!isSteady || frame.version !== lastVersion) version++;
+      lastVersion = frame.version;
       // What was seen before stands elsewhere now.
       if (frame.jumps !== jumps) forget();
       jumps = frame.jumps;
