@@ -7,7 +7,7 @@ const NOTHING = { kind: 'viewer', left: null, right: null, split: 1, probed: nul
 function createStage() {
   const clock = { asked: false, idle: true };
   const calls: string[] = [];
-  const shown = { differs: false, layers: [] as string[], quiet: false };
+  const shown = { differs: false, layers: [] as string[], outdated: false };
   const player = {
     draw: () => void calls.push('draw'),
     drawChanges: () => {
@@ -16,10 +16,11 @@ function createStage() {
     },
   };
   const thumbnails = {
-    beforeFrame: (_: unknown, quiet = false) => {
-      shown.quiet = quiet;
-      return shown.layers;
+    beforeFrame: () => shown.layers,
+    get outdated() {
+      return shown.outdated;
     },
+    skip: () => void calls.push('skip'),
     invalidate: () => void calls.push('outdated'),
   };
   const draw = createFrameDrawing({ clock, gate: { show: () => {} }, thumbnails });
@@ -32,32 +33,30 @@ function createStage() {
 
 test('a frame that nothing asks for is drawn only if it differs', () => {
   const { clock, shown, next } = createStage();
-  expect(next()).toEqual([false, 'changes']);
+  expect(next()).toEqual([false, 'changes', 'skip']);
   shown.differs = true;
   // What has loaded late is shown by thumbnails, too.
   expect(next()).toEqual([true, 'changes', 'outdated']);
   expect(next()).toEqual([true, 'changes']);
   shown.differs = false;
-  expect(next()).toEqual([false, 'changes']);
+  expect(next()).toEqual([false, 'changes', 'skip']);
   clock.asked = true;
   expect(next()).toEqual([true, 'draw']);
 });
 
 test('a frame is drawn that is needed, or that shows another layer', () => {
-  const { shown, next } = createStage();
+  const { next } = createStage();
   expect(next(NOTHING, true)).toEqual([true, 'draw']);
   for (const side of ['left', 'right', 'probed']) expect(next({ ...NOTHING, [side]: 'blur.layer' })).toEqual([true, 'draw']);
-  shown.layers = ['blur.layer'];
-  expect(next()).toEqual([true, 'draw']);
 });
 
-test('thumbnails rest while nothing changes by itself', () => {
-  const { shown, next } = createStage();
-  next();
-  next();
-  expect(shown.quiet).toBe(true);
-  shown.differs = true;
-  next();
-  next();
-  expect(shown.quiet).toBe(false);
+test('thumbnails that are not outdated are read again only in frames that differ, while time stands', () => {
+  const { clock, shown, next } = createStage();
+  shown.layers = ['blur.layer'];
+  expect(next()).toEqual([false, 'changes', 'skip']);
+  shown.outdated = true;
+  expect(next()).toEqual([true, 'draw']);
+  shown.outdated = false;
+  clock.idle = false;
+  expect(next()).toEqual([true, 'draw']);
 });

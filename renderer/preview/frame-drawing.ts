@@ -8,7 +8,7 @@ import type { TransportClock } from './transport-clock.ts';
 interface FrameDrawingParts {
   readonly clock: Pick<TransportClock, 'asked' | 'idle'>;
   readonly gate: Pick<LayerGate, 'show'>;
-  readonly thumbnails: Pick<Thumbnails, 'beforeFrame' | 'invalidate'>;
+  readonly thumbnails: Pick<Thumbnails, 'beforeFrame' | 'invalidate' | 'outdated' | 'skip'>;
 }
 
 type DrawFrame = (
@@ -26,16 +26,18 @@ export function createFrameDrawing({ clock, gate, thumbnails }: FrameDrawingPart
   /** Whether the last frame that was not needed had something new. */
   let changes = true;
   return (player, frame, viewer, needed) => {
-    const layers = thumbnails.beforeFrame(frame, clock.idle && !changes);
+    const layers = thumbnails.beforeFrame(frame);
     gate.show(viewer, layers);
-    const shows = layers.length > 0 || viewer.left !== null || viewer.right !== null || viewer.probed !== null;
-    if (needed || shows || clock.asked) {
+    const hasThumbnail = layers.length > 0 && (thumbnails.outdated || !clock.idle);
+    const hasViewer = viewer.left !== null || viewer.right !== null || viewer.probed !== null;
+    if (needed || hasThumbnail || hasViewer || clock.asked) {
       player.draw(frame);
       return true;
     }
     const drawn = player.drawChanges(frame);
+    if (!drawn) thumbnails.skip();
     // Something has loaded late.
-    if (drawn && !changes) thumbnails.invalidate();
+    else if (!changes) thumbnails.invalidate();
     changes = drawn;
     return drawn;
   };

@@ -20,10 +20,12 @@ export interface Thumbnails {
   /**
    * Returns the layers that this frame must draw for their thumbnails. The list is valid until the next call. A frame of another time, size
    * or pose than the last one outdates the thumbnails, also of the last frame before a pause.
-   *
-   * @param quiet Whether nothing changes by itself, so that thumbnails that are not outdated are not read again.
    */
-  beforeFrame(frame: ShownFrame, quiet?: boolean): readonly string[];
+  beforeFrame(frame: ShownFrame): readonly string[];
+  /** Whether thumbnails are outdated. Others are read again because a layer may change without a sign. */
+  readonly outdated: boolean;
+  /** Called if the frame was not drawn, so that the layers that `beforeFrame` returned cannot be read. */
+  skip(): void;
   /** Reads those layers. Returns the seconds until another frame is needed for outdated thumbnails; null if none is. */
   afterFrame(player: Pick<Player, 'inspect'>): number | null;
 }
@@ -79,12 +81,12 @@ export function createThumbnails(clock: Pick<FrameClock, 'nowS'>, send: Send, re
       markAll();
       if (seen.size === ports.length) restUntilS = Math.max(restUntilS, clock.nowS() + PAUSE_S);
     },
-    beforeFrame: (frame, quiet = false) => {
+    beforeFrame: (frame) => {
       // Layers without an image are not asked for it again.
       if (isOther(frame)) left = ports.length;
       const nowS = clock.nowS();
       drawn.length = 0;
-      if (nowS < restUntilS || (quiet && left === 0)) return drawn;
+      if (nowS < restUntilS) return drawn;
       for (const port of fresh) if (drawn.length < FIRST_AT_ONCE) drawn.push(port);
       if (drawn.length > 0) return drawn;
       const port = ports[(next + 1) % ports.length];
@@ -97,6 +99,12 @@ export function createThumbnails(clock: Pick<FrameClock, 'nowS'>, send: Send, re
       next = (next + 1) % ports.length;
       drawn.push(port);
       return drawn;
+    },
+    get outdated() {
+      return left > 0;
+    },
+    skip: () => {
+      drawn.length = 0;
     },
     afterFrame: (player) => {
       const beganS = clock.nowS();

@@ -33,11 +33,11 @@ export function createTransportClock(base: FrameClock, beforeFrame: () => void):
   let baseS = base.nowS();
   let nextHandle = 1;
   const callbacks = new Map<number, (timeS: number) => void>();
-  let scheduled = false;
+  let requested = false;
+  let resting = false;
   let woken = false;
   let asked = false;
   let idle = false;
-  let lastFrameS = base.nowS();
 
   const advance = () => {
     const nowS = base.nowS();
@@ -45,25 +45,39 @@ export function createTransportClock(base: FrameClock, beforeFrame: () => void):
     baseS = nowS;
   };
   const tick = () => {
-    scheduled = false;
+    requested = false;
     advance();
-    const rests = !playing && !woken;
-    if (!rests || baseS - lastFrameS >= IDLE_S) {
-      idle = rests;
-      asked = woken;
-      woken = false;
-      lastFrameS = baseS;
-      beforeFrame();
-      const due = [...callbacks.values()];
-      callbacks.clear();
-      for (const callback of due) callback(timeS);
-    }
+    idle = !playing && !woken;
+    asked = woken;
+    woken = false;
+    beforeFrame();
+    const due = [...callbacks.values()];
+    callbacks.clear();
+    for (const callback of due) callback(timeS);
     schedule();
   };
-  const schedule = () => {
-    if (scheduled || callbacks.size === 0) return;
-    scheduled = true;
+  const request = () => {
+    if (requested || callbacks.size === 0) return;
+    requested = true;
     base.requestFrame(tick);
+  };
+  /** A requested frame makes the browser compose the page, even if it draws nothing. */
+  const rest = () => {
+    if (resting) return;
+    resting = true;
+    void base.delay(IDLE_S).then(() => {
+      resting = false;
+      request();
+    });
+  };
+  const schedule = () => {
+    if (callbacks.size === 0) return;
+    if (playing || woken) request();
+    else rest();
+  };
+  const wake = () => {
+    woken = true;
+    schedule();
   };
   return {
     get playing() {
@@ -93,15 +107,13 @@ export function createTransportClock(base: FrameClock, beforeFrame: () => void):
     setPlaying: (next) => {
       advance();
       playing = next;
-      woken = true;
+      wake();
     },
     step: (deltaS) => {
       advance();
       if (!playing) timeS += deltaS;
-      woken = true;
+      wake();
     },
-    wake: () => {
-      woken = true;
-    },
+    wake,
   };
 }

@@ -63,13 +63,13 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
         if (!view || !depth || isPlain) {
           views[i] = depth;
           if (!depth) gpu?.refiners[i]?.forget();
-          show(rated?.[i], null, null);
+          show(rated?.[i], null, null, version);
           continue;
         }
         gpu ??= createGpu(ctx);
         const refiner = gpu.refiners[i];
         views[i] = refiner?.refine(depth, view, wishes) ?? depth;
-        show(rated?.[i], depth, refiner?.confidence ?? null);
+        show(rated?.[i], depth, refiner?.confidence ?? null, version);
         if (i === 0 && refiner?.registration) {
           check ??= createRegistrationCheck(ctx.gl, reportMismatch);
           check.look(refiner.registration);
@@ -88,9 +88,10 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
 }
 
 /** Outputs the confidence of one view; `depth` is the depth that it rates. */
-function show(layer: ConfidenceLayer | undefined, depth: RoomDepth | null, confidence: WebGLTexture | null): void {
+function show(layer: ConfidenceLayer | undefined, depth: RoomDepth | null, confidence: WebGLTexture | null, version: number): void {
   if (!layer) return;
   layer.texture = confidence;
+  layer.version = version;
   layer.widthPx = depth?.widthPx ?? 1;
   layer.heightPx = depth?.heightPx ?? 1;
   if (depth) layer.uvFromViewUv.set(depth.uvFromViewUv);
