@@ -1,6 +1,6 @@
 import type { Operation, PassOperation, PassUniform, Program, Resource } from './program.ts';
 
-/** Node types that list, place or draw objects and lights, and say when they change (`NodeRuntime.version`). A test compares them. */
+/** Node types that list, place or draw objects and lights, or give the depth of the room, and say when they change (`NodeRuntime.version`). A test compares them. */
 export const STILL_TYPES: readonly string[] = [
   'layer/object-mask',
   'layer/scene',
@@ -23,6 +23,7 @@ export const STILL_TYPES: readonly string[] = [
   'source/model',
   'source/panorama',
   'source/splats',
+  'world/depth',
   'world/measure',
 ];
 

@@ -92,8 +92,10 @@ export interface Player {
   /**
    * Draws a frame like `draw`, but draws nothing if it would look like the last one. For frames on a canvas that nothing else draws to: it
    * keeps showing what was drawn last.
+   *
+   * @returns Whether it has drawn.
    */
-  drawChanges(frame: SessionFrame): void;
+  drawChanges(frame: SessionFrame): boolean;
   /**
    * For a held player, and sessions whose frames last until the next: waits for everything that the frame shows, such as the seek of
    * a video, then draws. Resolves when the frame is drawn.
@@ -253,7 +255,7 @@ export function createPlayer(options: PlayerOptions): Player {
       state.panorama = panorama;
     },
     draw: (frame) => enter(frame)?.draw(session),
-    drawChanges: (frame) => enter(frame)?.drawChanges(session),
+    drawChanges: (frame) => enter(frame)?.drawChanges(session) ?? false,
     drawSettled: async (frame) => {
       const current = enter(frame);
       if (current === null) return;

@@ -67,6 +67,11 @@ export interface SessionFrame {
   readonly framebuffer: WebGLFramebuffer | null;
   readonly framebufferWidthPx: number;
   readonly framebufferHeightPx: number;
+  /**
+   * An integer from 0 that changes whenever what the session measures changes: camera images, depth, light, surfaces. Absent: they may change in
+   * every frame, as those of devices do.
+   */
+  readonly version?: number;
   readonly light: LightEstimate | null;
   /** The detected surfaces. Absent or null if the session does not detect surfaces. */
   readonly surfaces?: DetectedSurfaces | null;

@@ -5,6 +5,8 @@ import type { CaptureSource } from './posters.ts';
 export interface Captures {
   screenshot(place: CaptureSource | null): void;
   record(on: boolean, place: CaptureSource | null): void;
+  /** Whether a screenshot waits for a frame, or a video for every frame. */
+  readonly busy: boolean;
   beforeFrame(place: CaptureSource | null): void;
   afterFrame(place: CaptureSource | null): void;
 }
@@ -62,6 +64,9 @@ export function createCaptures(send: (message: FromPreview) => void, wake: () =>
       if (!on) recorder?.stop();
       else if (!place) answer(null);
       else if (!recorder) begin(place);
+    },
+    get busy() {
+      return screenshotState !== 'none' || recorder !== null;
     },
     beforeFrame: (place) => {
       if (screenshotState === 'drawn' && place) takeScreenshot(place);

@@ -7,6 +7,7 @@ import { watchDrags } from '../drag-watch.ts';
 import type { FromPreview, HiddenWork, PreviewSource, ToPreview } from '../preview-protocol.ts';
 import { createCaptures } from './captures.ts';
 import { coalesce } from './coalesce.ts';
+import { createFrameDrawing } from './frame-drawing.ts';
 import { createGizmo } from './gizmo/gizmo.ts';
 import { createHeldImage } from './held-image.ts';
 import { createKeys } from './keys.ts';
@@ -108,6 +109,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
   const status = createStatus(base, send);
   const thumbnails = createThumbnails(base, send);
   const gate = createLayerGate();
+  const drawFrame = createFrameDrawing({ clock, gate, thumbnails });
   const trialCompiler = createTrialCompiler(base, send);
   const held = createHeldImage(screen, base);
   const steps = createSteps(() => {
@@ -227,10 +229,10 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     resolution.begin();
     panorama.beforeDraw(frame);
     sensors.beforeFrame(frame);
-    gate.show(viewer, thumbnails.beforeFrame(frame));
-    host.player.draw(frame);
+    const needed = !shown || metering || source?.kind === 'room' || [posters, probes, captures].some(({ busy }) => busy);
+    const drawn = drawFrame(host.player, frame, viewer, needed);
     recorder.afterFrame(frame, () => host && roomOf(host.player));
-    status.end(frame, open?.recording?.isLate ?? false);
+    status.end(frame, open?.recording?.isLate ?? false, drawn);
     host.meter.afterFrame();
     if (!posters.busy) showViewer(host.player, frame, viewer);
     if (plays) {
@@ -246,7 +248,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     const restS = thumbnails.afterFrame(host.player);
     if (restS !== null) wakeIn(restS);
     steps.afterFrame(open?.recording?.isLate ?? false);
-    resolution.end();
+    if (drawn) resolution.end();
   };
   const settle = coalesce(async () => {
     if (!wanted || !source) return;

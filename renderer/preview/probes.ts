@@ -12,6 +12,8 @@ type Found = Pick<PreviewProbe, 'x' | 'y' | 'depth'> & { readonly aroundPx: numb
 /** Answers probe requests: at most one per frame, the newest. */
 export interface Probes {
   ask(question: Question): void;
+  /** Whether a request waits for a frame. */
+  readonly busy: boolean;
   beforeFrame(place: CaptureSource | null): void;
   afterFrame(player: Pick<Player, 'inspect'>, frame: SessionFrame, place: CaptureSource | null): void;
 }
@@ -31,6 +33,9 @@ export function createProbes(send: (message: FromPreview) => void, wake: () => v
     ask: (asked) => {
       question = asked;
       wake();
+    },
+    get busy() {
+      return question !== null;
     },
     beforeFrame: (place) => {
       if (waiting && place) answer(place, waiting);

@@ -8,9 +8,9 @@ import type { FromPreview, PreviewStatus } from '../preview-protocol.ts';
 export interface Status {
   setState(state: PreviewStatus['state']): void;
   setRequest(request: number): void;
-  /** Called before and after a frame is drawn. */
+  /** Called before and after a frame. Frames that were not drawn, because nothing had changed, have no part in the mean frame time. */
   begin(): void;
-  end(frame: SessionFrame, late: boolean): void;
+  end(frame: SessionFrame, late: boolean, drawn?: boolean): void;
   /**
    * Restarts the frame count and the time at the next frame. While time is paused, repeated frames do not count. `frames`: frame times of
    * the recording; null for other sessions.
@@ -82,7 +82,7 @@ export function createStatus(clock: FrameClock, send: (message: FromPreview) => 
     begin: () => {
       beganS = clock.nowS();
     },
-    end: (frame, late) => {
+    end: (frame, late, drawn = true) => {
       const nowS = clock.nowS();
       const tookMs = (nowS - beganS) * 1000;
       const moved = originS === null || frame.timeS !== lastS;
@@ -96,7 +96,7 @@ export function createStatus(clock: FrameClock, send: (message: FromPreview) => 
       seen = frame;
       status.timeS = frame.timeS - originS;
       if (frames) status.frame = frameAtTime(frames, status.timeS);
-      status.frameMs = status.frameMs === 0 ? tookMs : status.frameMs * (1 - WEIGHT) + tookMs * WEIGHT;
+      if (drawn) status.frameMs = status.frameMs === 0 ? tookMs : status.frameMs * (1 - WEIGHT) + tookMs * WEIGHT;
       if (status.state === 'playing') measureRate(nowS);
       status.widthPx = frame.framebufferWidthPx;
       status.heightPx = frame.framebufferHeightPx;

@@ -22,6 +22,10 @@ export interface Thumbnails {
    * or pose than the last one outdates the thumbnails, also of the last frame before a pause.
    */
   beforeFrame(frame: ShownFrame): readonly string[];
+  /** Whether thumbnails are outdated. Others are read again because a layer may change without a sign. */
+  readonly outdated: boolean;
+  /** Called if the frame was not drawn, so that the layers that `beforeFrame` returned cannot be read. */
+  skip(): void;
   /** Reads those layers. Returns the seconds until another frame is needed for outdated thumbnails; null if none is. */
   afterFrame(player: Pick<Player, 'inspect'>): number | null;
 }
@@ -95,6 +99,12 @@ export function createThumbnails(clock: Pick<FrameClock, 'nowS'>, send: Send, re
       next = (next + 1) % ports.length;
       drawn.push(port);
       return drawn;
+    },
+    get outdated() {
+      return left > 0;
+    },
+    skip: () => {
+      drawn.length = 0;
     },
     afterFrame: (player) => {
       const beganS = clock.nowS();

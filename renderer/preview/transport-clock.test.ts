@@ -14,13 +14,16 @@ function createRun() {
   return { base, clock, times };
 }
 
-test('runs with the display while playing, and stands while held', () => {
+test('runs with the display while playing, and stands while held', async () => {
   const { base, clock, times } = createRun();
   base.advance(0.1);
   base.advance(0.1);
   clock.setPlaying(false);
   times.length = 0;
-  for (let i = 0; i < 10; i++) base.advance(0.1);
+  for (let i = 0; i < 10; i++) {
+    base.advance(0.1);
+    await Promise.resolve();
+  }
   expect(new Set(times)).toEqual(new Set([0.2]));
   // One at once, then a few a second.
   expect(times.length).toBeGreaterThanOrEqual(3);
@@ -38,7 +41,7 @@ test('takes no leap after the page was hidden', () => {
   expect(times).toEqual([0.1, 0.6, 0.7]);
 });
 
-test('held, a step moves time on once, and a wake asks for a frame without moving it', () => {
+test('held, a step moves time on once, and a wake asks for a frame without moving it', async () => {
   const { base, clock, times } = createRun();
   clock.setPlaying(false);
   base.advance(0.01);
@@ -47,7 +50,12 @@ test('held, a step moves time on once, and a wake asks for a frame without movin
   base.advance(0.01);
   base.advance(0.01);
   expect(times).toEqual([0.04]);
+  expect([clock.asked, clock.idle]).toEqual([true, false]);
   clock.wake();
   base.advance(0.01);
   expect(times).toEqual([0.04, 0.04]);
+  base.advance(1);
+  await Promise.resolve();
+  base.advance(0.01);
+  expect([times.length, clock.asked, clock.idle]).toEqual([3, false, true]);
 });

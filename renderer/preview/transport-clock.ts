@@ -3,6 +3,10 @@ import type { FrameClock } from '../../export/runtime/clock.ts';
 /** A clock that can be paused. Sessions and nodes use it, so that a pause affects all of them. */
 export interface TransportClock extends FrameClock {
   readonly playing: boolean;
+  /** Whether the frame whose callbacks run was asked for, by `wake` for example, so that it is drawn even if nothing seems to have changed. */
+  readonly asked: boolean;
+  /** Whether that frame was not asked for, and time stands. */
+  readonly idle: boolean;
   setPlaying(playing: boolean): void;
   /** While paused: advances the time once. */
   step(deltaS: number): void;
@@ -29,9 +33,11 @@ export function createTransportClock(base: FrameClock, beforeFrame: () => void):
   let baseS = base.nowS();
   let nextHandle = 1;
   const callbacks = new Map<number, (timeS: number) => void>();
-  let scheduled = false;
+  let requested = false;
+  let resting = false;
   let woken = false;
-  let lastFrameS = base.nowS();
+  let asked = false;
+  let idle = false;
 
   const advance = () => {
     const nowS = base.nowS();
@@ -39,27 +45,49 @@ export function createTransportClock(base: FrameClock, beforeFrame: () => void):
     baseS = nowS;
   };
   const tick = () => {
-    scheduled = false;
+    requested = false;
     advance();
-    const idle = !playing && !woken && baseS - lastFrameS < IDLE_S;
-    if (!idle) {
-      woken = false;
-      lastFrameS = baseS;
-      beforeFrame();
-      const due = [...callbacks.values()];
-      callbacks.clear();
-      for (const callback of due) callback(timeS);
-    }
+    idle = !playing && !woken;
+    asked = woken;
+    woken = false;
+    beforeFrame();
+    const due = [...callbacks.values()];
+    callbacks.clear();
+    for (const callback of due) callback(timeS);
     schedule();
   };
-  const schedule = () => {
-    if (scheduled || callbacks.size === 0) return;
-    scheduled = true;
+  const request = () => {
+    if (requested || callbacks.size === 0) return;
+    requested = true;
     base.requestFrame(tick);
+  };
+  /** A requested frame makes the browser compose the page, even if it draws nothing. */
+  const rest = () => {
+    if (resting) return;
+    resting = true;
+    void base.delay(IDLE_S).then(() => {
+      resting = false;
+      request();
+    });
+  };
+  const schedule = () => {
+    if (callbacks.size === 0) return;
+    if (playing || woken) request();
+    else rest();
+  };
+  const wake = () => {
+    woken = true;
+    schedule();
   };
   return {
     get playing() {
       return playing;
+    },
+    get asked() {
+      return asked;
+    },
+    get idle() {
+      return idle;
     },
     nowS: () => {
       advance();
@@ -79,15 +107,13 @@ export function createTransportClock(base: FrameClock, beforeFrame: () => void):
     setPlaying: (next) => {
       advance();
       playing = next;
-      woken = true;
+      wake();
     },
     step: (deltaS) => {
       advance();
       if (!playing) timeS += deltaS;
-      woken = true;
+      wake();
     },
-    wake: () => {
-      woken = true;
-    },
+    wake,
   };
 }

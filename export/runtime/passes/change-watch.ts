@@ -44,6 +44,7 @@ export function createChangeWatch(program: Program, inputs: Omit<PassInputs, 'ta
   const showsWorld = program.presentation.background === 'world';
   const viewport = { x: -1, y: -1, widthPx: -1, heightPx: -1 };
   let lastSession: SessionTraits | null = null;
+  let lastVersion: number | undefined;
   let forgotten = true;
 
   const screenChanged = ({ view, frame }: PlayState, session: SessionTraits | null): boolean => {
@@ -55,8 +56,10 @@ export function createChangeWatch(program: Program, inputs: Omit<PassInputs, 'ta
     viewport.widthPx = widthPx;
     viewport.heightPx = heightPx;
     const showsCamera = showsWorld && session?.world === 'image' && view.cameraImage !== null;
-    const changed = moved || showsCamera || session !== lastSession;
+    const isSameImage = frame.version !== undefined && frame.version === lastVersion;
+    const changed = moved || (showsCamera && !isSameImage) || session !== lastSession;
     lastSession = session;
+    lastVersion = frame.version;
     return changed;
   };
   return {

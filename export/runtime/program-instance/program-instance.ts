@@ -42,8 +42,8 @@ export interface ProgramInstance extends RetainedState {
   settle(): Promise<void>;
   /** Draws all views of the frame for which `update` was called. */
   draw(session: SessionTraits | null): void;
-  /** Draws it like `draw`, but draws nothing if the screen shows it already. */
-  drawChanges(session: SessionTraits | null): void;
+  /** Draws it like `draw`, but draws nothing if the screen shows it already. Returns whether it has drawn. */
+  drawChanges(session: SessionTraits | null): boolean;
   /** Resets the state of nodes and persistent targets to the first frame. */
   reset(cause: ResetCause): void;
   /** Disposes GL programs, assets and targets that `next` did not take over. */
@@ -93,7 +93,7 @@ export function createProgramInstance(
   const run = (steps: readonly Step[]): void => {
     for (let i = 0; i < steps.length; i++) steps[i]?.run(state);
   };
-  const draw = (session: SessionTraits | null, onlyChanges: boolean): void => {
+  const draw = (session: SessionTraits | null, onlyChanges: boolean): boolean => {
     const { frame } = state;
     if (frame.viewCount !== viewCount) sizes.trim(frame.viewCount);
     viewCount = frame.viewCount;
@@ -103,7 +103,7 @@ export function createProgramInstance(
     for (let i = 0; i < directDraws.length; i++) if (directDraws[i]?.decide(state)) watch?.forget();
     const changed = watch?.look(state, session) ?? true;
     const needed = rest?.look(state, session) ?? changed;
-    if (onlyChanges && !needed) return;
+    if (onlyChanges && !needed) return false;
     run(once);
     for (let i = 0; i < frame.viewCount; i++) {
       enterView(state, i);
@@ -113,6 +113,7 @@ export function createProgramInstance(
       background.draw(state, session);
       run(each);
     }
+    return true;
   };
   return {
     program,
@@ -130,7 +131,7 @@ export function createProgramInstance(
     settle: async () => {
       await Promise.all(runtimes.map((runtime) => runtime.settle?.()));
     },
-    draw: (session) => draw(session, false),
+    draw: (session) => void draw(session, false),
     drawChanges: (session) => draw(session, true),
     reset: (cause) => {
       for (const node of instances.nodes.values()) node.reset(cause);

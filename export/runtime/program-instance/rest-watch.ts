@@ -57,10 +57,12 @@ export function createRestWatch(program: Program, { resources, slots, nodes }: R
       if (written?.kind === 'objects') moves.push(listMove(written.list));
     }
   }
-  for (const resource of resources.values()) {
+  for (const [id, resource] of resources) {
     if (resource.kind === 'room-depth') {
+      const writer = program.operations.find(({ writes }) => writes.includes(id));
+      const node = writer && nodes.get(writer.id);
       facts.push(() => resource.depth.views[0] ?? null);
-      restless.push(() => !!resource.depth.views[0]);
+      restless.push(() => !!resource.depth.views[0] && node?.runtime.version === undefined);
     }
     if (resource.kind === 'pixels') answers.push({ count: () => resource.pixels.taken, enough: 0 });
     if (resource.kind === 'pulses') {
@@ -88,6 +90,7 @@ export function createRestWatch(program: Program, { resources, slots, nodes }: R
   const lastFacts: unknown[] = [];
   const showsWorld = program.presentation.background === 'world';
   let lastSession: SessionTraits | null = null;
+  let lastVersion: number | undefined;
   let forgotten = true;
 
   return {
@@ -112,10 +115,11 @@ export function createRestWatch(program: Program, { resources, slots, nodes }: R
         lastFacts[i] = fact;
       }
       for (let i = 0; i < moves.length; i++) if (moves[i]?.()) changed = true;
-      // Only devices measure them, and they change without a sign.
-      if (frame.surfaces || frame.light) changed = true;
+      // Those of devices change without a sign.
+      const measures = frame.surfaces || frame.light || (showsWorld && session?.world === 'image' && seen.cameraImage);
+      if (measures && (frame.version === undefined || frame.version !== lastVersion)) changed = true;
+      lastVersion = frame.version;
       for (let i = 0; i < restless.length; i++) if (restless[i]?.()) changed = true;
-      if (showsWorld && session?.world === 'image' && seen.cameraImage) changed = true;
       let waits = false;
       for (let i = 0; i < answers.length; i++) {
         const each = answers[i];

@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { type FakeContext, fakeContext } from '../../../tests/support/node-context.ts';
-import type { LayerTexture } from '../../kit/runtime.ts';
+import { type LayerTexture, MAY_CHANGE } from '../../kit/runtime.ts';
 import type { CameraImage, SessionFrame } from '../../kit/session.ts';
 import type { Writable } from '../../kit/value-views.ts';
 import { definition } from './definition.ts';
@@ -45,6 +45,16 @@ describe('camera video', () => {
     node.update(frame(null));
     expect(ctx.outputs.layer.views.map((view) => view.texture)).toEqual([null, null]);
     expect([...(ctx.outputs.layer.views[0]?.uvFromViewUv ?? [])]).toEqual(UPRIGHT);
+  });
+
+  test('tells a new image only in sessions that do', () => {
+    const { ctx } = start();
+    const node = create(ctx);
+    const versions = [undefined, 0, 0, 1].map((version) => {
+      node.update({ ...frame(image('left')), ...(version === undefined ? {} : { version }) });
+      return ctx.outputs.layer.views[0]?.version;
+    });
+    expect(versions).toEqual([MAY_CHANGE, 0, 0, 1]);
   });
 
   test('asks for the camera only where a filter reads the picture, and never insists', () => {

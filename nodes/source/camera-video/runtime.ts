@@ -18,8 +18,8 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
         view.widthPx = image?.widthPx ?? 1;
         view.heightPx = image?.heightPx ?? 1;
         view.uvFromViewUv.set(image?.uvFromViewUv ?? UPRIGHT);
-        // A camera gives no sign of a new image.
-        view.version = image ? MAY_CHANGE : (standIn?.version ?? 0);
+        // A camera gives no sign of a new image, a recording does.
+        view.version = image ? (frame.version ?? MAY_CHANGE) : (standIn?.version ?? 0);
       }
     },
     dispose: () => standIn?.dispose(),

@@ -17,6 +17,8 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   let gpu: Gpu | null = null;
   let check: RegistrationCheck | null = null;
   let jumps = 0;
+  let version = 0;
+  let lastVersion: number | undefined;
   const forget = (): void => {
     for (const refiner of gpu?.refiners ?? []) refiner.forget();
   };
@@ -39,7 +41,14 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     return gpu.imageDepth.read(image, view, index, params.nearM.value, params.farM.value);
   };
   return {
+    get version() {
+      return version;
+    },
     update: (frame) => {
+      // A painted depth may arrive late, and a smoothed one goes on approaching what is measured.
+      const isSteady = config.source === 'device' && frame.version !== undefined && params.smoothingS.value <= 0;
+      if (!isSteady || frame.version !== lastVersion) version++;
+      lastVersion = frame.version;
       // What was seen before stands elsewhere now.
       if (frame.jumps !== jumps) forget();
       jumps = frame.jumps;
@@ -54,13 +63,13 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
         if (!view || !depth || isPlain) {
           views[i] = depth;
           if (!depth) gpu?.refiners[i]?.forget();
-          show(rated?.[i], null, null);
+          show(rated?.[i], null, null, version);
           continue;
         }
         gpu ??= createGpu(ctx);
         const refiner = gpu.refiners[i];
         views[i] = refiner?.refine(depth, view, wishes) ?? depth;
-        show(rated?.[i], depth, refiner?.confidence ?? null);
+        show(rated?.[i], depth, refiner?.confidence ?? null, version);
         if (i === 0 && refiner?.registration) {
           check ??= createRegistrationCheck(ctx.gl, reportMismatch);
           check.look(refiner.registration);
@@ -79,9 +88,10 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
 }
 
 /** Outputs the confidence of one view; `depth` is the depth that it rates. */
-function show(layer: ConfidenceLayer | undefined, depth: RoomDepth | null, confidence: WebGLTexture | null): void {
+function show(layer: ConfidenceLayer | undefined, depth: RoomDepth | null, confidence: WebGLTexture | null, version: number): void {
   if (!layer) return;
   layer.texture = confidence;
+  layer.version = version;
   layer.widthPx = depth?.widthPx ?? 1;
   layer.heightPx = depth?.heightPx ?? 1;
   if (depth) layer.uvFromViewUv.set(depth.uvFromViewUv);

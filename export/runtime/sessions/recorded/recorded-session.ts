@@ -110,7 +110,10 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
   };
   const deliver = (current: OpenRecording, decoded: DecodedFrame, index: number, timeS: number): boolean => {
     if (gl.drawingBufferWidth === 0 || gl.drawingBufferHeight === 0) return false;
-    if (decoded !== shown) current.textures.upload(decoded);
+    if (decoded !== shown) {
+      current.textures.upload(decoded);
+      frame.version = (frame.version ?? -1) + 1;
+    }
     shown = decoded;
     frame.index = index;
     frame.timeS = timeS;
