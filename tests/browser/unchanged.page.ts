@@ -1,5 +1,7 @@
 import type { PassOperation, PassUniform, Program, Resource } from '../../export/program/program.ts';
 import { createPlayer, type Player } from '../../export/runtime/player.ts';
+import type { OperationMonitor } from '../../export/runtime/program-instance/step.ts';
+import { readColor } from '../../export/runtime/readback.ts';
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
 import * as cameraVideo from '../../nodes/source/camera-video/runtime.ts';
 import {
@@ -64,13 +66,14 @@ interface Stage {
   next(widthPx?: number): number;
 }
 
-async function stage(shown: Program): Promise<Stage> {
+async function stage(shown: Program, monitor?: OperationMonitor): Promise<Stage> {
   const gl = createGl();
   version = 0;
   const modules = { 'source/image-file': PHOTO, 'source/camera-video': cameraVideo };
   const assets = { load: () => Promise.reject(new Error('there is no such file')) };
   const canvas = gl.canvas as HTMLCanvasElement;
-  const player = createPlayer({ gl, canvas, program: shown, modules, createScenes: null, assets, seed: 1, onDiagnostics: () => {} });
+  const options = { gl, canvas, program: shown, modules, createScenes: null, assets, seed: 1, onDiagnostics: () => {} };
+  const player = createPlayer(monitor ? { ...options, monitor } : options);
   await player.ready;
   let draws = 0;
   let index = 0;
@@ -191,4 +194,24 @@ export async function direct() {
   draw('a param in another size', WIDTH / 2);
   draw('the size of the view again', WIDTH);
   return frames;
+}
+
+/** The red of an image that only a viewer shows, before and after a param changes in a frame that leaves the image out. */
+export async function leftOut() {
+  let isViewed = true;
+  const image = { domain: 'image', size: IMAGE_SIZE } as const;
+  const operations = [tint('tint', 'photo', 'screen'), tint('viewed', 'photo', 'a', { view: 'once' })];
+  const shown = photoProgram(operations, [target('a', image)]);
+  const taps = { 'viewed.layer': { color: 'a', depth: null } };
+  const monitor = { begin: ({ id }: { readonly id: string }) => isViewed || id !== 'viewed', end: () => {} };
+  const { player, next } = await stage({ ...shown, taps }, monitor);
+  const red = () => readColor(player.inspect('viewed.layer'), 0)?.pixels[0];
+  next();
+  const before = red();
+  isViewed = false;
+  player.setParam('tint', 'amount', 0.5);
+  next();
+  isViewed = true;
+  player.draw(frame(100, [view(0, 0, WIDTH, HEIGHT)]));
+  return { before, after: red() };
 }

@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { useModule } from '../support/browser.ts';
-import type { direct, partly, shared, still } from './unchanged.page.ts';
+import type { direct, leftOut, partly, shared, still } from './unchanged.page.ts';
 
 const page = useModule('tests/browser/unchanged.page.ts');
 
@@ -44,5 +44,9 @@ describe('what would be drawn again as it is', () => {
       'a param in another size': [2, 64],
       'the size of the view again': [1, 128],
     });
+  });
+
+  test('is drawn later where the frame that changes it leaves it out', async () => {
+    expect(await page.call<Awaited<ReturnType<typeof leftOut>>>('leftOut')).toEqual({ before: 255, after: 128 });
   });
 });

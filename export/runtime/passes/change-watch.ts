@@ -13,8 +13,11 @@ export interface ChangeWatch {
    * compute images on the CPU, which `RestWatch` looks at.
    */
   look(state: PlayState, session: SessionTraits | null): boolean;
-  /** Whether a pass has to be drawn in the frame for which `look` was called. A pass of each view always has to. */
-  isNeeded(pass: PassOperation): boolean;
+  /**
+   * Whether a pass has to be drawn in the frame for which `look` was called. A pass of each view always has to. Call it only if the pass is drawn
+   * then: a change that a frame leaves out is drawn later.
+   */
+  takeNeeded(pass: PassOperation): boolean;
   /** Makes the next frame draw everything. */
   forget(): void;
 }
@@ -31,6 +34,8 @@ interface Watched {
   /** Whether its target keeps its image for the next frame: no other operation draws to it. */
   readonly keepsImage: boolean;
   changed: boolean;
+  /** Whether it has changed since it was last drawn. */
+  outdated: boolean;
   needed: boolean;
 }
 
@@ -69,16 +74,23 @@ export function createChangeWatch(program: Program, inputs: Omit<PassInputs, 'ta
         const one = inOrder[i];
         if (!one) continue;
         one.changed = hasChanged(one, state) || forgotten;
-        if (one.changed) changed = true;
+        if (!one.changed) continue;
+        changed = true;
+        one.outdated = true;
       }
       forgotten = false;
       for (let i = inOrder.length - 1; i >= 0; i--) {
         const one = inOrder[i];
-        if (one) one.needed = one.changed || (!one.keepsImage && isRead(one));
+        if (one) one.needed = one.outdated || (!one.keepsImage && isRead(one));
       }
       return changed;
     },
-    isNeeded: (pass) => watched.get(pass)?.needed ?? true,
+    takeNeeded: (pass) => {
+      const one = watched.get(pass);
+      if (!one) return true;
+      if (one.needed) one.outdated = false;
+      return one.needed;
+    },
     forget: () => {
       forgotten = true;
     },
@@ -126,6 +138,7 @@ function watchPasses(program: Program, inputs: PassInputs): ReadonlyMap<PassOper
       hasOtherReaders: false,
       keepsImage: operation.writes.every((id) => !shared.has(id) && writerCounts.get(id) === 1),
       changed: true,
+      outdated: true,
       needed: true,
     };
     if (isPassOnce) for (const producer of producers) producer.readers.push(one);

@@ -172,7 +172,7 @@ export function createProgramInstance(
 function ifNeeded(step: Step, pass: PassOperation, watch: ChangeWatch): Step {
   return {
     run: (state) => {
-      if (watch.isNeeded(pass)) step.run(state);
+      if (watch.takeNeeded(pass)) step.run(state);
     },
   };
 }
