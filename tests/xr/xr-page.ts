@@ -39,6 +39,9 @@ export async function readCapture(name: string): Promise<{ readonly capture: unk
 
 let injected: Promise<string> | undefined;
 
+/** Between frames of the page outside sessions, in which no test has an interest. */
+const IDLE_FRAME_MS = 1000;
+
 /** Opens an exported page as a visitor with the emulated device would; the page itself knows nothing of it. */
 export async function openXrPage(
   browser: Browser,
@@ -47,12 +50,13 @@ export async function openXrPage(
   viewport = { width: 480, height: 360 },
   /** Runs in the page after the emulator is there. */
   script = '',
+  idleFrameMs = IDLE_FRAME_MS,
 ): Promise<XrPage> {
   injected ??= bundleEmulator(ROOT);
   const context = await browser.newContext({ viewport });
   const page = await context.newPage();
   const errors = collectErrors(page);
-  await drawPageSeldom(page);
+  await drawPageSeldom(page, idleFrameMs);
   await page.addInitScript({ content: await injected });
   await page.addInitScript((given: unknown) => void scrimEmulator?.install(given as EmulatorOptions), { clock: 'manual', ...options });
   if (script !== '') await page.addInitScript({ content: script });
