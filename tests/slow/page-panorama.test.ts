@@ -27,6 +27,8 @@ const FOV_Y_RAD = 1.05;
 const FRAMES_PER_SECOND = 4;
 const VIEW = { width: 480, height: 360 };
 const FACE_PX = 512;
+/** Outside the session, where no test looks at a picture. */
+const IDLE_FRAME_MS = 1000;
 
 const chromium = useBrowser();
 let served: ServedExport;
@@ -42,7 +44,7 @@ afterEach(async () => {
 
 async function open(more: Parameters<typeof openXrPage>[2] = {}): Promise<XrPage> {
   const options = { device: 'phone', room: 'studio', framesPerSecond: FRAMES_PER_SECOND, ...more } as const;
-  const xr = await openXrPage(chromium.browser, served.url, options, VIEW);
+  const xr = await openXrPage(chromium.browser, served.url, options, VIEW, '', IDLE_FRAME_MS);
   opened.push(xr);
   return xr;
 }

@@ -39,9 +39,6 @@ export async function readCapture(name: string): Promise<{ readonly capture: unk
 
 let injected: Promise<string> | undefined;
 
-/** Between frames of the page outside sessions, in which no test has an interest. */
-const IDLE_FRAME_MS = 1000;
-
 /** Opens an exported page as a visitor with the emulated device would; the page itself knows nothing of it. */
 export async function openXrPage(
   browser: Browser,
@@ -50,7 +47,8 @@ export async function openXrPage(
   viewport = { width: 480, height: 360 },
   /** Runs in the page after the emulator is there. */
   script = '',
-  idleFrameMs = IDLE_FRAME_MS,
+  /** Between frames of the page outside sessions, if these are expensive and of no interest. */
+  idleFrameMs?: number,
 ): Promise<XrPage> {
   injected ??= bundleEmulator(ROOT);
   const context = await browser.newContext({ viewport });
