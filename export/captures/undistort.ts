@@ -118,7 +118,12 @@ export function resample(photo: Photo, lens: Lens, pinhole: Pinhole): Photo {
 }
 
 /** Where the lens shows the upper corners of a row of pixels, column and row by turns. */
-function cornersOf(lens: Lens, { widthPx, fxPx, fyPx, cxPx, cyPx }: Pinhole, row: number, out: Float64Array): Float64Array {
+function cornersOf(
+  lens: Lens,
+  { widthPx, fxPx, fyPx, cxPx, cyPx }: Pinhole,
+  row: number,
+  out: Float64Array<ArrayBuffer>,
+): Float64Array<ArrayBuffer> {
   const place = new Float64Array(2);
   for (let column = 0; column <= widthPx; column++) {
     project(lens, (column - cxPx) / fxPx, (row - cyPx) / fyPx, place);
