@@ -15,7 +15,7 @@ export interface PackedPhoto {
 }
 
 /** Part of the names of cache entries. Increase this number if the same photograph and lens give other bytes. */
-const PACKING_VERSION = 2;
+const PACKING_VERSION = 3;
 const HASH_BYTES = 32;
 
 /**

@@ -1,11 +1,11 @@
 import { cp, mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
-import { join, resolve } from 'node:path';
+import { dirname, join, resolve } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { decode } from 'fast-png';
 import { runCli } from '../../app/cli/run-cli.ts';
 import { installationAt } from '../../app/services/installation.ts';
-import { acquire, likenessOf, placeText } from '../support/acquisition.ts';
+import { type Acquired, acquire, likenessOf, placeText } from '../support/acquisition.ts';
 import { projectText, writeProject } from '../support/project-kit.ts';
 import { scrim, succeed } from '../support/scrim.ts';
 
@@ -56,6 +56,33 @@ async function sceneProject(): Promise<string> {
   return project;
 }
 
+/** The scene as it was photographed with these options, and the project that has the photographs as a capture. */
+interface Imported {
+  readonly photos: string;
+  readonly place: string;
+  readonly truth: readonly Acquired[];
+  readonly path: string;
+}
+
+const captures = new Map<readonly string[], Promise<Imported>>();
+/** Photographs and imports the scene once for all methods. */
+function imported(options: readonly string[]): Promise<Imported> {
+  const known = captures.get(options) ?? photographAndImport(options, String(captures.size));
+  captures.set(options, known);
+  return known;
+}
+
+async function photographAndImport(options: readonly string[], name: string): Promise<Imported> {
+  const [photos, place] = [join(base, name, 'photos'), join(base, name, 'place')];
+  const truth = await acquire(await sceneProject(), photos, ...options);
+  await writeProject(place, { 'project.scrim.json': projectText({ nodes: { 'screen-a1': 'output/screen' }, wires: [] }) });
+  const { status, out, err } = await scrim('import', 'capture', photos, '--project', place, '--json');
+  expect([status, err]).toEqual([0, '']);
+  const { path, depth, up } = JSON.parse(out) as { path: string; depth: { unit: string; kind: string }; up: string };
+  expect([depth.unit, up]).toEqual(['m', '+y']);
+  return { photos, place, truth, path };
+}
+
 test.each([
   ['lumigraph', PERSPECTIVE, { psnrDb: 32, covered: 0.97 }],
   ['depth-meshes', PERSPECTIVE, { psnrDb: 28, covered: 0.97 }],
@@ -63,16 +90,7 @@ test.each([
 ] as const)(
   'a scene that is photographed, imported and shown by %s looks from the cameras as it did (%#)',
   async (method, options, bars) => {
-    const scene = await sceneProject();
-    const photos = join(base, 'photos');
-    const place = join(base, 'place');
-    const truth = await acquire(scene, photos, ...options);
-    await rm(place, { recursive: true, force: true });
-    await writeProject(place, { 'project.scrim.json': projectText({ nodes: { 'screen-a1': 'output/screen' }, wires: [] }) });
-    const imported = await scrim('import', 'capture', photos, '--project', place, '--json');
-    expect([imported.status, imported.err]).toEqual([0, '']);
-    const { path, depth, up } = JSON.parse(imported.out) as { path: string; depth: { unit: string; kind: string }; up: string };
-    expect([depth.unit, up]).toEqual(['m', '+y']);
+    const { photos, place, truth, path } = await imported(options);
     await writeProject(place, { 'project.scrim.json': placeText(path, { method }) });
     const shown = await acquire(place, join(base, 'again'), ...options);
     expect(shown).toHaveLength(truth.length);
@@ -157,13 +175,9 @@ async function contentOf(folder: string): Promise<Readonly<Record<string, string
 }
 
 test('each of two 360° photographs is rendered from the other', async () => {
-  const photos = join(base, 'around');
-  const place = join(base, 'around-place');
-  await acquire(await sceneProject(), photos, ...AROUND);
-  await writeProject(place, { 'project.scrim.json': projectText({ nodes: { 'screen-a1': 'output/screen' }, wires: [] }) });
-  await succeed('import', 'capture', photos, '--project', place, '--name', 'around');
+  const { place, path } = await imported(AROUND);
   const out = join(base, 'around-report');
-  await succeed('rephotograph', join(place, 'assets/around.capture'), '--out', out, '--method', 'lumigraph');
+  await succeed('rephotograph', join(place, dirname(path)), '--out', out, '--method', 'lumigraph');
   const { views } = JSON.parse(await readFile(join(out, 'report.json'), 'utf8')) as {
     views: { shots: { psnrDb: number; covered: number }[] }[];
   };

@@ -86,6 +86,11 @@ describe('Ctrl-C', () => {
   });
 });
 
+/** Between two looks at all processes, which take time from them. */
+function pause(): Promise<void> {
+  return new Promise((done) => setTimeout(done, 50));
+}
+
 /** Command lines of all processes below one, by id; Linux alone has them as files. */
 async function below(pid: number): Promise<ReadonlyMap<number, string>> {
   const parents = new Map<number, number>();
@@ -117,20 +122,29 @@ async function isAlive(pid: number): Promise<boolean> {
     const pid = running.child.pid ?? 0;
     let browsers: readonly number[] = [];
     // A browser, and the page in it: that comes when all else is set up.
-    while (running.child.exitCode === null && browsers.length < 3) browsers = await browsersBelow(pid);
+    while (running.child.exitCode === null && browsers.length < 3) {
+      await pause();
+      browsers = await browsersBelow(pid);
+    }
     running.child.kill(signal);
     await ended(running);
-    while ((await Promise.all(browsers.map(isAlive))).includes(true)) await new Promise((done) => setTimeout(done, 20));
+    while ((await Promise.all(browsers.map(isAlive))).includes(true)) await pause();
     expect(browsers.length).toBeGreaterThanOrEqual(3);
     await rm(out, { recursive: true, force: true });
   });
 });
 
+/** Ids of processes that do not have a mark, by mark: those that were looked at once, because a mark comes only with the start of a process. */
+const unmarked = new Map<string, Set<number>>();
+
 /** Ids of the living processes that have this in their environment: children inherit it, also where their parent ends. */
 async function marked(mark: string): Promise<readonly number[]> {
-  const ids = (await readdir('/proc')).map(Number).filter(Number.isInteger);
+  const others = unmarked.get(mark) ?? new Set();
+  unmarked.set(mark, others);
+  const ids = (await readdir('/proc')).map(Number).filter((id) => Number.isInteger(id) && !others.has(id));
   const has = await Promise.all(ids.map(async (id) => (await readFile(`/proc/${id}/environ`, 'latin1').catch(() => '')).includes(mark)));
-  return ids.filter((_, index) => has[index]);
+  for (const [i, id] of ids.entries()) if (!has[i]) others.add(id);
+  return ids.filter((_, i) => has[i]);
 }
 
 /** An npm script with a mark of its own, in a process group of its own, as a shell starts it. */
@@ -174,7 +188,7 @@ const ITS_END = { bench: /median/, 'test:one': /Ran all test suites/ };
   ] as const)('by %s, leaves no process: npm run %j', async (signal, script) => {
     const { child, said, mark } = npmRun(...script);
     started.add(mark);
-    while (child.exitCode === null && !(await hasBrowser(mark))) await new Promise((done) => setTimeout(done, 50));
+    while (child.exitCode === null && !(await hasBrowser(mark))) await pause();
     expect(child.exitCode).toBeNull();
     process.kill(signal === 'SIGINT' ? -(child.pid ?? 0) : (child.pid ?? 0), signal);
     await gone(mark);
@@ -186,14 +200,17 @@ const ITS_END = { bench: /median/, 'test:one': /Ran all test suites/ };
     started.add(mark);
     for (const stream of [child.stdout, child.stderr]) stream.destroy();
     let browser = false;
-    while (!browser && (await marked(mark)).length > 0) browser = await hasBrowser(mark);
+    while (!browser && (await marked(mark)).length > 0) {
+      await pause();
+      browser = await hasBrowser(mark);
+    }
     expect(browser).toBe(false);
   });
 });
 
 /** As soon as all that was started with this mark has ended. */
 async function gone(mark: string): Promise<void> {
-  while ((await marked(mark)).length > 0) await new Promise((done) => setTimeout(done, 50));
+  while ((await marked(mark)).length > 0) await pause();
 }
 
 describe('a reader who has read enough', () => {

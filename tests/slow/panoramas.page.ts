@@ -1,12 +1,17 @@
 import {
+  Camera,
+  HalfFloatType,
   Mesh,
   MeshStandardMaterial,
   NoToneMapping,
+  PlaneGeometry,
   PMREMGenerator,
   Scene,
+  ShaderMaterial,
   SphereGeometry,
   type Texture,
   type WebGLCubeRenderTarget,
+  WebGLRenderTarget,
 } from 'three';
 import { workAtOnce } from '../../export/runtime/gl/spread-work.ts';
 import { loadPanorama } from '../../export/runtime/scenes/environments/load-panorama.ts';
@@ -32,7 +37,7 @@ export async function compare(url: string): Promise<Compared> {
   const ours = workAtOnce(prefilter(renderer, panorama));
   let theirs: WebGLCubeRenderTarget | null = null;
   renderer.work(() => {
-    theirs = new PMREMGenerator(three).fromEquirectangular(panorama.texture) as unknown as WebGLCubeRenderTarget;
+    theirs = new PMREMGenerator(three).fromEquirectangular(reduced(three, panorama.texture)) as unknown as WebGLCubeRenderTarget;
   });
   if (theirs === null) throw new Error('three made no filter');
   const theirTexture = (theirs as WebGLCubeRenderTarget).texture;
@@ -49,6 +54,40 @@ export async function compare(url: string): Promise<Compared> {
 }
 
 type Three = ReturnType<typeof createSceneRenderer>['three'];
+
+/** The time of three's filter grows with the pixels of a panorama, and the balls are rougher than the pixels of this one. */
+const MOST_WIDTH_PX = 512;
+
+/** A panorama of the mean radiance of squares of pixels. */
+function reduced(three: Three, texture: Texture): Texture {
+  const { width, height } = texture.image as { readonly width: number; readonly height: number };
+  const step = Math.max(1, Math.round(width / MOST_WIDTH_PX));
+  if (step === 1) return texture;
+  const target = new WebGLRenderTarget(Math.floor(width / step), Math.floor(height / step), { type: HalfFloatType, depthBuffer: false });
+  target.texture.mapping = texture.mapping;
+  const material = new ShaderMaterial({
+    uniforms: { panorama: { value: texture } },
+    vertexShader: 'void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }',
+    fragmentShader: `
+      uniform highp sampler2D panorama;
+      void main() {
+        vec3 sum = vec3(0.0);
+        ivec2 first = ivec2(gl_FragCoord.xy) * ${step};
+        for (int i = 0; i < ${step * step}; i++)
+          sum += texelFetch(panorama, first + ivec2(i % ${step}, i / ${step}), 0).rgb;
+        gl_FragColor = vec4(sum / ${step * step}.0, 1.0);
+      }`,
+    depthTest: false,
+  });
+  const scene = new Scene();
+  const plane = new Mesh(new PlaneGeometry(2, 2), material);
+  plane.frustumCulled = false;
+  scene.add(plane);
+  three.setRenderTarget(target);
+  three.render(scene, new Camera());
+  three.setRenderTarget(null);
+  return target.texture;
+}
 
 function shoot(
   three: Three,

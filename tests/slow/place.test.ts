@@ -33,6 +33,8 @@ beforeAll(async () => {
 afterAll(() => served.close());
 
 const SIZE = { width: 480, height: 360 } as const;
+/** No test looks at pixels, which take most of the time without a GPU. */
+const PHONE = { device: 'phone', room: 'studio', sizePx: [120, 90] } as const;
 /** From (0, 1.5, 1), 0.7 rad below the horizon. */
 const PITCH_RAD = 0.7;
 const HEAD = { position: [0, 1.5, 1], quaternion: [-Math.sin(PITCH_RAD / 2), 0, 0, Math.cos(PITCH_RAD / 2)] } as const satisfies HeadPose;
@@ -52,7 +54,7 @@ interface Visit {
 }
 
 async function visit(options: EmulatorOptions = {}, { tracked = true } = {}): Promise<Visit> {
-  const xr = await openXrPage(chromium.browser, served.url, { device: 'phone', room: 'studio', ...options }, SIZE, WATCH_MATRICES);
+  const xr = await openXrPage(chromium.browser, served.url, { ...PHONE, ...options }, SIZE, WATCH_MATRICES);
   await xr.setPose(HEAD);
   await xr.page.evaluate((on) => scrimEmulator?.current?.setTracked(on), tracked);
   await xr.enter();
@@ -147,7 +149,7 @@ test('a controller places the box where its ray meets the floor, and drags it on
   const xr = await openXrPage(
     chromium.browser,
     served.url,
-    { device: 'headset', room: 'studio' },
+    { device: 'headset', room: 'studio', sizePx: [160, 80] },
     { width: 640, height: 320 },
     WATCH_MATRICES,
   );
@@ -276,7 +278,7 @@ test.each([
     },
     {},
   );
-  const xr = await openXrPage(chromium.browser, shadowed.url, { device, room: 'studio' }, SIZE, `${WATCH_MATRICES}${COUNT}`);
+  const xr = await openXrPage(chromium.browser, shadowed.url, { ...PHONE, device }, SIZE, `${WATCH_MATRICES}${COUNT}`);
   await xr.setPose(HEAD);
   await xr.enter();
   await xr.step(3);

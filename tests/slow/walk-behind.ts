@@ -12,6 +12,9 @@ const EYE_PX = WIDTH / 2;
 /** Frames until the visitor stands where the images are taken: those of `enter`, and one that asks for the eyes. */
 const FRAMES_BEFORE = 4;
 
+/** Between frames of the page before its session: one takes a second and a half without a GPU. */
+const RARELY_MS = 20_000;
+
 /** A robot that walks in a captured place. Meters, in the space `local-floor`. */
 export interface Walk {
   readonly head: { readonly position: readonly [number, number, number]; readonly pitchRad: number };
@@ -42,7 +45,8 @@ export async function walkPast(
   photographs: number,
 ): Promise<{ readonly eyes: readonly Eye[]; readonly seen: readonly Seen[]; readonly errors: readonly string[] }> {
   const { fovYRad, framesPerSecond, head } = walk;
-  const xr = await openXrPage(browser, url, { device: 'headset', room: null, fovYRad, framesPerSecond }, { width: WIDTH, height: HEIGHT });
+  const viewport = { width: WIDTH, height: HEIGHT };
+  const xr = await openXrPage(browser, url, { device: 'headset', room: null, fovYRad, framesPerSecond }, viewport, '', RARELY_MS);
   // All of them, and what is made of them then.
   await xr.page.waitForFunction(
     (count) => performance.getEntriesByType('resource').filter(({ name }) => /-\d{3}-\w+\.(?:jpg|avif)$/.test(name)).length >= count,
@@ -85,6 +89,8 @@ export class TrueView {
   readonly #tree: MeshBVH;
   readonly #worldFromHead: Quaternion;
   readonly #towardsSun: Vector3;
+  /** By the left border of the eye and the place in the layer: several images are judged by the same points. */
+  readonly #points = new Map<string, Point | null>();
 
   constructor(walk: Walk) {
     this.#walk = walk;
@@ -97,7 +103,17 @@ export class TrueView {
   }
 
   /** Null where nothing was captured. */
-  pointAt({ position, clipFromView, left, width }: Eye, x: number, y: number): Point | null {
+  pointAt(eye: Eye, x: number, y: number): Point | null {
+    const key = `${eye.left} ${x} ${y}`;
+    let point = this.#points.get(key);
+    if (point === undefined) {
+      point = this.#castTo(eye, x, y);
+      this.#points.set(key, point);
+    }
+    return point;
+  }
+
+  #castTo({ position, clipFromView, left, width }: Eye, x: number, y: number): Point | null {
     const [p0 = 1, , , , , p5 = 1, , , p8 = 0, p9 = 0] = clipFromView;
     const ahead = new Vector3(((2 * (x + 0.5 - left)) / width - 1 + p8) / p0, (1 - (2 * (y + 0.5)) / HEIGHT + p9) / p5, -1);
     const direction = ahead.applyQuaternion(this.#worldFromHead);
@@ -122,6 +138,11 @@ export class TrueView {
   shadowOf({ at, normal }: Point, foot: Vector3): 'dark' | 'light' | 'unsure' {
     const { scale } = this.#walk;
     const probe = new Vector3();
+    // Most rays pass far from the robot.
+    const [sunX, sunZ] = [this.#towardsSun.x, this.#towardsSun.z];
+    const nearest = Math.max(0, ((foot.x - at.x) * sunX + (foot.z - at.z) * sunZ) / (sunX * sunX + sunZ * sunZ));
+    const reachM = OUTSIDE.radiusM * scale + SHADOW_EDGE_M;
+    if (Math.hypot(at.x + nearest * sunX - foot.x, at.z + nearest * sunZ - foot.z) > reachM) return 'light';
     let isNear = false;
     for (let away = 0.02; away < 2.5; away += 0.02) {
       probe.copy(at).addScaledVector(this.#towardsSun, away).sub(foot);
@@ -129,7 +150,7 @@ export class TrueView {
       const { y } = probe;
       if (axisM < INSIDE.radiusM * scale && y > INSIDE.fromM * scale && y < INSIDE.toM * scale && normal.dot(this.#towardsSun) > 0.3)
         return 'dark';
-      isNear ||= axisM < OUTSIDE.radiusM * scale + SHADOW_EDGE_M && y > -SHADOW_EDGE_M && y < OUTSIDE.heightM * scale + SHADOW_EDGE_M;
+      isNear ||= axisM < reachM && y > -SHADOW_EDGE_M && y < OUTSIDE.heightM * scale + SHADOW_EDGE_M;
     }
     return isNear ? 'unsure' : 'light';
   }
@@ -202,12 +223,14 @@ export function judge(view: TrueView, eye: Eye, foot: Vector3, { whole, robot, s
         if (point.at.y > 0.3) darkened.onTop++;
         darkened.awayM += view.awayFromSun(point.at, foot);
       }
+      const light = view.shadowOf(point, foot);
+      if (light === 'unsure') continue;
       const around = AROUND.map(([dx, dy]) => view.pointAt(eye, x + dx, y + dy));
-      const light = around.map((other) => (other ? view.shadowOf(other, foot) : 'unsure'));
-      if (light.every((is) => is === 'dark')) {
+      if (!around.every((other) => other && view.shadowOf(other, foot) === light)) continue;
+      if (light === 'dark') {
         found.dark++;
         if (lost < 0.15 * brightness(place, x, y)) found.darkWrong++;
-      } else if (light.every((is) => is === 'light')) {
+      } else {
         found.light++;
         if (difference(shadow, place, x, y) > 2) found.lightWrong++;
       }

@@ -58,9 +58,9 @@ function storePreferences(): void {
  */
 const FREE_FRAME_MS = 100;
 
-/** Lets an exported page draw every `FREE_FRAME_MS`, from its next navigation. Frames that a test steps itself are drawn at once. */
-export async function drawPageSeldom(page: Page): Promise<void> {
-  await page.addInitScript(drawSeldom, { frameMs: FREE_FRAME_MS, embedded: false });
+/** Lets an exported page draw every `frameMs`, from its next navigation. Frames that a test steps itself are drawn at once. */
+export async function drawPageSeldom(page: Page, frameMs = FREE_FRAME_MS): Promise<void> {
+  await page.addInitScript(drawSeldom, { frameMs, embedded: false });
 }
 
 /** Page code, installed before its scripts: frames start at least `frameMs` apart, in embedded pages or in the page itself. */
@@ -70,7 +70,7 @@ function drawSeldom({ frameMs, embedded }: { readonly frameMs: number; readonly 
   /** What ends a delayed request, by its id. Ids of the browser are positive. */
   const delayed = new Map<number, () => void>();
   let nextId = -1;
-  let lastMs = 0;
+  let lastMs = -frameMs;
   window.requestAnimationFrame = (draw) => {
     const run = (timeMs: number) => {
       lastMs = timeMs;

@@ -27,11 +27,16 @@ export async function takePhotos(xr: XrPage, eye: Place, targets: readonly Direc
 /** The bar that the page shows while it takes a panorama. */
 export const barOf = (xr: XrPage): Locator => xr.page.getByRole('region', { name: 'Panorama' });
 
-/** Draws frames until the panorama is used: frames go on while a worker stitches. */
+/** Draws frames until the panorama is used: frames go on while a worker stitches, but few, because they take its time. */
 export async function untilReady(xr: XrPage): Promise<void> {
   const ready = barOf(xr).getByText('The light is that of your room');
-  while (!(await ready.isVisible())) await xr.step(1);
+  while (!(await ready.isVisible())) {
+    await xr.step(1);
+    await xr.page.waitForTimeout(BETWEEN_FRAMES_MS);
+  }
 }
+
+const BETWEEN_FRAMES_MS = 250;
 
 /** The panorama that the page has kept on the device. */
 export async function storedPanorama(xr: XrPage): Promise<PanoramaPixels & { readonly data: Uint8Array }> {

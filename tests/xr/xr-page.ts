@@ -47,12 +47,14 @@ export async function openXrPage(
   viewport = { width: 480, height: 360 },
   /** Runs in the page after the emulator is there. */
   script = '',
+  /** Between frames of the page outside sessions, if these are expensive and of no interest. */
+  idleFrameMs?: number,
 ): Promise<XrPage> {
   injected ??= bundleEmulator(ROOT);
   const context = await browser.newContext({ viewport });
   const page = await context.newPage();
   const errors = collectErrors(page);
-  await drawPageSeldom(page);
+  await drawPageSeldom(page, idleFrameMs);
   await page.addInitScript({ content: await injected });
   await page.addInitScript((given: unknown) => void scrimEmulator?.install(given as EmulatorOptions), { clock: 'manual', ...options });
   if (script !== '') await page.addInitScript({ content: script });
