@@ -117,16 +117,6 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
     clock.wake();
   });
 
-  let sleeping = false;
-  /** Requests a frame after a delay in seconds. Not at once, because each frame draws the whole image. */
-  const wakeIn = (restS: number) => {
-    if (sleeping) return;
-    sleeping = true;
-    void base.delay(restS).then(() => {
-      sleeping = false;
-      clock.wake();
-    });
-  };
   const updateState = () => {
     status.setState(lost ? 'lost' : !shown ? 'loading' : clock.playing ? 'playing' : 'paused');
     clock.wake();
@@ -246,7 +236,7 @@ export function createPreviewController({ parent, screen, sensorHint, clock: bas
       physics.afterFrame(host.player, frame, captureSource());
     }
     const restS = thumbnails.afterFrame(host.player);
-    if (restS !== null) wakeIn(restS);
+    if (restS !== null) clock.wakeIn(restS);
     steps.afterFrame(open?.recording?.isLate ?? false);
     if (drawn) resolution.end();
   };

@@ -12,6 +12,8 @@ export interface TransportClock extends FrameClock {
   step(deltaS: number): void;
   /** While paused: requests a frame at the same time, because something else has changed. */
   wake(): void;
+  /** Wakes it after a delay in seconds, once for all calls meanwhile. */
+  wakeIn(restS: number): void;
 }
 
 /** Frame interval of a paused clock without changes. Frames still follow, to show what finishes loading late, but slowly, to save power. */
@@ -38,6 +40,7 @@ export function createTransportClock(base: FrameClock, beforeFrame: () => void):
   let woken = false;
   let asked = false;
   let idle = false;
+  let sleeping = false;
 
   const advance = () => {
     const nowS = base.nowS();
@@ -115,5 +118,13 @@ export function createTransportClock(base: FrameClock, beforeFrame: () => void):
       wake();
     },
     wake,
+    wakeIn: (restS) => {
+      if (sleeping) return;
+      sleeping = true;
+      void base.delay(restS).then(() => {
+        sleeping = false;
+        wake();
+      });
+    },
   };
 }
