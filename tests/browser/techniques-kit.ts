@@ -81,7 +81,16 @@ export function viewOfText(text: string, key: string, values: Values = {}, layer
   const unread = read.unread.flatMap(({ name, input, values: unused }) =>
     linked.uniforms.filter(({ param }) => param === input).map((uniform) => ({ name, uniform: uniform.name, values: unused })),
   );
-  return { version: 1, key: `${key} ${Object.keys(layers)}`, vertex: linked.vertex, fragment: linked.fragment, passes: read.passes, uniforms, unread, images };
+  return {
+    version: 1,
+    key: `${key} ${Object.keys(layers)}`,
+    vertex: linked.vertex,
+    fragment: linked.fragment,
+    passes: read.passes,
+    uniforms,
+    unread,
+    images,
+  };
 }
 
 export function drawnWith(

@@ -2,9 +2,9 @@ import { BufferGeometry, DoubleSide, Float32BufferAttribute, type Intersection, 
 import { MeshBVH } from 'three-mesh-bvh';
 import { createScenesWith } from '../../export/runtime/scenes/create-scenes.ts';
 import { ALL_DECODERS } from '../../export/runtime/scenes/models/decoders/all-decoders.ts';
-import type { SceneLook } from '../../nodes/kit/scene-look.ts';
 import type { ShadowFilter } from '../../nodes/kit/light-shadow.ts';
 import type { DirectLightItem, ObjectItem } from '../../nodes/kit/scene-lists.ts';
+import type { SceneLook } from '../../nodes/kit/scene-look.ts';
 import {
   bulb,
   createStand,
