@@ -30,7 +30,7 @@ describe('a fused pass draws what the passes drew', () => {
     `/*{ "ISFVSN": "2", "INPUTS": [{ "NAME": "inputImage", "TYPE": "image" }]${more} }*/\nvoid main() { ${body} }`;
 
   test.each(QUICK_PAIR_PARTS)('of a tenth of all pairs of effects: part %d of 20', async (part) => {
-    // `tests/slow/fusion-pairs.test.ts` draws the others.
+    // `tests/slow/fusion-pairs.test.ts` draws others.
     const { separate, fused } = await expectSameGraphs(page, pairsOfEffects(part));
     // The drawing and painting filters have up to five passes that stay.
     expect(passes(fused).length).toBeLessThan(passes(separate).length * 0.85);

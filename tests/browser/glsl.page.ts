@@ -104,18 +104,8 @@ export function compileElsewhere(fragment: string): string {
 /** A unit where there is nothing: the first may still hold what is drawn into. */
 const NO_TEXTURE = 15;
 
-/** Programs that have drawn, by the text of their shaders: most tests draw with one shader several times. A draw sets all uniforms. */
-const linked = new Map<string, { program: WebGLProgram; log: string }>();
-
-function linkOnce(shader: LinkedShader): { program: WebGLProgram; log: string } {
-  const text = `${shader.vertex}\0${shader.fragment}`;
-  const known = linked.get(text) ?? link(shader);
-  linked.set(text, known);
-  return known;
-}
-
 export function draw(job: DrawJob): Drawing {
-  const programs = job.passes.map((pass) => linkOnce(pass.shader));
+  const programs = job.passes.map((pass) => linked(pass.shader));
   const logs = programs.map(({ log }) => log);
   if (logs.some((log) => log !== '')) return { rgba: '', floats: [], glError: 0, logs };
   const textures = new Map<string, WebGLTexture>();
@@ -141,11 +131,8 @@ export function draw(job: DrawJob): Drawing {
     });
   }
   const drawing = { ...read(output, job.passes.at(-1)), glError: gl.getError(), logs };
-  for (const texture of textures.values()) gl.deleteTexture(texture);
-  for (const { textures: own, framebuffers } of buffers.values()) {
-    for (const texture of own) gl.deleteTexture(texture);
-    for (const framebuffer of framebuffers) gl.deleteFramebuffer(framebuffer);
-  }
+  for (const texture of [...textures.values(), ...[...buffers.values()].flatMap((buffer) => buffer.textures)]) gl.deleteTexture(texture);
+  for (const framebuffer of [...buffers.values()].flatMap((buffer) => buffer.framebuffers)) gl.deleteFramebuffer(framebuffer);
   return drawing;
 }
 
@@ -197,6 +184,16 @@ export function drawBehindGate(job: DrawJob): Record<'free' | 'unlessExceeded' |
       return (found[3] ?? 0) > 0;
     });
   return { free: drawn(0), unlessExceeded: drawn(1), ifExceeded: drawn(2) };
+}
+
+/** Programs that drew, by their text. Tests draw many pictures by the same shader, and most of their time would go into compiling it. */
+const programsByText = new Map<string, ReturnType<typeof link>>();
+
+function linked(shader: LinkedShader): ReturnType<typeof link> {
+  const text = `${shader.vertex}\n${shader.fragment}`;
+  const known = programsByText.get(text) ?? link(shader);
+  programsByText.set(text, known);
+  return known;
 }
 
 function link(shader: LinkedShader): { program: WebGLProgram; log: string } {
@@ -365,7 +362,7 @@ function read(output: Buffer | null, last: LinkedPass | undefined): Pick<Drawing
     const bytes = new Uint8Array(output.width * output.height * 4);
     gl.readPixels(0, 0, output.width, output.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
     let text = '';
-    for (const byte of bytes) text += String.fromCharCode(byte);
+    for (let at = 0; at < bytes.length; at += 8192) text += String.fromCharCode(...bytes.subarray(at, at + 8192));
     return { rgba: btoa(text), floats: [] };
   }
   const floats = new Float32Array(output.width * output.height * 4);

@@ -81,7 +81,16 @@ export function viewOfText(text: string, key: string, values: Values = {}, layer
   const unread = read.unread.flatMap(({ name, input, values: unused }) =>
     linked.uniforms.filter(({ param }) => param === input).map((uniform) => ({ name, uniform: uniform.name, values: unused })),
   );
-  return { version: 1, key, vertex: linked.vertex, fragment: linked.fragment, passes: read.passes, uniforms, unread, images };
+  return {
+    version: 1,
+    key: `${key} ${Object.keys(layers)}`,
+    vertex: linked.vertex,
+    fragment: linked.fragment,
+    passes: read.passes,
+    uniforms,
+    unread,
+    images,
+  };
 }
 
 export function drawnWith(
@@ -103,6 +112,9 @@ export interface Shot {
   readonly ambient?: number;
 }
 
+/** Scenes that were drawn. While they are there, three.js does not compile the shaders of the next ones again. */
+const scenes: unknown[] = [];
+
 export function shoot({ items, suns = [sun(TOWARDS_SUN)], occlusion = null, camera = FRONT, ambient = 0 }: Shot): Uint8Array {
   const { backend, layer } = stand;
   const list = objects(...items);
@@ -114,8 +126,8 @@ export function shoot({ items, suns = [sun(TOWARDS_SUN)], occlusion = null, came
   layer.clear();
   scene.draw(drawView(viewOf(camera), layer.framebuffer));
   const pixels = layer.pixels();
-  scene.dispose();
   shadowMaps?.dispose();
+  scenes.push(scene);
   return pixels;
 }
 

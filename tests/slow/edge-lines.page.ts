@@ -118,6 +118,7 @@ export function leftBehind(place: Place): number {
   // The first leaves what scenes share.
   const counts = geometries.map((geometry) => {
     measure(new Mesh(geometry, new MeshLambertMaterial()), place, {});
+    for (const scene of scenes.splice(0)) scene.dispose();
     geometry.dispose();
     const { geometries: held, textures } = backend.counts();
     return held + textures;
@@ -134,6 +135,9 @@ export function linesOfSheet(distanceM: number, values: Values): Lines {
   );
 }
 
+/** Scenes that were drawn. While they are there, three.js does not compile the shaders of the next ones again. */
+const scenes: { dispose(): void }[] = [];
+
 function measure(root: Object3D, { eye, target }: Place, values: Values): Lines {
   const at = normalizing(root);
   const camera = lookingAt(eye, target, WIDTH / HEIGHT);
@@ -145,7 +149,7 @@ function measure(root: Object3D, { eye, target }: Place, values: Values): Lines 
   scene.draw(drawView(seen, layer.framebuffer));
   const pixels = layer.pixels();
   const error = gl.getError();
-  scene.dispose();
+  scenes.push(scene);
 
   // The reference draws the same object, placed by its own matrix.
   const holder = new Scene();

@@ -61,9 +61,9 @@ export async function hold(program: Program, assetsUrl: string, sessionUrl: stri
   clock.advance(0.01);
   session.seekTime(timeS);
   // Decoded files and prefiltered panoramas arrive during these frames.
-  for (let i = 0; i < 4; i++) {
+  for (let i = 0; i < 3; i++) {
     clock.advance(0);
-    await new Promise((resolve) => setTimeout(resolve, 120));
+    await new Promise((resolve) => setTimeout(resolve, 160));
   }
   pictures.length = 0;
   for (let i = 0; i < times; i++) {

@@ -14,7 +14,7 @@ const page = useModule('tests/slow/held-frames.page.ts', { mounts: { '/examples/
 const STILL = { pixels: 0, most: 0, changes: [], problems: [], error: 0 };
 
 test.each(PROJECTS)('held at a moment, “%s” is drawn the same each time', async (name) => {
-  const held = await page.call<Held>('hold', await compileExample(join(EXAMPLES, name)), `examples/${name}/`, SESSION, 1.25, 6);
+  const held = await page.call<Held>('hold', await compileExample(join(EXAMPLES, name)), `examples/${name}/`, SESSION, 1.25, 3);
   expect(held).toMatchObject(STILL);
   expect(held.colors).toBeGreaterThan(200);
 });

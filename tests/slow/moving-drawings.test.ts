@@ -9,6 +9,7 @@ const page = useModule(PAGE);
 
 /** 3 cm per frame: a slow walk at 30 frames per second. */
 const STRIDE = 0.2;
+const shots = walk(STRIDE);
 
 const draw = (name: string, inputImage: RgbaImage): Promise<RgbaImage> => applyShader(page, `filters/${name}.fs`, { inputImage });
 
@@ -43,7 +44,6 @@ const LIMITS = [
 test.each(LIMITS)(
   '%s has a flicker below %d during a slow walk, unlike with strokes that are chosen anew, and keeps its contrast',
   async (name, limit) => {
-    const shots = walk(STRIDE);
     const images: RgbaImage[] = [];
     // In a mirror, the strokes have other places.
     const others: RgbaImage[] = [];
@@ -59,7 +59,6 @@ test.each(LIMITS)(
 );
 
 test('comic-drawing has less flicker during a slow walk than its images have when each second one is a pixel aside', async () => {
-  const shots = walk(STRIDE);
   const images: RgbaImage[] = [];
   for (const { picture } of shots) images.push(await draw('comic-drawing', picture));
   const aside = images.map((image) => paint(image.width, image.height, (x, y) => pixelAt(image, Math.max(x - 1, 0), y)));

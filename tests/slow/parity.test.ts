@@ -20,8 +20,8 @@ const START_PITCH_RAD = -0.15;
 const START = { position: [0, 1.5, 1], quaternion: [Math.sin(START_PITCH_RAD / 2), 0, 0, Math.cos(START_PITCH_RAD / 2)] } as const;
 /** Frames after the first; the page draws as many when it enters. */
 const STEPS = 2;
-/** A fifth of a second, in which the model moves. */
-const LATER_STEPS = 12;
+/** A fifteenth of a second, in which the model moves. */
+const LATER_STEPS = 4;
 
 let base = '';
 beforeAll(async () => {

@@ -4,6 +4,7 @@ import { createScenesWith } from '../../export/runtime/scenes/create-scenes.ts';
 import { ALL_DECODERS } from '../../export/runtime/scenes/models/decoders/all-decoders.ts';
 import type { ShadowFilter } from '../../nodes/kit/light-shadow.ts';
 import type { DirectLightItem, ObjectItem } from '../../nodes/kit/scene-lists.ts';
+import type { SceneLook } from '../../nodes/kit/scene-look.ts';
 import {
   bulb,
   createStand,
@@ -140,6 +141,22 @@ const EDGE_TEXELS: Readonly<Record<ShadowFilter, number>> = { basic: 2.5, pcf: 2
 /** Radius of a penumbra per meter between caster and receiver. */
 const PENUMBRA = 0.08;
 
+/** Pixels that all light reaches, by rays. Filters with equal edges share them. */
+function litPixels(name: string, model: Model, kind: Kind, filter: ShadowFilter): readonly Pixel[] {
+  const key = `${name} ${kind} ${EDGE_TEXELS[filter]} ${filter === 'pcss'}`;
+  let lit = litByRays.get(key);
+  if (!lit) {
+    lit = model.pixels.filter((pixel) => {
+      const towards = kind === 'sun' ? FROM.clone().normalize() : FROM.clone().sub(pixel.point).normalize();
+      return pixel.normal.dot(towards) > 0.2 && isLit(model, pixel, kind, filter);
+    });
+    litByRays.set(key, lit);
+  }
+  return lit;
+}
+
+const litByRays = new Map<string, readonly Pixel[]>();
+
 /** Whether all of the light around a point reaches it, by rays. */
 function isLit({ bvh }: Model, { point, normal }: Pixel, kind: Kind, filter: ShadowFilter): boolean {
   const towards = kind === 'sun' ? FROM.clone().normalize() : FROM.clone().sub(point).normalize();
@@ -168,56 +185,29 @@ function isLit({ bvh }: Model, { point, normal }: Pixel, kind: Kind, filter: Sha
   return true;
 }
 
-function drawScene(model: Model, light: DirectLightItem): Uint8Array {
+/**
+ * Pictures of all models in a light with a filter, each alone; null: no shadow layer, but objects in a scene. All scenes stay until the last
+ * is drawn, so that three.js compiles what they have in common once.
+ */
+function drawAll(kind: Kind, filter: ShadowFilter | null, shadow: boolean): Map<string, Uint8Array> {
   const { backend, layer } = stand;
-  const [list, lit] = [objects(model.own), lights(light)];
-  const shadowMaps = light.shadow ? backend.createShadowMaps([list], [lit]) : null;
-  const scene = backend.serviceFor({ shadowMaps, occlusion: null }).createScene({ kind: 'shaded', ambient: { value: 0 } });
-  return finish(
-    scene,
-    () => {
-      scene.update([list], [lit]);
-      shadowMaps?.update();
-    },
-    () => shadowMaps?.dispose(),
-    layer,
-  );
-}
-
-function drawCatcher(model: Model, light: DirectLightItem): Uint8Array {
-  const { backend, layer } = stand;
-  const [list, lit] = [objects(model.own), lights(light)];
-  const shadowMaps = backend.createShadowMaps([list], [lit]);
-  const scene = backend.serviceFor({ shadowMaps, occlusion: null, report: () => {} }).createScene({
-    kind: 'shadow-catcher',
-    strength: { value: 1 },
-    color: { value: Float64Array.of(0, 0, 0, 1) },
-    on: 'everything',
+  const look: SceneLook = filter
+    ? { kind: 'shadow-catcher', strength: { value: 1 }, color: { value: Float64Array.of(0, 0, 0, 1) }, on: 'everything' }
+    : { kind: 'shaded', ambient: { value: 0 } };
+  const drawn: { dispose(): void }[] = [];
+  const pictures = [...models].map(([name, { own }]): [string, Uint8Array] => {
+    const [list, lit] = [objects(own), lights(lightOf(kind, filter ?? 'pcf', shadow))];
+    const shadowMaps = shadow ? backend.createShadowMaps([list], [lit]) : null;
+    const scene = backend.serviceFor({ shadowMaps, occlusion: null, report: () => {} }).createScene(look);
+    drawn.push(scene, ...(shadowMaps ? [shadowMaps] : []));
+    scene.update([list], [lit]);
+    shadowMaps?.update();
+    layer.clear();
+    scene.draw(drawView(viewOf(CAMERA, { x: 0, y: 0, widthPx: WIDTH, heightPx: HEIGHT }), layer.framebuffer));
+    return [name, layer.pixels()];
   });
-  return finish(
-    scene,
-    () => {
-      scene.update([list], [lit]);
-      shadowMaps.update();
-    },
-    () => shadowMaps.dispose(),
-    layer,
-  );
-}
-
-function finish(
-  scene: { draw(view: ReturnType<typeof drawView>): void; dispose(): void },
-  update: () => void,
-  dispose: () => void,
-  layer: typeof stand.layer,
-): Uint8Array {
-  update();
-  layer.clear();
-  scene.draw(drawView(viewOf(CAMERA, { x: 0, y: 0, widthPx: WIDTH, heightPx: HEIGHT }), layer.framebuffer));
-  const pixels = layer.pixels();
-  scene.dispose();
-  dispose();
-  return pixels;
+  for (const one of drawn) one.dispose();
+  return new Map(pictures);
 }
 
 const linear = (byte: number): number => (byte / 255 <= 0.04045 ? byte / 255 / 12.92 : ((byte / 255 + 0.055) / 1.055) ** 2.4);
@@ -228,26 +218,22 @@ export interface Acne {
   readonly wrong: number;
 }
 
-/** `filter` null: three.js' own, of objects in a scene; else that of a shadow layer. */
-export function acne(name: string, kind: Kind, filter: ShadowFilter | null): Acne {
-  const model = models.get(name);
-  if (!model) throw new Error(`${name} is not loaded.`);
-  const lit = model.pixels.filter((pixel) => {
-    const towards = kind === 'sun' ? FROM.clone().normalize() : FROM.clone().sub(pixel.point).normalize();
-    return pixel.normal.dot(towards) > 0.2 && isLit(model, pixel, kind, filter ?? 'pcf');
+/** In a light with a filter; null: three.js' own, of objects in a scene; else that of a shadow layer. Of each model, by name. */
+export function acne(kind: Kind, filter: ShadowFilter | null): Record<string, Acne> {
+  const shadowed = drawAll(kind, filter, true);
+  const open = filter ? null : drawAll(kind, filter, false);
+  const at = (pixels: Uint8Array | undefined, index: number): number => linear(pixels?.[index * 4] ?? 0);
+  const found = [...models].map(([name, model]): [string, Acne] => {
+    const [pixels, without] = [shadowed.get(name), open?.get(name)];
+    const lit = litPixels(name, model, kind, filter ?? 'pcf');
+    const isDark = ({ index }: Pixel): boolean =>
+      open ? at(pixels, index) < 0.9 * at(without, index) : (pixels?.[index * 4 + 3] ?? 0) > 25;
+    return [name, { lit: lit.length, wrong: lit.filter(isDark).length }];
   });
-  if (filter) {
-    const pixels = drawCatcher(model, lightOf(kind, filter, true));
-    return { lit: lit.length, wrong: lit.filter(({ index }) => (pixels[index * 4 + 3] ?? 0) > 25).length };
-  }
-  const shadowed = drawScene(model, lightOf(kind, 'pcf', true));
-  const open = drawScene(model, lightOf(kind, 'pcf', false));
-  const at = (pixels: Uint8Array, index: number): number => linear(pixels[index * 4] ?? 0);
-  return { lit: lit.length, wrong: lit.filter(({ index }) => at(shadowed, index) < 0.9 * at(open, index)).length };
+  return Object.fromEntries(found);
 }
 
 /** The picture of a model in a light, to be looked at. */
 export function picture(name: string, kind: Kind): number[] {
-  const model = models.get(name);
-  return model ? [...drawScene(model, lightOf(kind, 'pcf', true))] : [];
+  return [...(drawAll(kind, null, true).get(name) ?? [])];
 }

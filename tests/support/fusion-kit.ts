@@ -139,7 +139,7 @@ function portsOf(type: string): readonly string[] {
 /** Parts of all ordered pairs of effects. In each part, each effect is before and after others. */
 export const PAIR_PARTS = 20;
 
-/** The parts that `npm test` draws; the slow suite draws the others. */
+/** The parts that `npm test` draws; the slow suite draws others. */
 export const QUICK_PAIR_PARTS = [0, 10];
 
 /** One part of all ordered pairs of effects, as graphs. */
