@@ -10,7 +10,7 @@ process.env.SCRIM_PROJECTS ??= join(tmpdir(), `scrim-projects-${process.pid}`);
 const COMPUTING = 'three|three-mesh-bvh|fast-png|iobuffer|fflate|@gltf-transform|property-graph|cannon-es|pixelmatch|playwright-core';
 
 const base = {
-  testEnvironment: 'node',
+  testEnvironment: '<rootDir>/tests/support/environment.mjs',
   transform: {
     '\\.(ts|tsx|fs|vs|glsl)$': '<rootDir>/tests/support/transform.mjs',
     [`/node_modules/(?:${COMPUTING})/.*\\.m?js$`]: '<rootDir>/tests/support/transform.mjs',

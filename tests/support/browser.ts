@@ -56,7 +56,7 @@ function storePreferences(): void {
  * Milliseconds between two frames of a preview or a page. Without a GPU, one that plays as fast as it can takes both cores from what is
  * tested: the tests of the editor then took three times as long.
  */
-const FREE_FRAME_MS = 100;
+const FREE_FRAME_MS = 250;
 
 /** Lets an exported page draw every `frameMs`, from its next navigation. Frames that a test steps itself are drawn at once. */
 export async function drawPageSeldom(page: Page, frameMs = FREE_FRAME_MS): Promise<void> {

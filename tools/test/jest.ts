@@ -26,8 +26,8 @@ export async function runJest({ root, projects, paths, countsFile }: JestRun): P
       ...paths,
       // Two files at a time, also where more cores are: what runs on SwiftShader takes all it gets.
       '--maxWorkers=2',
-      // Modules of finished test files stay in memory: near 4 GB, a worker hardly does anything but collect garbage.
-      '--workerIdleMemoryLimit=1GB',
+      // A part of the memory of finished test files stays.
+      '--workerIdleMemoryLimit=2GB',
       '--passWithNoTests',
       '--json',
       `--outputFile=${countsFile}`,
