@@ -1,15 +1,16 @@
 import { join, resolve } from 'node:path';
 import { expect, test } from '@jest/globals';
-import { renderFrames } from '../../app/cli/render/render-frames.ts';
-import { findRenderSession } from '../../app/cli/render/render-session.ts';
-import { installationAt } from '../../app/services/installation.ts';
+import type { RenderJob } from '../../app/cli/render/render.page.ts';
+import { firstPlayed } from '../../app/cli/render/render-frames.ts';
 import { readProjectFiles } from '../../app/services/project-files.ts';
+import { DECODER_FILES_FOLDER } from '../../export/gltf/decoders.ts';
 import type { Program } from '../../export/program/program.ts';
 import { compiledProgram } from '../../tools/bench/compiled-program.ts';
 import { exampleNames } from '../../tools/lib/example-names.ts';
+import { useModule } from '../support/browser.ts';
+import type { Difference } from './fusion-examples.page.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
-const INSTALLATION = installationAt(ROOT, '0.0.0');
 /**
  * Powers of two: at other sizes the middle of a pixel is not an exact number, so that a pass that reads a texture gets a trace of the next
  * pixel, and 2 of 10,000 colors halfway between two steps become the other one. A fused pass reads no texture there.
@@ -19,26 +20,16 @@ const LAST_FRAME = 2;
 /** The options of an export that change passes. */
 const PAGE = { fuse: true, fold: true };
 
-/** The last frame over a recorded session. */
-async function drawn(folder: string, program: Program): Promise<Uint8Array> {
-  const { output: session } = await findRenderSession(null, folder, INSTALLATION, SIZE);
-  if (!session) throw new Error('There is no session.');
-  let image: Uint8Array | null = null;
-  const diagnostics = await renderFrames({
-    ...session,
-    first: LAST_FRAME,
-    last: LAST_FRAME,
-    root: ROOT,
-    projectRoot: folder,
-    job: { program, session: session.session, ...SIZE, subject: { kind: 'screen' } },
-    sourceOf: () => undefined,
-    onImage: async (_, __, bytes) => {
-      image = Uint8Array.from(bytes);
-    },
-    say: () => {},
-  });
-  if (image === null) throw new Error(`${folder} is not drawn: ${JSON.stringify(diagnostics)}`);
-  return image;
+const page = useModule('tests/slow/fusion-examples.page.ts', {
+  mounts: { '/examples/': join(ROOT, 'examples'), '/decoders/': join(ROOT, DECODER_FILES_FOLDER) },
+});
+
+/** A render over a recorded session. */
+function renderOf(name: string, program: Program): RenderJob {
+  return {
+    ...{ program, ...SIZE, subject: { kind: 'screen' }, session: { kind: 'recorded', url: 'examples/sessions/studio/' } },
+    ...{ assetBaseUrl: `examples/${name}/`, decodersBaseUrl: 'decoders/' },
+  };
 }
 
 const names = await exampleNames(ROOT);
@@ -49,17 +40,12 @@ test.each(names)('%s looks the same with passes of its own as fused and folded, 
   const [separate, fused] = [await compiledProgram(folder, files), await compiledProgram(folder, files, PAGE)];
   // Equal operations draw equal images.
   if (JSON.stringify(fused.operations) === JSON.stringify(separate.operations)) return;
-  const [before, after] = [await drawn(folder, separate), await drawn(folder, fused)];
-  expect(after.length).toBe(before.length);
-  let differing = 0;
-  let most = 0;
-  for (let i = 0; i < before.length; i++) {
-    const difference = Math.abs((before[i] ?? 0) - (after[i] ?? 0));
-    if (difference > 0) differing++;
-    most = Math.max(most, difference);
-  }
+  const [before, after] = [renderOf(name, separate), renderOf(name, fused)];
+  const first = Math.min(...[before, after].map((job) => firstPlayed({ first: LAST_FRAME, job })));
+  const { channels, differing, most } = await page.call<Difference>('compare', before, after, first, LAST_FRAME);
+  expect(channels).toBe(4 * SIZE.widthPx * SIZE.heightPx);
   expect(most).toBeLessThanOrEqual(1);
-  expect(differing / before.length).toBeLessThan(1e-4);
+  expect(differing / channels).toBeLessThan(1e-4);
 });
 
 test('some examples have fused passes', async () => {

@@ -44,11 +44,12 @@ export async function hold(program: Program, assetsUrl: string, sessionUrl: stri
   const { player, diagnostics } = await stand(program, { gl, modules: RUNTIMES, createScenes, assets: files(assetsUrl), clock });
   const session = createRecordedSession({ gl, files: files(sessionUrl), mode: { kind: 'clock', clock } });
   await session.ready;
-  await session.preload();
   player.setSession(session);
   const pictures: Uint8Array[] = [];
+  let isDecoded = false;
   session.start(
     (frame) => {
+      if (!isDecoded) return;
       player.draw(frame);
       const bytes = new Uint8Array(WIDTH_PX * HEIGHT_PX * 4);
       gl.readPixels(0, 0, WIDTH_PX, HEIGHT_PX, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
@@ -59,6 +60,13 @@ export async function hold(program: Program, assetsUrl: string, sessionUrl: stri
     },
   );
   clock.advance(0.01);
+  session.seekTime(timeS);
+  // Until the frame of the moment is decoded, the session gives an earlier one.
+  do {
+    clock.advance(0);
+    await new Promise((resolve) => setTimeout(resolve, 20));
+  } while (session.isLate);
+  isDecoded = true;
   session.seekTime(timeS);
   // Decoded files and prefiltered panoramas arrive during these frames.
   for (let i = 0; i < 3; i++) {

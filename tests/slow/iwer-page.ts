@@ -48,6 +48,9 @@ declare global {
   var testIwer: TestIwer | undefined;
 }
 
+/** Between frames of the page and of its session, of which a test looks at one. */
+const FRAME_MS = 400;
+
 let injected: Promise<string> | undefined;
 
 /** Puts a Quest 3 of two eyes into the page before the page's own scripts. */
@@ -62,7 +65,7 @@ export async function openIwerPage(
   const context = await browser.newContext({ viewport });
   const page = await context.newPage();
   const errors = collectErrors(page);
-  await drawPageSeldom(page);
+  await drawPageSeldom(page, FRAME_MS);
   await page.addInitScript({ content: `globalThis.testIwerOptions = ${JSON.stringify({ ...options, room })};\n${await injected}` });
   await page.goto(url);
   return { page, errors, nextFrame: () => readFrame(page), close: () => context.close() };
@@ -105,7 +108,7 @@ Reflect.deleteProperty(globalThis, '__THREE__');
 
 /** Reads after the page has drawn: callbacks run in the order in which they were asked for. */
 async function readFrame(page: Page): Promise<IwerFrame> {
-  await page.waitForFunction(() => testIwer?.sessions.at(-1)?.renderState.baseLayer);
+  await page.waitForFunction(() => testIwer?.sessions.at(-1)?.renderState.baseLayer, null, { polling: 100 });
   const { width, height, base64, views } = await page.evaluate(async () => {
     const session = testIwer?.sessions.at(-1);
     if (!session) throw new Error('There is no session.');

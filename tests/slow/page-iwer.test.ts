@@ -14,6 +14,8 @@ import { type IwerOptions, type IwerPage, type IwerView, openIwerPage } from './
 const chromium = useBrowser();
 const EXAMPLES = resolve(import.meta.dirname, '../../examples');
 const VIEWPORT = { width: 640, height: 400 };
+/** Outside the session of our emulator, where no test looks at a picture. */
+const IDLE_FRAME_MS = 1000;
 /** iwer's own. */
 const FOV_Y_RAD = Math.PI / 2;
 const POSE = { position: [0.1, 1.4, 1.6], quaternion: [-0.17, 0, 0, 0.985] } as const;
@@ -145,11 +147,12 @@ describe('an exported page in plain iwer, on a Quest 3', () => {
       // Its session would draw on, beside ours.
       await iwer.close();
 
-      const ours = await openXrPage(chromium.browser, url, { device: 'headset', room: null, fovYRad: FOV_Y_RAD, display: false }, VIEWPORT);
+      const device = { device: 'headset', room: null, fovYRad: FOV_Y_RAD, display: false } as const;
+      const ours = await openXrPage(chromium.browser, url, device, VIEWPORT, '', IDLE_FRAME_MS);
       closing.push(ours.close);
       await ours.enter();
       await ours.setPose(POSE);
-      await ours.step(3);
+      await ours.step();
       const expected = await ours.readLayer();
       const projections = await projectionsOf(ours);
       expect([layer.width, layer.height]).toEqual([expected.width, expected.height]);

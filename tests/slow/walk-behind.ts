@@ -15,6 +15,9 @@ const FRAMES_BEFORE = 4;
 /** Between frames of the page before its session: one takes a second and a half without a GPU. */
 const RARELY_MS = 20_000;
 
+/** Above all places. */
+const FAR_AWAY = [0, 500, 0] as const;
+
 /** A robot that walks in a captured place. Meters, in the space `local-floor`. */
 export interface Walk {
   readonly head: { readonly position: readonly [number, number, number]; readonly pitchRad: number };
@@ -47,15 +50,18 @@ export async function walkPast(
   const { fovYRad, framesPerSecond, head } = walk;
   const viewport = { width: WIDTH, height: HEIGHT };
   const xr = await openXrPage(browser, url, { device: 'headset', room: null, fovYRad, framesPerSecond }, viewport, '', RARELY_MS);
-  // All of them, and what is made of them then.
+  // All of them, and what is made of them then. Without `polling`, Playwright looks once per frame of the page.
   await xr.page.waitForFunction(
     (count) => performance.getEntriesByType('resource').filter(({ name }) => /-\d{3}-\w+\.(?:jpg|avif)$/.test(name)).length >= count,
     photographs,
+    { polling: 100 },
   );
   await xr.page.waitForLoadState('networkidle');
-  await xr.setPose({ position: head.position, quaternion: [Math.sin(head.pitchRad / 2), 0, 0, Math.cos(head.pitchRad / 2)] });
+  // Nothing of the place is in sight of the first frames, at which no test looks.
+  await xr.setPose({ position: FAR_AWAY, quaternion: [Math.SQRT1_2, 0, 0, Math.SQRT1_2] });
   await xr.enter();
   await xr.page.waitForLoadState('networkidle');
+  await xr.setPose({ position: head.position, quaternion: [Math.sin(head.pitchRad / 2), 0, 0, Math.cos(head.pitchRad / 2)] });
   const eyes = await eyesOf(xr, WIDTH);
   const seen: Seen[] = [];
   for (let i = 0; i < frames; i++) {
