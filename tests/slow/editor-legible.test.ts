@@ -20,7 +20,7 @@ test('the largest examples have no text below 11 px when they fit a window', asy
   const found: Record<string, unknown> = {};
   for (const name of await largestExamples()) {
     const server = await startServer({ installation: installationAt(ROOT, '0.0.0'), startPath: join(EXAMPLES, name), log: () => {} });
-    const page = await browser.browser.newPage({ viewport: SIZES[0], reducedMotion: 'reduce' });
+    const page = await browser.browser.newPage({ reducedMotion: 'reduce' });
     // The preview shows nothing of the graph, and would take most of the time.
     await page.route(`${server.previewOrigin}/**`, (route) => route.fulfill({ contentType: 'text/html', body: '' }));
     await page.goto(server.invite());
