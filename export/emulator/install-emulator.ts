@@ -63,7 +63,8 @@ export function installEmulator(options: EmulatorOptions = {}): Emulator {
     screen: createScreen(resolved.container),
     screenInput: device.screenInput,
     roomServices: () => {
-      roomServices ??= createRoomServices(resolved.room, resolved.antialias ?? resolved.clock === 'free');
+      const plays = resolved.clock === 'free';
+      roomServices ??= createRoomServices(resolved.room, resolved.antialias ?? plays, plays);
       return roomServices;
     },
     tracked: true,

@@ -11,7 +11,7 @@ import { eventually } from '../support/patience.ts';
 import { ballPixels, PLACED_BALL } from '../support/placed-ball.ts';
 import { loadSession, quantile, worldPoints } from '../unit/sessions-kit.ts';
 
-const open = useOneEditor(PLACED_BALL, {});
+const open = useOneEditor(PLACED_BALL, { size: { width: 1024, height: 768 } });
 
 const GRAY = encode({ width: 320, height: 240, channels: 3, data: new Uint8Array(320 * 240 * 3).fill(120) });
 

@@ -9,6 +9,8 @@ export const FLAG_PX = 40;
 /** A paused preview draws four times per second. */
 const REST_MS = 300;
 const RESTING_IMAGES = 2;
+/** Between two looks at an image that is still to change: each look takes about as long from what it waits for. */
+const LOOK_EVERY_MS = 100;
 /** Delay of a fast typist. The text editor reads keys between two paints. */
 const KEY_MS = 15;
 
@@ -284,6 +286,7 @@ export class EditorDriver {
     for (;;) {
       const picture = await this.picture();
       if (accept(picture) || Date.now() > endMs) return picture;
+      await this.page.waitForTimeout(LOOK_EVERY_MS);
     }
   }
 }

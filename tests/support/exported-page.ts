@@ -37,11 +37,10 @@ export async function expectPoster(browser: Browser, folder: string): Promise<vo
   const bytes = [...(await readFile(join(folder, name)))];
   const page = await browser.newPage();
   const found = await page.evaluate(async (jpeg) => {
-    const { width, height, ...image } = await decode(new Uint8Array(jpeg));
+    const { width, height, data } = await decode(new Uint8Array(jpeg));
     const colors = new Set<number>();
-    for (let i = 0; i < image.data.length; i += 4) {
-      const [red = 0, green = 0, blue = 0] = image.data.slice(i, i + 3);
-      colors.add(((red >> 3) << 10) | ((green >> 3) << 5) | (blue >> 3));
+    for (let i = 0; i < data.length; i += 4) {
+      colors.add((((data[i] ?? 0) >> 3) << 10) | (((data[i + 1] ?? 0) >> 3) << 5) | ((data[i + 2] ?? 0) >> 3));
     }
     return { width, height, colors: colors.size };
 

@@ -24,7 +24,7 @@ export function encodeImage({ width, height, data }: RgbaImage): Uint8Array {
 export function fromGl(width: number, height: number, rgba: ArrayLike<number>): RgbaImage {
   const rowBytes = width * 4;
   if (rgba.length !== rowBytes * height) throw new Error(`${rgba.length} bytes are no picture of ${width}×${height}.`);
-  const source = Uint8Array.from(rgba);
+  const source = new Uint8Array(rgba);
   const data = new Uint8Array(source.length);
   for (let y = 0; y < height; y++) data.set(source.subarray(y * rowBytes, (y + 1) * rowBytes), (height - 1 - y) * rowBytes);
   return { width, height, data };
@@ -39,6 +39,11 @@ export function pixelAt({ width, height, data }: RgbaImage, x: number, y: number
 
 function addAlpha(rgb: Uint8Array): Uint8Array {
   const rgba = new Uint8Array((rgb.length / 3) * 4).fill(255);
-  for (let from = 0, to = 0; from < rgb.length; from += 3, to += 4) rgba.set(rgb.subarray(from, from + 3), to);
+  // A view of each pixel would take ten times as long.
+  for (let from = 0, to = 0; from < rgb.length; from += 3, to += 4) {
+    rgba[to] = rgb[from] ?? 0;
+    rgba[to + 1] = rgb[from + 1] ?? 0;
+    rgba[to + 2] = rgb[from + 2] ?? 0;
+  }
   return rgba;
 }

@@ -47,7 +47,9 @@ async function findBall(editor: EditorDriver) {
   const { data, width } = await editor.picture();
   const sum = { count: 0, xPx: 0, yPx: 0 };
   for (let i = 0; i < data.length; i += 4) {
-    const [red = 0, green = 0, blue = 0] = data.subarray(i, i + 3);
+    const red = data[i] ?? 0;
+    const green = data[i + 1] ?? 0;
+    const blue = data[i + 2] ?? 0;
     if (red <= 120 || blue <= 120 || green >= Math.min(red, blue) / 3) continue;
     sum.count++;
     sum.xPx += (i / 4) % width;
