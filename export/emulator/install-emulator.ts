@@ -63,8 +63,7 @@ export function installEmulator(options: EmulatorOptions = {}): Emulator {
     screen: createScreen(resolved.container),
     screenInput: device.screenInput,
     roomServices: () => {
-      const plays = resolved.clock === 'free';
-      roomServices ??= createRoomServices(resolved.room, resolved.antialias ?? plays, plays);
+      roomServices ??= createRoomServices(resolved.room, resolved.antialias ?? resolved.clock === 'free');
       return roomServices;
     },
     tracked: true,

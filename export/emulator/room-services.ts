@@ -11,12 +11,11 @@ export interface OwnedRoomServices extends RoomServices {
 /**
  * Creates the room with its view and light estimation.
  *
- * @param keepsImage Whether the room is drawn once for eyes that stay where they are.
  * @throws Error if the source is invalid.
  */
-export function createRoomServices(source: RoomSource | null, antialias: boolean, keepsImage: boolean): OwnedRoomServices {
+export function createRoomServices(source: RoomSource | null, antialias: boolean): OwnedRoomServices {
   const room = source === null ? null : createRoom(source);
-  const view = createRoomView(room, antialias, keepsImage);
+  const view = createRoomView(room, antialias);
   let light: RoomLight | null = null;
   let lightMoves = 0;
   let compositor: LayerCompositor | null = null;
@@ -30,7 +29,6 @@ export function createRoomServices(source: RoomSource | null, antialias: boolean
       if (!room) return;
       room.moveLight(directionWorld);
       room.prepare?.(view.renderer, view.scene);
-      view.roomChanged();
       light = null;
       lightMoves++;
     },

@@ -16,7 +16,6 @@ import {
 import type { Room } from '../rooms/room.ts';
 import type { BlendMode } from './composite.ts';
 import { aimCamera, createEyeCamera, type Eye } from './eye.ts';
-import { createKeptImage } from './kept-image.ts';
 
 /** Draws the room on its own canvas and composites the page's layer over it: the image that the user of the device sees. */
 export interface RoomView {
@@ -36,8 +35,6 @@ export interface RoomView {
   drawLayer(rgba: Uint8Array, blend: BlendMode, gain: number): void;
   /** Reads the current image, rows from the bottom. */
   readPixels(out: Uint8Array): void;
-  /** Call it after the solids or their light have changed. */
-  roomChanged(): void;
   dispose(): void;
 }
 
@@ -45,9 +42,8 @@ export interface RoomView {
  * Creates a room view with its own canvas and renderer, which `dispose` releases.
  *
  * @param room Null for a device without a room. The view does not dispose it.
- * @param keepsImage Whether the room is drawn once for eyes that stay where they are.
  */
-export function createRoomView(room: Room | null, antialias: boolean, keepsImage = false): RoomView {
+export function createRoomView(room: Room | null, antialias: boolean): RoomView {
   // The drawing buffer is preserved because tests and camera images read it after presentation.
   const renderer = new WebGLRenderer({ antialias, alpha: false, preserveDrawingBuffer: true });
   renderer.setPixelRatio(1);
@@ -62,7 +58,6 @@ export function createRoomView(room: Room | null, antialias: boolean, keepsImage
   }
   const camera = createEyeCamera();
   const overlay = createOverlay();
-  const kept = keepsImage ? createKeptImage(renderer) : null;
   let aimed: readonly Eye[] | null = null;
   const drawRoom = (): void => {
     if (!aimed) return;
@@ -70,18 +65,12 @@ export function createRoomView(room: Room | null, antialias: boolean, keepsImage
     renderer.setScissorTest(false);
     renderer.setClearColor(0x000000, 1);
     renderer.clear();
-    const eyes = aimed;
+    for (const { clipFromView, worldFromView, viewport } of aimed) {
+      renderer.setViewport(viewport.x, viewport.y, viewport.widthPx, viewport.heightPx);
+      aimCamera(camera, clipFromView, worldFromView);
+      renderer.render(scene, camera);
+    }
     aimed = null;
-    if (eyes.length === 0) return;
-    const render = (): void => {
-      for (const { clipFromView, worldFromView, viewport } of eyes) {
-        renderer.setViewport(viewport.x, viewport.y, viewport.widthPx, viewport.heightPx);
-        aimCamera(camera, clipFromView, worldFromView);
-        renderer.render(scene, camera);
-      }
-    };
-    if (kept) kept.draw(eyes, render);
-    else render();
   };
 
   return {
@@ -107,11 +96,9 @@ export function createRoomView(room: Room | null, antialias: boolean, keepsImage
       renderer.setRenderTarget(null);
       gl.readPixels(0, 0, renderer.domElement.width, renderer.domElement.height, gl.RGBA, gl.UNSIGNED_BYTE, out);
     },
-    roomChanged: () => kept?.forget(),
     dispose: () => {
       if (room) scene.remove(room.solids);
       overlay.dispose();
-      kept?.dispose();
       renderer.dispose();
       renderer.forceContextLoss();
     },
