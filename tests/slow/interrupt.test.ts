@@ -134,16 +134,10 @@ async function isAlive(pid: number): Promise<boolean> {
   });
 });
 
-/** Ids of processes that do not have a mark, by mark: those that were looked at once, because a mark comes only with the start of a process. */
-const unmarked = new Map<string, Set<number>>();
-
 /** Ids of the living processes that have this in their environment: children inherit it, also where their parent ends. */
 async function marked(mark: string): Promise<readonly number[]> {
-  const others = unmarked.get(mark) ?? new Set();
-  unmarked.set(mark, others);
-  const ids = (await readdir('/proc')).map(Number).filter((id) => Number.isInteger(id) && !others.has(id));
+  const ids = (await readdir('/proc')).map(Number).filter(Number.isInteger);
   const has = await Promise.all(ids.map(async (id) => (await readFile(`/proc/${id}/environ`, 'latin1').catch(() => '')).includes(mark)));
-  for (const [i, id] of ids.entries()) if (!has[i]) others.add(id);
   return ids.filter((_, i) => has[i]);
 }
 

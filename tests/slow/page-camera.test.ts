@@ -3,6 +3,7 @@ import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import { DISC, type ServedPage, servePage } from '../browser/page-kit.ts';
 import { collectErrors, drawPageSeldom, useBrowser } from '../support/browser.ts';
 import { decodeImage, pixelAt, type RgbaImage } from '../support/image.ts';
+import { eventually } from '../support/patience.ts';
 
 // Chromium's own fake camera, green with a pie that fills; and its visitor, who says yes to everything, or no.
 const chromium = useBrowser(['--use-fake-device-for-media-stream', '--use-fake-ui-for-media-stream']);
@@ -210,8 +211,11 @@ describe('an exported page whose visitor refuses', () => {
     await page.getByRole('alert').getByText('The camera was not allowed. Allow it for this page').waitFor();
     expect(await use.isEnabled()).toBe(true);
     expect(await page.getByText('Drag to look around').isVisible()).toBe(true);
-    const [red, , blue] = pixelAt(await shot(page), 467, 240);
-    expect(red - blue).toBeGreaterThan(40);
+    // The picture follows in the next frame.
+    await eventually(async () => {
+      const [red, , blue] = pixelAt(await shot(page), 467, 240);
+      expect(red - blue).toBeGreaterThan(40);
+    });
     expect(errors).toEqual([]);
   });
 

@@ -53,13 +53,15 @@ function storePreferences(): void {
 }
 
 /**
- * Milliseconds between two frames of a preview or a page. Without a GPU, one that plays as fast as it can takes both cores from what is
+ * Milliseconds between two frames of a preview. Without a GPU, one that plays as fast as it can takes both cores from what is
  * tested: the tests of the editor then took three times as long.
  */
 const FREE_FRAME_MS = 250;
+/** The same of an exported page, whose image a test takes as soon as its texts say that it is there. */
+const PAGE_FRAME_MS = 100;
 
 /** Lets an exported page draw every `frameMs`, from its next navigation. Frames that a test steps itself are drawn at once. */
-export async function drawPageSeldom(page: Page, frameMs = FREE_FRAME_MS): Promise<void> {
+export async function drawPageSeldom(page: Page, frameMs = PAGE_FRAME_MS): Promise<void> {
   await page.addInitScript(drawSeldom, { frameMs, embedded: false });
 }
 
