@@ -1,7 +1,7 @@
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
-import { collectErrors, drawPageSeldom, useBrowser } from '../support/browser.ts';
+import { collectErrors, useBrowser } from '../support/browser.ts';
 import { decodeImage, type RgbaImage } from '../support/image.ts';
 import type { ProjectText } from '../support/project-kit.ts';
 import { type ServedExport, serveProjectText } from '../support/project-page.ts';
@@ -40,7 +40,6 @@ async function visit(url: string): Promise<{ picture: RgbaImage; loaded: string[
   const errors = collectErrors(page);
   const loaded: string[] = [];
   page.on('request', (request) => loaded.push(new URL(request.url()).pathname));
-  await drawPageSeldom(page);
   await page.goto(url);
   await page.getByText('look around').waitFor();
   const picture = decodeImage(await page.screenshot());
