@@ -4,9 +4,7 @@ import { build } from 'esbuild';
 /** Scripts by what they are made of. */
 const bundled = new Map<string, Promise<string>>();
 
-/**
- * Bundles a page script from Scrim’s sources, once in a process. Its exports become properties of `globalName`.
- */
+/** Bundles a page script from Scrim’s sources, once in a process. Its exports become properties of `globalName`. */
 export function bundleScript(root: string, entry: string, globalName: string): Promise<string> {
   const key = JSON.stringify([root, entry, globalName]);
   const script = bundled.get(key) ?? bundle(root, entry, globalName);

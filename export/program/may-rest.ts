@@ -1,6 +1,9 @@
 import type { Operation, PassOperation, PassUniform, Program, Resource } from './program.ts';
 
-/** Node types that list, place or draw objects and lights, or give the depth of the room, and say when they change (`NodeRuntime.version`). A test compares them. */
+/**
+ * Node types that list, place or draw objects and lights, or give the depth of the room, and say when they change (`NodeRuntime.version`). A test
+ * compares them.
+ */
 export const STILL_TYPES: readonly string[] = [
   'layer/object-mask',
   'layer/scene',

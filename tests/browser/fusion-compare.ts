@@ -1,7 +1,7 @@
 import { expect } from '@jest/globals';
 import type { PageModule } from '../support/browser.ts';
 import { type GraphPlan, manyGraphs, passes, type Twins } from '../support/fusion-kit.ts';
-import type { Difference } from './fusion.page.ts';
+import type { Difference } from './fusion-difference.ts';
 
 /** Draws pairs of programs on the page `fusion.page.ts`, on all of its canvas unless a smaller size in pixels is given. */
 export async function compareTwins(page: PageModule, pairs: readonly Twins[], ...size: readonly number[]): Promise<Difference[]> {

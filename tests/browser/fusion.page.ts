@@ -4,16 +4,8 @@ import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import type { ViewFrame } from '../../nodes/kit/session.ts';
 import type { Twins } from '../support/fusion-kit.ts';
+import { type Difference, difference } from './fusion-difference.ts';
 import { createGl, frame, HEIGHT, type Stand, stand, view, WIDTH } from './runtime-kit.ts';
-
-export interface Difference {
-  /** Channels of pixels that differ, and by how many of 255 steps at most. */
-  readonly differing: number;
-  readonly most: number;
-  readonly channels: number;
-  /** The fraction of channels that are neither 0 nor 255: an image without any tests nothing. */
-  readonly tones: number;
-}
 
 /** Frames that a program with content that is kept between frames plays. */
 const FRAMES = 3;
@@ -114,18 +106,4 @@ async function draw(role: Role, program: Program, views?: readonly ViewFrame[]):
   if (errors.length > 0) throw new Error(JSON.stringify(errors));
   gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   return stage;
-}
-
-function difference(a: Uint8Array, b: Uint8Array): Difference {
-  let differing = 0;
-  let most = 0;
-  let tones = 0;
-  for (let i = 0; i < a.length; i++) {
-    const value = a[i] ?? 0;
-    const apart = Math.abs(value - (b[i] ?? 0));
-    if (apart > 0) differing++;
-    if (apart > most) most = apart;
-    if (value > 0 && value < 255) tones++;
-  }
-  return { differing, most, channels: a.length, tones: tones / a.length };
 }

@@ -83,6 +83,7 @@ export function viewOfText(text: string, key: string, values: Values = {}, layer
   );
   return {
     version: 1,
+    // Layers that are absent change the shader.
     key: `${key} ${Object.keys(layers)}`,
     vertex: linked.vertex,
     fragment: linked.fragment,

@@ -1,26 +1,13 @@
 import { diagnostics, type OpenRender, open, playAndRead, type RenderJob } from '../../app/cli/render/render.page.ts';
 import { readScreen } from '../../export/runtime/readback.ts';
 import { hasErrors } from '../../nodes/kit/diagnostics.ts';
-
-/** What differs between the images of two programs. */
-export interface Difference {
-  /** Channels of pixels, those that are not the same, and by how much at most. */
-  readonly channels: number;
-  readonly differing: number;
-  readonly most: number;
-}
+import { type Difference, difference } from '../browser/fusion-difference.ts';
 
 /** Plays both renders from frame `first` to frame `last`, and compares the last images. */
 export async function compare(before: RenderJob, after: RenderJob, first: number, last: number): Promise<Difference> {
   const [one, other] = [await drawn(before, first, last), await drawn(after, first, last)];
   if (one.length !== other.length) throw new Error('The images have different sizes.');
-  let [differing, most] = [0, 0];
-  for (let i = 0; i < one.length; i++) {
-    const difference = Math.abs((one[i] ?? 0) - (other[i] ?? 0));
-    if (difference > 0) differing++;
-    most = Math.max(most, difference);
-  }
-  return { channels: one.length, differing, most };
+  return difference(one, other);
 }
 
 async function drawn(job: RenderJob, first: number, last: number): Promise<Uint8Array> {

@@ -7,8 +7,8 @@ import { DECODER_FILES_FOLDER } from '../../export/gltf/decoders.ts';
 import type { Program } from '../../export/program/program.ts';
 import { compiledProgram } from '../../tools/bench/compiled-program.ts';
 import { exampleNames } from '../../tools/lib/example-names.ts';
+import type { Difference } from '../browser/fusion-difference.ts';
 import { useModule } from '../support/browser.ts';
-import type { Difference } from './fusion-examples.page.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
 /**
