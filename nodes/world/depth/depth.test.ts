@@ -27,6 +27,20 @@ test('hands on the depth of each view as it is measured, and none of views that 
   expect(ctx.outputs.depth.views).toEqual([null, RIGHT]);
 });
 
+test('says that its depth may have changed: in every frame of a device, in new ones of a recording, and not while there is none', () => {
+  const { ctx } = fakeContext(definition, { params: { filter: 'nearest', fillHoles: false, smoothingS: 0 } });
+  ctx.outputs.depth.views.push(null);
+  const node = create(ctx);
+  const changes = (version: number | undefined, depth: RoomDepth | null): boolean => {
+    const before = node.version;
+    node.update({ ...frame(1, depth), ...(version === undefined ? {} : { version }) });
+    return node.version !== before;
+  };
+  expect([changes(undefined, null), changes(undefined, null)]).toEqual([false, false]);
+  expect([changes(undefined, LEFT), changes(undefined, LEFT), changes(undefined, null)]).toEqual([true, true, true]);
+  expect([changes(4, LEFT), changes(4, LEFT), changes(5, LEFT)]).toEqual([true, false, true]);
+});
+
 test('asks for depth where the device measures it, for the camera where its edges count, and never requires either', () => {
   const asked = (params: Record<string, string>) =>
     new TestStudio({ library: LIBRARY, readShader })

@@ -19,6 +19,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   let jumps = 0;
   let version = 0;
   let lastVersion: number | undefined;
+  let hadDepth = false;
   const forget = (): void => {
     for (const refiner of gpu?.refiners ?? []) refiner.forget();
   };
@@ -45,9 +46,11 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       return version;
     },
     update: (frame) => {
-      // A painted depth may arrive late, and a smoothed one goes on approaching what is measured.
+      const hasDepth = config.source === 'device' ? !!frame.views[0]?.depth : !!picture?.value;
+      // A smoothed depth goes on approaching what is measured.
       const isSteady = config.source === 'device' && frame.version !== undefined && params.smoothingS.value <= 0;
-      if (!isSteady || frame.version !== lastVersion) version++;
+      if (hasDepth !== hadDepth || (hasDepth && !(isSteady && frame.version === lastVersion))) version++;
+      hadDepth = hasDepth;
       lastVersion = frame.version;
       // What was seen before stands elsewhere now.
       if (frame.jumps !== jumps) forget();
