@@ -68,7 +68,7 @@ function CanvasInside() {
   const panOnScroll = useWheel(root);
   const drop = useFileDrop(flow.screenToFlowPosition);
   const handlers = useGestures(flow.screenToFlowPosition, flow.flowToScreenPosition);
-  const revealing = useReveal();
+  const revealing = useReveal(root);
   useKeptView(revealing);
   useScale();
   useShownPlace();

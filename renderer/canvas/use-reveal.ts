@@ -7,6 +7,7 @@ import { overlaps } from '../state/graph/free-places.ts';
 import { isStill, uiScale } from '../ui/appearance.ts';
 
 const DURATION_MS = 260;
+const GESTURES = ['pointerdown', 'wheel'] as const;
 /** Margin around a graph that fills the view, as a fraction of the view. */
 export const FIT_PADDING = 0.06;
 /** Distance from the edge of the view to nodes that were scrolled into it, in canvas units. */
@@ -15,10 +16,11 @@ const PAN_MARGIN = 24;
 /**
  * Scrolls nodes into view on request from outside the canvas, such as the problems panel.
  *
+ * @param root The canvas, whose gestures end a move of the view.
  * @returns Starts the last move of the view again; null when it has ended.
  */
-export function useReveal(): RefObject<(() => void) | null> {
-  const { ui, clock } = useEditor();
+export function useReveal(root: RefObject<HTMLElement | null>): RefObject<(() => void) | null> {
+  const { ui } = useEditor();
   const reveal = useStore(ui, (state) => state.reveal);
   const { fitView, getNodes, getNodesBounds, setCenter } = useReactFlow();
   const store = useStoreApi();
@@ -28,16 +30,16 @@ export function useReveal(): RefObject<(() => void) | null> {
     const isFound = () => getNodes().some((node) => overlaps(getNodesBounds([node]), seenPart(store.getState())));
     if (reveal.how === 'find' && (getNodes().length === 0 || isFound())) return;
     const duration = isStill() ? 0 : DURATION_MS;
-    const move = (): void => {
+    const move = async (): Promise<void> => {
       if (typeof reveal.how === 'object') {
         const { x, y, zoom } = reveal.how;
         // React Flow fits its first nodes when they arrive, which would replace the place.
         store.setState({ fitViewQueued: false });
-        void setCenter(x, y, { zoom, duration: 0 });
+        await setCenter(x, y, { zoom, duration: 0 });
         return;
       }
       if (reveal.how !== 'show') {
-        void fitView({ ...nodesOf(reveal), padding: FIT_PADDING, maxZoom: uiScale(), duration });
+        await fitView({ ...nodesOf(reveal), padding: FIT_PADDING, maxZoom: uiScale(), duration });
         return;
       }
       const bounds = getNodesBounds([...reveal.nodes]);
@@ -47,19 +49,24 @@ export function useReveal(): RefObject<(() => void) | null> {
         y: shiftInto(bounds.y, bounds.height, seen.y, seen.height),
       };
       if (bounds.width === 0 || (by.x === 0 && by.y === 0)) return;
-      void setCenter(seen.x + seen.width / 2 + by.x, seen.y + seen.height / 2 + by.y, { zoom: store.getState().transform[2], duration });
+      await setCenter(seen.x + seen.width / 2 + by.x, seen.y + seen.height / 2 + by.y, { zoom: store.getState().transform[2], duration });
     };
-    move();
-    revealing.current = move;
+    const start = (): void => {
+      revealing.current = start;
+      // React Flow starts the move after it has measured the nodes, and never resolves one that something else interrupts.
+      void move().then(end);
+    };
     const end = (): void => {
-      revealing.current = null;
+      if (revealing.current === start) revealing.current = null;
     };
-    const cancel = clock.after(duration, end);
+    start();
+    const canvas = root.current;
+    for (const type of GESTURES) canvas?.addEventListener(type, end, { capture: true, passive: true });
     return () => {
-      cancel();
+      for (const type of GESTURES) canvas?.removeEventListener(type, end, { capture: true });
       end();
     };
-  }, [reveal, clock, fitView, getNodes, getNodesBounds, setCenter, store]);
+  }, [reveal, root, fitView, getNodes, getNodesBounds, setCenter, store]);
   return revealing;
 }
 

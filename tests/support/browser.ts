@@ -65,7 +65,10 @@ export async function drawPageSeldom(page: Page, frameMs = PAGE_FRAME_MS): Promi
   await page.addInitScript(drawSeldom, { frameMs, embedded: false });
 }
 
-/** Page code, installed before its scripts: frames start at least `frameMs` apart, in embedded pages or in the page itself. */
+/**
+ * Page code, installed before its scripts: frames start at least `frameMs` apart, in embedded pages or in the page itself. What waits for
+ * the screen asks `requestScreenFrame`.
+ */
 function drawSeldom({ frameMs, embedded }: { readonly frameMs: number; readonly embedded: boolean }): void {
   if ((window.top !== window) !== embedded) return;
   const { requestAnimationFrame: request, cancelAnimationFrame: cancel, setTimeout: start, clearTimeout: stop } = window;
@@ -73,6 +76,7 @@ function drawSeldom({ frameMs, embedded }: { readonly frameMs: number; readonly 
   const delayed = new Map<number, () => void>();
   let nextId = -1;
   let lastMs = -frameMs;
+  Object.assign(window, { requestScreenFrame: request });
   window.requestAnimationFrame = (draw) => {
     const run = (timeMs: number) => {
       lastMs = timeMs;

@@ -188,6 +188,8 @@ export class EditorDriver {
       if (button.getAttribute('aria-label') === 'Pause') button.click();
     });
     await this.page.getByRole('button', { name: 'Play', exact: true }).waitFor();
+    // The time at which it pauses is drawn in the next frame.
+    await this.nextFrames();
   }
 
   /** Goes to the first frame, and returns its image once it no longer changes. Recordings decode their frames asynchronously. */
@@ -196,9 +198,14 @@ export class EditorDriver {
     await this.press('Go to first frame');
     await this.page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '0');
     // The frame number is the requested one; its image follows. Other sources draw at their next frame.
-    await this.preview.locator('body').evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    await this.nextFrames();
     await this.settled();
     return this.restingImage();
+  }
+
+  /** Waits until the preview has drawn what it was told before. */
+  private async nextFrames(): Promise<void> {
+    await this.preview.locator('body').evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   }
 
   /** The image of the preview once it no longer changes. */
@@ -235,11 +242,19 @@ export class EditorDriver {
     }
   }
 
-  /** Shows or hides the gizmo. A hidden gizmo still works. */
+  /** Shows the gizmo, or hides it until the screen shows neither the gizmo nor an older image. A hidden gizmo still works. */
   private async showGizmo(shown: boolean): Promise<void> {
-    const show = (visibility: string) => {
+    const show = async (visibility: string) => {
       for (const element of document.querySelectorAll<HTMLElement>('#gizmo, #image-gizmo, .gizmo-bar'))
         element.style.visibility = visibility;
+      if (visibility === '') return;
+      const { requestScreenFrame } = window as { requestScreenFrame?: Window['requestAnimationFrame'] };
+      const request = requestScreenFrame ?? window.requestAnimationFrame;
+      // A page out of view has no frames.
+      await new Promise((done) => {
+        setTimeout(done, 500);
+        request(() => request(done));
+      });
     };
     // A page that is loading has no gizmo.
     await Promise.all(this.page.frames().map((frame) => frame.evaluate(show, shown ? '' : 'hidden').catch(() => {})));
