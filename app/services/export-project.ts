@@ -74,9 +74,6 @@ export async function exportProject(job: ExportJob): Promise<ExportOutcome> {
   const all = [...diagnostics];
   try {
     const report = await writePageFolder(out, files, async (sink) => {
-      const poster = await posterOf(project, program, job);
-      if (poster === null && drawPoster) all.push(NO_POSTER);
-      say('Bundling the page…');
       const bundled = await bundlePage({
         program,
         page: project.page,
@@ -91,7 +88,11 @@ export async function exportProject(job: ExportJob): Promise<ExportOutcome> {
         singleFile,
         offline,
         address,
-        poster,
+        drawPoster: async () => {
+          const poster = await posterOf(project, program, job);
+          if (poster === null && drawPoster) all.push(NO_POSTER);
+          return poster;
+        },
       });
       all.push(...bundled.diagnostics);
       return bundled.output;

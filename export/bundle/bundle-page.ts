@@ -36,8 +36,8 @@ export interface BundleInput {
   readonly cache?: AssetCache;
   /** Receives progress texts. */
   readonly say?: (text: string) => void;
-  /** An image of the project of size `POSTER_SIZE`. Default: a neutral one. */
-  readonly poster?: PosterImage | null;
+  /** Draws an image of the project of size `POSTER_SIZE`, after the assets have been checked. Default, and for null: a neutral one. */
+  readonly drawPoster?: () => Promise<PosterImage | null>;
   /** Whether `index.html` contains everything, so that it opens without a server. */
   readonly singleFile?: boolean;
   /** Whether the page stores its files, so that it opens offline after a visit. A single file never does. Default: true. */
@@ -71,6 +71,8 @@ export async function bundlePage(input: BundleInput): Promise<Result<ExportRepor
   if (prepared.output === null) return { output: null, diagnostics: prepared.diagnostics };
   const tooLarge = input.singleFile ? prepared.output.assets.flatMap(largePlace) : [];
   if (tooLarge.length > 0) return { output: null, diagnostics: tooLarge };
+  const poster = (await input.drawPoster?.()) ?? neutralPoster();
+  say('Bundling the page…');
   const { program, assets } = await storeLamps(input.program, prepared.output.assets, { root, say });
   const use = programUse(program);
   const works = pageCredits(input.program.credits ?? [], prepared.output.assets);
@@ -85,7 +87,7 @@ export async function bundlePage(input: BundleInput): Promise<Result<ExportRepor
   }
   const files: ReportedFile[] = [];
   const credits = works.map(({ nodes: _, ...credit }): PageCredit => credit);
-  for (const { path, kind, bytes } of layOut({ ...input, program }, code, { ...prepared.output, assets }, credits)) {
+  for (const { path, kind, bytes } of layOut({ ...input, program }, poster, code, { ...prepared.output, assets }, credits)) {
     await input.sink.write(path, bytes);
     files.push({ path, kind, ...sizesOf(bytes) });
   }
@@ -126,11 +128,12 @@ interface Code {
 
 function layOut(
   input: BundleInput,
+  poster: PosterImage,
   { scripts, style }: Code,
   { assets, decoders, decoderFiles }: PreparedAssets,
   credits: readonly PageCredit[],
 ): PageFile[] {
-  const { program, page, poster, singleFile = false, offline = true, address = null } = input;
+  const { program, page, singleFile = false, offline = true, address = null } = input;
   const bytes = toBytes(JSON.stringify(exportedProgram(program, assets)));
   const programFile: PageFile = { path: hashedName('program.json', bytes), kind: 'program', bytes };
   const assetFiles = assets.flatMap(({ asset, path, bytes, others }): PageFile[] =>
@@ -150,7 +153,7 @@ function layOut(
     script: scripts.page.bytes,
     sessions: scripts.sessions?.bytes ?? null,
     style,
-    poster: poster ?? neutralPoster(),
+    poster,
     content,
     config: {
       asks: asksOf(program.needs),

@@ -20,7 +20,7 @@ export interface ServedPage {
 export async function servePage(
   program: Program,
   readAsset: (path: string) => Promise<Uint8Array> = () => Promise.reject(new Error('there is no such file')),
-  more: Partial<Pick<BundleInput, 'poster' | 'singleFile' | 'address'>> = {},
+  more: Partial<Pick<BundleInput, 'singleFile' | 'address'>> = {},
 ): Promise<ServedPage> {
   const folder = await mkdtemp(join(tmpdir(), 'scrim-page-'));
   const { output, diagnostics } = await bundlePage({
