@@ -285,7 +285,7 @@ describe('a bundled page', () => {
 
   test('is not begun when an asset cannot be read', async () => {
     const readAsset = () => Promise.reject(new Error('there is no such file'));
-    const drawPoster = () => Promise.reject(new Error('drawn in vain'));
+    const drawPoster = () => Promise.reject(new Error('drawn without need'));
     const { files, output, diagnostics } = await exported(IMAGE_ONLY, { readAsset, drawPoster });
     expect(output).toBeNull();
     expect(files.size).toBe(0);
@@ -305,7 +305,7 @@ describe('a bundled page', () => {
     };
     const program: Program = { ...WITH_OBJECTS, assets: [{ id: 'unused', kind: 'capture', path }] };
     const readAsset = async (name: string) => files[name] ?? PICTURE;
-    const drawPoster = () => Promise.reject(new Error('drawn in vain'));
+    const drawPoster = () => Promise.reject(new Error('drawn without need'));
     const refused = await exported(program, { readAsset, drawPoster, singleFile: true });
     expect([refused.output, refused.files.size]).toEqual([null, 0]);
     const message = `${path} has 21 MB; a page of one file may contain captures of 20 MB.`;
