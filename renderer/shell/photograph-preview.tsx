@@ -25,7 +25,7 @@ export function PhotographPreview({ plan, request, onPngBytes }: PhotographPrevi
   /** The camera of the photograph that is shown. */
   const [shownPose, setShownPose] = useState<readonly number[] | null>(null);
   const [error, setError] = useState<string | null>(null);
-  const preview = useRef<PreviewedCamera | null>(null);
+  const [preview, setPreview] = useState<PreviewedCamera | null>(null);
   const color = useRef<HTMLCanvasElement>(null);
   const depth = useRef<HTMLCanvasElement>(null);
   const count = plan?.poses.length ?? 1;
@@ -43,17 +43,16 @@ export function PhotographPreview({ plan, request, onPngBytes }: PhotographPrevi
       },
       onError: setError,
     });
-    preview.current = page;
+    setPreview(page);
     return () => {
-      preview.current = null;
+      setPreview(null);
       page.close();
     };
   }, [editor, request]);
 
-  // biome-ignore lint/correctness/useExhaustiveDependencies: a new page, which a new request opens, shows the camera again.
   useEffect(() => {
-    if (plan && pose) preview.current?.show(reducedCamera(plan.camera, PREVIEW_PX), pose);
-  }, [plan, pose, request]);
+    if (plan && pose) preview?.show(reducedCamera(plan.camera, PREVIEW_PX), pose);
+  }, [plan, pose, preview]);
 
   useEffect(() => {
     if (!shown || !color.current || !depth.current) return undefined;

@@ -242,22 +242,28 @@ export class EditorDriver {
     }
   }
 
-  /** Shows the gizmo, or hides it until the screen shows neither the gizmo nor an older image. A hidden gizmo still works. */
+  /** Shows or hides the gizmo. A hidden gizmo still works. */
   private async showGizmo(shown: boolean): Promise<void> {
-    const show = async (visibility: string) => {
+    const show = (visibility: string) => {
       for (const element of document.querySelectorAll<HTMLElement>('#gizmo, #image-gizmo, .gizmo-bar'))
         element.style.visibility = visibility;
-      if (visibility === '') return;
-      const { requestScreenFrame } = window as { requestScreenFrame?: Window['requestAnimationFrame'] };
-      const request = requestScreenFrame ?? window.requestAnimationFrame;
-      // A page out of view has no frames.
-      await new Promise((done) => {
-        setTimeout(done, 500);
-        request(() => request(done));
-      });
     };
     // A page that is loading has no gizmo.
     await Promise.all(this.page.frames().map((frame) => frame.evaluate(show, shown ? '' : 'hidden').catch(() => {})));
+  }
+
+  /** Waits until the screen shows what the editor and the preview have drawn. */
+  private async shown(): Promise<void> {
+    const wait = () =>
+      new Promise((done) => {
+        const { requestScreenFrame } = window as { requestScreenFrame?: Window['requestAnimationFrame'] };
+        const request = requestScreenFrame ?? window.requestAnimationFrame;
+        request(() => request(done));
+        // A page out of view has no frames.
+        setTimeout(done, 500);
+      });
+    // A page that is loading shows nothing.
+    await Promise.all(this.page.frames().map((frame) => frame.evaluate(wait).catch(() => {})));
   }
 
   /** The image with the gizmo, for tests of the gizmo. */
@@ -265,6 +271,7 @@ export class EditorDriver {
     await this.keepSize();
     const box = await this.page.locator('iframe[title="Preview"]').boundingBox();
     if (!box) throw new Error('There is no preview.');
+    await this.shown();
     // Cropped here: a screenshot of a part of an iframe in a process of its own differs by a few steps in some pixels.
     const { width, height, data } = decodeImage(await this.page.screenshot({ clip: box }));
     return { width, height: height - FLAG_PX, data: data.slice(FLAG_PX * width * 4) };

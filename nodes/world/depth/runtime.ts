@@ -49,7 +49,8 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       const hasDepth = config.source === 'device' ? !!frame.views[0]?.depth : !!picture?.value;
       // A smoothed depth goes on approaching what is measured.
       const isSteady = config.source === 'device' && frame.version !== undefined && params.smoothingS.value <= 0;
-      if (hasDepth !== hadDepth || (hasDepth && !(isSteady && frame.version === lastVersion))) version++;
+      const isSame = isSteady && frame.version === lastVersion;
+      if (hasDepth !== hadDepth || (hasDepth && !isSame)) version++;
       hadDepth = hasDepth;
       lastVersion = frame.version;
       // What was seen before stands elsewhere now.

@@ -6,7 +6,7 @@ import type { FrameRenderLink } from '../editor/editor.ts';
 /** Shows what one camera of an acquisition sees. Of several requests, only the newest is answered. */
 export interface PreviewedCamera {
   show(camera: AcquiredCamera, worldFromCamera: readonly number[]): void;
-  /** Closes the page. */
+  /** Closes the page, which then shows nothing more. */
   close(): void;
 }
 
@@ -41,7 +41,7 @@ export function previewCameras(link: FrameRenderLink, request: PhotographsReques
   return {
     show: (camera, worldFromCamera) => {
       wanted = { camera, worldFromCamera };
-      if (!busy) void run();
+      if (!busy && !closed) void run();
     },
     close: () => {
       closed = true;
